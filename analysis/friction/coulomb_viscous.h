@@ -1,0 +1,45 @@
+// Coulomb and viscous friction: the nominal law of most machine models.
+#pragma once
+#include "analysis/friction/response.h"
+
+#include <cmath>
+
+namespace stickslip {
+
+/// f(V) = (F_c + F_v |V|) sgn V; at rest any force within ±F_c. Its slope is never negative: it cannot stick-slip by itself.
+struct CoulombViscous {
+    double coulomb = not_set;
+    double viscous = not_set;
+
+    static constexpr LawInfo info{
+        .name = "coulomb-viscous",
+        .formula = "f = (coulomb + viscous |V|) sgn V",
+        .source = "Dupont 1991, (7) with c2 = 0",
+        .validity = "all velocities; at V = 0 any force within ±coulomb",
+        .steady_state_dependence = true,
+        .set_valued_at_rest = true,
+        .odd = true,
+    };
+
+    int states() const { return 0; }
+    States steady_state(double) const { return {}; }
+    double static_force() const { return coulomb; }
+    double steady_force(double V) const { return V == 0 ? 0 : std::copysign(coulomb, V) + viscous * V; }
+
+    FrictionResponse respond(double V, const States&) const
+    {
+        FrictionResponse r;
+        r.force = steady_force(V);
+        r.by_velocity = viscous;
+        return r;
+    }
+
+    template <class Self, class Visitor>
+    static void fields(Self& self, Visitor& visit)
+    {
+        visit.number({"coulomb", Quantity::effort, not_negative, Need::required, "Coulomb friction"}, self.coulomb);
+        visit.number({"viscous", Quantity::damping, not_negative, Need::required, "viscous friction"}, self.viscous);
+    }
+};
+
+}  // namespace stickslip

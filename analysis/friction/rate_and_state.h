@@ -1,0 +1,83 @@
+// Rate-and-state friction, slip law: friction that remembers over a slip distance.
+#pragma once
+#include "analysis/friction/response.h"
+
+#include <cmath>
+#include <string>
+
+namespace stickslip {
+
+/// f = f0 + A ln(V/V*) + Σ θ_i,   θ̇_i = −(V/L_i)(θ_i + B_i ln(V/V*))                      (2)-(5)
+/// f_ss = f0 + (A − Σ B_i) ln(V/V*)                                                        (6)
+/// Source: Dupont (1991), eqs. (2)-(6); Ruina (1983). The paper calls V* V_0; here V_0 is the commanded velocity.
+struct RateAndState {
+    double f0 = not_set;      ///< friction at V*
+    double A = not_set;       ///< direct effect
+    NumberList B{};           ///< evolution effect of each state
+    NumberList L{};           ///< slip distance of each state
+    double V_star = not_set;  ///< reference velocity
+
+    static constexpr LawInfo info{
+        .name = "rate-and-state",
+        .formula = "f = f0 + A ln(V/V*) + sum theta_i, theta_i' = -(V/L_i)(theta_i + B_i ln(V/V*))",
+        .source = "Dupont 1991, (2)-(6); Ruina 1983 (slip law)",
+        .validity = "V > 0; the logarithm has no meaning at rest or in reverse",
+        .steady_state_dependence = true,
+        .direct_effect = true,
+        .slip_distance = true,
+        .needs_motion = true,
+    };
+
+    int states() const { return B.size; }
+
+    double steady_force(double V) const
+    {
+        const double logarithm = std::log(V / V_star);
+        double slope = A;
+        for (double b : B) slope -= b;
+        return f0 + slope * logarithm;
+    }
+
+    States steady_state(double V) const
+    {
+        const double logarithm = std::log(V / V_star);
+        States theta{};
+        for (int i = 0; i < B.size; ++i) theta[i] = -B[i] * logarithm;
+        return theta;
+    }
+
+    FrictionResponse respond(double V, const States& theta) const
+    {
+        const double logarithm = std::log(V / V_star);
+        FrictionResponse r;
+        r.force = f0 + A * logarithm;
+        r.by_velocity = A / V;
+        for (int i = 0; i < B.size; ++i) {
+            const double distance_to_steady = theta[i] + B[i] * logarithm;
+            r.force += theta[i];
+            r.by_state[i] = 1;
+            r.rate[i] = -V / L[i] * distance_to_steady;
+            r.rate_by_velocity[i] = -(distance_to_steady + B[i]) / L[i];
+            r.rate_by_state[i] = -V / L[i];
+        }
+        return r;
+    }
+
+    /// What ranges cannot say: every state needs its B and its L.
+    std::string problem() const
+    {
+        return B.size == L.size ? "" : "B and L need one value a state each, given are " + std::to_string(B.size) + " and " + std::to_string(L.size);
+    }
+
+    template <class Self, class Visitor>
+    static void fields(Self& self, Visitor& visit)
+    {
+        visit.number({"f0", Quantity::effort, any_finite, Need::required, "friction at the reference velocity"}, self.f0);
+        visit.number({"A", Quantity::effort, positive, Need::required, "direct velocity effect"}, self.A);
+        visit.numbers({"B", Quantity::effort, not_negative, Need::required, "evolution effect, one value a state"}, self.B);
+        visit.numbers({"L", Quantity::position, positive, Need::required, "characteristic slip distance, one value a state"}, self.L);
+        visit.number({"V_star", Quantity::velocity, positive, Need::required, "reference velocity V*"}, self.V_star);
+    }
+};
+
+}  // namespace stickslip

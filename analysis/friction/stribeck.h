@@ -1,0 +1,68 @@
+// The Stribeck curve: friction that depends on the current velocity alone.
+#pragma once
+#include "analysis/friction/response.h"
+
+#include <cmath>
+
+namespace stickslip {
+
+/// f(V) = (c0 + c1 |V| + c2 exp(−(|V|/c3)^c4)) sgn V                                    (7); c4 = 2 gives (22).
+/// At rest: any force within ±(c0 + c2). High speed: c0 + c1 |V|.
+/// Source: Dupont (1991), eqs. (7), (22)-(26); exponential form after Tustin and Bo & Pavelescu.
+struct Stribeck {
+    double c0 = not_set;  ///< Coulomb level
+    double c1 = not_set;  ///< viscous slope
+    double c2 = not_set;  ///< static level above Coulomb; may be 0
+    double c3 = not_set;  ///< Stribeck velocity
+    double c4 = 2;        ///< exponent
+
+    static constexpr LawInfo info{
+        .name = "stribeck",
+        .formula = "f = (c0 + c1 |V| + c2 exp(-(|V|/c3)^c4)) sgn V",
+        .source = "Dupont 1991, (7) and (22)",
+        .validity = "all velocities; at V = 0 any force within ±(c0 + c2)",
+        .steady_state_dependence = true,
+        .set_valued_at_rest = true,
+        .odd = true,
+    };
+
+    int states() const { return 0; }
+    States steady_state(double) const { return {}; }
+    double static_force() const { return c0 + c2; }
+    double steady_force(double V) const { return respond(V, {}).force; }
+
+    FrictionResponse respond(double V, const States&) const
+    {
+        const double speed = std::abs(V);
+        const double power = std::pow(speed / c3, c4);
+        const double bump = c2 * std::exp(-power);
+        FrictionResponse r;
+        r.force = V == 0 ? 0 : std::copysign(c0 + c1 * speed + bump, V);
+        // (23) for a general exponent: d/dV c2 exp(−u^c4) = −c2 c4 u^c4 / V exp(−u^c4)
+        r.by_velocity = c1 - (speed == 0 ? slope_at_rest() : bump * c4 * power / speed);
+        return r;
+    }
+
+    template <class Self, class Visitor>
+    static void fields(Self& self, Visitor& visit)
+    {
+        visit.number({"c0", Quantity::effort, not_negative, Need::required, "Coulomb friction"}, self.c0);
+        visit.number({"c1", Quantity::damping, not_negative, Need::required, "viscous friction"}, self.c1);
+        visit.number({"c2", Quantity::effort, not_negative, Need::required, "static friction above Coulomb, 0 for none"}, self.c2);
+        visit.number({"c3", Quantity::velocity, positive, Need::required, "Stribeck velocity"}, self.c3);
+        visit.number({"c4", Quantity::number, positive, Need::optional, "exponent, 2 is the Gaussian form (22)"}, self.c4);
+    }
+
+  private:
+    /// limit of −d/dV c2 exp(−(V/c3)^c4) as V → 0⁺
+    double slope_at_rest() const { return c4 > 1 || c2 == 0 ? 0 : c4 == 1 ? c2 / c3 : infinity; }
+};
+
+/// V_cr of (25) for c4 = 2, generalised: the velocity at which c2 exp(−(V/c3)^c4) falls most steeply,
+/// c3 ((c4−1)/c4)^{1/c4}; 0 where c4 ≤ 1, since the slope is then steepest at rest.
+inline double hardest_velocity(const Stribeck& law)
+{
+    return law.c4 > 1 ? law.c3 * std::pow((law.c4 - 1) / law.c4, 1 / law.c4) : 0;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,77 @@
+// How a struct of parameters describes itself: each leaf once, with its key, quantity, allowed range and meaning.
+// Reading TOML, checking, dotted paths, axes, `list parameters` and the canonical text all walk this one description.
+//
+// A struct offers   template <class Self, class Visitor> static void fields(Self& self, Visitor& visit)
+// and a visitor offers number, numbers, flag, choice, text, table, rows (see visitors.h).
+#pragma once
+#include "analysis/results/quantity.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string_view>
+
+namespace stickslip {
+
+inline constexpr double not_set = std::numeric_limits<double>::quiet_NaN();
+inline bool is_set(double value) { return !std::isnan(value); }
+
+/// The values that a number may take. An open end excludes the bound itself.
+struct Range {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+    bool low_open = true, high_open = true;
+    bool whole = false;   ///< whole numbers only
+
+    constexpr bool holds(double v) const
+    {
+        return (low_open ? v > low : v >= low) && (high_open ? v < high : v <= high) &&
+               (!whole || v == static_cast<double>(static_cast<long long>(v)));
+    }
+};
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr Range any_finite{};
+inline constexpr Range positive{0, infinity, true, true};
+inline constexpr Range not_negative{0, infinity, false, true};
+inline constexpr Range whole_positive{1, 1e9, false, false, true};
+
+enum class Need { required, optional };
+
+/// What is known of one numeric leaf. `help` is half a sentence; the unit follows from quantity and motion.
+struct Field {
+    std::string_view key;
+    Quantity quantity = Quantity::number;
+    Range range = any_finite;
+    Need need = Need::optional;
+    std::string_view help;
+};
+
+/// A short list of numbers inside a parameter struct (the states of a law); plain data, no allocation.
+template <class T, int capacity>
+struct ShortList {
+    static constexpr int max_size = capacity;
+    std::array<T, capacity> values{};
+    int size = 0;
+
+    T& operator[](int i) { return values[static_cast<std::size_t>(i)]; }
+    const T& operator[](int i) const { return values[static_cast<std::size_t>(i)]; }
+    T* begin() { return values.data(); }
+    T* end() { return values.data() + size; }
+    const T* begin() const { return values.data(); }
+    const T* end() const { return values.data() + size; }
+    void push_back(const T& v) { values[static_cast<std::size_t>(size++)] = v; }
+};
+
+inline constexpr int max_states = 8;   ///< states of one friction law
+using NumberList = ShortList<double, max_states>;
+
+/// One name of a choice, as it stands in a file.
+template <class Enum>
+struct Choice {
+    std::string_view name;
+    Enum value;
+};
+
+}  // namespace stickslip

@@ -1,0 +1,44 @@
+// Ways to walk the description of a joint: check it, find a number by its dotted path, list all numbers, write canonical text.
+#pragma once
+#include "analysis/joint/joint.h"
+
+#include <string>
+#include <vector>
+
+namespace stickslip {
+
+/// A number inside a joint, by its dotted path.
+struct Parameter {
+    std::string path;          ///< "friction.L" or "friction.L.0"; a list of one answers to both
+    Quantity quantity = Quantity::number;
+    Range range;
+    Need need = Need::optional;
+    std::string help;
+    double* value = nullptr;   ///< into the joint that was walked
+};
+
+/// Every numeric leaf of the joint in file order, pointing into it (model and laws decide which leaves there are).
+std::vector<Parameter> parameters(Joint& joint);
+
+/// The number at a path such as "control.k_p", or nullptr. The pointer lives as long as the joint and its law are kept.
+double* find_parameter(Joint& joint, std::string_view path);
+
+/// Every path whose spelling comes close to the given one, nearest first, at most three.
+std::vector<std::string> nearest_names(std::string_view given, const std::vector<std::string>& known);
+
+/// What is wrong with a value: where, and in words what was given and what is allowed.
+struct Problem {
+    std::string path;
+    std::string message;
+};
+
+/// Everything that forbids using this joint: missing numbers, values outside their range, lists of unequal length.
+std::vector<Problem> check(const Joint& joint);
+
+/// One line a leaf, "path = value" with 17 digits, in file order: equal text means equal joints. Plans are hashed from it.
+std::string canonical_text(const Joint& joint);
+
+/// In words: "> 0", "≥ 0", "within [0, 1)".
+std::string describe(const Range& range);
+
+}  // namespace stickslip

@@ -1,0 +1,59 @@
+// The linear answer for one joint: steady sliding, velocity-only verdict, state-variable verdict, and the row of a sweep.
+#pragma once
+#include "analysis/joint/joint.h"
+#include "analysis/results/point.h"
+
+#include <complex>
+#include <vector>
+
+namespace stickslip {
+
+/// Steady sliding at the commanded velocity.
+struct SteadySliding {
+    double velocity = missing;     ///< V_0
+    double friction = missing;     ///< f_ss(V_0)
+    double deflection = missing;   ///< δ_ss = f_ss(V_0)/k_p
+    Reason reason = Reason::none;  ///< why there is none
+};
+
+/// (20)-(21): friction replaced by its steady-state curve.
+struct VelocityOnlyVerdict {
+    bool stable = false;
+    double k_v_min = missing;   ///< max(0, −f_ss'(V_0)): least gain, to be exceeded
+    double slope = missing;     ///< f_ss'(V_0)
+};
+
+/// A gain at which a pair of roots crosses the imaginary axis; direction +1 where it turns unstable with rising k_p.
+struct Crossing {
+    double k_p = missing;
+    double omega = missing;
+    int direction = 0;
+};
+
+struct Interval { double low, high; };   ///< open
+
+/// (27)-(37): friction with memory.
+struct StateVariableVerdict {
+    bool stable = false;
+    double spectral_abscissa = missing;
+    std::vector<std::complex<double>> eigenvalues;
+    double f_v = missing;               ///< direct effect (14)
+    double kernel_integral = missing;   ///< ∫g
+    std::vector<Crossing> crossings;
+    std::vector<Interval> stable_intervals;   ///< in k_p, decided by the spectrum
+    double k_cr = missing;              ///< the single critical gain, NaN where there is none
+};
+
+struct LinearVerdict {
+    SteadySliding steady;
+    VelocityOnlyVerdict velocity_only;
+    StateVariableVerdict state_variable;
+};
+
+/// Everything the linear theory says about one joint. A joint without steady sliding gives NaN and the reason.
+LinearVerdict linear_verdict(const Joint& joint);
+
+/// The same verdicts as one row of a sweep, without allocation. Safe to call from many threads.
+PointResult linear_point(const Joint& joint);
+
+}  // namespace stickslip

@@ -1,0 +1,3 @@
+#include "sweep/program.h"
+
+int main(int argc, char** argv) { return stickslip::run_program(argc, argv); }

@@ -1,3 +1,6 @@
 #include "sweep/program.h"
 
-int main(int argc, char** argv) { return stickslip::run_program(argc, argv); }
+int main(int argc, char** argv)
+{
+    return stickslip::run_program(argc, argv);
+}

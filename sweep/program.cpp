@@ -2,7 +2,8 @@
 
 #include <cstdio>
 
-namespace stickslip {
+namespace stickslip
+{
 
 int run_program(int, char**)
 {

@@ -1,12 +1,14 @@
 // Coulomb and viscous friction: the nominal law of most machine models.
 #pragma once
-#include "analysis/friction/response.h"
-
 #include <cmath>
 
-namespace stickslip {
+#include "analysis/friction/response.h"
 
-/// f(V) = (F_c + F_v |V|) sgn V; at rest any force within ±F_c. Its slope is never negative: it cannot stick-slip by itself.
+namespace stickslip
+{
+
+/// f(V) = (F_c + F_v |V|) sgn V; at rest any force within ±F_c. Its slope is never negative: it cannot stick-slip by
+/// itself.
 struct CoulombViscous {
     double coulomb = not_set;
     double viscous = not_set;

@@ -1,18 +1,25 @@
-// The friction on one body: a law, and the terms that a real joint may add to it. Every term is absent in a nominal joint.
+// The friction on one body: a law, and the terms that a real joint may add to it. Every term is absent in a nominal
+// joint.
 #pragma once
 #include "analysis/friction/law.h"
 
-namespace stickslip {
+namespace stickslip
+{
 
-/// Direction dependence, half the difference between the directions: f += coulomb + viscous |V|, the same sign both ways.
+/// Direction dependence, half the difference between the directions: f += coulomb + viscous |V|, the same sign both
+/// ways.
 struct Asymmetry {
     double coulomb = 0, viscous = 0;
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number({"coulomb", Quantity::effort, any_finite, Need::optional, "half the Coulomb difference between + and −"}, self.coulomb);
-        visit.number({"viscous", Quantity::damping, any_finite, Need::optional, "half the viscous difference between + and −"}, self.viscous);
+        visit.number(
+            {"coulomb", Quantity::effort, any_finite, Need::optional, "half the Coulomb difference between + and −"},
+            self.coulomb);
+        visit.number(
+            {"viscous", Quantity::damping, any_finite, Need::optional, "half the viscous difference between + and −"},
+            self.viscous);
     }
 };
 
@@ -24,7 +31,9 @@ struct PositionRipple {
     static void fields(Self& self, Visitor& visit)
     {
         visit.number({"amplitude", Quantity::effort, any_finite, Need::optional, "amplitude"}, self.amplitude);
-        visit.number({"periods", Quantity::per_position, positive, Need::optional, "angular wave number n in sin(n q + phase)"}, self.periods);
+        visit.number(
+            {"periods", Quantity::per_position, positive, Need::optional, "angular wave number n in sin(n q + phase)"},
+            self.periods);
         visit.number({"phase", Quantity::angle, any_finite, Need::optional, "phase"}, self.phase);
     }
 };
@@ -36,19 +45,22 @@ struct FrictionDrift {
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number({"change", Quantity::effort, any_finite, Need::optional, "change of the Coulomb level"}, self.change);
-        visit.number({"time_constant", Quantity::time, positive, Need::optional, "time constant of the change"}, self.time_constant);
+        visit.number({"change", Quantity::effort, any_finite, Need::optional, "change of the Coulomb level"},
+                     self.change);
+        visit.number({"time_constant", Quantity::time, positive, Need::optional, "time constant of the change"},
+                     self.time_constant);
     }
 };
 
 /// Presliding on top of a static law: the Coulomb part is carried by bristles of this stiffness (Dahl, LuGre form).
 struct Bristle {
-    double stiffness = 0, damping = 0;   ///< stiffness 0: none
+    double stiffness = 0, damping = 0;  ///< stiffness 0: none
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number({"stiffness", Quantity::stiffness, not_negative, Need::optional, "bristle stiffness, 0 for none"}, self.stiffness);
+        visit.number({"stiffness", Quantity::stiffness, not_negative, Need::optional, "bristle stiffness, 0 for none"},
+                     self.stiffness);
         visit.number({"damping", Quantity::damping, not_negative, Need::optional, "bristle damping"}, self.damping);
     }
 };
@@ -60,7 +72,8 @@ struct Memory {
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number({"A", Quantity::effort, not_negative, Need::optional, "direct velocity effect, 0 for none"}, self.A);
+        visit.number({"A", Quantity::effort, not_negative, Need::optional, "direct velocity effect, 0 for none"},
+                     self.A);
         visit.number({"B", Quantity::effort, not_negative, Need::optional, "evolution effect, 0 for none"}, self.B);
         visit.number({"L", Quantity::position, positive, Need::optional, "characteristic slip distance"}, self.L);
         visit.number({"V_star", Quantity::velocity, positive, Need::optional, "reference velocity V*"}, self.V_star);
@@ -71,8 +84,8 @@ struct Memory {
 struct Friction {
     FrictionLaw law;
     Asymmetry asymmetry;
-    double load_coefficient = 0;   ///< f += load_coefficient · |transmitted effort| · sgn V
-    PositionRipple ripple;         ///< multiplies sgn V: flips with direction, unlike cogging
+    double load_coefficient = 0;  ///< f += load_coefficient · |transmitted effort| · sgn V
+    PositionRipple ripple;        ///< multiplies sgn V: flips with direction, unlike cogging
     FrictionDrift drift;
     Bristle bristle;
     Memory memory;
@@ -82,7 +95,9 @@ struct Friction {
     {
         visit.law(self.law);
         visit.table("asymmetry", "direction dependence", self.asymmetry);
-        visit.number({"load_coefficient", Quantity::number, not_negative, Need::optional, "friction per transmitted effort"}, self.load_coefficient);
+        visit.number(
+            {"load_coefficient", Quantity::number, not_negative, Need::optional, "friction per transmitted effort"},
+            self.load_coefficient);
         visit.table("ripple", "position dependence of the Coulomb level", self.ripple);
         visit.table("drift", "warm-up of the Coulomb level", self.drift);
         visit.table("bristle", "presliding stiffness under the law", self.bristle);

@@ -1,21 +1,23 @@
 // The list of laws: the one place that knows them all.
 #pragma once
-#include "analysis/friction/coulomb_viscous.h"
-#include "analysis/friction/rate_and_state.h"
-#include "analysis/friction/stribeck.h"
-
 #include <optional>
 #include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
 
-namespace stickslip {
+#include "analysis/friction/coulomb_viscous.h"
+#include "analysis/friction/rate_and_state.h"
+#include "analysis/friction/stribeck.h"
+
+namespace stickslip
+{
 
 /// Any law, by value. The first alternative is what a default-constructed joint holds until a file names its law.
 using FrictionLaw = std::variant<CoulombViscous, Stribeck, RateAndState>;
 
-namespace detail {
+namespace detail
+{
 template <std::size_t... i>
 std::vector<LawInfo> infos(std::index_sequence<i...>)
 {
@@ -25,9 +27,8 @@ template <std::size_t... i>
 std::optional<FrictionLaw> law_named(std::string_view name, std::index_sequence<i...>)
 {
     std::optional<FrictionLaw> found;
-    ((name == std::variant_alternative_t<i, FrictionLaw>::info.name
-          ? void(found.emplace(std::in_place_index<i>))
-          : void()),
+    ((name == std::variant_alternative_t<i, FrictionLaw>::info.name ? void(found.emplace(std::in_place_index<i>))
+                                                                    : void()),
      ...);
     return found;
 }
@@ -35,7 +36,10 @@ using LawIndices = std::make_index_sequence<std::variant_size_v<FrictionLaw>>;
 }  // namespace detail
 
 /// What is known of every law, in the order of the list.
-inline std::vector<LawInfo> laws() { return detail::infos(detail::LawIndices{}); }
+inline std::vector<LawInfo> laws()
+{
+    return detail::infos(detail::LawIndices{});
+}
 
 /// The law of that name with its parameters not set; nothing if there is none.
 inline std::optional<FrictionLaw> law_named(std::string_view name)

@@ -1,11 +1,12 @@
 // Rate-and-state friction, slip law: friction that remembers over a slip distance.
 #pragma once
-#include "analysis/friction/response.h"
-
 #include <cmath>
 #include <string>
 
-namespace stickslip {
+#include "analysis/friction/response.h"
+
+namespace stickslip
+{
 
 /// f = f0 + A ln(V/V*) + Σ θ_i,   θ̇_i = −(V/L_i)(θ_i + B_i ln(V/V*))                      (2)-(5)
 /// f_ss = f0 + (A − Σ B_i) ln(V/V*)                                                        (6)
@@ -66,16 +67,22 @@ struct RateAndState {
     /// What ranges cannot say: every state needs its B and its L.
     std::string problem() const
     {
-        return B.size == L.size ? "" : "B and L need one value a state each, given are " + std::to_string(B.size) + " and " + std::to_string(L.size);
+        return B.size == L.size ? ""
+                                : "B and L need one value a state each, given are " + std::to_string(B.size) + " and " +
+                                      std::to_string(L.size);
     }
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number({"f0", Quantity::effort, any_finite, Need::required, "friction at the reference velocity"}, self.f0);
+        visit.number({"f0", Quantity::effort, any_finite, Need::required, "friction at the reference velocity"},
+                     self.f0);
         visit.number({"A", Quantity::effort, positive, Need::required, "direct velocity effect"}, self.A);
-        visit.numbers({"B", Quantity::effort, not_negative, Need::required, "evolution effect, one value a state"}, self.B);
-        visit.numbers({"L", Quantity::position, positive, Need::required, "characteristic slip distance, one value a state"}, self.L);
+        visit.numbers({"B", Quantity::effort, not_negative, Need::required, "evolution effect, one value a state"},
+                      self.B);
+        visit.numbers(
+            {"L", Quantity::position, positive, Need::required, "characteristic slip distance, one value a state"},
+            self.L);
         visit.number({"V_star", Quantity::velocity, positive, Need::required, "reference velocity V*"}, self.V_star);
     }
 };

@@ -9,12 +9,13 @@
 //
 // V is the sliding velocity; friction opposes it, so a positive force acts against positive V.
 #pragma once
-#include "analysis/joint/field.h"
-
 #include <array>
 #include <string_view>
 
-namespace stickslip {
+#include "analysis/joint/field.h"
+
+namespace stickslip
+{
 
 using States = std::array<double, max_states>;
 
@@ -31,10 +32,10 @@ struct FrictionResponse {
 
 /// What a law is, for `list laws`, for the generic property test, and for the choice of solver.
 struct LawInfo {
-    std::string_view name;     ///< as in joint.toml
+    std::string_view name;  ///< as in joint.toml
     std::string_view formula;
     std::string_view source;
-    std::string_view validity; ///< where it stops being valid
+    std::string_view validity;             ///< where it stops being valid
     bool steady_state_dependence = false;  ///< property (1) of the paper: f_ss depends on V
     bool direct_effect = false;            ///< property (2): a step of V changes f at once, in the same direction
     bool slip_distance = false;            ///< property (3): decay over a characteristic slip distance

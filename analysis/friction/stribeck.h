@@ -1,10 +1,11 @@
 // The Stribeck curve: friction that depends on the current velocity alone.
 #pragma once
-#include "analysis/friction/response.h"
-
 #include <cmath>
 
-namespace stickslip {
+#include "analysis/friction/response.h"
+
+namespace stickslip
+{
 
 /// f(V) = (c0 + c1 |V| + c2 exp(−(|V|/c3)^c4)) sgn V                                    (7); c4 = 2 gives (22).
 /// At rest: any force within ±(c0 + c2). High speed: c0 + c1 |V|.
@@ -48,9 +49,12 @@ struct Stribeck {
     {
         visit.number({"c0", Quantity::effort, not_negative, Need::required, "Coulomb friction"}, self.c0);
         visit.number({"c1", Quantity::damping, not_negative, Need::required, "viscous friction"}, self.c1);
-        visit.number({"c2", Quantity::effort, not_negative, Need::required, "static friction above Coulomb, 0 for none"}, self.c2);
+        visit.number(
+            {"c2", Quantity::effort, not_negative, Need::required, "static friction above Coulomb, 0 for none"},
+            self.c2);
         visit.number({"c3", Quantity::velocity, positive, Need::required, "Stribeck velocity"}, self.c3);
-        visit.number({"c4", Quantity::number, positive, Need::optional, "exponent, 2 is the Gaussian form (22)"}, self.c4);
+        visit.number({"c4", Quantity::number, positive, Need::optional, "exponent, 2 is the Gaussian form (22)"},
+                     self.c4);
     }
 
   private:

@@ -4,25 +4,29 @@
 // A struct offers   template <class Self, class Visitor> static void fields(Self& self, Visitor& visit)
 // and a visitor offers number, numbers, flag, choice, text, table, rows (see visitors.h).
 #pragma once
-#include "analysis/results/quantity.h"
-
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string_view>
 
-namespace stickslip {
+#include "analysis/results/quantity.h"
+
+namespace stickslip
+{
 
 inline constexpr double not_set = std::numeric_limits<double>::quiet_NaN();
-inline bool is_set(double value) { return !std::isnan(value); }
+inline bool is_set(double value)
+{
+    return !std::isnan(value);
+}
 
 /// The values that a number may take. An open end excludes the bound itself.
 struct Range {
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
     bool low_open = true, high_open = true;
-    bool whole = false;   ///< whole numbers only
+    bool whole = false;  ///< whole numbers only
 
     constexpr bool holds(double v) const
     {
@@ -64,7 +68,7 @@ struct ShortList {
     void push_back(const T& v) { values[static_cast<std::size_t>(size++)] = v; }
 };
 
-inline constexpr int max_states = 8;   ///< states of one friction law
+inline constexpr int max_states = 8;  ///< states of one friction law
 using NumberList = ShortList<double, max_states>;
 
 /// One name of a choice, as it stands in a file.

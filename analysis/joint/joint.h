@@ -1,18 +1,22 @@
-// THE description of a joint: one set of plain data for maps, simulation and diagnosis. A nominal joint leaves the terms of
-// real ones at zero; an effect of the diagnosis is a named edit of this description. SI units; analysis/README.md has the signs.
+// THE description of a joint: one set of plain data for maps, simulation and diagnosis. A nominal joint leaves the
+// terms of real ones at zero; an effect of the diagnosis is a named edit of this description. SI units;
+// analysis/README.md has the signs.
 #pragma once
-#include "analysis/friction/friction.h"
-#include "analysis/joint/field.h"
-
 #include <string>
 #include <type_traits>
 
-namespace stickslip {
+#include "analysis/friction/friction.h"
+#include "analysis/joint/field.h"
+
+namespace stickslip
+{
 
 enum class Model { single_mass, two_mass, three_mass, lever };
 inline constexpr Choice<Motion> motions[] = {{"prismatic", Motion::prismatic}, {"revolute", Motion::revolute}};
-inline constexpr Choice<Model> models[] = {{"single-mass", Model::single_mass}, {"two-mass", Model::two_mass},
-                                           {"three-mass", Model::three_mass}, {"lever", Model::lever}};
+inline constexpr Choice<Model> models[] = {{"single-mass", Model::single_mass},
+                                           {"two-mass", Model::two_mass},
+                                           {"three-mass", Model::three_mass},
+                                           {"lever", Model::lever}};
 
 /// A spring and damper between two bodies. `ratio` is N of Fig. 4: motor displacement per joint displacement.
 struct Transmission {
@@ -21,10 +25,15 @@ struct Transmission {
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number({"stiffness", Quantity::stiffness, positive, Need::required, "stiffness at the joint side"}, self.stiffness);
-        visit.number({"damping", Quantity::damping, not_negative, Need::optional, "damping at the joint side"}, self.damping);
-        visit.number({"ratio", Quantity::number, positive, Need::optional, "reduction N: motor motion per joint motion"}, self.ratio);
-        visit.number({"backlash", Quantity::position, not_negative, Need::optional, "total play at the joint side"}, self.backlash);
+        visit.number({"stiffness", Quantity::stiffness, positive, Need::required, "stiffness at the joint side"},
+                     self.stiffness);
+        visit.number({"damping", Quantity::damping, not_negative, Need::optional, "damping at the joint side"},
+                     self.damping);
+        visit.number(
+            {"ratio", Quantity::number, positive, Need::optional, "reduction N: motor motion per joint motion"},
+            self.ratio);
+        visit.number({"backlash", Quantity::position, not_negative, Need::optional, "total play at the joint side"},
+                     self.backlash);
     }
 };
 
@@ -32,11 +41,11 @@ struct Transmission {
 struct Mechanism {
     Motion motion = Motion::prismatic;
     Model model = Model::single_mass;
-    double inertia = not_set;                                    ///< single-mass, Fig. 7
+    double inertia = not_set;  ///< single-mass, Fig. 7
     double motor_inertia = not_set, transmission_inertia = not_set, link_inertia = not_set;
-    double lever_arm = not_set;                                  ///< lever, Fig. 4: d of J_tr/d²
-    Transmission transmission;                                   ///< two-mass, Fig. 6
-    Transmission motor_transmission, transmission_link;          ///< three-mass and lever, Figs. 5 and 4
+    double lever_arm = not_set;                          ///< lever, Fig. 4: d of J_tr/d²
+    Transmission transmission;                           ///< two-mass, Fig. 6
+    Transmission motor_transmission, transmission_link;  ///< three-mass and lever, Figs. 5 and 4
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
@@ -47,16 +56,20 @@ struct Mechanism {
             visit.number({"inertia", Quantity::inertia, positive, Need::required, "moving inertia m"}, self.inertia);
             return;
         }
-        visit.number({"motor_inertia", Quantity::inertia, positive, Need::required, "motor inertia at the motor side"}, self.motor_inertia);
+        visit.number({"motor_inertia", Quantity::inertia, positive, Need::required, "motor inertia at the motor side"},
+                     self.motor_inertia);
         visit.number({"link_inertia", Quantity::inertia, positive, Need::required, "link inertia"}, self.link_inertia);
         if (self.model == Model::two_mass) {
             visit.table("transmission", "between motor and link", self.transmission);
             return;
         }
         const bool lever = self.model == Model::lever;
-        visit.number({"transmission_inertia", lever ? Quantity::rotary_inertia : Quantity::inertia, positive, Need::required,
-                      "transmission inertia (lever: J_tr about its pivot)"}, self.transmission_inertia);
-        if (lever) visit.number({"lever_arm", Quantity::length, positive, Need::required, "joint-side lever arm d"}, self.lever_arm);
+        visit.number({"transmission_inertia", lever ? Quantity::rotary_inertia : Quantity::inertia, positive,
+                      Need::required, "transmission inertia (lever: J_tr about its pivot)"},
+                     self.transmission_inertia);
+        if (lever)
+            visit.number({"lever_arm", Quantity::length, positive, Need::required, "joint-side lever arm d"},
+                         self.lever_arm);
         visit.table("motor_transmission", "between motor and transmission", self.motor_transmission);
         visit.table("transmission_link", "between transmission and link", self.transmission_link);
     }
@@ -70,7 +83,8 @@ struct PeriodicForce {
     static void fields(Self& self, Visitor& visit)
     {
         visit.number({"amplitude", Quantity::effort, any_finite, Need::optional, "amplitude"}, self.amplitude);
-        visit.number({"frequency", Quantity::angular_frequency, positive, Need::optional, "angular frequency"}, self.frequency);
+        visit.number({"frequency", Quantity::angular_frequency, positive, Need::optional, "angular frequency"},
+                     self.frequency);
         visit.number({"phase", Quantity::angle, any_finite, Need::optional, "phase"}, self.phase);
     }
 };
@@ -78,16 +92,19 @@ struct PeriodicForce {
 /// What acts on the link from outside, positive in the direction of positive motion.
 struct Load {
     double constant = 0;
-    double gravity_amplitude = 0, gravity_phase = 0;   ///< force −amplitude · sin(q + phase)
-    PositionRipple cogging;                            ///< position-locked, does not flip with direction
-    PeriodicForce disturbance;                         ///< time-locked
+    double gravity_amplitude = 0, gravity_phase = 0;  ///< force −amplitude · sin(q + phase)
+    PositionRipple cogging;                           ///< position-locked, does not flip with direction
+    PeriodicForce disturbance;                        ///< time-locked
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
         visit.number({"constant", Quantity::effort, any_finite, Need::optional, "constant load"}, self.constant);
-        visit.number({"gravity_amplitude", Quantity::effort, any_finite, Need::optional, "m g l of a pendulum load"}, self.gravity_amplitude);
-        visit.number({"gravity_phase", Quantity::angle, any_finite, Need::optional, "q at which gravity pulls nothing, negated"}, self.gravity_phase);
+        visit.number({"gravity_amplitude", Quantity::effort, any_finite, Need::optional, "m g l of a pendulum load"},
+                     self.gravity_amplitude);
+        visit.number(
+            {"gravity_phase", Quantity::angle, any_finite, Need::optional, "q at which gravity pulls nothing, negated"},
+            self.gravity_phase);
         visit.table("cogging", "position-locked force", self.cogging);
         visit.table("disturbance", "time-locked force", self.disturbance);
     }
@@ -96,7 +113,8 @@ struct Load {
 enum class ControlKind { position, force };
 enum class Feedback { motor, link };
 enum class EstimateForm { backward_difference, exact };
-inline constexpr Choice<ControlKind> control_kinds[] = {{"position", ControlKind::position}, {"force", ControlKind::force}};
+inline constexpr Choice<ControlKind> control_kinds[] = {{"position", ControlKind::position},
+                                                        {"force", ControlKind::force}};
 inline constexpr Choice<Feedback> feedbacks[] = {{"motor", Feedback::motor}, {"link", Feedback::link}};
 inline constexpr Choice<EstimateForm> estimate_forms[] = {{"backward-difference", EstimateForm::backward_difference},
                                                           {"exact", EstimateForm::exact}};
@@ -110,8 +128,12 @@ struct VelocityEstimate {
     static void fields(Self& self, Visitor& visit)
     {
         visit.choice("form", "how velocity is estimated", self.form, estimate_forms);
-        visit.number({"tau", Quantity::time, not_negative, Need::optional, "time constant of the first-order filter, 0 for none"}, self.tau);
-        visit.number({"average", Quantity::number, whole_positive, Need::optional, "positions averaged before the difference"}, self.average);
+        visit.number({"tau", Quantity::time, not_negative, Need::optional,
+                      "time constant of the first-order filter, 0 for none"},
+                     self.tau);
+        visit.number(
+            {"average", Quantity::number, whole_positive, Need::optional, "positions averaged before the difference"},
+            self.average);
     }
 };
 
@@ -135,20 +157,27 @@ struct Control {
         visit.choice("feedback", "which body is measured (two and more inertias)", self.feedback, feedbacks);
         visit.number({"k_p", Quantity::stiffness, any_finite, Need::required, "position gain"}, self.k_p);
         visit.number({"k_v", Quantity::damping, any_finite, Need::optional, "velocity gain"}, self.k_v);
-        visit.number({"V0", Quantity::velocity, any_finite, Need::optional, "commanded velocity (maps need it)"}, self.V0);
+        visit.number({"V0", Quantity::velocity, any_finite, Need::optional, "commanded velocity (maps need it)"},
+                     self.V0);
         visit.number({"force_rate", Quantity::effort_rate, any_finite, Need::optional,
-                      "force control: rate of the force ramp, in place of V0"}, self.force_rate);
-        visit.number({"period", Quantity::time, positive, Need::optional, "sample time of the loop (records)"}, self.period);
-        visit.flag("reference_velocity", "velocity feedback acts on the velocity error, not on velocity alone", self.reference_velocity);
-        visit.number({"effort_limit", Quantity::effort, positive, Need::optional, "limit of the controller's output"}, self.effort_limit);
-        visit.number({"delay", Quantity::time, not_negative, Need::optional, "dead time behind the command"}, self.delay);
+                      "force control: rate of the force ramp, in place of V0"},
+                     self.force_rate);
+        visit.number({"period", Quantity::time, positive, Need::optional, "sample time of the loop (records)"},
+                     self.period);
+        visit.flag("reference_velocity", "velocity feedback acts on the velocity error, not on velocity alone",
+                   self.reference_velocity);
+        visit.number({"effort_limit", Quantity::effort, positive, Need::optional, "limit of the controller's output"},
+                     self.effort_limit);
+        visit.number({"delay", Quantity::time, not_negative, Need::optional, "dead time behind the command"},
+                     self.delay);
         visit.table("velocity_estimate", "how the sampled loop estimates velocity", self.velocity_estimate);
     }
 };
 
 enum class ActuatorKind { effort, dc_motor };
 enum class DriveSignal { voltage, duty };
-inline constexpr Choice<ActuatorKind> actuator_kinds[] = {{"effort", ActuatorKind::effort}, {"dc-motor", ActuatorKind::dc_motor}};
+inline constexpr Choice<ActuatorKind> actuator_kinds[] = {{"effort", ActuatorKind::effort},
+                                                          {"dc-motor", ActuatorKind::dc_motor}};
 inline constexpr Choice<DriveSignal> drive_signals[] = {{"voltage", DriveSignal::voltage}, {"duty", DriveSignal::duty}};
 
 /// From the command to the effort on the mechanism: dead time → lag → gain → saturation.
@@ -156,7 +185,7 @@ struct Actuator {
     ActuatorKind kind = ActuatorKind::effort;
     double effort_gain = 1, lag = 0, limit = infinity;
     double k_t = not_set, k_e = not_set, resistance = not_set, supply_voltage = not_set;
-    double supply_resistance = 0;   ///< the supply sags by this times the motor current
+    double supply_resistance = 0;  ///< the supply sags by this times the motor current
     DriveSignal signal = DriveSignal::voltage;
 
     /// What ranges cannot say: a duty cycle means nothing without the supply that it switches.
@@ -170,38 +199,52 @@ struct Actuator {
     static void fields(Self& self, Visitor& visit)
     {
         visit.choice("kind", "effort source or DC motor", self.kind, actuator_kinds);
-        visit.number({"effort_gain", Quantity::effort, any_finite, Need::optional, "effort per unit of the drive signal"}, self.effort_gain);
+        visit.number(
+            {"effort_gain", Quantity::effort, any_finite, Need::optional, "effort per unit of the drive signal"},
+            self.effort_gain);
         visit.number({"lag", Quantity::time, not_negative, Need::optional, "time constant of the actuator"}, self.lag);
         visit.number({"limit", Quantity::effort, positive, Need::optional, "limit of the effort"}, self.limit);
         if (self.kind == ActuatorKind::effort) return;
         visit.number({"k_t", Quantity::torque_constant, positive, Need::required, "torque constant"}, self.k_t);
         visit.number({"k_e", Quantity::back_emf, not_negative, Need::required, "back-EMF constant"}, self.k_e);
-        visit.number({"resistance", Quantity::resistance, positive, Need::required, "winding resistance"}, self.resistance);
-        visit.number({"supply_voltage", Quantity::voltage, positive, Need::optional, "supply voltage"}, self.supply_voltage);
-        visit.number({"supply_resistance", Quantity::resistance, not_negative, Need::optional, "source resistance of the supply"}, self.supply_resistance);
+        visit.number({"resistance", Quantity::resistance, positive, Need::required, "winding resistance"},
+                     self.resistance);
+        visit.number({"supply_voltage", Quantity::voltage, positive, Need::optional, "supply voltage"},
+                     self.supply_voltage);
+        visit.number({"supply_resistance", Quantity::resistance, not_negative, Need::optional,
+                      "source resistance of the supply"},
+                     self.supply_resistance);
         visit.choice("signal", "what the drive signal is", self.signal, drive_signals);
     }
 };
 
 struct Sensor {
-    double encoder_quantum = 0, position_noise = 0, effort_noise = 0;   ///< noises are standard deviations
+    double encoder_quantum = 0, position_noise = 0, effort_noise = 0;  ///< noises are standard deviations
     double position_offset = 0, position_scale = 1;
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number({"encoder_quantum", Quantity::position, not_negative, Need::optional, "step of the encoder, 0 for none"}, self.encoder_quantum);
-        visit.number({"position_noise", Quantity::position, not_negative, Need::optional, "standard deviation of the position noise"}, self.position_noise);
-        visit.number({"effort_noise", Quantity::effort, not_negative, Need::optional, "standard deviation of the effort noise"}, self.effort_noise);
-        visit.number({"position_offset", Quantity::position, any_finite, Need::optional, "reading minus true position"}, self.position_offset);
-        visit.number({"position_scale", Quantity::number, positive, Need::optional, "reading per true position"}, self.position_scale);
+        visit.number(
+            {"encoder_quantum", Quantity::position, not_negative, Need::optional, "step of the encoder, 0 for none"},
+            self.encoder_quantum);
+        visit.number({"position_noise", Quantity::position, not_negative, Need::optional,
+                      "standard deviation of the position noise"},
+                     self.position_noise);
+        visit.number(
+            {"effort_noise", Quantity::effort, not_negative, Need::optional, "standard deviation of the effort noise"},
+            self.effort_noise);
+        visit.number({"position_offset", Quantity::position, any_finite, Need::optional, "reading minus true position"},
+                     self.position_offset);
+        visit.number({"position_scale", Quantity::number, positive, Need::optional, "reading per true position"},
+                     self.position_scale);
     }
 };
 
 /// One friction a body, for the models with several.
 struct BodyFrictions {
     Friction motor, transmission, link;
-    bool has_transmission = false;   ///< set by the model: only three-mass and lever have a middle body
+    bool has_transmission = false;  ///< set by the model: only three-mass and lever have a middle body
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
@@ -216,8 +259,8 @@ struct Joint {
     Mechanism mechanism;
     Load load;
     Control control;
-    Friction friction;         ///< single-mass
-    BodyFrictions frictions;   ///< the other models
+    Friction friction;        ///< single-mass
+    BodyFrictions frictions;  ///< the other models
     Actuator actuator;
     Sensor sensor;
 

@@ -4,8 +4,10 @@
 #include <charconv>
 #include <numeric>
 
-namespace stickslip {
-namespace {
+namespace stickslip
+{
+namespace
+{
 
 std::string number_text(double value)
 {
@@ -24,14 +26,19 @@ std::string problem_of(const Struct& s)
 
 /// Visits a joint and keeps every leaf with its full path.
 struct LeafCollector {
-    struct Other { std::string path, text; };   // a flag, choice or text
+    struct Other {
+        std::string path, text;
+    };  // a flag, choice or text
 
     std::string prefix;
     std::vector<Parameter> numbers_;
     std::vector<Other> others;
     std::vector<Problem> problems;
 
-    std::string path(std::string_view key) const { return prefix.empty() ? std::string(key) : prefix + "." + std::string(key); }
+    std::string path(std::string_view key) const
+    {
+        return prefix.empty() ? std::string(key) : prefix + "." + std::string(key);
+    }
 
     void number(const Field& f, double& value)
     {
@@ -46,7 +53,10 @@ struct LeafCollector {
         }
         others.push_back({path(f.key) + ".size", std::to_string(list.size)});
     }
-    void flag(std::string_view key, std::string_view, bool& value) { others.push_back({path(key), value ? "true" : "false"}); }
+    void flag(std::string_view key, std::string_view, bool& value)
+    {
+        others.push_back({path(key), value ? "true" : "false"});
+    }
     void text(std::string_view key, std::string_view, std::string& value) { others.push_back({path(key), value}); }
 
     template <class Enum, std::size_t n>
@@ -108,12 +118,15 @@ int edit_distance(std::string_view a, std::string_view b)
 
 }  // namespace
 
-std::vector<Parameter> parameters(Joint& joint) { return collect(joint).numbers_; }
+std::vector<Parameter> parameters(Joint& joint)
+{
+    return collect(joint).numbers_;
+}
 
 double* find_parameter(Joint& joint, std::string_view path)
 {
     std::string_view wanted = path;
-    if (wanted.ends_with(".0")) wanted.remove_suffix(2);   // a list of one answers to "L" and to "L.0"
+    if (wanted.ends_with(".0")) wanted.remove_suffix(2);  // a list of one answers to "L" and to "L.0"
     double* found = nullptr;
     for (const auto& p : parameters(joint))
         if (p.path == path || (!found && p.path == wanted)) found = p.value;
@@ -126,7 +139,8 @@ std::vector<std::string> nearest_names(std::string_view given, const std::vector
     for (const auto& name : known) {
         const auto last = name.substr(name.rfind('.') + 1);
         const int distance = std::min(edit_distance(given, name), edit_distance(given, last));
-        if (distance <= static_cast<int>(std::max<std::size_t>(2, given.size() / 3))) ranked.emplace_back(distance, name);
+        if (distance <= static_cast<int>(std::max<std::size_t>(2, given.size() / 3)))
+            ranked.emplace_back(distance, name);
     }
     std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<std::string> names;
@@ -162,10 +176,15 @@ std::string canonical_text(const Joint& given)
 std::string describe(const Range& range)
 {
     std::string text;
-    if (range.low == -infinity && range.high == infinity) text = "any finite number";
-    else if (range.high == infinity) text = (range.low_open ? "> " : "≥ ") + number_text(range.low);
-    else if (range.low == -infinity) text = (range.high_open ? "< " : "≤ ") + number_text(range.high);
-    else text = std::string("within ") + (range.low_open ? "(" : "[") + number_text(range.low) + ", " + number_text(range.high) + (range.high_open ? ")" : "]");
+    if (range.low == -infinity && range.high == infinity)
+        text = "any finite number";
+    else if (range.high == infinity)
+        text = (range.low_open ? "> " : "≥ ") + number_text(range.low);
+    else if (range.low == -infinity)
+        text = (range.high_open ? "< " : "≤ ") + number_text(range.high);
+    else
+        text = std::string("within ") + (range.low_open ? "(" : "[") + number_text(range.low) + ", " +
+               number_text(range.high) + (range.high_open ? ")" : "]");
     return range.whole ? "a whole number " + text : text;
 }
 

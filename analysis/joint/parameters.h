@@ -1,20 +1,22 @@
-// Ways to walk the description of a joint: check it, find a number by its dotted path, list all numbers, write canonical text.
+// Ways to walk the description of a joint: check it, find a number by its dotted path, list all numbers, write
+// canonical text.
 #pragma once
-#include "analysis/joint/joint.h"
-
 #include <string>
 #include <vector>
 
-namespace stickslip {
+#include "analysis/joint/joint.h"
+
+namespace stickslip
+{
 
 /// A number inside a joint, by its dotted path.
 struct Parameter {
-    std::string path;          ///< "friction.L" or "friction.L.0"; a list of one answers to both
+    std::string path;  ///< "friction.L" or "friction.L.0"; a list of one answers to both
     Quantity quantity = Quantity::number;
     Range range;
     Need need = Need::optional;
     std::string help;
-    double* value = nullptr;   ///< into the joint that was walked
+    double* value = nullptr;  ///< into the joint that was walked
 };
 
 /// Every numeric leaf of the joint in file order, pointing into it (model and laws decide which leaves there are).
@@ -35,7 +37,8 @@ struct Problem {
 /// Everything that forbids using this joint: missing numbers, values outside their range, lists of unequal length.
 std::vector<Problem> check(const Joint& joint);
 
-/// One line a leaf, "path = value" with 17 digits, in file order: equal text means equal joints. Plans are hashed from it.
+/// One line a leaf, "path = value" with 17 digits, in file order: equal text means equal joints. Plans are hashed from
+/// it.
 std::string canonical_text(const Joint& joint);
 
 /// In words: "> 0", "≥ 0", "within [0, 1)".

@@ -1,31 +1,41 @@
 // One point of a sweep: plain numbers only, written once into its slot, journalled as bytes, and a row of results.nc.
 #pragma once
-#include "analysis/results/quantity.h"
-#include "analysis/results/stability_map.h"
-
 #include <cstdint>
 #include <limits>
 #include <span>
 #include <string_view>
 
-namespace stickslip {
+#include "analysis/results/quantity.h"
+#include "analysis/results/stability_map.h"
+
+namespace stickslip
+{
 
 /// Why a number of a point is missing or a verdict undecided; `none` where nothing is.
 enum class Reason : std::uint8_t {
     none,
-    no_velocity,         ///< neither control.V0 nor control.force_rate is set
-    law_needs_motion,    ///< the law has no meaning at this velocity
-    no_steady_state,     ///< friction at the commanded velocity is not a finite number
-    not_finite,          ///< a parameter or an intermediate result overflowed
-    linear_only,         ///< the law is linear by definition: no nonlinear outcome exists
-    not_converged,       ///< slow dynamics: the limit of work was reached before the outcome showed itself
-    solver_failed,       ///< reference and fallback solver both gave up
-    unsupported          ///< this combination of law and joint has no evaluation
+    no_velocity,       ///< neither control.V0 nor control.force_rate is set
+    law_needs_motion,  ///< the law has no meaning at this velocity
+    no_steady_state,   ///< friction at the commanded velocity is not a finite number
+    not_finite,        ///< a parameter or an intermediate result overflowed
+    linear_only,       ///< the law is linear by definition: no nonlinear outcome exists
+    not_converged,     ///< slow dynamics: the limit of work was reached before the outcome showed itself
+    solver_failed,     ///< reference and fallback solver both gave up
+    unsupported        ///< this combination of law and joint has no evaluation
 };
 
 /// What the nonlinear joint does after the stated disturbance.
 enum class Outcome : std::uint8_t {
-    not_asked, stable_sliding, stick_slip, limit_cycle, reversal, period_n, irregular, undecided, linear_only, solver_failure
+    not_asked,
+    stable_sliding,
+    stick_slip,
+    limit_cycle,
+    reversal,
+    period_n,
+    irregular,
+    undecided,
+    linear_only,
+    solver_failure
 };
 
 /// Which method decided the outcome.
@@ -35,10 +45,10 @@ inline constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 struct PointResult {
     // linear theory
-    double k_v_min = missing;             ///< least velocity gain that the velocity-only theory asks for
-    double spectral_abscissa = missing;   ///< max Re s of the joint with memory
-    double k_cr = missing;                ///< critical position gain; NaN where no single one exists
-    double omega = missing;               ///< frequency at the critical gain
+    double k_v_min = missing;            ///< least velocity gain that the velocity-only theory asks for
+    double spectral_abscissa = missing;  ///< max Re s of the joint with memory
+    double k_cr = missing;               ///< critical position gain; NaN where no single one exists
+    double omega = missing;              ///< frequency at the critical gain
     Region region = Region::undecided;
     std::uint8_t velocity_only_stable = 0;
     std::uint8_t state_variable_stable = 0;
@@ -47,10 +57,10 @@ struct PointResult {
     Outcome outcome = Outcome::not_asked;
     DecisionPath path = DecisionPath::none;
     double growth_rate = missing;
-    double amplitude = missing;           ///< of the limit cycle in position, half peak to peak
+    double amplitude = missing;  ///< of the limit cycle in position, half peak to peak
     double velocity_min = missing, velocity_max = missing;
     double period = missing;
-    double stick_fraction = missing;      ///< share of the period spent at rest or below a hundredth of V_0
+    double stick_fraction = missing;  ///< share of the period spent at rest or below a hundredth of V_0
 };
 
 /// A column of results.nc. Exactly one of `number` and `code` is set; a code has its meanings as CF flag_meanings.
@@ -60,8 +70,8 @@ struct Column {
     double PointResult::*number = nullptr;
     std::uint8_t (*code)(const PointResult&) = nullptr;
     void (*set_code)(PointResult&, std::uint8_t) = nullptr;
-    std::string_view meanings;            ///< space separated, in the order of the codes
-    bool nonlinear = false;               ///< written only when the sweep asks for nonlinear outcomes
+    std::string_view meanings;  ///< space separated, in the order of the codes
+    bool nonlinear = false;     ///< written only when the sweep asks for nonlinear outcomes
 };
 
 /// Every column, in the order of the file.

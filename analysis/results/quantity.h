@@ -4,33 +4,34 @@
 #include <string>
 #include <string_view>
 
-namespace stickslip {
+namespace stickslip
+{
 
 /// How a joint moves: a prismatic joint reads m, N, kg where a revolute one reads rad, N·m, kg·m².
 enum class Motion { prismatic, revolute };
 
 enum class Quantity {
-    number,              ///< a ratio, an exponent, a count
-    time,                ///< s
-    rate,                ///< 1/s: growth rate, spectral abscissa
-    angular_frequency,   ///< rad/s
-    position,            ///< m | rad: displacement, slip distance, deflection
-    velocity,            ///< m/s | rad/s
-    effort,              ///< N | N·m
-    effort_rate,         ///< N/s | N·m/s
-    stiffness,           ///< N/m | N·m/rad: position gains, kernel weights
-    damping,             ///< N·s/m | N·m·s/rad: velocity gains, friction slopes
-    inertia,             ///< kg | kg·m²
-    per_position,        ///< 1/m | 1/rad: periods of a position-locked term times 2π
-    angle,               ///< rad for every motion: a phase
-    length,              ///< m for every motion: a lever arm
-    rotary_inertia,      ///< kg·m² for every motion: the lever's own
-    voltage,             ///< V
-    current,             ///< A
-    resistance,          ///< Ω
-    torque_constant,     ///< N/A | N·m/A
-    back_emf,            ///< V·s/m | V·s/rad
-    temperature          ///< °C
+    number,             ///< a ratio, an exponent, a count
+    time,               ///< s
+    rate,               ///< 1/s: growth rate, spectral abscissa
+    angular_frequency,  ///< rad/s
+    position,           ///< m | rad: displacement, slip distance, deflection
+    velocity,           ///< m/s | rad/s
+    effort,             ///< N | N·m
+    effort_rate,        ///< N/s | N·m/s
+    stiffness,          ///< N/m | N·m/rad: position gains, kernel weights
+    damping,            ///< N·s/m | N·m·s/rad: velocity gains, friction slopes
+    inertia,            ///< kg | kg·m²
+    per_position,       ///< 1/m | 1/rad: periods of a position-locked term times 2π
+    angle,              ///< rad for every motion: a phase
+    length,             ///< m for every motion: a lever arm
+    rotary_inertia,     ///< kg·m² for every motion: the lever's own
+    voltage,            ///< V
+    current,            ///< A
+    resistance,         ///< Ω
+    torque_constant,    ///< N/A | N·m/A
+    back_emf,           ///< V·s/m | V·s/rad
+    temperature         ///< °C
 };
 
 /// The unit as it is printed, e.g. unit_of(Quantity::stiffness, Motion::revolute) == "N·m/rad"; "1" for a plain number.

@@ -1,14 +1,15 @@
-// A report before it is a page: verdict first, then alerts, charts, tables, provenance. Plain text fields are escaped by
-// the page writer; fields called mark-up may hold the chart mark-up "k_{p}", "10^{−6}" and nothing else.
+// A report before it is a page: verdict first, then alerts, charts, tables, provenance. Plain text fields are escaped
+// by the page writer; fields called mark-up may hold the chart mark-up "k_{p}", "10^{−6}" and nothing else.
 #pragma once
-#include "analysis/results/stability_map.h"
-
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
-namespace stickslip {
+#include "analysis/results/stability_map.h"
+
+namespace stickslip
+{
 
 /// One number of the first screen, with its limit and its meaning.
 struct Headline {
@@ -18,7 +19,10 @@ struct Headline {
     std::string meaning;  ///< mark-up, "k_p margin to the stability boundary (k_{cr} = 55.0 kN/m)"
 };
 
-struct Alert { Headline::Tone tone = Headline::Tone::warning; std::string text; };
+struct Alert {
+    Headline::Tone tone = Headline::Tone::warning;
+    std::string text;
+};
 
 struct Table {
     std::string title;
@@ -30,29 +34,29 @@ using Picture = std::variant<StabilityMap, CriticalGainSurface, LineChart>;
 
 /// A chart with the words under it.
 struct Figure {
-    std::string id;          ///< [a-z0-9-]+: anchor in the page and name of the SVG/PNG/CSV file beside it
+    std::string id;  ///< [a-z0-9-]+: anchor in the page and name of the SVG/PNG/CSV file beside it
     Picture picture;
-    std::string caption;     ///< mark-up: how to read it and what was compared
-    std::string finding;     ///< alt text: what the picture shows, in words
+    std::string caption;  ///< mark-up: how to read it and what was compared
+    std::string finding;  ///< alt text: what the picture shows, in words
 };
 
 struct Section {
-    std::string id, title;   ///< title is mark-up
-    std::string text;        ///< mark-up paragraph, may be empty
+    std::string id, title;  ///< title is mark-up
+    std::string text;       ///< mark-up paragraph, may be empty
     std::vector<Figure> figures;
     std::vector<Table> tables;
 };
 
 struct Report {
-    std::string title;       ///< mark-up
-    std::string subtitle;    ///< mark-up: joint, control kind, grid
-    std::string verdict;     ///< mark-up: the answer in one sentence
+    std::string title;     ///< mark-up
+    std::string subtitle;  ///< mark-up: joint, control kind, grid
+    std::string verdict;   ///< mark-up: the answer in one sentence
     Headline::Tone tone = Headline::Tone::neutral;
     std::vector<Headline> headlines;
     std::vector<Alert> alerts;
     std::vector<Section> sections;
-    std::vector<std::string> not_checked;                              ///< mark-up
-    std::vector<std::pair<std::string, std::string>> provenance;       ///< version, commit, spec hash, seed, command …
+    std::vector<std::string> not_checked;                         ///< mark-up
+    std::vector<std::pair<std::string, std::string>> provenance;  ///< version, commit, spec hash, seed, command …
 };
 
 }  // namespace stickslip

@@ -1,61 +1,63 @@
 // What one stability chart shows: a field over two axes, curves located beside the grid, the design point.
 #pragma once
-#include "analysis/results/quantity.h"
-
 #include <cstdint>
 #include <string>
 #include <vector>
 
-namespace stickslip {
+#include "analysis/results/quantity.h"
+
+namespace stickslip
+{
 
 /// One axis of a sweep: a dotted path into the joint, its values in SI, and how it is read.
 struct Axis {
-    std::string path;     ///< "control.k_p"
-    std::string symbol;   ///< chart mark-up, "k_{p}"
-    std::string name;     ///< "position gain"
+    std::string path;    ///< "control.k_p"
+    std::string symbol;  ///< chart mark-up, "k_{p}"
+    std::string name;    ///< "position gain"
     Quantity quantity = Quantity::number;
     bool log = false;
-    std::vector<double> values;   ///< ascending
+    std::vector<double> values;  ///< ascending
 };
 
 /// How a point of a chart is judged. Velocity-only means: friction replaced by its steady-state curve.
 enum class Region : std::uint8_t {
-    stable,       ///< both theories: smooth
-    memory_only,  ///< velocity-only forbids it, memory allows it: the paper's second regime
-    velocity_only,///< velocity-only allows it, memory forbids it
-    unstable,     ///< both theories: stick-slip
-    bistable,     ///< linearly stable, yet a larger disturbance ends in stick-slip
-    undecided     ///< with a reason in the row
+    stable,         ///< both theories: smooth
+    memory_only,    ///< velocity-only forbids it, memory allows it: the paper's second regime
+    velocity_only,  ///< velocity-only allows it, memory forbids it
+    unstable,       ///< both theories: stick-slip
+    bistable,       ///< linearly stable, yet a larger disturbance ends in stick-slip
+    undecided       ///< with a reason in the row
 };
 
 /// A boundary located point by point (not contoured from the grid).
 struct Curve {
     enum class Kind { velocity_only, state_variable, fold, outcome };
     Kind kind = Kind::state_variable;
-    std::vector<double> x, y;      ///< SI; NaN separates pieces
-    double precision = 0;          ///< largest relative bracket width of its points
+    std::vector<double> x, y;  ///< SI; NaN separates pieces
+    double precision = 0;      ///< largest relative bracket width of its points
 };
 
 /// The marked design and how far each axis may move, alone, before the state-variable boundary is met.
 struct DesignPoint {
     double x = 0, y = 0;
-    bool inside = true;            ///< lies within the axes
+    bool inside = true;  ///< lies within the axes
     Region region = Region::undecided;
     double spectral_abscissa = 0;  ///< 1/s, negative decays
 };
 
 struct StabilityMap {
-    std::string title;             ///< "Stability of sliding over (k_p, k_v)"
-    std::string fixed;             ///< what is held, mark-up: "V_{0} = 1 mm/s, force control, …"
+    std::string title;  ///< "Stability of sliding over (k_p, k_v)"
+    std::string fixed;  ///< what is held, mark-up: "V_{0} = 1 mm/s, force control, …"
     Motion motion = Motion::prismatic;
     Axis x, y;
-    std::vector<double> abscissa;  ///< max Re s [1/s], row-major: index = iy * x.values.size() + ix; NaN where undecided
-    std::vector<Region> region;    ///< same layout
+    std::vector<double>
+        abscissa;                ///< max Re s [1/s], row-major: index = iy * x.values.size() + ix; NaN where undecided
+    std::vector<Region> region;  ///< same layout
     std::vector<Curve> curves;
     DesignPoint design;
     bool has_design = false;
-    double disagreement = 0;       ///< share of the chart's area (axes as drawn) where the two theories differ
-    double undecided = 0;          ///< share of undecided points
+    double disagreement = 0;  ///< share of the chart's area (axes as drawn) where the two theories differ
+    double undecided = 0;     ///< share of undecided points
 };
 
 /// k_cr over two axes, for the 3-D picture; NaN where no critical gain exists.
@@ -65,17 +67,21 @@ struct CriticalGainSurface {
     Axis x, y;
     std::string z_name, z_symbol;  ///< "critical position gain", "k_{cr}"
     Quantity z_quantity = Quantity::stiffness;
-    std::vector<double> z;         ///< row-major like StabilityMap::abscissa
+    std::vector<double> z;  ///< row-major like StabilityMap::abscissa
 };
 
 /// A line chart: several named curves over one axis.
 struct LineChart {
-    struct Line { std::string name; std::vector<double> x, y; bool dashed = false; };
+    struct Line {
+        std::string name;
+        std::vector<double> x, y;
+        bool dashed = false;
+    };
     std::string title, fixed;
     std::string x_label, y_label;  ///< with units, mark-up
     bool x_log = false, y_log = false;
     std::vector<Line> lines;
-    std::vector<std::pair<std::string, double>> x_marks;   ///< vertical marks with a label
+    std::vector<std::pair<std::string, double>> x_marks;  ///< vertical marks with a label
 };
 
 }  // namespace stickslip

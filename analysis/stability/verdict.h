@@ -1,12 +1,14 @@
-// The linear answer for one joint: steady sliding, velocity-only verdict, state-variable verdict, and the row of a sweep.
+// The linear answer for one joint: steady sliding, velocity-only verdict, state-variable verdict, and the row of a
+// sweep.
 #pragma once
-#include "analysis/joint/joint.h"
-#include "analysis/results/point.h"
-
 #include <complex>
 #include <vector>
 
-namespace stickslip {
+#include "analysis/joint/joint.h"
+#include "analysis/results/point.h"
+
+namespace stickslip
+{
 
 /// Steady sliding at the commanded velocity.
 struct SteadySliding {
@@ -19,8 +21,8 @@ struct SteadySliding {
 /// (20)-(21): friction replaced by its steady-state curve.
 struct VelocityOnlyVerdict {
     bool stable = false;
-    double k_v_min = missing;   ///< max(0, −f_ss'(V_0)): least gain, to be exceeded
-    double slope = missing;     ///< f_ss'(V_0)
+    double k_v_min = missing;  ///< max(0, −f_ss'(V_0)): least gain, to be exceeded
+    double slope = missing;    ///< f_ss'(V_0)
 };
 
 /// A gain at which a pair of roots crosses the imaginary axis; direction +1 where it turns unstable with rising k_p.
@@ -30,18 +32,20 @@ struct Crossing {
     int direction = 0;
 };
 
-struct Interval { double low, high; };   ///< open
+struct Interval {
+    double low, high;
+};  ///< open
 
 /// (27)-(37): friction with memory.
 struct StateVariableVerdict {
     bool stable = false;
     double spectral_abscissa = missing;
     std::vector<std::complex<double>> eigenvalues;
-    double f_v = missing;               ///< direct effect (14)
-    double kernel_integral = missing;   ///< ∫g
+    double f_v = missing;              ///< direct effect (14)
+    double kernel_integral = missing;  ///< ∫g
     std::vector<Crossing> crossings;
-    std::vector<Interval> stable_intervals;   ///< in k_p, decided by the spectrum
-    double k_cr = missing;              ///< the single critical gain, NaN where there is none
+    std::vector<Interval> stable_intervals;  ///< in k_p, decided by the spectrum
+    double k_cr = missing;                   ///< the single critical gain, NaN where there is none
 };
 
 struct LinearVerdict {

@@ -1,0 +1,127 @@
+#include "analysis/stability/spectrum.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+
+#include "analysis/stability/polynomial.h"
+
+namespace stickslip
+{
+namespace
+{
+
+using Complex = std::complex<double>;
+
+/// (27) for no state: m s² + C s + k_p.
+auto roots_without_state(const LinearMass& j)
+{
+    return quadratic_roots((j.k_v + j.friction.f_v) / j.inertia, j.k_p / j.inertia);
+}
+
+/// (27) times (s − λ): m s³ + (C − mλ) s² + (k_p − Cλ + h b) s − k_p λ.
+auto roots_with_one_state(const LinearMass& j)
+{
+    const double C = j.k_v + j.friction.f_v, lambda = j.friction.lambda[0];
+    return cubic_roots(C / j.inertia - lambda, (j.k_p - C * lambda - j.friction.weight(0)) / j.inertia,
+                       -j.k_p * lambda / j.inertia);
+}
+
+/// Parlett-Reinsch balancing by powers of two, so that the eigenvalue solver sees entries of one size.
+/// Source: Parlett & Reinsch, Balancing a matrix for calculation of eigenvalues and eigenvectors (1969).
+void balance(Eigen::MatrixXd& matrix)
+{
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+            const double row = matrix.row(i).cwiseAbs().sum() - std::abs(matrix(i, i));
+            const double column = matrix.col(i).cwiseAbs().sum() - std::abs(matrix(i, i));
+            if (!(row > 0 && column > 0) || !std::isfinite(row + column)) continue;
+            const double factor = std::exp2(std::round(std::log2(row / column) / 2));
+            if (column * factor + row / factor >= 0.95 * (column + row)) continue;
+            matrix.col(i) *= factor;
+            matrix.row(i) /= factor;
+            changed = true;
+        }
+    }
+}
+
+/// Newton on (27) divided by nothing: F(s) and F'(s) hold to rounding wherever the states' own rates are not met.
+Complex polished(const LinearMass& j, Complex s)
+{
+    for (int i = 0; i < 3; ++i) {
+        Complex G = 0, G_slope = 0;
+        for (int k = 0; k < j.friction.states; ++k) {
+            const Complex gap = s - j.friction.lambda[k];
+            G += j.friction.weight(k) / gap;
+            G_slope -= j.friction.weight(k) / (gap * gap);
+        }
+        const Complex C = j.k_v + j.friction.f_v - G;
+        const Complex value = (j.inertia * s + C) * s + j.k_p;
+        const Complex slope = 2 * j.inertia * s + C - G_slope * s;
+        const Complex step = value / slope;
+        if (!(std::norm(step) < 1e-8 * std::norm(s))) break;
+        s -= step;
+    }
+    return s;
+}
+
+/// States (x, v, θ_i): v' = −(k_p x + C v + Σ h θ)/m, θ_i' = b_i v + λ_i θ_i.
+std::vector<Complex> roots_of_matrix(const LinearMass& j)
+{
+    const int n = 2 + j.friction.states;
+    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
+    A(0, 1) = 1;
+    A(1, 0) = -j.k_p / j.inertia;
+    A(1, 1) = -(j.k_v + j.friction.f_v) / j.inertia;
+    for (int i = 0; i < j.friction.states; ++i) {
+        A(1, 2 + i) = -j.friction.h[i] / j.inertia;
+        A(2 + i, 1) = j.friction.b[i];
+        A(2 + i, 2 + i) = j.friction.lambda[i];
+    }
+    if (!A.allFinite()) return {};
+    balance(A);
+    const Eigen::VectorXcd values = A.eigenvalues();
+    std::vector<Complex> roots;
+    for (const auto& s : values) roots.push_back(polished(j, s));
+    return roots;
+}
+
+template <class Roots>
+double largest_real_part(const Roots& roots)
+{
+    double largest = -infinity;
+    for (const auto& s : roots) {
+        if (std::isnan(s.real())) return not_set;
+        largest = std::max(largest, s.real());
+    }
+    return largest == -infinity ? not_set : largest;
+}
+
+}  // namespace
+
+std::vector<Complex> spectrum(const LinearMass& mass)
+{
+    std::vector<Complex> roots;
+    if (mass.friction.states == 0) {
+        const auto r = roots_without_state(mass);
+        roots.assign(r.begin(), r.end());
+    } else if (mass.friction.states == 1) {
+        const auto r = roots_with_one_state(mass);
+        roots.assign(r.begin(), r.end());
+    } else {
+        roots = roots_of_matrix(mass);
+    }
+    std::sort(roots.begin(), roots.end(), [](const Complex& a, const Complex& b) {
+        return a.real() != b.real() ? a.real() > b.real() : a.imag() > b.imag();
+    });
+    return roots;
+}
+
+double spectral_abscissa(const LinearMass& mass)
+{
+    if (mass.friction.states == 0) return largest_real_part(roots_without_state(mass));
+    if (mass.friction.states == 1) return largest_real_part(roots_with_one_state(mass));
+    return largest_real_part(roots_of_matrix(mass));
+}
+
+}  // namespace stickslip

@@ -2,8 +2,7 @@
 
 #include <cstdio>
 
-namespace stickslip
-{
+namespace stickslip {
 
 int run_program(int, char**)
 {

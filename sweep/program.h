@@ -1,8 +1,7 @@
 // The program: one verb a file in verbs/, exit codes in one place.
 #pragma once
 
-namespace stickslip
-{
+namespace stickslip {
 
 /// What the program tells its caller.
 enum ExitCode { exit_done = 0, exit_check_failed = 1, exit_bad_input = 2, exit_interrupted = 3, exit_undecided = 4 };

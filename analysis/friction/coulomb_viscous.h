@@ -4,8 +4,7 @@
 
 #include "analysis/friction/response.h"
 
-namespace stickslip
-{
+namespace stickslip {
 
 /// f(V) = (F_c + F_v |V|) sgn V; at rest any force within ±F_c. Its slope is never negative: it cannot stick-slip by
 /// itself.

@@ -3,8 +3,7 @@
 #pragma once
 #include "analysis/friction/law.h"
 
-namespace stickslip
-{
+namespace stickslip {
 
 /// Direction dependence, half the difference between the directions: f += coulomb + viscous |V|, the same sign both
 /// ways.

@@ -10,14 +10,12 @@
 #include "analysis/friction/rate_and_state.h"
 #include "analysis/friction/stribeck.h"
 
-namespace stickslip
-{
+namespace stickslip {
 
 /// Any law, by value. The first alternative is what a default-constructed joint holds until a file names its law.
 using FrictionLaw = std::variant<CoulombViscous, Stribeck, RateAndState>;
 
-namespace detail
-{
+namespace detail {
 template <std::size_t... i>
 std::vector<LawInfo> infos(std::index_sequence<i...>)
 {

@@ -5,8 +5,7 @@
 
 #include "analysis/friction/response.h"
 
-namespace stickslip
-{
+namespace stickslip {
 
 /// f = f0 + A ln(V/V*) + Σ θ_i,   θ̇_i = −(V/L_i)(θ_i + B_i ln(V/V*))                      (2)-(5)
 /// f_ss = f0 + (A − Σ B_i) ln(V/V*)                                                        (6)

@@ -14,8 +14,7 @@
 
 #include "analysis/joint/field.h"
 
-namespace stickslip
-{
+namespace stickslip {
 
 using States = std::array<double, max_states>;
 

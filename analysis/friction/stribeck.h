@@ -4,8 +4,7 @@
 
 #include "analysis/friction/response.h"
 
-namespace stickslip
-{
+namespace stickslip {
 
 /// f(V) = (c0 + c1 |V| + c2 exp(−(|V|/c3)^c4)) sgn V                                    (7); c4 = 2 gives (22).
 /// At rest: any force within ±(c0 + c2). High speed: c0 + c1 |V|.

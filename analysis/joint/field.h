@@ -12,8 +12,7 @@
 
 #include "analysis/results/quantity.h"
 
-namespace stickslip
-{
+namespace stickslip {
 
 inline constexpr double not_set = std::numeric_limits<double>::quiet_NaN();
 inline bool is_set(double value)

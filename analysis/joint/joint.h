@@ -8,8 +8,7 @@
 #include "analysis/friction/friction.h"
 #include "analysis/joint/field.h"
 
-namespace stickslip
-{
+namespace stickslip {
 
 enum class Model { single_mass, two_mass, three_mass, lever };
 inline constexpr Choice<Motion> motions[] = {{"prismatic", Motion::prismatic}, {"revolute", Motion::revolute}};

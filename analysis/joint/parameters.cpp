@@ -4,10 +4,8 @@
 #include <charconv>
 #include <numeric>
 
-namespace stickslip
-{
-namespace
-{
+namespace stickslip {
+namespace {
 
 std::string number_text(double value)
 {

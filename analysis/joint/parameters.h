@@ -6,8 +6,7 @@
 
 #include "analysis/joint/joint.h"
 
-namespace stickslip
-{
+namespace stickslip {
 
 /// A number inside a joint, by its dotted path.
 struct Parameter {

@@ -1,9 +1,7 @@
 #include "analysis/results/point.h"
 
-namespace stickslip
-{
-namespace
-{
+namespace stickslip {
+namespace {
 
 template <auto member>
 std::uint8_t code_of(const PointResult& p)

@@ -8,8 +8,7 @@
 #include "analysis/results/quantity.h"
 #include "analysis/results/stability_map.h"
 
-namespace stickslip
-{
+namespace stickslip {
 
 /// Why a number of a point is missing or a verdict undecided; `none` where nothing is.
 enum class Reason : std::uint8_t {

@@ -1,7 +1,6 @@
 #include "analysis/results/quantity.h"
 
-namespace stickslip
-{
+namespace stickslip {
 
 std::string_view unit_of(Quantity quantity, Motion motion)
 {

@@ -4,8 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace stickslip
-{
+namespace stickslip {
 
 /// How a joint moves: a prismatic joint reads m, N, kg where a revolute one reads rad, N·m, kg·m².
 enum class Motion { prismatic, revolute };

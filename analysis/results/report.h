@@ -8,8 +8,7 @@
 
 #include "analysis/results/stability_map.h"
 
-namespace stickslip
-{
+namespace stickslip {
 
 /// One number of the first screen, with its limit and its meaning.
 struct Headline {

@@ -6,8 +6,7 @@
 
 #include "analysis/results/quantity.h"
 
-namespace stickslip
-{
+namespace stickslip {
 
 /// One axis of a sweep: a dotted path into the joint, its values in SI, and how it is read.
 struct Axis {

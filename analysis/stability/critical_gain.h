@@ -4,8 +4,7 @@
 
 #include "analysis/stability/linear_friction.h"
 
-namespace stickslip
-{
+namespace stickslip {
 
 struct CriticalGain {
     double k_p;    ///< k_cr

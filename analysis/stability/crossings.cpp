@@ -5,10 +5,8 @@
 
 #include "analysis/stability/critical_gain.h"
 
-namespace stickslip
-{
-namespace
-{
+namespace stickslip {
+namespace {
 
 /// Σ w_i |λ_i| / (λ_i² + u) − C: (34) for the kernel Σ w_i e^{λ_i t}, u = ω².
 double excess(const LinearMass& mass, double u)

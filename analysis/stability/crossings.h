@@ -5,8 +5,7 @@
 #include "analysis/stability/spectrum.h"
 #include "analysis/stability/verdict.h"
 
-namespace stickslip
-{
+namespace stickslip {
 
 /// All solutions ω > 0 of (34) and their k_p > 0 of (35), ascending in k_p. Complete: with u = ω², (34) is a polynomial
 /// in u of degree `states`, so there are at most that many.

@@ -2,10 +2,8 @@
 
 #include <cmath>
 
-namespace stickslip
-{
-namespace
-{
+namespace stickslip {
+namespace {
 
 void append(LinearFriction& sum, const FrictionResponse& r, int states)
 {

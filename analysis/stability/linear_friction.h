@@ -4,8 +4,7 @@
 
 #include "analysis/friction/friction.h"
 
-namespace stickslip
-{
+namespace stickslip {
 
 /// δf = f_v v − g * v as a state form, δθ_i' = λ_i δθ_i + b_i v, δf = f_v v + Σ h_i δθ_i, so that
 /// g(t) = −Σ h_i b_i e^{λ_i t} and G(s) = −Σ h_i b_i / (s − λ_i). Source: Dupont (1991), (12)-(15).

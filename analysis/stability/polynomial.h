@@ -6,8 +6,7 @@
 #include <cmath>
 #include <complex>
 
-namespace stickslip
-{
+namespace stickslip {
 
 /// Both roots of s² + p s + q without cancellation.
 inline std::array<std::complex<double>, 2> quadratic_roots(double p, double q)

@@ -5,10 +5,8 @@
 
 #include "analysis/stability/polynomial.h"
 
-namespace stickslip
-{
-namespace
-{
+namespace stickslip {
+namespace {
 
 using Complex = std::complex<double>;
 

@@ -6,8 +6,7 @@
 #include "analysis/joint/joint.h"
 #include "analysis/stability/linear_friction.h"
 
-namespace stickslip
-{
+namespace stickslip {
 
 /// m s² + (k_v + f_v − G(s)) s + k_p: the single mass with its loop, position or force controlled    (27)
 struct LinearMass {

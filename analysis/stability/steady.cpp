@@ -2,8 +2,7 @@
 
 #include "analysis/stability/linear_friction.h"
 
-namespace stickslip
-{
+namespace stickslip {
 
 double commanded_velocity(const Joint& joint)
 {

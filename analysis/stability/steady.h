@@ -2,8 +2,7 @@
 #pragma once
 #include "analysis/stability/verdict.h"
 
-namespace stickslip
-{
+namespace stickslip {
 
 /// V_0: control.V0, or force_rate / k_p where force control ramps at a given rate. NaN if neither is set.
 double commanded_velocity(const Joint& joint);

@@ -7,10 +7,8 @@
 #include "analysis/stability/spectrum.h"
 #include "analysis/stability/steady.h"
 
-namespace stickslip
-{
-namespace
-{
+namespace stickslip {
+namespace {
 
 /// −f_ss'(V_0) where that is positive: the least gain of (21), to be exceeded.
 double least_velocity_gain(double slope)

@@ -7,8 +7,7 @@
 #include "analysis/joint/joint.h"
 #include "analysis/results/point.h"
 
-namespace stickslip
-{
+namespace stickslip {
 
 /// Steady sliding at the commanded velocity.
 struct SteadySliding {

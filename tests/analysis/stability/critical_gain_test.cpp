@@ -9,8 +9,7 @@
 
 using namespace stickslip;
 
-namespace
-{
+namespace {
 
 Joint slip_law_joint(double m, double k_p, double k_v, double V0, double A, double B, double L)
 {

@@ -5,8 +5,7 @@
 
 using namespace stickslip;
 
-namespace
-{
+namespace {
 
 Joint stribeck_joint(double V0, double k_v, double k_p = 1000)
 {

@@ -1,0 +1,78 @@
+#include "analysis/boundary/locate.h"
+
+#include "analysis/boundary/root.h"
+#include "analysis/joint/parameters.h"
+#include "analysis/stability/linear_friction.h"
+#include "analysis/stability/spectrum.h"
+#include "analysis/stability/steady.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace stickslip {
+
+double instability(const Joint& joint, Curve::Kind theory)
+{
+    if (theory == Curve::Kind::velocity_only) {
+        const auto steady = steady_sliding(joint);
+        if (steady.reason != Reason::none) return missing;
+        const auto mass = linear_mass(joint, steady.velocity);
+        return std::max(-(mass.k_v + steady_slope(mass.friction)), -mass.k_p);
+    }
+    return linear_point(joint).spectral_abscissa;
+}
+
+std::vector<BoundaryPoint> locate_on_ray(const Joint& given, std::string_view path, double low, double high, bool log,
+                                         Curve::Kind theory, int scan)
+{
+    Joint joint = given;
+    double* parameter = find_parameter(joint, path);
+    if (!parameter) throw std::invalid_argument("no number at " + std::string(path));
+    const auto at = [&](double value) {
+        *parameter = value;
+        return instability(joint, theory);
+    };
+    const auto node = [&](int i) {
+        const double share = static_cast<double>(i) / scan;
+        return i == 0 ? low : i == scan ? high : log ? low * std::pow(high / low, share) : low + share * (high - low);
+    };
+    std::vector<BoundaryPoint> found;
+    double a = low, fa = at(low);
+    for (int i = 1; i <= scan; ++i) {
+        const double b = node(i), fb = at(b);
+        if (fa * fb < 0 || (fa == 0 && fb != 0)) {
+            const auto root = bracketed_root(at, a, fa, b, fb, linear_precision);
+            found.push_back({root.value, root.low, root.high, fb > 0 ? 1 : -1, root.converged, root.evaluations});
+        }
+        a = b, fa = fb;
+    }
+    return found;
+}
+
+Margin margin_along(const Joint& joint, const Axis& axis)
+{
+    Margin margin;
+    margin.axis = axis;
+    margin.axis.values.clear();
+    Joint copy = joint;
+    const double* parameter = find_parameter(copy, axis.path);
+    if (!parameter) throw std::invalid_argument("no number at " + axis.path);
+    margin.value = *parameter;
+    const bool log = axis.log && margin.value > 0;
+    margin.low = std::min(axis.values.front(), margin.value);
+    margin.high = std::max(axis.values.back(), margin.value);
+    if (log) margin.low /= 10, margin.high *= 10;
+    for (const auto& point :
+         locate_on_ray(joint, axis.path, margin.low, margin.high, log, Curve::Kind::state_variable, 400)) {
+        const auto away = [&](double v) {
+            return log ? std::abs(std::log(v / margin.value)) : std::abs(v - margin.value);
+        };
+        if (margin.found && away(point.value) >= away(margin.boundary)) continue;
+        margin.found = true;
+        margin.boundary = point.value;
+    }
+    return margin;
+}
+
+}  // namespace stickslip

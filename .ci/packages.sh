@@ -1,0 +1,25 @@
+#!/bin/sh
+# Installs the Debian packages that stickslip needs and that are not there yet: `packages.sh build` for the program,
+# `packages.sh test` for the tests as well. The list stands here once.
+set -eu
+build='g++ cmake ninja-build ccache pkg-config libeigen3-dev libtbb-dev libsundials-dev libnlopt-dev libnlopt-cxx-dev
+libvtk9-dev libegl-dev libglew-dev libegl1 libegl-mesa0 libgl1-mesa-dri libcli11-dev libtomlplusplus-dev
+nlohmann-json3-dev libnetcdf-dev libfmt-dev libxxhash-dev zlib1g-dev libjs-dygraphs fonts-dejavu-core'
+tests='catch2 python3 python3-xarray python3-netcdf4'
+case "${1:-}" in
+    build) wanted=$build ;;
+    test) wanted="$build $tests" ;;
+    *) echo "usage: $0 build|test" >&2; exit 2 ;;
+esac
+missing=
+for package in $wanted; do
+    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing="$missing $package"
+done
+[ -z "$missing" ] && exit 0
+as_root=
+[ "$(id -u)" = 0 ] || as_root=sudo
+echo "installing:$missing"
+export DEBIAN_FRONTEND=noninteractive
+$as_root apt-get update -qq
+# shellcheck disable=SC2086
+$as_root apt-get install -y -qq --no-install-recommends $missing >/dev/null

@@ -1,0 +1,34 @@
+#include "analysis/results/text.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace stickslip;
+
+TEST_CASE("numbers read with prefix and unit", "[text]")
+{
+    const auto p = Motion::prismatic, r = Motion::revolute;
+    CHECK(with_unit(55000, Quantity::stiffness, p) == "55 kN/m");
+    CHECK(with_unit(55000, Quantity::stiffness, r) == "55 kN·m/rad");
+    CHECK(with_unit(1e-5, Quantity::position, p) == "10 µm");
+    CHECK(with_unit(1e-5, Quantity::position, r) == "1×10^{−5} rad");
+    CHECK(with_unit(-14.23, Quantity::rate, p) == "−14.2 1/s");
+    CHECK(with_unit(999.96, Quantity::effort, p, 4) == "1 kN");
+    CHECK(with_unit(0, Quantity::effort, p) == "0 N");
+    CHECK(with_unit(NAN, Quantity::effort, p) == "–");
+    CHECK(with_unit(95.1089, Quantity::inertia, p, 4) == "95.11 kg");
+}
+
+TEST_CASE("plain numbers and shares never round to a lie", "[text]")
+{
+    CHECK(plain_number(12345) == "12300");
+    CHECK(plain_number(123456) == "1.23×10^{5}");
+    CHECK(plain_number(1.5) == "1.5");
+    CHECK(plain_number(-1e-7) == "−1×10^{−7}");
+    CHECK(percent(0.3871) == "38.7 %");
+    CHECK(percent(1e-6) == "< 0.1 %");
+    CHECK(percent(0.99999) == "> 99.9 %");
+    CHECK(percent(1) == "100 %");
+    CHECK(percent(0) == "0 %");
+}

@@ -1,0 +1,153 @@
+#include "sweep/engine/plan.h"
+
+#include "analysis/joint/parameters.h"
+#include "sweep/engine/build.h"
+#include "sweep/engine/row_format.h"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+namespace stickslip {
+namespace {
+
+constexpr double chunk_seconds = 5e-3;
+constexpr std::uint64_t largest_cheap_chunk = 8192;  // its slots and its record stay in a core's cache
+constexpr std::uint64_t smallest_cheap_chunk = 256;  // below this the journal's work per chunk shows
+constexpr std::uint64_t chunks_for_balance = 64;
+constexpr std::uint64_t most_chunks = 1u << 22;
+
+/// Every field goes in with its length, so that no two plans can spell the same bytes.
+class Hash {
+  public:
+    void add(std::uint64_t number) { XXH3_128bits_update(state_.get(), &number, sizeof number); }
+    void add(std::string_view text)
+    {
+        add(std::uint64_t{text.size()});
+        XXH3_128bits_update(state_.get(), text.data(), text.size());
+    }
+    void add(const std::vector<double>& values)
+    {
+        add(std::uint64_t{values.size()});
+        XXH3_128bits_update(state_.get(), values.data(), values.size() * sizeof(double));
+    }
+    PlanId id() const
+    {
+        const XXH128_hash_t digest = XXH3_128bits_digest(state_.get());
+        return {digest.high64, digest.low64};
+    }
+
+  private:
+    struct Free {
+        void operator()(XXH3_state_t* s) const { XXH3_freeState(s); }
+    };
+    static XXH3_state_t* fresh()
+    {
+        XXH3_state_t* state = XXH3_createState();
+        if (!state) throw std::bad_alloc();
+        XXH3_128bits_reset(state);
+        return state;
+    }
+    std::unique_ptr<XXH3_state_t, Free> state_{fresh()};
+};
+
+void check_axes(const Joint& given, const std::vector<Axis>& axes)
+{
+    Joint joint = given;
+    const auto known = parameters(joint);
+    std::vector<const double*> taken;
+    for (const Axis& axis : axes) {
+        const double* target = find_parameter(joint, axis.path);
+        if (!target) throw std::invalid_argument(fmt::format("axis \"{}\" is no number of this joint", axis.path));
+        if (std::ranges::find(taken, target) != taken.end())
+            throw std::invalid_argument(fmt::format("axis \"{}\" is given twice", axis.path));
+        taken.push_back(target);
+        if (axis.values.empty()) throw std::invalid_argument(fmt::format("axis \"{}\" has no values", axis.path));
+        const auto parameter = std::ranges::find(known, target, &Parameter::value);
+        for (const double value : axis.values)
+            if (!std::isfinite(value) || !parameter->range.holds(value))
+                throw std::invalid_argument(
+                    fmt::format("axis \"{}\" holds {}, allowed is {}", axis.path, value, describe(parameter->range)));
+    }
+}
+
+std::uint64_t count_points(const std::vector<Axis>& axes)
+{
+    double wanted = 1;
+    for (const Axis& axis : axes) wanted *= static_cast<double>(axis.values.size());
+    if (wanted > static_cast<double>(max_points))
+        throw std::invalid_argument(fmt::format(
+            "{:.3g} points are too many: linear verdicts alone would take about {:.3g} core-years and {:.3g} TB on "
+            "disk; at most {:.0e} are accepted",
+            wanted, wanted * linear_point_cost / (365.25 * 86400),
+            2 * wanted * static_cast<double>(RowFormat(false).bytes_per_point()) / 1e12,
+            static_cast<double>(max_points)));
+    return static_cast<std::uint64_t>(wanted);  // exact: max_points is far below 2^53
+}
+
+}  // namespace
+
+std::string to_text(const PlanId& id)
+{
+    return fmt::format("{:016x}{:016x}", id.high, id.low);
+}
+
+std::uint64_t chunk_size_for(std::uint64_t points, double seconds_per_point)
+{
+    const double by_cost = std::clamp(chunk_seconds / seconds_per_point, 1.0, static_cast<double>(largest_cheap_chunk));
+    const std::uint64_t fair = std::bit_floor(static_cast<std::uint64_t>(by_cost));
+    const std::uint64_t shared =
+        std::max(std::bit_ceil(points / chunks_for_balance + 1), std::min(fair, smallest_cheap_chunk));
+    return std::max(std::min(fair, shared), std::bit_ceil((points + most_chunks - 1) / most_chunks));
+}
+
+PlanId id_of(const Plan& plan)
+{
+    Hash hash;
+    hash.add("stickslip plan 1");
+    hash.add(std::uint64_t{plan.axes.size()});
+    for (const Axis& axis : plan.axes) {
+        hash.add(axis.path);
+        hash.add(axis.symbol);
+        hash.add(axis.name);
+        hash.add(unit_of(axis.quantity, plan.motion));
+        hash.add(std::uint64_t{axis.log});
+        hash.add(axis.values);
+    }
+    hash.add(std::uint64_t{plan.motion == Motion::revolute});
+    hash.add(plan.joint);
+    hash.add(plan.options);
+    hash.add(std::uint64_t{plan.nonlinear});
+    hash.add(RowFormat(plan.nonlinear).description());
+    hash.add(plan.build);
+    hash.add(plan.points);
+    hash.add(plan.chunk_size);
+    return hash.id();
+}
+
+Plan make_plan(const Joint& joint, std::vector<Axis> axes, const PlanOptions& options)
+{
+    check_axes(joint, axes);
+    Plan plan;
+    plan.points = count_points(axes);
+    plan.axes = std::move(axes);
+    plan.motion = joint.mechanism.motion;
+    plan.joint = canonical_text(joint);
+    plan.options = options.evaluation;
+    plan.nonlinear = options.nonlinear;
+    plan.build = build_fingerprint();
+    plan.chunk_size = chunk_size_for(plan.points, options.seconds_per_point);
+    plan.title = options.title;
+    plan.spec = options.spec;
+    plan.command = options.command;
+    plan.version = program_version();
+    plan.id = id_of(plan);
+    return plan;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,201 @@
+#include "tests/blind/generate/files.h"
+
+#include <zlib.h>
+#include <nlohmann/json.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+
+namespace blind {
+namespace {
+
+std::string text(double x)
+{
+    char buffer[40];
+    const auto end = std::to_chars(buffer, buffer + sizeof buffer, x).ptr;
+    std::string s(buffer, end);
+    // TOML tells 1 (whole) from 1.0 (real).
+    return s.find_first_of(".en") == std::string::npos ? s + ".0" : s;
+}
+
+class Toml {
+  public:
+    void table(const std::string& name) { out_ += (out_.empty() ? "[" : "\n[") + name + "]\n"; }
+    void line(const std::string& key, const std::string& value) { out_ += key + " = " + value + "\n"; }
+    void word(const std::string& key, const std::string& value) { line(key, '"' + value + '"'); }
+    void number(const std::string& key, double value) { line(key, text(value)); }
+    void number_if(bool wanted, const std::string& key, double value)
+    {
+        if (wanted) number(key, value);
+    }
+    const std::string& str() const { return out_; }
+
+  private:
+    std::string out_;
+};
+
+void write_friction(Toml& t, const std::string& table, const DryFriction& f)
+{
+    t.table(table);
+    if (f.static_rise > 0) {
+        t.word("law", "stribeck");
+        t.number("c0", f.coulomb);
+        t.number("c1", f.viscous);
+        t.number("c2", f.static_rise);
+        t.number("c3", f.stribeck_velocity);
+        t.number("c4", f.stribeck_exponent);
+    } else {
+        t.word("law", "coulomb-viscous");
+        t.number("coulomb", f.coulomb);
+        t.number("viscous", f.viscous);
+    }
+}
+
+void write_actuator(Toml& t, const Drive& d)
+{
+    if (d.kind == Drive::Kind::effort && d.gain == 1) return;
+    t.table("actuator");
+    if (d.kind == Drive::Kind::effort) {
+        t.number("effort_gain", d.gain);
+        return;
+    }
+    t.word("kind", "dc-motor");
+    t.number("k_t", d.torque_constant);
+    t.number("k_e", d.back_emf);
+    t.number("resistance", d.resistance);
+    t.number("supply_voltage", d.supply);
+    t.word("signal", d.kind == Drive::Kind::dc_duty ? "duty" : "voltage");
+}
+
+}  // namespace
+
+std::string joint_toml(const Nominal& n, bool noise_stated)
+{
+    const auto& m = n.machine.mechanism;
+    const auto& c = n.machine.controller;
+    const auto& s = n.machine.sensors;
+    Toml t;
+    t.table("joint");
+    t.word("motion", n.machine.revolute ? "revolute" : "prismatic");
+    t.word("model", m.bodies == 2 ? "two-mass" : "single-mass");
+    if (m.bodies == 2) {
+        t.number("motor_inertia", m.inertia[0]);
+        t.number("link_inertia", m.inertia[1]);
+        t.line("transmission",
+               "{ stiffness = " + text(m.stiffness) + ", damping = " + text(m.damping) + ", ratio = 1.0 }");
+    } else {
+        t.number("inertia", m.inertia[0]);
+    }
+    t.table("load");
+    t.number("constant", m.constant_load);
+    t.number("gravity_amplitude", m.gravity);
+    t.table("control");
+    t.word("kind", "position");
+    t.word("feedback", "motor");
+    t.number("k_p", c.k_p);
+    t.number("k_v", c.k_v);
+    t.number("period", c.period);
+    t.line("reference_velocity", c.reference_velocity ? "true" : "false");
+    t.number_if(std::isfinite(c.limit), "effort_limit", c.limit);
+    t.line("velocity_estimate", "{ form = \"backward-difference\", tau = " + text(c.filter) +
+                                    ", average = " + std::to_string(c.average) + " }");
+    if (m.bodies == 2) {
+        write_friction(t, "friction.motor", m.friction[0]);
+        write_friction(t, "friction.link", m.friction[1]);
+    } else {
+        write_friction(t, "friction", m.friction[0]);
+    }
+    write_actuator(t, n.machine.drive);
+    if (noise_stated || s.quantum > 0) {
+        t.table("sensor");
+        t.number_if(s.quantum > 0, "encoder_quantum", s.quantum);
+        t.number_if(noise_stated, "position_noise", s.position_noise);
+        t.number_if(noise_stated, "effort_noise", s.effort_noise);
+    }
+    return t.str();
+}
+
+std::string record_csv(const Record& r, const Machine& machine, const Columns& columns)
+{
+    const auto& d = machine.drive;
+    const bool motor = d.kind != Drive::Kind::effort;
+    std::vector<std::pair<std::string, const std::vector<double>*>> list = {{"time", &r.time}};
+    if (columns.reference_position) list.push_back({"reference_position", &r.reference_position});
+    if (columns.reference_velocity) list.push_back({"reference_velocity", &r.reference_velocity});
+    list.push_back({"position", &r.position});
+    if (columns.velocity) list.push_back({"velocity", &r.velocity});
+    const std::string drive = d.kind == Drive::Kind::dc_duty ? "duty"
+                              : motor || d.gain != 1         ? "drive_voltage"
+                                                             : "effort_command";
+    if (columns.command) list.push_back({drive, &r.command});
+    if (columns.effort)
+        list.push_back(motor ? std::pair{"current", &r.current} : std::pair{"effort_measured", &r.effort});
+    if (columns.supply && motor) list.push_back({"supply_voltage", &r.supply});
+    std::string out;
+    for (std::size_t i = 0; i < list.size(); ++i) out += (i ? "," : "") + list[i].first;
+    out += '\n';
+    char buffer[40];
+    for (std::size_t k = 0; k < r.size(); ++k) {
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            if (i) out += ',';
+            out.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, (*list[i].second)[k],
+                                             std::chars_format::general, 10)
+                                   .ptr);
+        }
+        out += '\n';
+    }
+    return out;
+}
+
+void write_case(const SealedCase& c, const std::filesystem::path& folder)
+{
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "joint.toml") << joint_toml(c.nominal, c.noise_stated);
+    for (std::size_t r = 0; r < c.records.size(); ++r) {
+        const std::string csv = record_csv(c.records[r], c.nominal.machine, c.columns);
+        const auto path = folder / ("record-" + std::to_string(r + 1) + ".csv.gz");
+        gzFile file = gzopen(path.c_str(), "wb6");
+        const bool written =
+            file && gzwrite(file, csv.data(), static_cast<unsigned>(csv.size())) == static_cast<int>(csv.size());
+        if (!file || gzclose(file) != Z_OK || !written) throw std::runtime_error("cannot write " + path.string());
+    }
+}
+
+std::string truth_json(const std::map<std::string, SealedCase>& cases, const std::string& engine)
+{
+    nlohmann::ordered_json all;
+    for (const auto& [name, c] : cases) {
+        nlohmann::ordered_json j;
+        j["verdict"] = c.verdict;
+        j["effects"] = c.effects;
+        j["equivalent"] = c.equivalent;
+        if (!c.outside.empty()) j["outside"] = c.outside;
+        j["kind"] = c.kind;
+        j["strength"] = c.strength;
+        j["engine"] = engine;
+        j["joint"] = c.nominal.family;
+        j["columns"] = c.columns.name;
+        j["noise_stated"] = c.noise_stated;
+        j["seed"] = std::to_string(c.seed);
+        auto& variants = j["variants"] = nlohmann::ordered_json::array();
+        for (const auto& e : c.edits) variants.push_back(e.variant);
+        auto& parameters = j["parameters"] = nlohmann::ordered_json::object();
+        for (const auto& p : c.parameters) parameters[p.path] = {{"nominal", p.nominal}, {"value", p.value}};
+        auto& records = j["records"] = nlohmann::ordered_json::array();
+        for (std::size_t r = 0; r < c.records.size(); ++r)
+            records.push_back({{"file", "record-" + std::to_string(r + 1) + ".csv.gz"},
+                               {"excitation", c.excitations[r].kind},
+                               {"before", c.gap.before_by_record[r]}});
+        if (!c.gap_without.empty()) j["gap_without"] = c.gap_without;
+        auto& gap = j["true_gap"];
+        gap = {{"before", c.gap.before}, {"after", c.gap.after}, {"floor", 1.0}};
+        for (const auto& s : c.gap.signals)
+            gap["signals"][s.name] = {{"unit", s.unit}, {"before", s.before}, {"after", s.after}, {"floor", s.floor}};
+        all[name] = j;
+    }
+    return all.dump(1) + "\n";
+}
+
+}  // namespace blind

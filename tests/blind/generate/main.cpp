@@ -1,0 +1,78 @@
+// blind_generate: makes sealed cases and, outside their folder, the answers.
+#include "tests/blind/generate/files.h"
+#include "tests/blind/generate/random.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <random>
+
+namespace {
+
+void print(const char* name, const blind::SealedCase& c)
+{
+    std::string what = c.outside.empty() ? "" : "outside:" + c.outside;
+    for (const auto& e : c.effects) what += (what.empty() ? "" : " + ") + e;
+    std::printf("%s %-7s %-40s %-11s %-7s %-13s gap %6.2f -> %5.2f floors\n", name, c.kind.c_str(), what.c_str(),
+                c.nominal.family.c_str(), c.strength.c_str(), c.columns.name.c_str(), c.gap.before, c.gap.after);
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    CLI::App app{
+        "Makes sealed cases for `stickslip blind`: DIR/case-NN/{joint.toml, record-N.csv.gz}, and the truth outside "
+        "DIR."};
+    blind::Wish wish;
+    std::string folder, truth_file;
+    std::uint64_t seed = 0;
+    int cases = 30, first = 0;
+    app.add_option("DIR", folder, "folder for the cases; must not hold cases yet")->required();
+    app.add_option("--cases", cases, "how many cases")->check(CLI::Range(1, 100000));
+    app.add_option("--first", first, "number of the first case; case n does not depend on how many are made")
+        ->check(CLI::NonNegativeNumber);
+    app.add_option("--kind", wish.kind, "what the cases are")
+        ->check(CLI::IsMember({"single", "pair", "none", "outside", "noisy", "few", "mixed"}));
+    const auto* seeded =
+        app.add_option("--seed", seed, "seed; the same seed gives the same bytes. Without it: a fresh one, printed");
+    app.add_option("--truth", truth_file, "file of the answers (default: DIR.truth.json)");
+    app.add_option("--effect", wish.effect, "only this effect of the catalogue")
+        ->check(CLI::IsMember(blind::effect_names()));
+    app.add_option("--strength", wish.strength, "only this strength")
+        ->check(CLI::IsMember({"weak", "medium", "strong"}));
+    app.add_option("--joint", wish.family, "only this family of joints")->check(CLI::IsMember(blind::joint_families()));
+    app.add_option("--columns", wish.columns, "only this set of columns")
+        ->check(CLI::IsMember(
+            {"full", "no-effort", "no-velocity", "no-reference", "no-command", "motion-only", "position-only"}));
+    CLI11_PARSE(app, argc, argv);
+    if (seeded->count() == 0) seed = std::random_device{}();
+    std::printf("seed %llu\n", static_cast<unsigned long long>(seed));
+    while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
+    if (truth_file.empty()) truth_file = folder + ".truth.json";
+    std::map<std::string, blind::SealedCase> made;
+    int failed = 0;
+    for (int i = first; i < first + cases; ++i) {
+        char name[20];
+        std::snprintf(name, sizeof name, "case-%03d", i);
+        try {
+            if (std::filesystem::exists(std::filesystem::path(folder) / name))
+                throw std::runtime_error(folder + "/" + name + " exists already");
+            auto c = blind::make_case(wish, seed, i);
+            blind::write_case(c, std::filesystem::path(folder) / name);
+            print(name, c);
+            for (auto& r : c.records) r = {};  // the truth needs only what the gap has already measured
+            made.emplace(name, std::move(c));
+        } catch (const std::exception& e) {
+            std::cerr << "blind_generate: " << name << ": " << e.what() << '\n';
+            ++failed;
+        }
+    }
+    std::ofstream out(truth_file);
+    out << blind::truth_json(made, "own");
+    if (!out) std::cerr << "blind_generate: cannot write " << truth_file << '\n';
+    return !out ? 2 : failed ? 1 : 0;
+}

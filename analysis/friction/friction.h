@@ -64,9 +64,16 @@ struct Bristle {
     }
 };
 
-/// Rate-and-state memory on top of a static law: A asinh-regularised direct effect and one slip-law state, (4)-(5).
+enum class MemoryForm { slip, ageing };
+inline constexpr Choice<MemoryForm> memory_forms[] = {{"slip", MemoryForm::slip}, {"ageing", MemoryForm::ageing}};
+
+/// Memory on top of a static law: f += (A ln(|V|/V*) + θ) sgn V with one slip-law state, (4)-(5), or one ageing-law
+/// state; and, apart from it, a lag with which the law's velocity dependence follows the velocity. In a record's
+/// simulation |V| is held above V*/1000 inside the logarithms, so that the joint can stick.
 struct Memory {
     double A = 0, B = 0, L = 1e-5, V_star = 1e-3;
+    double lag = 0;
+    MemoryForm form = MemoryForm::slip;
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
@@ -76,6 +83,10 @@ struct Memory {
         visit.number({"B", Quantity::effort, not_negative, Need::optional, "evolution effect, 0 for none"}, self.B);
         visit.number({"L", Quantity::position, positive, Need::optional, "characteristic slip distance"}, self.L);
         visit.number({"V_star", Quantity::velocity, positive, Need::optional, "reference velocity V*"}, self.V_star);
+        visit.number(
+            {"lag", Quantity::time, not_negative, Need::optional, "time lag of the velocity dependence, 0 for none"},
+            self.lag);
+        visit.choice("form", "how the state evolves", self.form, memory_forms);
     }
 };
 

@@ -185,6 +185,7 @@ struct Actuator {
     double effort_gain = 1, lag = 0, limit = infinity;
     double k_t = not_set, k_e = not_set, resistance = not_set, supply_voltage = not_set;
     double supply_resistance = 0;  ///< the supply sags by this times the motor current
+    double sag_effort = infinity;  ///< effort source: the effort whose current would pull the supply down to nothing
     DriveSignal signal = DriveSignal::voltage;
 
     /// What ranges cannot say: a duty cycle means nothing without the supply that it switches.
@@ -203,7 +204,12 @@ struct Actuator {
             self.effort_gain);
         visit.number({"lag", Quantity::time, not_negative, Need::optional, "time constant of the actuator"}, self.lag);
         visit.number({"limit", Quantity::effort, positive, Need::optional, "limit of the effort"}, self.limit);
-        if (self.kind == ActuatorKind::effort) return;
+        if (self.kind == ActuatorKind::effort) {
+            visit.number({"sag_effort", Quantity::effort, positive, Need::optional,
+                          "effort is lost in the ratio |effort| / sag_effort"},
+                         self.sag_effort);
+            return;
+        }
         visit.number({"k_t", Quantity::torque_constant, positive, Need::required, "torque constant"}, self.k_t);
         visit.number({"k_e", Quantity::back_emf, not_negative, Need::required, "back-EMF constant"}, self.k_e);
         visit.number({"resistance", Quantity::resistance, positive, Need::required, "winding resistance"},

@@ -1,0 +1,49 @@
+// The joint of a record, flattened for speed: what joint.h describes, as bare numbers that the time step can use.
+#pragma once
+#include "analysis/joint/joint.h"
+
+namespace stickslip::gap {
+
+/// Friction on one body. The law is (coulomb + stribeck exp(−(|v|/stribeck_velocity)^exponent) + viscous |v|) sgn v;
+/// the terms are those of friction.h. Zero means absent.
+struct Rubbing {
+    double coulomb = 0, viscous = 0;
+    double stribeck = 0, stribeck_velocity = 1, exponent = 2;
+    double asymmetric_coulomb = 0, asymmetric_viscous = 0;
+    double load_coefficient = 0;
+    double ripple = 0, ripple_periods = 1, ripple_phase = 0;
+    double drift = 0, drift_time = 1;
+    double bristle_stiffness = 0, bristle_damping = 0;
+    double A = 0, B = 0, L = 1, V_star = 1, lag = 0;
+    bool ageing = false;
+    bool remembers() const { return A != 0 || B != 0; }
+    bool plain() const
+    {
+        return stribeck == 0 && asymmetric_coulomb == 0 && load_coefficient == 0 && ripple == 0 && drift == 0 &&
+               !remembers();
+    }
+};
+
+struct Plant {
+    bool two_mass = false;
+    double motor_inertia = 1, link_inertia = 1;  ///< single mass: motor_inertia is all
+    double stiffness = 0, damping = 0, ratio = 1, backlash = 0;
+    Rubbing motor, link;  ///< single mass: motor
+    Load load;
+    Actuator actuator;
+    double dead_time = 0;
+    Control control;
+    Sensor sensor;
+    bool feedback_link = false;
+
+    bool dc_motor() const { return actuator.kind == ActuatorKind::dc_motor; }
+};
+
+/// The joint as a record sees it. Throws std::invalid_argument for a model or law that has no record simulation
+/// (three masses, lever; laws without sticking such as a kernel).
+Plant flatten(const Joint& joint);
+
+/// Substeps that a tick of this length needs so that the time step is no part of the answer.
+int substeps(const Plant& plant, double tick);
+
+}  // namespace stickslip::gap

@@ -1,0 +1,129 @@
+// One time step of a joint with sticking: leapfrog in position, implicit in what resists.
+#pragma once
+#include "analysis/gap/friction_step.h"
+
+namespace stickslip::gap {
+
+struct State {
+    double motor_position = 0, motor_velocity = 0;
+    double link_position = 0, link_velocity = 0;  ///< two masses only
+    RubState motor, link;
+    double acceleration = 0;  ///< of the last step, predicts the mid-step speed
+    double lagged = 0;        ///< command behind the actuator's lag
+    double effort = 0;        ///< that reached the mechanism
+};
+
+/// What the drive does at a velocity v: effort = push − drag · v, within the limit.
+struct Push {
+    double push = 0, drag = 0;
+    double at(double v) const { return push - drag * v; }
+};
+
+/// The effort behind dead time and lag. `supply` is the bus voltage of a motor; drive off means an open winding.
+inline Push push_of(const Actuator& a, double command, double supply, double v)
+{
+    Push p;
+    if (a.kind == ActuatorKind::dc_motor) {
+        const bool bus_known = supply == supply;
+        const double duty = a.signal == DriveSignal::duty ? command : bus_known ? command / supply : 0;
+        double volts = a.signal == DriveSignal::duty ? command * supply : command;
+        if (bus_known) volts = std::clamp(volts, -supply, supply);
+        const double resistance = a.resistance + std::min(std::abs(duty), 1.0) * a.supply_resistance;
+        p.push = a.effort_gain * a.k_t * volts / resistance;
+        p.drag = a.effort_gain * a.k_t * a.k_e / resistance;
+    } else {
+        p.push = a.effort_gain * command;
+        if (a.sag_effort < infinity) p.push *= std::max(0.0, 1 - std::abs(p.push) / a.sag_effort);
+    }
+    if (std::abs(p.at(v)) > a.limit) p = {std::copysign(a.limit, p.at(v)), 0};
+    return p;
+}
+
+/// Force of the load on the link at this place and time.
+inline double load_force(const Load& l, double q, double t)
+{
+    double force = l.constant;
+    if (l.gravity_amplitude != 0) force -= l.gravity_amplitude * std::sin(q + l.gravity_phase);
+    if (l.cogging.amplitude != 0) force += l.cogging.amplitude * std::sin(l.cogging.periods * q + l.cogging.phase);
+    if (l.disturbance.amplitude != 0)
+        force += l.disturbance.amplitude * std::sin(l.disturbance.frequency * t + l.disturbance.phase);
+    return force;
+}
+
+/// Single mass. Constant forces, sliding, stopping and breaking away inside the step are exact; the rest is second
+/// order.
+inline void step_single(const Plant& p, State& s, const Push& drive, double t, double h)
+{
+    double& v = s.motor_velocity;
+    double& q = s.motor_position;
+    const double middle = q + 0.5 * h * v;
+    const Rubbing& r = p.motor;
+    s.effort = drive.at(v);
+    const Surroundings at{middle, t + 0.5 * h, s.effort};
+    const double force = drive.push + load_force(p.load, middle, t + 0.5 * h);
+    const double mobility = h / p.motor_inertia;
+    if (r.bristle_stiffness > 0) {
+        v = rub(r, s.motor, v, force - drive.drag * v, mobility, h, at);
+        q = middle + 0.5 * h * v;
+        return;
+    }
+    const double before = v;
+    double direction = v != 0 ? std::copysign(1.0, v) : std::copysign(1.0, force);
+    const double speed = std::max(0.0, direction * (v + 0.5 * h * s.acceleration));
+    double level = resistance(r, s.motor, v != 0 ? speed : 0, direction, at);
+    if (v == 0 && std::abs(force) <= level) {
+        s.acceleration = 0;
+        remember(r, s.motor, 0, h);
+        return;
+    }
+    const double slope = 0.5 * mobility * (viscous(r, direction) + drive.drag);
+    double next = (v * (1 - slope) + mobility * (force - direction * level)) / (1 + slope);
+    double travelled = 0.5 * h * (v + next);
+    if (next * direction < 0 && v != 0) {
+        // stops inside the step; the rest of it starts from rest
+        const double part = v / (v - next);
+        travelled = 0.5 * h * part * v;
+        direction = std::copysign(1.0, force);
+        level = resistance(r, s.motor, 0, direction, at);
+        next = 0;
+        if (std::abs(force) > level) {
+            next = (1 - part) * mobility * (force - direction * level);
+            travelled += 0.5 * h * (1 - part) * next;
+        }
+    }
+    q += travelled;
+    v = next;
+    s.acceleration = (next - before) / h;
+    remember(r, s.motor, std::abs(travelled) / h, h);
+}
+
+/// Deflection beyond the play, positive when the motor leads.
+inline double beyond_play(double deflection, double backlash)
+{
+    const double half = 0.5 * backlash;
+    return deflection > half ? deflection - half : deflection < -half ? deflection + half : 0;
+}
+
+/// Two masses and a spring. The damper is implicit, so that a stiff one stays stable.
+inline void step_two_mass(const Plant& p, State& s, const Push& drive, double t, double h)
+{
+    const double n = p.ratio;
+    const double motor_middle = s.motor_position + 0.5 * h * s.motor_velocity;
+    const double link_middle = s.link_position + 0.5 * h * s.link_velocity;
+    const double stretch = beyond_play(motor_middle / n - link_middle, p.backlash);
+    const bool touching = p.backlash == 0 || stretch != 0;
+    const double reduced = 1 / (1 / p.link_inertia + 1 / (n * n * p.motor_inertia));
+    const double rate = s.motor_velocity / n - s.link_velocity;
+    const double implicit = touching ? p.damping / (1 + h * p.damping / reduced) : 0;
+    double spring = p.stiffness * stretch + implicit * (rate - h * p.stiffness * stretch / reduced);
+    if (p.backlash > 0 && spring * stretch < 0) spring = 0;  // contact cannot pull
+    s.effort = drive.at(s.motor_velocity);
+    s.motor_velocity = rub(p.motor, s.motor, s.motor_velocity, s.effort - spring / n, h / p.motor_inertia, h,
+                           {motor_middle, t + 0.5 * h, spring / n});
+    s.link_velocity = rub(p.link, s.link, s.link_velocity, spring + load_force(p.load, link_middle, t + 0.5 * h),
+                          h / p.link_inertia, h, {link_middle, t + 0.5 * h, spring});
+    s.motor_position = motor_middle + 0.5 * h * s.motor_velocity;
+    s.link_position = link_middle + 0.5 * h * s.link_velocity;
+}
+
+}  // namespace stickslip::gap

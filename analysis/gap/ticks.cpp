@@ -1,0 +1,133 @@
+#include "analysis/gap/ticks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip::gap {
+namespace {
+
+double median_step(const std::vector<double>& time)
+{
+    std::vector<double> steps;
+    for (std::size_t k = 1; k < time.size(); ++k) steps.push_back(time[k] - time[k - 1]);
+    if (steps.empty()) return 1;
+    std::nth_element(steps.begin(), steps.begin() + steps.size() / 2, steps.end());
+    return steps[steps.size() / 2];
+}
+
+bool equal_steps(const std::vector<double>& time, double step)
+{
+    for (std::size_t k = 1; k < time.size(); ++k)
+        if (std::abs(time[k] - time[k - 1] - step) > 0.02 * step) return false;
+    return true;
+}
+
+double at_or(const std::vector<double>& column, std::size_t k, double otherwise)
+{
+    return column.empty() ? otherwise : column[k];
+}
+
+/// Four-point interpolation inside the row interval k … k+1 at the fraction s, linear at the ends.
+double between(const std::vector<double>& x, std::size_t k, double s)
+{
+    if (k == 0 || k + 2 >= x.size()) return x[k] + s * (x[k + 1] - x[k]);
+    const double a = x[k - 1], b = x[k], c = x[k + 1], d = x[k + 2];
+    return b + 0.5 * s * (c - a + s * (2 * a - 5 * b + 4 * c - d + s * (3 * (b - c) + d - a)));
+}
+
+/// The position of the tick between two rows: v_k = v_{k−2}(1−g)² + g(1−g) d_{k−1} + g d_k and d_{k−1} + d_k is known.
+void rebuild_halves(const Record& r, const Joint& joint, Ticks& t)
+{
+    const double T = joint.control.period;
+    const double g = T / (joint.control.velocity_estimate.tau + T);
+    const double quantum = joint.sensor.encoder_quantum;
+    for (std::size_t k = 1; k < r.rows(); ++k) {
+        const double sum = (r.position[k] - r.position[k - 1]) / T;
+        const double drive = r.velocity[k] - (1 - g) * (1 - g) * r.velocity[k - 1];
+        const double last = (drive / g - (1 - g) * sum) / g;
+        double middle = r.position[k] - T * last;
+        if (quantum > 0) middle = quantum * std::round(middle / quantum);
+        t.position[2 * k - 1] = middle;
+    }
+    t.rebuilt = true;
+}
+
+void fill_reference_rate(const Record& r, Ticks& t)
+{
+    const std::size_t n = t.size();
+    for (std::size_t k = 0; k < n; ++k) {
+        if (!r.reference_velocity.empty()) {
+            const std::size_t row = k / t.ticks_per_row, rest = k % t.ticks_per_row;
+            t.reference_rate[k] = rest == 0
+                                      ? r.reference_velocity[row]
+                                      : between(r.reference_velocity, row, static_cast<double>(rest) / t.ticks_per_row);
+        } else {
+            const std::size_t a = k == 0 ? 0 : k - 1, b = std::min(k + 1, n - 1);
+            t.reference_rate[k] = b > a ? (t.reference[b] - t.reference[a]) / (t.time[b] - t.time[a]) : 0;
+        }
+    }
+}
+
+}  // namespace
+
+Ticks on_clock(const Record& r, const Joint& joint)
+{
+    Ticks t;
+    t.name = r.name;
+    const double step = median_step(r.time);
+    t.regular = equal_steps(r.time, step);
+    if (is_set(joint.control.period) && t.regular) {
+        const double fold = step / joint.control.period;
+        if (fold > 1.5 && std::abs(fold - std::round(fold)) < 0.02 && fold < 20)
+            t.ticks_per_row = static_cast<int>(std::round(fold));
+    }
+    const int m = t.ticks_per_row;
+    const std::size_t rows = r.rows(), n = rows == 0 ? 0 : (rows - 1) * m + 1;
+    t.has_velocity = !r.velocity.empty();
+    t.has_effort = !r.effort_measured.empty();
+    t.has_reference = !r.reference_position.empty();
+    t.at_rest = r.at_rest_at_start;
+    const std::vector<double>& commanded = r.effort_command.empty() ? r.drive : r.effort_command;
+    t.source = !commanded.empty() ? CommandSource::logged
+               : t.has_reference  ? CommandSource::reconstructed
+                                  : CommandSource::none;
+    t.time.resize(n);
+    t.step.assign(n, step / m);
+    t.reference.assign(n, not_set);
+    t.reference_rate.assign(n, not_set);
+    t.position.resize(n);
+    t.velocity.assign(n, not_set);
+    t.command.assign(n, not_set);
+    t.effort.assign(n, not_set);
+    t.supply.assign(n, joint.actuator.supply_voltage);
+    t.enabled.assign(n, 1);
+    t.logged.assign(n, 0);
+    for (std::size_t k = 0; k < n; ++k) {
+        const std::size_t row = k / m, rest = k % m;
+        if (rest == 0) {
+            t.logged[k] = 1;
+            t.time[k] = r.time[row];
+            t.position[k] = r.position[row];
+            t.reference[k] = at_or(r.reference_position, row, not_set);
+            t.velocity[k] = at_or(r.velocity, row, not_set);
+            t.command[k] = at_or(commanded, row, not_set);
+            t.effort[k] = at_or(r.effort_measured, row, not_set);
+        } else {
+            const double s = static_cast<double>(rest) / m;
+            t.time[k] = r.time[row] + s * (r.time[row + 1] - r.time[row]);
+            t.position[k] = between(r.position, row, s);
+            if (t.has_reference) t.reference[k] = between(r.reference_position, row, s);
+        }
+        if (!r.supply_voltage.empty()) t.supply[k] = r.supply_voltage[row];
+        if (!r.torque_enable.empty()) t.enabled[k] = r.torque_enable[row] > 0.5;
+    }
+    for (std::size_t k = 0; k + 1 < n; ++k) t.step[k] = t.time[k + 1] - t.time[k];
+    if (m == 2 && t.has_velocity && joint.control.velocity_estimate.form == EstimateForm::backward_difference &&
+        joint.control.velocity_estimate.average == 1)
+        rebuild_halves(r, joint, t);
+    if (t.has_reference) fill_reference_rate(r, t);
+    if (!t.at_rest && n > 8) t.initial_velocity = (t.position[8] - t.position[0]) / (t.time[8] - t.time[0]);
+    return t;
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,46 @@
+// A record on the controller's clock: every tick of the loop, the rows that were logged, and what is known of each.
+#pragma once
+#include "analysis/gap/record.h"
+#include "analysis/joint/joint.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace stickslip::gap {
+
+/// Where the command that drives a prediction comes from.
+enum class CommandSource {
+    logged,         ///< the controller's own numbers
+    reconstructed,  ///< computed from the reference and the measured motion by the joint's controller
+    none            ///< neither a command nor a reference: only a rig's friction can be judged
+};
+
+/// Arrays of one length, one entry a tick. Ticks between two rows of a slower log have logged = 0.
+struct Ticks {
+    std::string name;
+    std::vector<double> time, step;                 ///< s; step to the next tick
+    std::vector<double> reference, reference_rate;  ///< NaN where there is no reference
+    std::vector<double> position;                   ///< encoder; rebuilt or interpolated between rows
+    std::vector<double> velocity;                   ///< controller's own estimate, NaN where it was not logged
+    std::vector<double> command;                    ///< held until the next tick; NaN where it has to be reconstructed
+    std::vector<double> effort;                     ///< measured, NaN where it was not
+    std::vector<double> supply;                     ///< V, NaN unknown
+    std::vector<std::uint8_t> enabled, logged;
+    CommandSource source = CommandSource::none;
+    int ticks_per_row = 1;
+    bool regular = true;   ///< equal steps
+    bool rebuilt = false;  ///< positions between rows follow exactly from the logged velocities
+    bool has_velocity = false, has_effort = false, has_reference = false;
+    bool at_rest = true;
+    double initial_velocity = 0;
+
+    std::size_t size() const { return time.size(); }
+    double duration() const { return time.empty() ? 0 : time.back() - time.front(); }
+};
+
+/// Puts a record on the joint's clock (control.period where it is set and divides the log's step, else the rows
+/// themselves). Rows must be sorted and finite in time and position: see inspect() for what is refused and why.
+Ticks on_clock(const Record& record, const Joint& joint);
+
+}  // namespace stickslip::gap

@@ -1,0 +1,105 @@
+// An effect of the catalogue: a named, parameterised edit of the joint's description, and what is known of it.
+#pragma once
+#include "analysis/joint/joint.h"
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace stickslip::gap {
+
+/// What one of something means for this joint and these records: parameters are fitted in these units, so that a step
+/// of one in every parameter is about equally large.
+struct Scales {
+    double effort = 1;     ///< rms effort that moves the joint
+    double velocity = 1;   ///< 95th percentile of |velocity|
+    double position = 1;   ///< span of the positions
+    double inertia = 1;    ///< of all bodies together
+    double tick = 1e-3;    ///< s
+    double duration = 10;  ///< s, longest record
+    double command = 1;    ///< largest |command|, in the drive's unit
+    double coulomb = 0;    ///< nominal Coulomb level
+    double supply = 1;     ///< V
+};
+
+/// The unit in which a parameter is fitted.
+enum class Scale {
+    one,
+    effort,
+    velocity,
+    position,
+    damping,
+    stiffness,
+    wave_number,
+    tick,
+    duration,
+    inertia,
+    angular_frequency,
+    command
+};
+
+/// A frequency that is best found on a grid before fitting.
+enum class Comb {
+    none,
+    time,             ///< angular frequency in time
+    position,         ///< wave number in position
+    position_flipped  ///< wave number in position of a term that flips with direction
+};
+
+struct EffectParameter {
+    std::string_view name;  ///< "c2": the part behind the effect's name
+    Quantity quantity;
+    Scale scale;
+    bool logarithmic = false;  ///< fitted as a logarithm: always positive
+    double low, high;          ///< bounds in units of `scale`
+    double prior;              ///< what would be usual, in units of `scale`
+    std::string_view help;
+    Comb comb = Comb::none;
+};
+
+/// One way to write the effect down; an effect may have several (Dahl or LuGre bristles).
+struct EffectForm {
+    std::string_view name;  ///< empty where there is only one
+    std::vector<EffectParameter> parameters;
+    void (*apply)(Joint& joint, const double* p) = nullptr;  ///< p in SI
+    std::vector<std::vector<double>> seeds;                  ///< in units of each parameter's scale
+    bool (*applies)(const Joint& nominal) = nullptr;         ///< null: always
+    bool rough = false;  ///< the misfit is jagged in its parameters: search before descending
+};
+
+struct Effect {
+    std::string_view name;
+    std::string_view stage;      ///< friction | mechanism | actuator | controller | sensor | outside
+    std::string_view form;       ///< formula in words
+    std::string_view source;     ///< who described it
+    std::string_view signature;  ///< the tell-tale that a true one leaves
+    std::vector<std::string_view> confusable;
+    std::vector<EffectForm> forms;
+};
+
+/// The catalogue, in the order of GAP §3; edits that change the model of the joint come after edits of its numbers.
+std::span<const Effect> effects();
+
+/// The effect of that name, or nullptr.
+const Effect* effect_named(std::string_view name);
+
+/// SI value of one unit of a scale.
+double unit_of(Scale scale, const Scales& scales);
+
+/// The friction that an edit means: the joint's own, or of the body that carries most of it.
+Friction& main_friction(Joint& joint);
+/// Changes the Coulomb level of any law that has one; never below zero.
+void shift_coulomb(Friction& friction, double change);
+double coulomb_level(const Friction& friction);
+/// Changes the viscous slope of any law that has one; never below zero.
+void shift_viscous(Friction& friction, double change);
+/// Turns a law without a Stribeck peak into the same law with one.
+void set_stribeck(Friction& friction, double c2, double c3, double c4);
+/// Divides a single mass into motor and link with a spring; friction stays on one of them, the load acts on the link.
+void divide_mass(Joint& joint, double motor_share, double stiffness, double damping_ratio, bool friction_on_link);
+/// Adds sine·sin(x) + cosine·cos(x) to amplitude·sin(x + phase).
+void add_wave(double& amplitude, double& phase, double sine, double cosine);
+bool is_single_mass(const Joint& joint);
+bool is_two_mass(const Joint& joint);
+
+}  // namespace stickslip::gap

@@ -1,0 +1,61 @@
+#include "analysis/gap/effects/catalogue.h"
+
+namespace stickslip::gap
+{
+
+Effect compliance()
+{
+    Effect e;
+    e.name = "compliance";
+    e.stage = "mechanism";
+    e.form = "two inertias, stiffness, damping";
+    e.source = "Spong 1987";
+    e.signature = "resonance; extra lag that grows with acceleration";
+    e.confusable = {"delay", "presliding", "backlash"};
+    {
+        EffectForm f;
+        f.name = "motor-friction";
+        f.parameters = {
+            {"stiffness", Quantity::stiffness, Scale::stiffness, true, 0.3, 1000000.0, 100, "transmission stiffness"},
+            {"motor_share", Quantity::number, Scale::one, true, 0.02, 0.98, 0.5,
+             "share of the inertia on the motor side"},
+            {"damping_ratio", Quantity::number, Scale::one, true, 0.001, 2, 0.05, "damping ratio of the divided mass"},
+        };
+        f.apply = [](Joint& j, const double* p) { divide_mass(j, p[1], p[0], p[2], false); };
+        f.seeds = {{300, 0.5, 0.05}, {5000, 0.5, 0.05}};
+        f.applies = is_single_mass;
+        e.forms.push_back(f);
+    }
+    {
+        EffectForm f;
+        f.name = "link-friction";
+        f.parameters = {
+            {"stiffness", Quantity::stiffness, Scale::stiffness, true, 0.3, 1000000.0, 100, "transmission stiffness"},
+            {"motor_share", Quantity::number, Scale::one, true, 0.02, 0.98, 0.5,
+             "share of the inertia on the motor side"},
+            {"damping_ratio", Quantity::number, Scale::one, true, 0.001, 2, 0.05, "damping ratio of the divided mass"},
+        };
+        f.apply = [](Joint& j, const double* p) { divide_mass(j, p[1], p[0], p[2], true); };
+        f.seeds = {{300, 0.5, 0.05}, {5000, 0.5, 0.05}};
+        f.applies = is_single_mass;
+        e.forms.push_back(f);
+    }
+    {
+        EffectForm f;
+        f.name = "two-mass";
+        f.parameters = {
+            {"stiffness_factor", Quantity::number, Scale::one, true, 0.01, 100, 0.5, "true stiffness per nominal"},
+            {"damping_factor", Quantity::number, Scale::one, true, 0.01, 100, 1, "true damping per nominal"},
+        };
+        f.apply = [](Joint& j, const double* p) {
+            j.mechanism.transmission.stiffness *= p[0];
+            j.mechanism.transmission.damping *= p[1];
+        };
+        f.seeds = {{0.7, 1}, {1.4, 1}, {0.3, 1}};
+        f.applies = is_two_mass;
+        e.forms.push_back(f);
+    }
+    return e;
+}
+
+}  // namespace stickslip::gap

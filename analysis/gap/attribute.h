@@ -1,0 +1,56 @@
+// Which effect, or which few together, explain the gap: every candidate fitted at every level and ranked.
+#pragma once
+#include "analysis/gap/audit.h"
+#include "analysis/gap/fit.h"
+
+#include <functional>
+#include <vector>
+
+namespace stickslip::gap {
+
+/// Runs task(0) … task(n − 1), in any order and side by side; supplied by the caller. Every task writes its own slot.
+using ParallelFor = std::function<void(std::size_t n, const std::function<void(std::size_t)>& task)>;
+
+/// A fitted candidate. Parameters are kept for each level, since each horizon weighs different physics.
+struct Attribution {
+    Candidate candidate;
+    std::array<Eigen::VectorXd, levels.size()> x;
+    std::array<Evaluation, levels.size()> evaluation;
+    Eigen::MatrixXd information;  ///< at the middle level
+    double score = 0;             ///< mean log misfit over levels and records, plus a price a parameter; less is better
+    double explained = 0;         ///< part of the excess misfit that is gone
+    bool accepted = false;        ///< what is left is noise
+    int evaluations = 0;
+    int middle() const { return 1; }
+};
+
+struct Nominal {
+    std::array<Evaluation, levels.size()> evaluation;
+    double score = 0;
+    double worst = 0;  ///< largest misfit over floor in any record at the slow observer
+};
+
+/// The nominal joint's misfit; `worst` at 12 rad/s.
+Nominal judge_nominal(const std::vector<Case>& cases);
+
+/// Every form of every effect that this joint can have and that the audit has not settled.
+std::vector<Candidate> single_candidates(const std::vector<Case>& cases, const Audit& audit);
+
+/// Fits every form of every single effect, keeps the best form of each, best score first.
+std::vector<Attribution> fit_singles(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
+                                     const std::vector<Candidate>& candidates, const ParallelFor& parallel);
+
+/// Fits pairs: each of the best `partners` singles with every other effect, best score first.
+std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
+                                   const std::vector<Attribution>& singles, std::size_t partners,
+                                   const ParallelFor& parallel);
+
+/// Score, explained part and acceptance from the evaluations.
+void judge(Attribution& attribution, const Nominal& nominal);
+
+/// Misfit averaged over levels and records.
+double mean_log_misfit(const std::array<Evaluation, levels.size()>& evaluations);
+
+inline constexpr double price_of_parameter = 0.003;
+
+}  // namespace stickslip::gap

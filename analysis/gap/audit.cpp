@@ -1,0 +1,241 @@
+#include "analysis/gap/audit.h"
+
+#include "analysis/gap/controller.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip::gap {
+namespace {
+
+constexpr double flagged_gain = 0.004;  // a gain this far from its document is a finding
+constexpr double exact_command = 2e-3;  // misfit over rms below which the controller is taken as understood
+
+/// Sums of a regression u = kp·a + kv·b over rows that no limit touches.
+struct Sums {
+    double aa = 0, ab = 0, bb = 0, au = 0, bu = 0, uu = 0, n = 0;
+    void add(double a, double b, double u)
+    {
+        aa += a * a, ab += a * b, bb += b * b, au += a * u, bu += b * u, uu += u * u, n += 1;
+    }
+    struct Answer {
+        double kp, kv, misfit;
+    };
+    Answer solve(bool with_kv) const
+    {
+        Answer r{0, 0, 1};
+        const double determinant = aa * bb - ab * ab;
+        if (with_kv && determinant > 1e-14 * aa * bb) {
+            r.kp = (au * bb - bu * ab) / determinant;
+            r.kv = (bu * aa - au * ab) / determinant;
+        } else if (aa > 0) {
+            r.kp = au / aa;
+        }
+        r.misfit = misfit(r.kp, r.kv);
+        return r;
+    }
+    double misfit(double kp, double kv) const
+    {
+        const double left = uu - 2 * (kp * au + kv * bu) + kp * kp * aa + 2 * kp * kv * ab + kv * kv * bb;
+        return uu > 0 ? std::sqrt(std::max(left, 0.0) / uu) : 0;
+    }
+};
+
+/// Regresses the logged command with this filter time constant and positions read `late` ticks ago.
+void add_rows(const Case& c, double tau, int late, double limit, Sums& sums)
+{
+    Control control = c.joint.control;
+    control.velocity_estimate.tau = tau;
+    Controller controller(control);
+    const Ticks& t = c.ticks;
+    for (std::size_t k = 0; k < t.size(); ++k) {
+        const std::size_t seen = k >= static_cast<std::size_t>(late) ? k - static_cast<std::size_t>(late) : 0;
+        const double exact = is_set(t.velocity[k]) ? t.velocity[k] : 0;
+        controller.read(t.position[seen], k == 0 ? t.step[0] : t.step[k - 1], exact);
+        if (!is_set(t.command[k]) || std::abs(t.command[k]) > 0.999 * limit || !t.enabled[k]) continue;
+        const double rate = control.reference_velocity ? t.reference_rate[k] : 0;
+        sums.add(t.reference[k] - t.position[seen], rate - controller.velocity(), t.command[k]);
+    }
+}
+
+/// Golden-section search of the filter time constant with the least misfit, both gains free.
+double best_tau(const std::vector<Case>& cases, double limit)
+{
+    const double tick = cases[0].ticks.step[0];
+    const auto misfit = [&](double tau) {
+        double worst = 0;
+        for (const auto& c : cases) {
+            Sums s;
+            add_rows(c, tau, 0, limit, s);
+            worst += s.solve(true).misfit;
+        }
+        return worst;
+    };
+    double best = 0, least = misfit(0);
+    double low = 0, high = tick;
+    for (double tau = 0.1 * tick; tau < 400 * tick; tau *= 1.4)
+        if (const double m = misfit(tau); m < least) least = m, best = tau, low = tau / 1.4, high = tau * 1.4;
+    constexpr double golden = 0.6180339887498949;
+    double a = high - golden * (high - low), b = low + golden * (high - low);
+    double fa = misfit(a), fb = misfit(b);
+    for (int i = 0; i < 40; ++i) {
+        if (fa < fb)
+            high = b, b = a, fb = fa, a = high - golden * (high - low), fa = misfit(a);
+        else
+            low = a, a = b, fa = fb, b = low + golden * (high - low), fb = misfit(b);
+    }
+    const double refined = 0.5 * (low + high);
+    return misfit(refined) < least ? refined : best;
+}
+
+void audit_grid(std::vector<Case>& cases, Audit& result)
+{
+    double quantum = infinity;
+    for (const auto& c : cases) {
+        std::vector<double> readings;
+        for (std::size_t k = 0; k < c.ticks.size(); ++k)
+            if (c.ticks.logged[k]) readings.push_back(c.ticks.position[k]);
+        quantum = std::min(quantum, grid_of(readings));
+    }
+    const Sensor documented = cases[0].joint.sensor;
+    const bool coarser = quantum > 1.3 * documented.encoder_quantum && quantum > 0.5 * documented.position_noise &&
+                         quantum > 0 && quantum < infinity;
+    const double known = std::hypot(documented.position_noise, documented.encoder_quantum / std::sqrt(12.0));
+    if (!coarser || quantum / std::sqrt(12.0) < 0.1 * known) return;
+    result.findings.push_back({"quantisation", "quantisation.quantum", quantum, 0, Quantity::position, 1});
+    for (auto& c : cases) {
+        c.joint.sensor.encoder_quantum = quantum;
+        c.sigma = std::max(c.sigma, std::hypot(documented.position_noise, quantum / std::sqrt(12.0)));
+    }
+}
+
+/// A plateau of the command below the documented limit, where the controller wanted more.
+double observed_limit(const std::vector<Case>& cases)
+{
+    double highest = 0;
+    for (const auto& c : cases)
+        for (double u : c.ticks.command)
+            if (is_set(u)) highest = std::max(highest, std::abs(u));
+    int at = 0;
+    for (const auto& c : cases)
+        for (double u : c.ticks.command) at += is_set(u) && std::abs(u) > (1 - 1e-9) * highest;
+    return at >= 10 ? highest : infinity;
+}
+
+}  // namespace
+
+double grid_of(const std::vector<double>& readings)
+{
+    std::vector<double> sorted = readings;
+    std::sort(sorted.begin(), sorted.end());
+    if (sorted.empty()) return 0;
+    const double span = sorted.back() - sorted.front();
+    double least = infinity;
+    for (std::size_t k = 1; k < sorted.size(); ++k)
+        if (const double d = sorted[k] - sorted[k - 1]; d > 1e-9 * span) least = std::min(least, d);
+    if (least == infinity) return 0;
+    // refine the step by the farthest reading it can count to
+    double step = least;
+    for (std::size_t k = 0; k < sorted.size(); ++k) {
+        const double count = std::round((sorted[k] - sorted.front()) / step);
+        if (count > 0 && std::abs(sorted[k] - sorted.front() - count * step) < 0.1 * step)
+            step = (sorted[k] - sorted.front()) / count;
+    }
+    std::size_t off = 0;
+    for (double y : sorted) {
+        const double count = (y - sorted.front()) / step;
+        off += std::abs(count - std::round(count)) > 0.05;
+    }
+    return off * 1000 < sorted.size() ? step : 0;
+}
+
+Audit audit(std::vector<Case>& cases)
+{
+    Audit result;
+    if (cases.empty()) return result;
+    audit_grid(cases, result);
+    for (const auto& c : cases)
+        if (c.ticks.source != CommandSource::logged || !c.ticks.has_reference ||
+            c.joint.control.kind != ControlKind::position || (c.ticks.ticks_per_row > 1 && !c.ticks.rebuilt))
+            return result;
+    result.possible = true;
+    const Control documented = cases[0].joint.control;
+    const double limit = std::min(documented.effort_limit, observed_limit(cases));
+    const bool filtered = documented.k_v != 0 && documented.velocity_estimate.form == EstimateForm::backward_difference;
+
+    // one gain pair a record: overrides may give every record its own documented gains
+    const auto regress = [&](double tau, int late) {
+        std::vector<Sums::Answer> answers;
+        for (const auto& c : cases) {
+            Sums s;
+            add_rows(c, tau, late, limit, s);
+            answers.push_back(s.solve(c.joint.control.k_v != 0));
+        }
+        return answers;
+    };
+    const auto mean_misfit = [](const std::vector<Sums::Answer>& answers) {
+        double sum = 0;
+        for (const auto& a : answers) sum += a.misfit;
+        return sum / static_cast<double>(answers.size());
+    };
+    for (const auto& c : cases) {
+        Sums s;
+        add_rows(c, c.joint.control.velocity_estimate.tau, 0, limit, s);
+        result.residual_before +=
+            s.misfit(c.joint.control.k_p, c.joint.control.k_v) / static_cast<double>(cases.size());
+    }
+    double tau = documented.velocity_estimate.tau;
+    auto answers = regress(tau, 0);
+    if (filtered && mean_misfit(answers) > exact_command) {
+        const double found = best_tau(cases, limit);
+        const auto with = regress(found, 0);
+        if (mean_misfit(with) < 0.5 * mean_misfit(answers)) {
+            result.findings.push_back({"velocity-filter", "velocity-filter.tau", found, 0, Quantity::time,
+                                       1 - std::pow(mean_misfit(with) / mean_misfit(answers), 2)});
+            tau = found;
+            answers = with;
+        }
+    }
+    result.residual_after = mean_misfit(answers);
+    result.command_explained = result.residual_after < exact_command;
+    if (!result.command_explained) {
+        result.notes.push_back("the documented controller does not reproduce the logged command (misfit " +
+                               std::to_string(result.residual_after) + " of its rms): gains were not judged");
+        return result;
+    }
+    double kp = 0, kv = 0;
+    int rated = 0;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        kp += answers[i].kp / cases[i].joint.control.k_p / static_cast<double>(cases.size());
+        if (cases[i].joint.control.k_v != 0) kv += answers[i].kv / cases[i].joint.control.k_v, ++rated;
+    }
+    if (rated) kv /= rated;
+    if (std::abs(kp - 1) > flagged_gain)
+        result.findings.push_back({"gain-k_p", "gain-k_p.factor", kp, 0, Quantity::number, 1});
+    if (rated && std::abs(kv - 1) > flagged_gain)
+        result.findings.push_back({"gain-k_v", "gain-k_v.factor", kv, 0, Quantity::number, 1});
+    for (auto& c : cases) {
+        if (std::abs(kp - 1) > flagged_gain) c.joint.control.k_p *= kp;
+        if (rated && std::abs(kv - 1) > flagged_gain) c.joint.control.k_v *= kv;
+        c.joint.control.velocity_estimate.tau = tau;
+    }
+    if (limit < 0.999 * documented.effort_limit) {
+        // a plateau is a limit only where the controller wanted more
+        double wanted = 0;
+        for (const auto& c : cases) {
+            Controller controller(c.joint.control);
+            for (std::size_t k = 0; k < c.ticks.size(); ++k) {
+                controller.read(c.ticks.position[k], k == 0 ? c.ticks.step[0] : c.ticks.step[k - 1], 0);
+                wanted =
+                    std::max(wanted, std::abs(controller.unlimited(c.ticks.reference[k], c.ticks.reference_rate[k])));
+            }
+        }
+        if (wanted > 1.01 * limit) {
+            result.findings.push_back({"saturation", "saturation.limit", limit, 0, Quantity::effort, 1});
+            for (auto& c : cases) c.joint.control.effort_limit = limit;
+        }
+    }
+    return result;
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,33 @@
+// The controller audit: is the logged command what the documented controller would have asked for?
+#pragma once
+#include "analysis/gap/fit.h"
+
+#include <string>
+#include <vector>
+
+namespace stickslip::gap {
+
+/// A parameter of the controller or the encoder that differs from its documentation.
+struct AuditFinding {
+    std::string effect;     ///< catalogue name
+    std::string parameter;  ///< "gain-k_p.factor"
+    double value = 0, stderr_ = 0;
+    Quantity quantity = Quantity::number;
+    double gain = 0;  ///< part of the command's unexplained mean square that it removes
+};
+
+struct Audit {
+    std::vector<AuditFinding> findings;
+    bool possible = false;                           ///< command, reference and position were logged
+    bool command_explained = false;                  ///< the corrected controller reproduces the command
+    double residual_before = 0, residual_after = 0;  ///< rms of the command's misfit over its rms
+    std::vector<std::string> notes;
+};
+
+/// Audits every case and corrects its joint: position grid, velocity filter, gains, controller limit.
+Audit audit(std::vector<Case>& cases);
+
+/// The grid that all readings lie on, 0 if there is none.
+double grid_of(const std::vector<double>& readings);
+
+}  // namespace stickslip::gap

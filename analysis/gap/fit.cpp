@@ -1,0 +1,246 @@
+#include "analysis/gap/fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlopt.hpp>
+
+namespace stickslip::gap {
+namespace {
+
+constexpr double block_time = 0.2;  // s
+constexpr double block_scale = 20;  // mse over floor at which a block begins to count less
+
+double bounded(const EffectParameter& p, double x)
+{
+    if (p.logarithmic) return std::clamp(x, std::log(p.low), std::log(p.high));
+    return std::clamp(x, p.low, p.high);
+}
+
+Eigen::VectorXd bounded(const Candidate& c, Eigen::VectorXd x)
+{
+    for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = bounded(c.parameter(static_cast<std::size_t>(i)), x[i]);
+    return x;
+}
+
+/// Adds one channel's blocks to the objective; gives its mean square.
+double add_blocks(const std::vector<double>& scaled, std::size_t begin, std::size_t count, std::size_t block,
+                  double& objective)
+{
+    double total = 0, robust = 0;
+    for (std::size_t b = 0; b < count; b += block) {
+        const std::size_t end = std::min(b + block, count);
+        double sum = 0;
+        for (std::size_t i = b; i < end; ++i) sum += scaled[begin + i] * scaled[begin + i];
+        total += sum;
+        robust +=
+            static_cast<double>(end - b) * block_scale * std::log1p(sum / static_cast<double>(end - b) / block_scale);
+    }
+    const double n = static_cast<double>(std::max<std::size_t>(count, 1));
+    objective += robust / n;
+    return total / n;
+}
+
+std::size_t block_rows(const Case& c)
+{
+    return std::max<std::size_t>(4, static_cast<std::size_t>(block_time / c.row_step));
+}
+
+/// Weights of the scaled residuals that make a weighted least-squares step a step on the robust objective.
+void block_weights(const std::vector<Case>& cases, const std::vector<double>& scaled, std::vector<double>& weights)
+{
+    weights.resize(scaled.size());
+    std::size_t begin = 0;
+    for (const auto& c : cases) {
+        const std::size_t rows = static_cast<std::size_t>(std::count(c.ticks.logged.begin(), c.ticks.logged.end(), 1));
+        const std::size_t channels = c.effort_sigma > 0 ? 2 : 1, block = block_rows(c);
+        for (std::size_t ch = 0; ch < channels; ++ch, begin += rows)
+            for (std::size_t b = 0; b < rows; b += block) {
+                const std::size_t end = std::min(b + block, rows);
+                double sum = 0;
+                for (std::size_t i = b; i < end; ++i) sum += scaled[begin + i] * scaled[begin + i];
+                const double w = 1 / (1 + sum / static_cast<double>(end - b) / block_scale) / static_cast<double>(rows);
+                for (std::size_t i = b; i < end; ++i) weights[begin + i] = w;
+            }
+    }
+}
+
+}  // namespace
+
+std::vector<double> in_si(const Candidate& candidate, const Eigen::VectorXd& x, const Scales& scales)
+{
+    std::vector<double> si(static_cast<std::size_t>(x.size()));
+    for (std::size_t i = 0; i < si.size(); ++i) {
+        const auto& p = candidate.parameter(i);
+        const double value = bounded(p, x[static_cast<Eigen::Index>(i)]);
+        si[i] = unit_of(p.scale, scales) * (p.logarithmic ? std::exp(value) : value);
+    }
+    return si;
+}
+
+Eigen::VectorXd to_fit(const Candidate& candidate, const std::vector<double>& scaled)
+{
+    Eigen::VectorXd x(static_cast<Eigen::Index>(scaled.size()));
+    for (std::size_t i = 0; i < scaled.size(); ++i) {
+        const auto& p = candidate.parameter(i);
+        const double value = std::clamp(scaled[i], p.low, p.high);
+        x[static_cast<Eigen::Index>(i)] = p.logarithmic ? std::log(value) : value;
+    }
+    return x;
+}
+
+Joint edited(const Joint& joint, const Candidate& candidate, const std::vector<double>& si)
+{
+    Joint j = joint;
+    std::size_t first = 0;
+    for (const auto* form : candidate.forms) {
+        form->apply(j, si.data() + first);
+        first += form->parameters.size();
+    }
+    return j;
+}
+
+Evaluation evaluate(const std::vector<Case>& cases, const Candidate& candidate, const std::vector<double>& si,
+                    double omega, std::vector<double>* residuals)
+{
+    Evaluation result;
+    std::vector<double> own;
+    std::vector<double>& scaled = residuals ? *residuals : own;
+    scaled.clear();
+    Innovation innovation;
+    for (const auto& c : cases) {
+        const Plant plant = flatten(edited(c.joint, candidate, si));
+        const auto command = known_command(plant, c.ticks);
+        predict(plant, c.ticks, command, omega, innovation);
+        const double per_floor = 1 / (c.sigma * std::sqrt(noise_amplification(omega, c.row_step)));
+        const std::size_t block = block_rows(c), begin = scaled.size();
+        constexpr double far = 1e6;  // a diverged prediction is bad, not infinitely bad
+        for (std::size_t k = 0; k < c.ticks.size(); ++k)
+            if (c.ticks.logged[k]) {
+                const double e = innovation.position[k] * per_floor;
+                scaled.push_back(std::isfinite(e) ? std::clamp(e, -far, far) : far);
+            }
+        const std::size_t rows = scaled.size() - begin;
+        Misfit misfit;
+        misfit.position = add_blocks(scaled, begin, rows, block, result.objective);
+        if (c.effort_sigma > 0) {
+            for (std::size_t k = 0; k < c.ticks.size(); ++k)
+                if (c.ticks.logged[k]) {
+                    const double e = innovation.effort[k] / c.effort_sigma;
+                    scaled.push_back(std::isfinite(e) ? std::clamp(e, -far, far) : 0);
+                }
+            misfit.effort = add_blocks(scaled, begin + rows, rows, block, result.objective);
+        }
+        result.records.push_back(misfit);
+    }
+    result.objective /= static_cast<double>(cases.size());
+    return result;
+}
+
+LevelFit descend(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales, Eigen::VectorXd x,
+                 double omega, int iterations)
+{
+    LevelFit fit;
+    const auto n = static_cast<Eigen::Index>(candidate.parameter_count());
+    fit.x = bounded(candidate, std::move(x));
+    fit.information = Eigen::MatrixXd::Zero(n, n);
+    std::vector<double> here, there, weights;
+    fit.evaluation = evaluate(cases, candidate, in_si(candidate, fit.x, scales), omega, &here);
+    ++fit.evaluations;
+    double damping = 1e-3;
+    Eigen::MatrixXd jacobian(static_cast<Eigen::Index>(here.size()), n);
+    for (int iteration = 0; iteration < iterations && n > 0; ++iteration) {
+        block_weights(cases, here, weights);
+        const Eigen::Map<const Eigen::VectorXd> r(here.data(), static_cast<Eigen::Index>(here.size()));
+        const Eigen::Map<const Eigen::VectorXd> w(weights.data(), r.size());
+        for (Eigen::Index i = 0; i < n; ++i) {
+            Eigen::VectorXd shifted = fit.x;
+            double step = 1e-4 * std::max(0.1, std::abs(candidate.parameter(static_cast<std::size_t>(i)).prior));
+            if (candidate.parameter(static_cast<std::size_t>(i)).logarithmic) step = 1e-4;
+            shifted[i] += step;
+            if (bounded(candidate, shifted)[i] != shifted[i]) shifted[i] -= 2 * step, step = -step;
+            evaluate(cases, candidate, in_si(candidate, shifted, scales), omega, &there);
+            ++fit.evaluations;
+            jacobian.col(i) = (Eigen::Map<const Eigen::VectorXd>(there.data(), r.size()) - r) / step;
+        }
+        const Eigen::MatrixXd weighted = w.asDiagonal() * jacobian;
+        const Eigen::MatrixXd normal = jacobian.transpose() * weighted;
+        const Eigen::VectorXd gradient = weighted.transpose() * r;
+        fit.information = normal;
+        bool better = false;
+        const double before = fit.evaluation.objective;
+        for (int attempt = 0; attempt < 5 && !better; ++attempt) {
+            Eigen::MatrixXd damped = normal;
+            damped.diagonal() += damping * normal.diagonal();
+            damped.diagonal().array() += 1e-12 * std::max(1e-12, normal.diagonal().maxCoeff());
+            Eigen::VectorXd step = damped.ldlt().solve(-gradient);
+            for (Eigen::Index i = 0; i < n; ++i) {
+                const bool logarithmic = candidate.parameter(static_cast<std::size_t>(i)).logarithmic;
+                const double longest = logarithmic ? 1.5 : std::max(1.0, std::abs(fit.x[i]));
+                step[i] = std::isfinite(step[i]) ? std::clamp(step[i], -longest, longest) : 0;
+            }
+            const Eigen::VectorXd next = bounded(candidate, fit.x + step);
+            const auto trial = evaluate(cases, candidate, in_si(candidate, next, scales), omega, &there);
+            ++fit.evaluations;
+            if (trial.objective < fit.evaluation.objective) {
+                better = true;
+                fit.x = next;
+                fit.evaluation = trial;
+                here.swap(there);
+                damping = std::max(1e-7, damping * 0.2);
+            } else {
+                damping = std::max(1e-3, damping) * 8;
+            }
+        }
+        if (!better || before - fit.evaluation.objective < 2e-4 * before) break;
+    }
+    return fit;
+}
+
+LevelFit search_rough(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales,
+                      Eigen::VectorXd x, double omega, int evaluations)
+{
+    LevelFit fit;
+    const auto n = static_cast<Eigen::Index>(candidate.parameter_count());
+    struct Problem {
+        const std::vector<Case>& cases;
+        const Candidate& candidate;
+        const Scales& scales;
+        double omega;
+        int count;
+    } problem{cases, candidate, scales, omega, 0};
+    const auto objective = [](unsigned dimension, const double* values, double*, void* data) {
+        auto& p = *static_cast<Problem*>(data);
+        ++p.count;
+        const Eigen::VectorXd at = Eigen::Map<const Eigen::VectorXd>(values, dimension);
+        return evaluate(p.cases, p.candidate, in_si(p.candidate, at, p.scales), p.omega).objective;
+    };
+    nlopt::opt optimiser(nlopt::LN_NELDERMEAD, static_cast<unsigned>(n));
+    std::vector<double> low, high, first, start;
+    x = bounded(candidate, std::move(x));
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const auto& p = candidate.parameter(static_cast<std::size_t>(i));
+        low.push_back(p.logarithmic ? std::log(p.low) : p.low);
+        high.push_back(p.logarithmic ? std::log(p.high) : p.high);
+        first.push_back(p.logarithmic ? 0.3 : 0.3 * std::max(0.1, std::abs(p.prior)));
+        start.push_back(x[i]);
+    }
+    optimiser.set_min_objective(objective, &problem);
+    optimiser.set_lower_bounds(low);
+    optimiser.set_upper_bounds(high);
+    optimiser.set_initial_step(first);
+    optimiser.set_maxeval(evaluations);
+    optimiser.set_ftol_rel(1e-4);
+    double best = 0;
+    try {
+        optimiser.optimize(start, best);
+    } catch (const nlopt::roundoff_limited&) {
+        // the point reached so far is in `start`
+    }
+    fit.x = Eigen::Map<const Eigen::VectorXd>(start.data(), n);
+    fit.evaluation = evaluate(cases, candidate, in_si(candidate, fit.x, scales), omega);
+    fit.information = Eigen::MatrixXd::Zero(n, n);
+    fit.evaluations = problem.count + 1;
+    return fit;
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,90 @@
+// Fits an edit of the joint to records by prediction errors: how well, at which parameters, how surely.
+#pragma once
+#include "analysis/gap/effect.h"
+#include "analysis/gap/simulator.h"
+
+#include <Eigen/Dense>
+#include <array>
+#include <vector>
+
+namespace stickslip::gap {
+
+/// A record ready to be fitted: on its clock, with the joint that held in it and its noise.
+struct Case {
+    Ticks ticks;
+    Joint joint;              ///< nominal, after what the controller audit has settled
+    double sigma = 1;         ///< standard deviation of a reading, quantisation included
+    double effort_sigma = 0;  ///< of a measured effort; 0: effort is not judged
+    double row_step = 1e-3;   ///< s between two readings
+};
+
+/// Bandwidths of the observer, rad/s: the horizons over which a prediction has to hold (9, 20 and 50 ms, in 1/ω).
+inline constexpr std::array<double, 3> levels{110, 50, 20};
+
+/// Some effects together, each in one of its forms.
+struct Candidate {
+    std::vector<const Effect*> effects;
+    std::vector<const EffectForm*> forms;
+    std::size_t parameter_count() const
+    {
+        std::size_t n = 0;
+        for (const auto* f : forms) n += f->parameters.size();
+        return n;
+    }
+    const EffectParameter& parameter(std::size_t i) const
+    {
+        for (const auto* f : forms) {
+            if (i < f->parameters.size()) return f->parameters[i];
+            i -= f->parameters.size();
+        }
+        return forms.back()->parameters.back();
+    }
+    bool applies(const Joint& nominal) const
+    {
+        for (const auto* f : forms)
+            if (f->applies && !f->applies(nominal)) return false;
+        return true;
+    }
+};
+
+/// Parameters in SI from what the fit works with (scaled, logarithms where the effect says so), kept within bounds.
+std::vector<double> in_si(const Candidate& candidate, const Eigen::VectorXd& x, const Scales& scales);
+/// From units of each parameter's scale to what the fit works with.
+Eigen::VectorXd to_fit(const Candidate& candidate, const std::vector<double>& scaled);
+/// The joint with the candidate's edits.
+Joint edited(const Joint& joint, const Candidate& candidate, const std::vector<double>& si);
+
+/// How far predictions are from one record at one level: mean squares over their floors, 1 where only noise is left.
+struct Misfit {
+    double position = 0;
+    double effort = 1;  ///< 1 where effort is not judged
+};
+
+/// A joint's misfit in every record at one level, and the robust objective that fits minimise: Σ over 200 ms blocks of
+/// log(1 + mse/20), because one lost step would swamp a plain mean.
+struct Evaluation {
+    double objective = 0;
+    std::vector<Misfit> records;
+};
+
+/// `residuals`, when given, receives every scaled residual of every record: position rows, then effort rows.
+Evaluation evaluate(const std::vector<Case>& cases, const Candidate& candidate, const std::vector<double>& si,
+                    double omega, std::vector<double>* residuals = nullptr);
+
+struct LevelFit {
+    Eigen::VectorXd x;
+    Evaluation evaluation;
+    Eigen::MatrixXd information;  ///< JᵀWJ of the scaled residuals at x
+    int evaluations = 0;
+};
+
+/// Levenberg-Marquardt from x at one level. NLopt has no least-squares method; this one needs a third of its
+/// evaluations here, and gives the information matrix.
+LevelFit descend(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales, Eigen::VectorXd x,
+                 double omega, int iterations);
+
+/// NLopt's Nelder-Mead from x, for misfits without usable gradients (play, saturation).
+LevelFit search_rough(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales,
+                      Eigen::VectorXd x, double omega, int evaluations);
+
+}  // namespace stickslip::gap

@@ -1,0 +1,127 @@
+#include "analysis/gap/prepare.h"
+
+#include "analysis/joint/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace stickslip::gap {
+namespace {
+
+double percentile(std::vector<double> values, double part)
+{
+    if (values.empty()) return 0;
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+double span_of(const std::vector<double>& y)
+{
+    const auto [low, high] = std::minmax_element(y.begin(), y.end());
+    return y.empty() ? 0 : *high - *low;
+}
+
+double rms(const std::vector<double>& values)
+{
+    double sum = 0;
+    std::size_t n = 0;
+    for (double v : values)
+        if (std::isfinite(v)) sum += v * v, ++n;
+    return n ? std::sqrt(sum / static_cast<double>(n)) : 0;
+}
+
+/// Model noise that no two integrators agree on, as a part of the span of a signal.
+constexpr double numerical_part = 2e-7;
+/// The same for an effort: a lag or a delay is written down in slightly different ways.
+constexpr double effort_part = 1e-3;
+
+}  // namespace
+
+double noise_of(const std::vector<double>& y)
+{
+    if (y.size() < 8) return 0;
+    double sum = 0;
+    for (std::size_t k = 3; k < y.size(); ++k) {
+        const double d = y[k] - 3 * y[k - 1] + 3 * y[k - 2] - y[k - 3];
+        sum += d * d;
+    }
+    return std::sqrt(sum / 20 / static_cast<double>(y.size() - 3));
+}
+
+double reading_sigma(const Sensor& sensor, double span)
+{
+    const double numerical = numerical_part * span;
+    return std::sqrt(sensor.position_noise * sensor.position_noise +
+                     sensor.encoder_quantum * sensor.encoder_quantum / 12 + numerical * numerical);
+}
+
+Case prepare(const Record& record, const Joint& nominal, std::vector<std::string>& notes)
+{
+    Case c;
+    c.joint = nominal;
+    for (const auto& [path, value] : record.overrides) {
+        double* number = find_parameter(c.joint, path);
+        if (!number)
+            throw std::invalid_argument(record.name + ": the joint has no parameter \"" + path + "\" to override");
+        *number = value;
+    }
+    c.ticks = on_clock(record, c.joint);
+    const auto rows = static_cast<double>(std::max<std::size_t>(record.rows(), 2));
+    c.row_step = c.ticks.duration() / (rows - 1);
+    const double estimated = noise_of(record.position), span = span_of(record.position);
+    c.sigma = reading_sigma(c.joint.sensor, span);
+    const bool documented = c.joint.sensor.position_noise > 0 || c.joint.sensor.encoder_quantum > 0;
+    if (!documented || estimated > 1.25 * c.sigma) {
+        notes.push_back(record.name +
+                        (documented ? ": the readings are noisier than documented" : ": no documented noise") +
+                        "; the floor uses the noise estimated from third differences");
+        c.sigma = std::max(c.sigma, estimated);
+        c.joint.sensor.position_noise = std::max(c.joint.sensor.position_noise, estimated);
+    }
+    if (c.ticks.has_effort) {
+        const double range = rms(record.effort_measured);
+        double sigma = c.joint.sensor.effort_noise;
+        if (sigma == 0) {
+            sigma = noise_of(record.effort_measured);
+            notes.push_back(record.name + ": no documented effort noise; estimated from third differences");
+        }
+        c.effort_sigma = std::hypot(sigma, effort_part * range);
+    }
+    return c;
+}
+
+Scales scales_of(const std::vector<Case>& cases)
+{
+    Scales s;
+    double effort = 0, velocity = 0, position = 0, tick = 0, duration = 0, command = 0;
+    for (const auto& c : cases) {
+        const Plant plant = flatten(c.joint);
+        const auto known = known_command(plant, c.ticks);
+        Innovation innovation;
+        predict(plant, c.ticks, known, levels[1], innovation);
+        std::vector<double> speeds;
+        for (double v : innovation.velocity) speeds.push_back(std::isfinite(v) ? std::abs(v) : 0);
+        velocity = std::max(velocity, percentile(speeds, 0.95));
+        effort = std::max(effort, c.ticks.has_effort ? rms(c.ticks.effort) : rms(innovation.predicted_effort));
+        position = std::max(position, span_of(c.ticks.position));
+        tick = std::max(tick, is_set(c.joint.control.period) ? c.joint.control.period : c.row_step);
+        duration = std::max(duration, c.ticks.duration());
+        for (double u : known) command = std::max(command, std::abs(u));
+        s.inertia = plant.motor_inertia + (plant.two_mass ? plant.link_inertia : 0);
+        Joint copy = c.joint;
+        s.coulomb = coulomb_level(main_friction(copy));
+        if (is_set(c.joint.actuator.supply_voltage)) s.supply = c.joint.actuator.supply_voltage;
+    }
+    constexpr double least = 1e-12;
+    s.effort = std::max({effort, s.coulomb, least});
+    s.velocity = std::max(velocity, least);
+    s.position = std::max(position, least);
+    s.tick = tick;
+    s.duration = std::max(duration, tick);
+    s.command = std::max(command, least);
+    return s;
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,25 @@
+// From records to cases: per-record overrides, noise, scales.
+#pragma once
+#include "analysis/gap/fit.h"
+#include "analysis/gap/record.h"
+
+#include <string>
+
+namespace stickslip::gap {
+
+/// Standard deviation of white noise on a smooth signal: third differences, var(Δ³y) = 20 σ². Insensitive to motion
+/// that is smooth over four samples.
+double noise_of(const std::vector<double>& y);
+
+/// A case from a record: overrides applied, put on its clock, noise as documented or, where the joint does not say or
+/// the record shows a quarter more, as estimated; `notes` says which. Throws std::invalid_argument for an override
+/// whose path the joint does not have.
+Case prepare(const Record& record, const Joint& nominal, std::vector<std::string>& notes);
+
+/// Sigma of a reading from the sensor's numbers.
+double reading_sigma(const Sensor& sensor, double span);
+
+/// What one of everything means for these cases.
+Scales scales_of(const std::vector<Case>& cases);
+
+}  // namespace stickslip::gap

@@ -22,6 +22,8 @@ std::string_view unit_of(Quantity quantity, Motion motion)
             return turns ? "N·m" : "N";
         case Quantity::effort_rate:
             return turns ? "N·m/s" : "N/s";
+        case Quantity::impulse:
+            return turns ? "N·m·s" : "N·s";
         case Quantity::stiffness:
             return turns ? "N·m/rad" : "N/m";
         case Quantity::damping:

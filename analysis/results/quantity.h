@@ -18,6 +18,7 @@ enum class Quantity {
     velocity,           ///< m/s | rad/s
     effort,             ///< N | N·m
     effort_rate,        ///< N/s | N·m/s
+    impulse,            ///< N·s | N·m·s: effort times time
     stiffness,          ///< N/m | N·m/rad: position gains, kernel weights
     damping,            ///< N·s/m | N·m·s/rad: velocity gains, friction slopes
     inertia,            ///< kg | kg·m²

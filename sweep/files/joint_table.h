@@ -1,0 +1,12 @@
+// A joint that stands in a TOML table which others read too. Internal to sweep/files.
+#pragma once
+#include "analysis/joint/joint.h"
+#include "sweep/files/toml_input.h"
+
+namespace stickslip::files {
+
+/// Reads the joint's tables from `root`; `also_allowed` are top-level keys with other readers. Errors go to
+/// `complaints`.
+Joint joint_from(const toml::table& root, Complaints& complaints, const std::vector<std::string>& also_allowed);
+
+}  // namespace stickslip::files

@@ -1,0 +1,311 @@
+#include "sweep/files/joint_file.h"
+
+#include "analysis/joint/parameters.h"
+#include "tests/sweep/files/messages.h"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <string>
+
+using namespace stickslip;
+
+namespace {
+
+const std::string good = R"([joint]
+motion = "prismatic"
+model = "single-mass"
+inertia = 1.0
+[control]
+kind = "position"
+k_p = "20 kN/m"
+k_v = 0
+V0 = "1 mm/s"
+[friction]
+law = "rate-and-state"
+f0 = 60
+A = 1.0
+B = 1.5
+L = "10 µm"
+V_star = 1.0e-3
+)";
+
+/// The good joint with one line replaced: line numbers of messages stay those of `good`.
+std::string with(const std::string& line, const std::string& replacement)
+{
+    std::string text = good;
+    const auto at = text.find("\n" + line + "\n");
+    REQUIRE(at != std::string::npos);
+    return text.replace(at + 1, line.size(), replacement);
+}
+
+std::vector<std::string> errors(const std::string& text)
+{
+    return messages_of([&] { read_joint_text(text, "joint.toml"); });
+}
+
+std::string only_error(const std::string& text)
+{
+    const auto all = errors(text);
+    for (const auto& message : all) UNSCOPED_INFO(message);
+    REQUIRE(all.size() == 1);
+    return all.front();
+}
+
+using Catch::Contains;
+using Catch::EndsWith;
+using Catch::StartsWith;
+
+}  // namespace
+
+TEST_CASE("a joint with units, whole numbers and a list of one")
+{
+    const Joint joint = read_joint_text(good, "joint.toml");
+    CHECK(joint.mechanism.inertia == 1.0);
+    CHECK(joint.control.k_p == 2e4);
+    CHECK(joint.control.V0 == 1e-3);
+    const auto& law = std::get<RateAndState>(joint.friction.law);
+    CHECK(law.f0 == 60);
+    CHECK(law.B.size == 1);
+    CHECK(law.B[0] == 1.5);
+    CHECK(law.L[0] == 1e-5);
+    CHECK(joint.actuator.limit == infinity);
+}
+
+TEST_CASE("lists, inline and dotted tables, a [record] table of someone else")
+{
+    const Joint joint = read_joint_text(R"(
+control = { k_p = 10, k_v = 1, velocity_estimate = { form = "exact", tau = "3 ms" } }
+joint.motion = "revolute"
+joint.model = "two-mass"
+joint.motor_inertia = "2 kg·mm²"
+joint.link_inertia = 1
+joint.transmission = { stiffness = "5 N·m/rad", backlash = "1 arcmin" }
+actuator.limit = inf
+[friction]
+motor = { law = "stribeck", c0 = 1, c1 = 0, c2 = 0, c3 = 1 }
+[friction.link]
+law = "rate-and-state"
+f0 = 1
+A = 1
+B = [1, "2 N·m"]
+L = [1e-3, "1 mrad"]
+V_star = 1
+ripple.amplitude = 0.5
+[record]
+anything = 1
+)",
+                                        "joint.toml");
+    CHECK(joint.mechanism.model == Model::two_mass);
+    CHECK(joint.mechanism.motor_inertia == 2e-6);
+    CHECK(joint.mechanism.transmission.stiffness == 5);
+    CHECK(joint.control.velocity_estimate.form == EstimateForm::exact);
+    CHECK(joint.control.velocity_estimate.tau == 3e-3);
+    CHECK(std::get<Stribeck>(joint.frictions.motor.law).c4 == 2);
+    const auto& law = std::get<RateAndState>(joint.frictions.link.law);
+    REQUIRE(law.B.size == 2);
+    CHECK(law.B[1] == 2);
+    CHECK(law.L[1] == 1e-3);
+    CHECK(joint.frictions.link.ripple.amplitude == 0.5);
+}
+
+TEST_CASE("syntax errors have a place")
+{
+    CHECK_THAT(only_error(with("k_v = 0", "k_v = = 0")), StartsWith("joint.toml:8:7: not valid TOML: "));
+    CHECK_THAT(only_error(with("k_v = 0", "k_p = 0")), StartsWith("joint.toml:8:") && Contains("k_p"));
+    CHECK_THAT(only_error(std::string("a = \"\0\"", 7)), StartsWith("joint.toml:1:"));
+    CHECK_THAT(only_error("\x7f\x45LF\x01\x02"), StartsWith("joint.toml:1:"));
+    CHECK_THAT(only_error("a = " + std::string(100000, '[')), StartsWith("joint.toml:1:"));
+}
+
+TEST_CASE("unknown keys, with the allowed ones and the nearest")
+{
+    CHECK(only_error(with("k_v = 0", "kv = 0")) ==
+          "joint.toml:8:1: control.kv: unknown key, allowed here are kind, feedback, k_p, k_v, V0, force_rate, period, "
+          "reference_velocity, effort_limit, delay, velocity_estimate; did you mean \"k_v\"?");
+    CHECK_THAT(only_error(good + "[frction]\nlaw = 1\n"),
+               StartsWith("joint.toml:17:2: frction: unknown key") && EndsWith("did you mean \"friction\"?"));
+    CHECK_THAT(only_error(with("inertia = 1.0", "inertia = 1.0\nk_v = 3")),
+               StartsWith("joint.toml:5:1: joint.k_v: unknown key") && EndsWith("did you mean \"control.k_v\"?"));
+    CHECK_THAT(only_error(good + "[load.cogging]\namplitud = 1\n"),
+               StartsWith("joint.toml:18:1: load.cogging.amplitud: ") && EndsWith("\"amplitude\"?"));
+}
+
+TEST_CASE("keys that belong to another law, model or kind say so")
+{
+    CHECK_THAT(only_error(with("f0 = 60", "f0 = 60\nc0 = 1")),
+               StartsWith("joint.toml:13:1: friction.c0: unknown key (it belongs to friction.law = \"stribeck\")"));
+    CHECK_THAT(
+        only_error(with("inertia = 1.0", "inertia = 1.0\nlink_inertia = 2")),
+        StartsWith("joint.toml:5:1: joint.link_inertia: unknown key (it belongs to joint.model = \"two-mass\" or "));
+    CHECK_THAT(only_error(good + "[actuator]\nk_t = 1\n"),
+               StartsWith("joint.toml:18:1: actuator.k_t: unknown key (it belongs to actuator.kind = \"dc-motor\")"));
+    CHECK_THAT(only_error(good + "[friction.motor]\nlaw = \"stribeck\"\n"),
+               StartsWith("joint.toml:17:11: friction.motor: unknown key (it belongs to joint.model = "));
+}
+
+TEST_CASE("missing keys stand where their table does")
+{
+    CHECK(only_error(with("inertia = 1.0", "")) ==
+          "joint.toml:1:1: joint.inertia: is missing, allowed is a number in kg, > 0: moving inertia m");
+    CHECK_THAT(only_error(with("B = 1.5", "")),
+               StartsWith("joint.toml:10:1: friction.B: is missing, allowed is a number in N, ≥ 0, or a list"));
+    CHECK_THAT(only_error(with("law = \"rate-and-state\"", "")),
+               StartsWith("joint.toml:10:1: friction.law: is missing, allowed are coulomb-viscous, "));
+    const auto all = errors("");
+    REQUIRE(all.size() == 3);
+    CHECK_THAT(all[0], StartsWith("joint.toml:1:1: joint.inertia: is missing"));
+    CHECK_THAT(all[1], StartsWith("joint.toml:1:1: control.k_p: is missing"));
+    CHECK_THAT(all[2], StartsWith("joint.toml:1:1: friction.law: is missing"));
+}
+
+TEST_CASE("wrong types")
+{
+    CHECK(only_error(with("inertia = 1.0", "inertia = true")) ==
+          "joint.toml:4:11: joint.inertia: is true, allowed is a number in kg, > 0");
+    CHECK_THAT(only_error(with("k_v = 0", "k_v = [1]")),
+               StartsWith("joint.toml:8:7: control.k_v: is a list, allowed is a number in N·s/m"));
+    CHECK_THAT(only_error(with("k_v = 0", "k_v = {}")), StartsWith("joint.toml:8:7: control.k_v: is a table"));
+    CHECK_THAT(only_error(with("k_v = 0", "k_v = 1979-05-27")),
+               StartsWith("joint.toml:8:7: control.k_v: is a date or time"));
+    CHECK(only_error(with("kind = \"position\"", "kind = 3")) ==
+          "joint.toml:6:8: control.kind: is 3, allowed are position, force");
+    CHECK(only_error(with("k_v = 0", "reference_velocity = 1")) ==
+          "joint.toml:8:22: control.reference_velocity: is 1, allowed are true, false");
+    CHECK(only_error(good + "[sensor]\n[load]\ncogging = 3\n") ==
+          "joint.toml:19:11: load.cogging: is 3, allowed is a table");
+    CHECK(only_error("load = []\n" + good) == "joint.toml:1:8: load: is a list, allowed is a table");
+}
+
+TEST_CASE("units of another kind")
+{
+    CHECK(only_error(with("V0 = \"1 mm/s\"", "V0 = \"1 mm\"")) ==
+          "joint.toml:9:6: control.V0: is \"1 mm\": \"mm\" is the unit of something else, expected is m/s");
+    const auto all = errors(with("motion = \"prismatic\"", "motion = \"revolute\""));
+    REQUIRE(all.size() == 3);
+    CHECK(all[0] ==
+          "joint.toml:7:7: control.k_p: is \"20 kN/m\": \"kN/m\" is the unit of something else, expected is N·m/rad");
+    CHECK_THAT(all[1], EndsWith("expected is rad/s"));
+    CHECK_THAT(all[2], StartsWith("joint.toml:15:5: friction.L: ") && EndsWith("expected is rad"));
+}
+
+TEST_CASE("values out of range")
+{
+    CHECK(only_error(with("inertia = 1.0", "inertia = 0")) ==
+          "joint.toml:4:11: joint.inertia: is 0, allowed is a number in kg, > 0");
+    CHECK(only_error(with("L = \"10 µm\"", "L = \"-10 µm\"")) ==
+          "joint.toml:15:5: friction.L: is \"-10 µm\" (-1e-05 m), allowed is a number in m, > 0");
+    CHECK_THAT(only_error(with("k_v = 0", "k_v = nan")), StartsWith("joint.toml:8:7: control.k_v: is nan"));
+    CHECK_THAT(only_error(with("k_v = 0", "k_v = inf")), StartsWith("joint.toml:8:7: control.k_v: is inf"));
+    CHECK_THAT(only_error(with("k_v = 0", "period = inf")), StartsWith("joint.toml:8:10: control.period: is inf"));
+    CHECK_THAT(only_error(with("k_v = 0", "velocity_estimate.average = 1.5")), Contains("a whole number within [1, 1"));
+}
+
+TEST_CASE("unknown laws and names, without follow-up complaints about their keys")
+{
+    CHECK_THAT(only_error(with("law = \"rate-and-state\"", "law = \"rate-and-sate\"")),
+               StartsWith("joint.toml:11:7: friction.law: is \"rate-and-sate\", allowed are coulomb-viscous, ") &&
+                   EndsWith("; did you mean \"rate-and-state\"?"));
+    CHECK(only_error(with("model = \"single-mass\"", "model = \"singlemass\"\nmotor_inertia = 2\n#")) ==
+          "joint.toml:3:9: joint.model: is \"singlemass\", allowed are single-mass, two-mass, three-mass, lever; did "
+          "you mean \"single-mass\"?");
+}
+
+TEST_CASE("lists")
+{
+    CHECK_THAT(only_error(with("B = 1.5", "B = []")),
+               StartsWith("joint.toml:14:5: friction.B: is a list of 0, allowed are 1 to 8"));
+    CHECK_THAT(only_error(with("B = 1.5", "B = [1,1,1,1,1,1,1,1,1]")),
+               StartsWith("joint.toml:14:5: friction.B: is a list of 9"));
+    CHECK_THAT(only_error(with("B = 1.5", "B = [1, -2]")),
+               StartsWith("joint.toml:14:9: friction.B.1: is -2, allowed is a number in N, ≥ 0"));
+    CHECK_THAT(only_error(with("B = 1.5", "B = [1, [2]]")), StartsWith("joint.toml:14:9: friction.B.1: is a list"));
+    CHECK(only_error(with("B = 1.5", "B = [1, 2]")) ==
+          "joint.toml:10:1: friction: B and L need one value a state each, given are 2 and 1");
+}
+
+TEST_CASE("rules of a struct beyond ranges")
+{
+    CHECK(only_error(good + "[actuator]\nkind = \"dc-motor\"\nk_t = 1\nk_e = 1\nresistance = 1\nsignal = \"duty\"\n") ==
+          "joint.toml:17:1: actuator: signal = \"duty\" needs supply_voltage");
+}
+
+TEST_CASE("all errors of a file come at once, in order")
+{
+    std::string text = with("inertia = 1.0", "inertia = -1");
+    text.replace(text.find("k_v = 0"), 7, "kv = 0 ");
+    text.replace(text.find("f0 = 60"), 7, "f0 = \"\"");
+    const auto all = errors(text + "[extra]\n");
+    REQUIRE(all.size() == 4);
+    CHECK_THAT(all[0], StartsWith("joint.toml:4:11: joint.inertia: "));
+    CHECK_THAT(all[1], StartsWith("joint.toml:8:1: control.kv: "));
+    CHECK_THAT(all[2], StartsWith("joint.toml:12:6: friction.f0: "));
+    CHECK_THAT(all[3], StartsWith("joint.toml:17:2: extra: "));
+}
+
+TEST_CASE("files that cannot be read")
+{
+    const auto folder = std::filesystem::temp_directory_path();
+    CHECK(messages_of([&] { read_joint(folder / "no-such-joint.toml"); }) ==
+          std::vector<std::string>{(folder / "no-such-joint.toml").string() + ": there is no such file"});
+    CHECK_THAT(messages_of([&] { read_joint(folder); }).at(0), EndsWith("is a folder, expected is a TOML file"));
+}
+
+TEST_CASE("settings change one value, with the same rules")
+{
+    Joint joint = read_joint_text(good, "joint.toml");
+    apply_setting(joint, "control.k_p=3e4");
+    CHECK(joint.control.k_p == 3e4);
+    apply_setting(joint, "control.k_p = 25 kN/m");
+    CHECK(joint.control.k_p == 25e3);
+    apply_setting(joint, "control.kind=force");
+    CHECK(joint.control.kind == ControlKind::force);
+    apply_setting(joint, "control.reference_velocity=false");
+    CHECK(!joint.control.reference_velocity);
+    apply_setting(joint, "friction.B=[1, 2 ]");
+    apply_setting(joint, "friction.L=[1e-5, \"20 µm\"]");
+    apply_setting(joint, "friction.L.1=30 µm");
+    apply_setting(joint, "friction.L.0=3e-6");
+    const auto& law = std::get<RateAndState>(joint.friction.law);
+    CHECK(law.B.size == 2);
+    CHECK(law.L[0] == 3e-6);
+    CHECK(law.L[1] == 3e-5);
+    apply_setting(joint, "friction.law=rate-and-state");  // the same law keeps its numbers
+    CHECK(std::get<RateAndState>(joint.friction.law).f0 == 60);
+    apply_setting(joint, "control.velocity_estimate={tau=0.1}");
+    CHECK(joint.control.velocity_estimate.tau == 0.1);
+    apply_settings(
+        joint, {"friction.law=stribeck", "friction.c0=1", "friction.c1=2", "friction.c2=3", "friction.c3=\"4 mm/s\""});
+    CHECK(std::get<Stribeck>(joint.friction.law).c3 == 4e-3);
+}
+
+TEST_CASE("settings that are wrong change nothing")
+{
+    Joint joint = read_joint_text(good, "joint.toml");
+    const std::string before = canonical_text(joint);
+    const auto error = [&](const std::string& setting) {
+        const auto all = messages_of([&] { apply_setting(joint, setting); });
+        INFO(setting);
+        REQUIRE(all.size() == 1);
+        return all.front();
+    };
+    CHECK(error("control.k_p=fast") ==
+          "--set control.k_p=fast: control.k_p: is \"fast\" is not a number with a unit such as N/m");
+    CHECK_THAT(error("control.kp=1"),
+               StartsWith("--set control.kp=1: control.kp: unknown key") && EndsWith("\"k_p\"?"));
+    CHECK_THAT(error("k_p=1"), EndsWith("did you mean \"control.k_p\"?"));
+    CHECK_THAT(error("control.k_p"), EndsWith("is no setting, allowed is path=value such as control.k_p=2e4"));
+    CHECK_THAT(error("=3"), Contains("is no setting"));
+    CHECK_THAT(error("control.k_p=1 mm"), EndsWith("expected is N/m"));
+    CHECK_THAT(error("control.k_p="), Contains("is not a number"));
+    CHECK_THAT(error("control.k_p=1\nx=2"), Contains("control.k_p"));
+    CHECK_THAT(error("control=3"), EndsWith("control: is 3, allowed is a table"));
+    CHECK_THAT(error("friction.L.1=3"),
+               EndsWith("friction.L.1: there is no such element; the list has 1, counted from 0"));
+    CHECK_THAT(error("friction.law=stribek"), EndsWith("did you mean \"stribeck\"?"));
+    CHECK_THAT(error("friction.c0=1"), Contains("it belongs to friction.law = \"stribeck\""));
+    CHECK_THAT(error("joint.inertia=-1"), EndsWith("is -1, allowed is a number in kg, > 0"));
+    const auto incomplete = messages_of([&] { apply_settings(joint, {"friction.law=stribeck", "friction.c0=1"}); });
+    CHECK(incomplete.size() == 3);
+    CHECK(messages_of([&] { apply_settings(joint, {"a=1", "b=1", "control.k_p=1"}); }).size() == 2);
+    CHECK(canonical_text(joint) == before);
+}

@@ -11,9 +11,9 @@ namespace stickslip {
 
 /// How large a sweep may be, and what its estimate is made of.
 struct PlanLimits {
-    std::uint64_t points = 2'000'000'000;  ///< refuse more
-    double bytes_per_row = 128;            ///< of the result, for the estimate in the message
-    double points_per_second = 1e5;        ///< of this machine, for the estimate in the message
+    std::uint64_t points = 1'000'000'000'000;  ///< refuse more; the engine's own limit
+    double bytes_per_row = 128;                ///< of the result, for the estimate in the message
+    double points_per_second = 1e5;            ///< of this machine, for the estimate in the message
 };
 
 /// Reads spec.toml. `joint = "joint.toml"` is looked up from the folder of the spec; or the joint's tables stand

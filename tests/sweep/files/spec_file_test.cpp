@@ -292,3 +292,16 @@ TEST_CASE("symbols and names of parameters")
     CHECK(name_of("a.some_odd.key_two") == "some odd key two");
     CHECK(name_of("friction.B.1") == "evolution effect 2");
 }
+
+TEST_CASE("every example reads")
+{
+    int specs = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator("examples")) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with("spec") || !name.ends_with(".toml")) continue;
+        INFO(entry.path());
+        CHECK(messages_of([&] { read_spec(entry.path()); }) == std::vector<std::string>{});
+        ++specs;
+    }
+    CHECK(specs >= 3);
+}

@@ -62,18 +62,23 @@ std::string plain_number(double value, int digits)
            "}";
 }
 
+ScaledUnit scaled_unit(double largest, Quantity quantity, Motion motion)
+{
+    const std::string unit(unit_of(quantity, motion));
+    if (takes_prefix(unit))
+        for (const auto& p : prefixes) {
+            const double scaled = std::abs(largest) / std::pow(10, p.exponent);
+            if (scaled >= 1 - 1e-12 && scaled < 1000 * (1 - 1e-12)) return {std::pow(10, p.exponent), p.symbol + unit};
+        }
+    return {1, unit};
+}
+
 std::string with_unit(double value, Quantity quantity, Motion motion, int digits)
 {
     const std::string unit(unit_of(quantity, motion));
     if (std::isnan(value) || unit == "1") return plain_number(value, digits);
-    if (!takes_prefix(unit) || value == 0 || std::isinf(value)) return plain_number(value, digits) + " " + unit;
-    const double size = std::abs(rounded(value, digits));
-    for (const auto& p : prefixes) {
-        const double scaled = size / std::pow(10, p.exponent);
-        if (scaled >= 1 - 1e-12 && scaled < 1000 * (1 - 1e-12))
-            return digits_of(value / std::pow(10, p.exponent), digits) + " " + p.symbol + unit;
-    }
-    return plain_number(value, digits) + " " + unit;
+    const ScaledUnit scaled = scaled_unit(std::isfinite(value) ? rounded(value, digits) : 0, quantity, motion);
+    return plain_number(value / scaled.size, digits) + " " + scaled.text;
 }
 
 std::string percent(double share)

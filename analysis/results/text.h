@@ -11,6 +11,15 @@ namespace stickslip {
 /// an SI prefix where the unit takes one (mass, angle and pure numbers do not). NaN reads "–", infinity "∞".
 std::string with_unit(double value, Quantity quantity, Motion motion, int digits = 3);
 
+/// A unit with the SI prefix that suits numbers of one size: {1000, "kN/m"}. Divide by `size` to print.
+struct ScaledUnit {
+    double size = 1;
+    std::string text;
+};
+
+/// For a column or an axis whose largest number is `largest`; the bare unit where it takes no prefix.
+ScaledUnit scaled_unit(double largest, Quantity quantity, Motion motion);
+
 /// The number alone, "5.5×10^{4}" in chart mark-up where a plain one would be long.
 std::string plain_number(double value, int digits = 3);
 

@@ -1,0 +1,118 @@
+#include "render/axes/scale.h"
+
+#include "analysis/results/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace stickslip::drawing {
+namespace {
+
+constexpr double tiny = 1e-9;  // in positions: keeps a tick that rounding put just outside
+
+std::string power_of_ten(int exponent)
+{
+    return "10^{" + (exponent < 0 ? "−" + std::to_string(-exponent) : std::to_string(exponent)) + "}";
+}
+
+Ticks log_ticks(const Scale& scale, int room, double divisor)
+{
+    Ticks result;
+    const double a = std::log10(scale.low / divisor), b = std::log10(scale.high / divisor);
+    const int first = static_cast<int>(std::floor(a + tiny)), last = static_cast<int>(std::ceil(b - tiny));
+    const int powers = static_cast<int>(std::floor(b + tiny)) - static_cast<int>(std::ceil(a - tiny)) + 1;
+    const int every = std::max(1, (powers + room - 1) / room);
+    const bool few = powers < 3 && b - a < 2.2;
+    for (int exponent = first; exponent <= last; ++exponent)
+        for (int digit = 1; digit <= 9; ++digit) {
+            const double printed = digit * std::pow(10, exponent), value = printed * divisor;
+            if (scale.at(value) < -tiny || scale.at(value) > 1 + tiny) continue;
+            const bool labelled = digit == 1 ? exponent % every == 0 : few && (digit == 2 || digit == 5);
+            if (!labelled)
+                result.minor.push_back(value);
+            else
+                result.major.push_back({value, few ? plain_number(printed) : power_of_ten(exponent)});
+        }
+    return result;
+}
+
+/// 1, 2 or 5 times a power of ten, the smallest that is not less than `least`.
+double round_step(double least)
+{
+    const double power = std::pow(10, std::floor(std::log10(least)));
+    for (const double digit : {1.0, 2.0, 5.0})
+        if (digit * power >= least * (1 - tiny)) return digit * power;
+    return 10 * power;
+}
+
+Ticks linear_ticks(const Scale& scale, int room, double divisor)
+{
+    Ticks result;
+    const double low = scale.low / divisor, high = scale.high / divisor;
+    const double step = round_step((high - low) / std::max(1, room));
+    const int parts = std::lround(step / std::pow(10, std::floor(std::log10(step) + tiny))) == 2 ? 4 : 5;
+    const auto first = static_cast<long>(std::ceil(low / step * parts - tiny * parts));
+    const auto last = static_cast<long>(std::floor(high / step * parts + tiny * parts));
+    const double steps_to_largest = std::max(std::abs(low), std::abs(high)) / step;
+    const int digits = std::clamp(static_cast<int>(std::ceil(std::log10(steps_to_largest + 1))) + 1, 1, 12);
+    for (long k = first; k <= last; ++k) {
+        const double printed = static_cast<double>(k) * step / parts;
+        if (k % parts == 0)
+            result.major.push_back({printed * divisor, plain_number(printed, digits)});
+        else
+            result.minor.push_back(printed * divisor);
+    }
+    return result;
+}
+
+}  // namespace
+
+double Scale::at(double value) const
+{
+    return log ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+}
+
+double Scale::value(double position) const
+{
+    return log ? low * std::pow(high / low, position) : low + position * (high - low);
+}
+
+Scale spanning(const std::vector<double>& values, bool log)
+{
+    Scale scale{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), log};
+    for (const double value : values) {
+        if (!std::isfinite(value)) continue;
+        scale.low = std::min(scale.low, value);
+        scale.high = std::max(scale.high, value);
+    }
+    if (scale.low > scale.high) throw std::invalid_argument("an axis needs at least one finite value, none was given");
+    if (log && scale.low <= 0)
+        throw std::invalid_argument("a log axis needs values above 0, got " + std::to_string(scale.low));
+    if (scale.low == scale.high) {
+        const double room = log ? 0 : scale.low == 0 ? 1 : std::abs(scale.low) / 2;
+        scale.low = log ? scale.low / 2 : scale.low - room;
+        scale.high = log ? scale.high * 2 : scale.high + room;
+    }
+    return scale;
+}
+
+Ticks ticks(const Scale& scale, int room, double divisor)
+{
+    return scale.log ? log_ticks(scale, room, divisor) : linear_ticks(scale, room, divisor);
+}
+
+AxisLabel axis_label(const std::string& name, const std::string& symbol, Quantity quantity, Motion motion,
+                     const Scale& scale)
+{
+    AxisLabel label{name};
+    if (!symbol.empty() && symbol != name) label.text += (name.empty() ? "" : " ") + symbol;
+    const double largest = scale.log ? 1 : std::max(std::abs(scale.low), std::abs(scale.high));
+    const ScaledUnit unit = scaled_unit(largest, quantity, motion);
+    label.divisor = unit.size;
+    if (unit.text != "1") label.text += " [" + unit.text + "]";
+    return label;
+}
+
+}  // namespace stickslip::drawing

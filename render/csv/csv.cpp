@@ -1,0 +1,74 @@
+#include "render/csv/csv.h"
+
+#include "render/drawing/markup.h"
+#include "render/pictures/regions.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace stickslip::drawing {
+namespace {
+
+std::string column(const std::string& name, Quantity quantity, Motion motion)
+{
+    const auto unit = unit_of(quantity, motion);
+    return field(plain_text(name) + (unit == "1" ? "" : " [" + std::string(unit) + "]"));
+}
+
+}  // namespace
+
+std::string number(double value)
+{
+    if (std::isnan(value)) return "nan";
+    std::array<char, 32> buffer;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+    return {buffer.data(), end};
+}
+
+std::string field(std::string_view text)
+{
+    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + '"';
+}
+
+std::string csv(const StabilityMap& map)
+{
+    std::string text = column(map.x.path, map.x.quantity, map.motion) + "," +
+                       column(map.y.path, map.y.quantity, map.motion) + ",spectral abscissa [1/s],region\n";
+    std::size_t i = 0;
+    for (const double y : map.y.values)
+        for (const double x : map.x.values) {
+            text += number(x) + "," + number(y) + "," + number(map.abscissa[i]) + ",";
+            text += region_name(map.region[i++]);
+            text += '\n';
+        }
+    return text;
+}
+
+std::string csv(const CriticalGainSurface& surface)
+{
+    std::string text = column(surface.x.path, surface.x.quantity, surface.motion) + "," +
+                       column(surface.y.path, surface.y.quantity, surface.motion) + "," +
+                       column(surface.z_name, surface.z_quantity, surface.motion) + "\n";
+    std::size_t i = 0;
+    for (const double y : surface.y.values)
+        for (const double x : surface.x.values)
+            text += number(x) + "," + number(y) + "," + number(surface.z[i++]) + "\n";
+    return text;
+}
+
+std::string csv(const LineChart& chart)
+{
+    std::string text = "line," + field(plain_text(chart.x_label)) + "," + field(plain_text(chart.y_label)) + "\n";
+    for (const auto& line : chart.lines) {
+        const std::string name = field(plain_text(line.name)) + ",";
+        for (std::size_t i = 0; i < line.x.size(); ++i)
+            text += name + number(line.x[i]) + "," + number(line.y[i]) + "\n";
+    }
+    return text;
+}
+
+}  // namespace stickslip::drawing

@@ -1,0 +1,20 @@
+// The numbers behind a picture as a table that any program opens: full precision, SI, one header line.
+#pragma once
+#include "analysis/results/stability_map.h"
+
+#include <string>
+#include <string_view>
+
+namespace stickslip::drawing {
+
+std::string csv(const StabilityMap& map);             ///< x, y, abscissa, region; one line a grid point
+std::string csv(const CriticalGainSurface& surface);  ///< x, y, z
+std::string csv(const LineChart& chart);              ///< line, x, y
+
+/// The shortest digits that read back to the same number; "nan", "inf", "-inf" otherwise.
+std::string number(double value);
+
+/// A field, quoted where commas, quotes or line ends ask for it (RFC 4180).
+std::string field(std::string_view text);
+
+}  // namespace stickslip::drawing

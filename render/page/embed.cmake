@@ -1,0 +1,15 @@
+# Turns the page's source files into a C++ file of raw string literals, with the hashes that the content security
+# policy names. Run as: cmake -DSOURCE_DIR=… -DOUTPUT=… -P embed.cmake
+set(text "// Made from render/page by embed.cmake.\n#include \"render/page/sources.h\"\n\nnamespace stickslip::drawing {\n\n")
+foreach(name page.html figure.html page.css page.js)
+  file(READ ${SOURCE_DIR}/${name} content)
+  string(FIND "${content}" ")~\"" clash)
+  if(NOT clash EQUAL -1)
+    message(FATAL_ERROR "${name} holds the end mark of the raw literal")
+  endif()
+  string(SHA256 hash "${content}")
+  string(MAKE_C_IDENTIFIER ${name} identifier)
+  string(APPEND text "const Source ${identifier}{R\"~(${content})~\", \"${hash}\"};\n\n")
+endforeach()
+string(APPEND text "}  // namespace stickslip::drawing\n")
+file(WRITE ${OUTPUT} "${text}")

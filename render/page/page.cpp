@@ -1,0 +1,184 @@
+#include "render/drawing/markup.h"
+#include "render/page/figure_data.h"
+#include "render/page/html.h"
+#include "render/page/sources.h"
+#include "render/render.h"
+
+#include <set>
+#include <stdexcept>
+
+namespace stickslip {
+namespace {
+
+using namespace drawing;
+
+const char* tone_class(Headline::Tone tone)
+{
+    switch (tone) {
+        case Headline::Tone::good:
+            return "good";
+        case Headline::Tone::warning:
+            return "warning";
+        case Headline::Tone::bad:
+            return "bad";
+        case Headline::Tone::neutral:
+            break;
+    }
+    return "neutral";
+}
+
+/// A reader who cannot see the colour or the sign hears the word.
+std::string spoken_tone(Headline::Tone tone)
+{
+    return R"(<span class="sign" aria-hidden="true"></span>)" +
+           std::string(tone == Headline::Tone::bad || tone == Headline::Tone::warning
+                           ? R"(<span class="spoken">Attention: </span>)"
+                           : "");
+}
+
+/// Ids become anchors and names of files, so nothing but [a-z0-9-] passes, and nothing twice.
+class Ids {
+  public:
+    const std::string& take(const std::string& id)
+    {
+        if (id.empty() || id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") != std::string::npos)
+            throw std::invalid_argument("report id \"" + id + "\": allowed are a-z, 0-9 and -, at least one");
+        if (!taken_.insert(id).second) throw std::invalid_argument("report id \"" + id + "\" is used twice");
+        return id;
+    }
+
+  private:
+    std::set<std::string> taken_;
+};
+
+std::string headlines(const std::vector<Headline>& list)
+{
+    if (list.empty()) return "";
+    std::string html = "<ul class=\"cards\">\n";
+    for (const Headline& h : list)
+        html += std::string("<li class=\"card ") + tone_class(h.tone) + "\"><b>" + html_of_markup(h.value) +
+                "</b><span>" + html_of_markup(h.meaning) + "</span></li>\n";
+    return html + "</ul>\n";
+}
+
+std::string alerts(const std::vector<Alert>& list)
+{
+    if (list.empty()) return "";
+    std::string html = "<ul class=\"alerts\" aria-label=\"Alerts\">\n";
+    for (const Alert& a : list)
+        html += std::string("<li class=\"alert ") + tone_class(a.tone) + "\">" + spoken_tone(a.tone) + "<span>" +
+                escape(a.text) + "</span></li>\n";
+    return html + "</ul>\n";
+}
+
+std::string table(const Table& t)
+{
+    std::string html = "<div class=\"table\" tabindex=\"0\" role=\"region\" aria-label=\"" +
+                       escape(plain_text(t.title)) + "\"><table>\n<caption>" + html_of_markup(t.title) +
+                       "</caption>\n<thead><tr>";
+    for (const std::string& column : t.columns) html += "<th scope=\"col\">" + html_of_markup(column) + "</th>";
+    html += "</tr></thead>\n<tbody>\n";
+    for (const auto& row : t.rows) {
+        html += "<tr>";
+        for (const std::string& cell : row) html += "<td>" + html_of_markup(cell) + "</td>";
+        html += "</tr>\n";
+    }
+    return html + "</tbody></table></div>\n";
+}
+
+std::string figure(const Figure& f, const RenderedFigure& rendered, int number)
+{
+    const bool map = std::holds_alternative<StabilityMap>(f.picture);
+    const std::string data =
+        "<script type=\"application/json\">" + figure_data(f, rendered) + "</script>\n<div class=\"tools\"></div>\n";
+    const std::string picture = rendered.missing.empty()
+                                    ? "<div class=\"stage\"><div class=\"sheet\">" + rendered.svg + "</div></div>"
+                                    : "<p class=\"left-out\">This picture was left out: " + escape(rendered.missing) +
+                                          ". Its numbers are here.</p>";
+    const std::string how_to =
+        map && rendered.missing.empty()
+            ? " <span class=\"how-to\">Point at the map, or focus it and use the arrow keys, to read its values.</span>"
+            : "";
+    return fill(figure_html.text, {{"id", f.id},
+                                   {"picture", picture},
+                                   {"number", std::to_string(number)},
+                                   {"caption", html_of_markup(f.caption)},
+                                   {"how-to", how_to},
+                                   {"tools", data}});
+}
+
+std::string heading(const std::string& id, const std::string& title)
+{
+    return "<h2><a href=\"#" + id + "\">" + title + "</a></h2>\n";
+}
+
+std::string not_checked(const std::vector<std::string>& list)
+{
+    if (list.empty()) return "";
+    std::string html = "<section class=\"not-checked\" id=\"not-checked\">\n" +
+                       heading("not-checked", "What was not checked") + "<ul>\n";
+    for (const std::string& item : list) html += "<li>" + html_of_markup(item) + "</li>\n";
+    return html + "</ul>\n</section>\n";
+}
+
+std::string provenance(const std::vector<std::pair<std::string, std::string>>& list)
+{
+    if (list.empty()) return "";
+    std::string html =
+        "<section class=\"provenance\" id=\"provenance\">\n" + heading("provenance", "Provenance") + "<dl>\n";
+    for (const auto& [name, value] : list) html += "<dt>" + escape(name) + "</dt><dd>" + escape(value) + "</dd>\n";
+    return html + "</dl>\n</section>\n";
+}
+
+std::string contents_line(const std::string& id, const std::string& title)
+{
+    return "<li><a href=\"#" + id + "\">" + title + "</a></li>\n";
+}
+
+}  // namespace
+
+std::string page(const Report& report, const std::vector<RenderedFigure>& figures)
+{
+    std::size_t wanted = 0;
+    for (const Section& section : report.sections) wanted += section.figures.size();
+    if (figures.size() != wanted)
+        throw std::invalid_argument("the report has " + std::to_string(wanted) + " figures, but " +
+                                    std::to_string(figures.size()) + " were rendered");
+    Ids ids;
+    for (const char* own : {"summary", "not-checked", "provenance"}) ids.take(own);
+    std::string sections, contents = contents_line("summary", "Summary");
+    std::size_t next = 0;
+    for (const Section& section : report.sections) {
+        const std::string title = html_of_markup(section.title);
+        sections += "<section id=\"" + ids.take(section.id) + "\">\n" + heading(section.id, title);
+        contents += contents_line(section.id, title);
+        if (!section.text.empty()) sections += "<p class=\"prose\">" + html_of_markup(section.text) + "</p>\n";
+        for (const Figure& f : section.figures) {
+            ids.take(f.id);
+            sections += figure(f, figures[next], static_cast<int>(next) + 1);
+            ++next;
+        }
+        for (const Table& t : section.tables) sections += table(t);
+        sections += "</section>\n";
+    }
+    if (!report.not_checked.empty()) contents += contents_line("not-checked", "What was not checked");
+    if (!report.provenance.empty()) contents += contents_line("provenance", "Provenance");
+
+    return fill(page_html.text, {{"style-hash", policy_hash(page_css.sha256)},
+                                 {"script-hash", policy_hash(page_js.sha256)},
+                                 {"style", std::string(page_css.text)},
+                                 {"script", std::string(page_js.text)},
+                                 {"title-text", escape(plain_text(report.title))},
+                                 {"title", html_of_markup(report.title)},
+                                 {"subtitle", html_of_markup(report.subtitle)},
+                                 {"tone", tone_class(report.tone)},
+                                 {"verdict", html_of_markup(report.verdict)},
+                                 {"headlines", headlines(report.headlines)},
+                                 {"alerts", alerts(report.alerts)},
+                                 {"contents", contents},
+                                 {"sections", sections},
+                                 {"not-checked", not_checked(report.not_checked)},
+                                 {"provenance", provenance(report.provenance)}});
+}
+
+}  // namespace stickslip

@@ -1,0 +1,173 @@
+#include "render/pictures/regions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip::drawing {
+namespace {
+
+constexpr double step = 1.5;  // px between the places where a hatch line looks whether it is still inside
+
+/// Stretches of the parallel lines at ±45° that are covered; `rising` goes from lower left to upper right.
+std::vector<Point> hatch(const Rectangle& box, double distance, bool rising, const Covers& covered)
+{
+    std::vector<Point> ends;
+    const double sign = rising ? -1 : 1, apart = distance * std::sqrt(2.0);
+    // Lines y = sign·x + offset. Offsets are multiples of the distance from the canvas origin: swatches match the map.
+    const double a = box.top - sign * box.left, b = box.top - sign * box.right();
+    const double lowest = std::min(a, b), highest = std::max(a, b) + box.height;
+    for (double offset = std::ceil(lowest / apart) * apart; offset <= highest; offset += apart) {
+        bool drawing = false;
+        Point last;
+        for (double x = box.left; x <= box.right(); x += step) {
+            const Point here{x, sign * x + offset};
+            const bool inside = box.holds(here) && covered(here);
+            if (inside && !drawing) ends.push_back(here);
+            if (!inside && drawing) ends.push_back(last);
+            drawing = inside;
+            last = here;
+        }
+        if (drawing) ends.push_back(last);
+    }
+    return ends;
+}
+
+/// Points of a staggered lattice that are covered, with a margin to the box's edges.
+std::vector<Point> lattice(const Rectangle& box, double distance, const Covers& covered)
+{
+    std::vector<Point> points;
+    bool shifted = false;
+    for (double y = box.top + distance / 2; y < box.bottom(); y += distance, shifted = !shifted)
+        for (double x = box.left + distance * (shifted ? 1.0 : 0.5); x < box.right() - 2; x += distance)
+            if (covered({x, y})) points.push_back({x, y});
+    return points;
+}
+
+std::vector<Point> moved(std::vector<Point> points, double dx, double dy)
+{
+    for (Point& p : points) p = {p.x + dx, p.y + dy};
+    return points;
+}
+
+void crosses(Canvas& canvas, const std::vector<Point>& points, double arm, const Pen& pen)
+{
+    std::vector<Point> ends;
+    for (const Point& p : points) {
+        ends.insert(ends.end(), {{p.x - arm, p.y - arm}, {p.x + arm, p.y + arm}});
+        ends.insert(ends.end(), {{p.x - arm, p.y + arm}, {p.x + arm, p.y - arm}});
+    }
+    canvas.stretches(ends, pen);
+}
+
+}  // namespace
+
+std::string_view region_name(Region region)
+{
+    switch (region) {
+        case Region::stable:
+            return "stable";
+        case Region::memory_only:
+            return "memory-only";
+        case Region::velocity_only:
+            return "velocity-only";
+        case Region::unstable:
+            return "unstable";
+        case Region::bistable:
+            return "bistable";
+        case Region::undecided:
+            break;
+    }
+    return "undecided";
+}
+
+std::string_view region_text(Region region)
+{
+    switch (region) {
+        case Region::stable:
+            return "smooth in both theories";
+        case Region::memory_only:
+            return "smooth with memory, though velocity-only forbids it";
+        case Region::velocity_only:
+            return "stick-slip with memory, though velocity-only allows it";
+        case Region::unstable:
+            return "stick-slip in both theories";
+        case Region::bistable:
+            return "bistable: a larger disturbance ends in stick-slip";
+        case Region::undecided:
+            break;
+    }
+    return "undecided";
+}
+
+void draw_texture(Canvas& canvas, Region region, const Rectangle& box, const Covers& covered)
+{
+    constexpr Colour black = field_ink, white = field_halo, gold = from_hex(0xffdd33);
+    const auto shade = [](Colour c, double opacity) { return Colour{c.red, c.green, c.blue, opacity}; };
+    switch (region) {
+        case Region::stable:
+            break;
+        case Region::memory_only: {  // the paper's second regime: meant to be seen first
+            const auto ends = hatch(box, 9, true, covered);
+            canvas.stretches(ends, {shade(black, 0.6), 3.2});
+            canvas.stretches(ends, {gold, 1.7});
+            break;
+        }
+        case Region::velocity_only: {
+            auto ends = hatch(box, 9, true, covered);
+            const auto others = hatch(box, 9, false, covered);
+            ends.insert(ends.end(), others.begin(), others.end());
+            canvas.stretches(ends, {shade(white, 0.75), 2.4});
+            canvas.stretches(ends, {shade(black, 0.85), 1});
+            break;
+        }
+        case Region::unstable: {
+            const auto ends = hatch(box, 10, false, covered);
+            canvas.stretches(moved(ends, 0.8, -0.8), {shade(white, 0.35), 0.8});
+            canvas.stretches(ends, {shade(black, 0.42), 0.9});
+            break;
+        }
+        case Region::bistable: {
+            std::vector<Point> ends;
+            for (const Point& p : lattice(box, 10, covered))
+                ends.insert(ends.end(), {{p.x - 1.5, p.y}, {p.x + 1.5, p.y}});
+            canvas.stretches(ends, {shade(white, 0.8), 4.4});
+            canvas.stretches(ends, {black, 3});
+            break;
+        }
+        case Region::undecided:
+            crosses(canvas, lattice(box, 9, covered), 2, {shade(black, 0.75), 0.9});
+            break;
+    }
+}
+
+Covers covers(const Grid& grid, const std::vector<Region>& regions, Region region, const Rectangle& box)
+{
+    return [&grid, &regions, region, box](Point p) {
+        const auto place = grid.at((p.x - box.left) / box.width, (box.bottom() - p.y) / box.height);
+        double share = 0;
+        for (std::size_t k = 0; k < 4; ++k)
+            if (regions[place.node[k]] == region) share += place.weight[k];
+        return share > 0.5;
+    };
+}
+
+double draw_legend(Canvas& canvas, const std::vector<LegendEntry>& entries, double left, double top, double width)
+{
+    constexpr double swatch_width = 34, swatch_height = 16, line_height = 25, gap = 9, between = 26;
+    constexpr TextStyle style{12.5};
+    double widest = 0;
+    for (const auto& entry : entries) widest = std::max(widest, canvas.text_width(entry.text, style));
+    const double column = swatch_width + gap + widest + between;
+    const auto columns = static_cast<std::size_t>(std::max(1.0, std::floor((width + between) / column)));
+    const std::size_t rows = (entries.size() + columns - 1) / columns;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const double x = left + static_cast<double>(i / rows) * column,
+                     y = top + static_cast<double>(i % rows) * line_height;
+        entries[i].swatch({x, y, swatch_width, swatch_height});
+        canvas.text({x + swatch_width + gap, y + swatch_height / 2}, entries[i].text, style, Across::left,
+                    Along::middle);
+    }
+    return top + static_cast<double>(rows) * line_height;
+}
+
+}  // namespace stickslip::drawing

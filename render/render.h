@@ -1,0 +1,34 @@
+// The floor's whole interface: results in, bytes out. No file is read but the typeface, none is written; VTK stays
+// inside. Safe to call from several threads: drawing takes turns on one lock.
+#pragma once
+#include "analysis/results/report.h"
+
+#include <string>
+#include <vector>
+
+namespace stickslip {
+
+/// One chart, made.
+struct RenderedFigure {
+    std::string svg;      ///< the picture, stand-alone; empty when it could not be made
+    std::string csv;      ///< the numbers behind it, SI, full precision
+    std::string missing;  ///< why there is no picture, in words for the reader; empty when there is one
+
+    int width = 0, height = 0;  ///< of the picture in CSS pixels
+    /// The data area within the picture, px from its top left corner: where a pointer reads values.
+    double plot_left = 0, plot_top = 0, plot_width = 0, plot_height = 0;
+};
+
+/// Draws one figure. A machine without the typeface or (3-D only) without an off-screen OpenGL gives `missing`, not an
+/// exception. Throws std::invalid_argument when the arrays of the picture do not fit together.
+RenderedFigure render(const Figure& figure);
+
+/// Every figure of a report, in the order of the page.
+std::vector<RenderedFigure> render(const Report& report);
+
+/// The report as one HTML file that needs no network: pictures, data, style and script are all inside, and a content
+/// security policy forbids the rest. Equal reports give equal bytes. `figures` are those of render(report); throws
+/// std::invalid_argument when their number differs, or when an id is empty, used twice or not made of [a-z0-9-].
+std::string page(const Report& report, const std::vector<RenderedFigure>& figures);
+
+}  // namespace stickslip

@@ -1,5 +1,6 @@
 #include "tests/blind/generate/cases.h"
 
+#include "tests/blind/generate/mujoco.h"
 #include "tests/blind/generate/outside.h"
 #include "tests/blind/generate/random.h"
 
@@ -87,13 +88,13 @@ class Maker {
     {
         prepare(wish, effects);
         if (c_.kind == "outside") {
-            use_outside();
+            use_outside(wish);
         } else {
             for (const auto& name : effects) c_.edits.push_back(draw_effect(name, c_.nominal, peak_command_, draw_));
             c_.edits = in_order(c_.edits);
             size_effects();
         }
-        finish();
+        finish(wish);
     }
 
   private:
@@ -198,10 +199,13 @@ class Maker {
         c_.machines = machines_with(sizes);
     }
 
-    void use_outside();
-    void finish()
+    void use_outside(const Wish& wish);
+    void finish(const Wish& wish)
     {
-        c_.records = record(c_.machines);
+        std::vector<std::uint64_t> seeds;
+        for (std::size_t r = 0; r < c_.machines.size(); ++r) seeds.push_back(seed_of(noise_seed_, 1000 + r));
+        c_.records = wish.mujoco.empty() ? record(c_.machines)
+                                         : run_mujoco(wish.mujoco, c_.machines, c_.excitations, seeds, c_.stride);
         const Ensemble truth =
             simulate_often(c_.machines, c_.excitations, ensemble_size, seed_of(noise_seed_, 3), c_.stride);
         c_.gap = closed_loop_gap(c_.records, nominal_, truth, signals_);
@@ -224,9 +228,10 @@ class Maker {
     double peak_command_ = 0;
 };
 
-void Maker::use_outside()
+void Maker::use_outside(const Wish& wish)
 {
-    const auto& kinds = outside_kinds();
+    auto kinds = outside_kinds();
+    if (!wish.mujoco.empty()) std::erase_if(kinds, [](const auto& k) { return !mujoco_has(k.first); });
     const auto& [name, kind] = kinds[draw_.below(static_cast<int>(kinds.size()))];
     c_.outside = name;
     Outside o{.kind = kind, .seed = draw_.seed()};
@@ -301,6 +306,7 @@ std::vector<std::string> effects_of(const std::string& kind, const Wish& wish, s
 {
     if (kind == "none" || kind == "outside") return {};
     std::vector<std::string> names = effect_names();
+    if (!wish.mujoco.empty()) std::erase_if(names, [](const auto& n) { return !mujoco_has(n); });
     const int count = static_cast<int>(names.size());
     Draw(seed_of(seed, 1u << 20 | index / count)).shuffle(names);
     std::string first = wish.effect.empty() ? names[index % count] : wish.effect;

@@ -20,6 +20,7 @@ struct Columns {
 struct Wish {
     std::string kind = "mixed";  ///< single | pair | none | outside | noisy | few | mixed
     std::string effect, strength, columns, family;
+    std::string mujoco;  ///< folder of the MuJoCo script; empty: the own mechanism makes the records
 };
 
 struct SealedCase {

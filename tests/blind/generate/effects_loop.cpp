@@ -42,9 +42,16 @@ Edit saturation(const Nominal& n, double peak_command, Draw&)
     return e;
 }
 
-Edit supply_sag(const Nominal& n, double, Draw&)
+Edit supply_sag(const Nominal& n, double peak_command, Draw&)
 {
-    Edit e{.smallest = 0.02, .largest = 0.8};
+    if (n.machine.drive.kind == Drive::Kind::effort) {
+        Edit e{.variant = "of-an-effort-source", .smallest = 0.03, .largest = 0.6};
+        e.apply = [peak = peak_command * n.machine.drive.gain](Machine& m, double size) -> Changed {
+            return {changed("actuator.sag_effort", m.drive.sag_effort, peak / size)};
+        };
+        return e;
+    }
+    Edit e{.variant = "of-a-motor", .smallest = 0.02, .largest = 0.8};
     e.apply = [winding = n.machine.drive.resistance](Machine& m, double size) -> Changed {
         return {changed("actuator.supply_resistance", m.drive.supply_resistance, size * winding)};
     };
@@ -112,7 +119,7 @@ std::vector<EffectEntry> loop_effects()
     return {
         {"effort-gain", effort_sources, effort_gain},
         {"saturation", effort_sources, saturation},
-        {"supply-sag", {"dc-duty"}, supply_sag},
+        {"supply-sag", {"dc-duty", "dc-duty", "revolute", "prismatic", "drive-volts"}, supply_sag},
         {"actuator-lag", joint_families(), actuator_lag},
         {"delay", joint_families(), delay},
         {"velocity-filter", joint_families(), velocity_filter},

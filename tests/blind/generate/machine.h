@@ -65,6 +65,7 @@ struct Drive {
     Kind kind = Kind::effort;
     double dead_time = 0, lag = 0, gain = 1, limit = unlimited;
     double torque_constant = 0, back_emf = 0, resistance = 1, supply = unlimited, supply_resistance = 0;
+    double sag_effort = unlimited;  ///< effort source: the share |effort| / sag_effort of the effort is lost
 };
 
 struct Controller {

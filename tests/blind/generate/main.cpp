@@ -1,5 +1,6 @@
 // blind_generate: makes sealed cases and, outside their folder, the answers.
 #include "tests/blind/generate/files.h"
+#include "tests/blind/generate/match.h"
 #include "tests/blind/generate/random.h"
 
 #include <CLI/CLI.hpp>
@@ -20,6 +21,18 @@ void print(const char* name, const blind::SealedCase& c)
     std::fflush(stdout);
 }
 
+int print_match(const std::string& script_folder, std::uint64_t seed, int count)
+{
+    double worst = 0;
+    for (const auto& m : blind::match_mujoco(script_folder, seed, count)) {
+        std::printf("%-11s %-11s position differs by %.3f (RMS), %.2f (largest) of the reading noise\n",
+                    m.family.c_str(), m.excitation.c_str(), m.rms, m.largest);
+        worst = std::max(worst, m.rms);
+    }
+    std::printf("worst %.3f; matched: %s\n", worst, worst < 1 ? "yes" : "NO");
+    return worst < 1 ? 0 : 1;
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -28,10 +41,11 @@ int main(int argc, char** argv)
         "Makes sealed cases for `stickslip blind`: DIR/case-NN/{joint.toml, record-N.csv.gz}, and the truth outside "
         "DIR."};
     blind::Wish wish;
-    std::string folder, truth_file;
+    std::string folder, truth_file, engine = "own", script_folder = "tests/blind/mujoco";
     std::uint64_t seed = 0;
     int cases = 30, first = 0;
-    app.add_option("DIR", folder, "folder for the cases; must not hold cases yet")->required();
+    bool match = false;
+    app.add_option("DIR", folder, "folder for the cases; must not hold cases yet");
     app.add_option("--cases", cases, "how many cases")->check(CLI::Range(1, 100000));
     app.add_option("--first", first, "number of the first case; case n does not depend on how many are made")
         ->check(CLI::NonNegativeNumber);
@@ -48,9 +62,19 @@ int main(int argc, char** argv)
     app.add_option("--columns", wish.columns, "only this set of columns")
         ->check(CLI::IsMember(
             {"full", "no-effort", "no-velocity", "no-reference", "no-command", "motion-only", "position-only"}));
+    app.add_option("--engine", engine, "who simulates the records")->check(CLI::IsMember({"own", "mujoco"}));
+    app.add_option("--mujoco", script_folder, "folder of simulate.mjs, with its package installed");
+    app.add_flag("--match", match,
+                 "make no cases: print how well both mechanisms agree on nominal joints without noise");
     CLI11_PARSE(app, argc, argv);
+    if (engine == "mujoco") wish.mujoco = script_folder;
     if (seeded->count() == 0) seed = std::random_device{}();
     std::printf("seed %llu\n", static_cast<unsigned long long>(seed));
+    if (match) return print_match(script_folder, seed, cases);
+    if (folder.empty()) {
+        std::cerr << "blind_generate: DIR is missing\n";
+        return 2;
+    }
     while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
     if (truth_file.empty()) truth_file = folder + ".truth.json";
     std::map<std::string, blind::SealedCase> made;
@@ -72,7 +96,7 @@ int main(int argc, char** argv)
         }
     }
     std::ofstream out(truth_file);
-    out << blind::truth_json(made, "own");
+    out << blind::truth_json(made, engine);
     if (!out) std::cerr << "blind_generate: cannot write " << truth_file << '\n';
     return !out ? 2 : failed ? 1 : 0;
 }

@@ -30,7 +30,9 @@ DriveState drive_effort(const Drive& d, double signal, double velocity)
 {
     DriveState s;
     if (d.kind == Drive::Kind::effort) {
-        s.effort = std::clamp(d.gain * signal, -d.limit, d.limit);
+        const double full = d.gain * signal;
+        // effort = full (1 − |effort| / sag_effort): the supply sags with the current that really flows.
+        s.effort = std::clamp(full / (1 + std::abs(full) / d.sag_effort), -d.limit, d.limit);
         return s;
     }
     const double emf = d.back_emf * velocity;

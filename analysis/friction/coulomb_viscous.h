@@ -1,7 +1,5 @@
 // Coulomb and viscous friction: the nominal law of most machine models.
 #pragma once
-#include <cmath>
-
 #include "analysis/friction/response.h"
 
 namespace stickslip {
@@ -18,22 +16,18 @@ struct CoulombViscous {
         .source = "Dupont 1991, (7) with c2 = 0",
         .validity = "all velocities; at V = 0 any force within ±coulomb",
         .steady_state_dependence = true,
+        .direct_effect = true,
         .set_valued_at_rest = true,
         .odd = true,
+        .dissipative = true,
     };
 
     int states() const { return 0; }
     States steady_state(double) const { return {}; }
     double static_force() const { return coulomb; }
-    double steady_force(double V) const { return V == 0 ? 0 : std::copysign(coulomb, V) + viscous * V; }
-
-    FrictionResponse respond(double V, const States&) const
-    {
-        FrictionResponse r;
-        r.force = steady_force(V);
-        r.by_velocity = viscous;
-        return r;
-    }
+    Level level(double) const { return {coulomb, 0}; }
+    double steady_force(double V) const { return respond(V, {}).force; }
+    FrictionResponse respond(double V, const States&) const { return slide(level(std::abs(V)), viscous, V); }
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)

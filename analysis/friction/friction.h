@@ -1,6 +1,8 @@
 // The friction on one body: a law, and the terms that a real joint may add to it. Every term is absent in a nominal
 // joint.
 #pragma once
+#include <string>
+
 #include "analysis/friction/law.h"
 
 namespace stickslip {
@@ -51,7 +53,8 @@ struct FrictionDrift {
     }
 };
 
-/// Presliding on top of a static law: the Coulomb part is carried by bristles of this stiffness (Dahl, LuGre form).
+/// Presliding under a static law: what the law resists apart from viscous friction is carried by bristles, in the form
+/// of LuGre (bristle_response).
 struct Bristle {
     double stiffness = 0, damping = 0;  ///< stiffness 0: none
 
@@ -64,12 +67,10 @@ struct Bristle {
     }
 };
 
-enum class MemoryForm { slip, ageing };
-inline constexpr Choice<MemoryForm> memory_forms[] = {{"slip", MemoryForm::slip}, {"ageing", MemoryForm::ageing}};
-
-/// Memory on top of a static law: f += (A ln(|V|/V*) + θ) sgn V with one slip-law state, (4)-(5), or one ageing-law
-/// state; and, apart from it, a lag with which the law's velocity dependence follows the velocity. In a record's
-/// simulation |V| is held above V*/1000 inside the logarithms, so that the joint can stick.
+/// Memory on top of a law f: A asinh(V/(2V*) e^{(|f| + θ)/A}), away from rest f + (A ln(|V|/V*) + θ) sgn V, with one
+/// state after the slip law, (5), or the ageing law. With A = 0: f + θ sgn V. And, apart from it, a lag with which a
+/// static law's level follows the speed: g(s) in place of g(|V|), ṡ = (|V| − s)/lag. The simulation of a record has the
+/// logarithmic form with |V| held above V*/1000, so that the joint can stick.
 struct Memory {
     double A = 0, B = 0, L = 1e-5, V_star = 1e-3;
     double lag = 0;
@@ -113,6 +114,24 @@ struct Friction {
         visit.table("bristle", "presliding stiffness under the law", self.bristle);
         visit.table("memory", "rate-and-state memory on top of the law", self.memory);
     }
+
+    bool has_bristle() const { return bristle.stiffness > 0; }
+    bool has_memory() const { return memory.A != 0 || memory.B != 0; }
+    bool has_lag() const { return memory.lag > 0; }
+
+    /// What ranges cannot say: bristles need a level that they carry, and the states must find room.
+    std::string problem() const;
 };
+
+// The friction of one body as one law: the calls of the concept (response.h) with every term included that depends on
+// neither position, time nor load. The states of the law come first, then the lagged speed, then the state of the
+// bristles or of the memory, each where the body has it.
+int states(const Friction& friction);
+double steady_force(const Friction& friction, double V);
+States steady_state(const Friction& friction, double V);
+FrictionResponse respond(const Friction& friction, double V, const States& theta);
+
+/// Bristles under a level that itself has a memory have coupled states, for which no response in this form exists.
+bool has_response(const Friction& friction);
 
 }  // namespace stickslip

@@ -7,9 +7,18 @@
 //   FrictionResponse respond(double V, const States&) const;   force, derivatives and state rates from one call
 //   template <...> static void fields(Self&, Visitor&)     its parameters (analysis/joint/field.h)
 //
+// and, where it applies,
+//
+//   std::string problem() const;         what ranges of single numbers cannot say
+//   double static_force() const;         set-valued at rest: the largest force at V = 0
+//   Level level(double speed) const;     static laws: the resistance without its viscous part
+//   DelayList delays(double V) const;    memory that is no state: the impulses of its kernel g about steady sliding at
+//   V KernelTablePtr table() const;        memory that is no state: the sampled part of g
+//
 // V is the sliding velocity; friction opposes it, so a positive force acts against positive V.
 #pragma once
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "analysis/joint/field.h"
@@ -29,6 +38,37 @@ struct FrictionResponse {
     States rate_by_state{};
 };
 
+/// A resistance that depends on speed, and its slope with speed.
+struct Level {
+    double value = 0, slope = 0;
+};
+
+/// A static law made of a level and viscous friction: f = (g(|V|) + F_v |V|) sgn V; at rest the middle of its values.
+inline FrictionResponse slide(const Level& level, double viscous, double V)
+{
+    FrictionResponse r;
+    r.force = V == 0 ? 0 : std::copysign(level.value + viscous * std::abs(V), V);
+    r.by_velocity = level.slope + viscous;
+    return r;
+}
+
+/// An impulse of the kernel: g(t) = … + weight · δ(t − time).
+struct Delay {
+    double weight = not_set, time = not_set;
+
+    template <class Self, class Visitor>
+    static void fields(Self& self, Visitor& visit)
+    {
+        visit.number({"weight", Quantity::damping, any_finite, Need::required, "weight of the delayed velocity in g"},
+                     self.weight);
+        visit.number({"time", Quantity::time, positive, Need::required, "by how much the velocity is delayed"},
+                     self.time);
+    }
+};
+
+inline constexpr int max_delays = 8;  ///< of one body's friction
+using DelayList = ShortList<Delay, max_delays>;
+
 /// What a law is, for `list laws`, for the generic property test, and for the choice of solver.
 struct LawInfo {
     std::string_view name;  ///< as in joint.toml
@@ -41,6 +81,9 @@ struct LawInfo {
     bool set_valued_at_rest = false;       ///< at V = 0 the force is any value within ±static_force()
     bool needs_motion = false;             ///< undefined at V ≤ 0
     bool odd = false;                      ///< f_ss(−V) = −f_ss(V)
+    bool dissipative = false;              ///< f V ≥ 0 at every velocity and state, not in steady sliding alone
+    bool needs_history = false;            ///< its memory is no finite set of states: past velocities are needed
+    bool linear_only = false;              ///< a linear law by definition: no nonlinear outcome exists
 };
 
 }  // namespace stickslip

@@ -24,23 +24,21 @@ struct Stribeck {
         .steady_state_dependence = true,
         .set_valued_at_rest = true,
         .odd = true,
+        .dissipative = true,
     };
 
     int states() const { return 0; }
     States steady_state(double) const { return {}; }
     double static_force() const { return c0 + c2; }
     double steady_force(double V) const { return respond(V, {}).force; }
+    FrictionResponse respond(double V, const States&) const { return slide(level(std::abs(V)), c1, V); }
 
-    FrictionResponse respond(double V, const States&) const
+    /// c0 + c2 exp(−u), u = (|V|/c3)^c4, and its slope −c2 c4 u exp(−u)/|V|: (23) for a general exponent
+    Level level(double speed) const
     {
-        const double speed = std::abs(V);
         const double power = std::pow(speed / c3, c4);
         const double bump = c2 * std::exp(-power);
-        FrictionResponse r;
-        r.force = V == 0 ? 0 : std::copysign(c0 + c1 * speed + bump, V);
-        // (23) for a general exponent: d/dV c2 exp(−u^c4) = −c2 c4 u^c4 / V exp(−u^c4)
-        r.by_velocity = c1 - (speed == 0 ? slope_at_rest() : bump * c4 * power / speed);
-        return r;
+        return {c0 + bump, speed == 0 ? -slope_at_rest() : -bump * c4 * power / speed};
     }
 
     template <class Self, class Visitor>

@@ -14,6 +14,13 @@ std::string number_text(double value)
     return {buffer.data(), end};
 }
 
+std::string list_text(const std::vector<double>& values)
+{
+    std::string text;
+    for (const double v : values) text += (text.empty() ? "" : " ") + number_text(v);
+    return text;
+}
+
 /// A struct that has rules beyond ranges says them in `problem()`.
 template <class Struct>
 std::string problem_of(const Struct& s)
@@ -32,6 +39,7 @@ struct LeafCollector {
     std::vector<Parameter> numbers_;
     std::vector<Other> others;
     std::vector<Problem> problems;
+    std::vector<TableSlot> tables;
 
     std::string path(std::string_view key) const
     {
@@ -56,6 +64,17 @@ struct LeafCollector {
         others.push_back({path(key), value ? "true" : "false"});
     }
     void text(std::string_view key, std::string_view, std::string& value) { others.push_back({path(key), value}); }
+
+    /// The numbers of a table stand for themselves in the canonical text: a file name says nothing of what is in it.
+    void samples(std::string_view key, std::string_view, std::string& name, KernelTablePtr& table)
+    {
+        others.push_back({path(key), name});
+        if (table) {
+            others.push_back({path(key) + ".time", list_text(table->time)});
+            others.push_back({path(key) + ".value", list_text(table->value)});
+        }
+        tables.push_back({path(key), &name, &table});
+    }
 
     template <class Enum, std::size_t n>
     void choice(std::string_view key, std::string_view, Enum& value, const Choice<Enum> (&choices)[n])
@@ -119,6 +138,11 @@ int edit_distance(std::string_view a, std::string_view b)
 std::vector<Parameter> parameters(Joint& joint)
 {
     return collect(joint).numbers_;
+}
+
+std::vector<TableSlot> tables(Joint& joint)
+{
+    return collect(joint).tables;
 }
 
 double* find_parameter(Joint& joint, std::string_view path)

@@ -24,6 +24,15 @@ std::vector<Parameter> parameters(Joint& joint);
 /// The number at a path such as "control.k_p", or nullptr. The pointer lives as long as the joint and its law are kept.
 double* find_parameter(Joint& joint, std::string_view path);
 
+/// A table of samples that a law takes from a file: `name` is the file as it stands in joint.toml (empty: none),
+/// `table` is to be filled by whoever reads files. check() complains about a named table that was not filled.
+struct TableSlot {
+    std::string path;
+    const std::string* name = nullptr;
+    KernelTablePtr* table = nullptr;
+};
+std::vector<TableSlot> tables(Joint& joint);
+
 /// Every path whose spelling comes close to the given one, nearest first, at most three.
 std::vector<std::string> nearest_names(std::string_view given, const std::vector<std::string>& known);
 

@@ -5,32 +5,26 @@
 namespace stickslip {
 namespace {
 
-void append(LinearFriction& sum, const FrictionResponse& r, int states)
+using Complex = std::complex<double>;
+
+DelayList delays_of(const FrictionLaw& law, double V)
 {
-    sum.f_v += r.by_velocity;
-    for (int i = 0; i < states; ++i) {
-        const int k = sum.states++;
-        sum.lambda[k] = r.rate_by_state[i];
-        sum.b[k] = r.rate_by_velocity[i];
-        sum.h[k] = r.by_state[i];
-    }
+    return std::visit(
+        [V](const auto& l) {
+            if constexpr (requires { l.delays(V); }) return l.delays(V);
+            return DelayList{};
+        },
+        law);
 }
 
-/// The memory that a static law carries on top, as a rate-and-state law without a level of its own.
-RateAndState memory_law(const Memory& m)
+KernelTablePtr table_of(const FrictionLaw& law)
 {
-    RateAndState law;
-    law.f0 = 0;
-    law.A = m.A;
-    law.V_star = m.V_star;
-    law.B.push_back(m.B);
-    law.L.push_back(m.L);
-    return law;
-}
-
-bool has_memory(const Memory& m)
-{
-    return m.A != 0 || m.B != 0;
+    return std::visit(
+        [](const auto& l) {
+            if constexpr (requires { l.table(); }) return l.table();
+            return KernelTablePtr{};
+        },
+        law);
 }
 
 }  // namespace
@@ -38,19 +32,49 @@ bool has_memory(const Memory& m)
 LinearFriction linearise(const Friction& friction, double V)
 {
     LinearFriction linear;
-    append(linear, respond(friction.law, V, steady_state(friction.law, V)), states(friction.law));
-    linear.f_v += std::copysign(friction.asymmetry.viscous, V);
-    if (has_memory(friction.memory)) {
-        const auto law = memory_law(friction.memory);
-        append(linear, law.respond(V, law.steady_state(V)), law.states());
+    const auto r = respond(friction, V, steady_state(friction, V));
+    linear.f_v = r.by_velocity;
+    for (int i = 0; i < states(friction); ++i) {
+        if (r.rate_by_velocity[i] == 0 && r.rate_by_state[i] == 0) continue;
+        const int k = linear.states++;
+        linear.lambda[k] = r.rate_by_state[i];
+        linear.b[k] = r.rate_by_velocity[i];
+        linear.h[k] = r.by_state[i];
+    }
+    if (info(friction.law).needs_history) {
+        linear.delays = delays_of(friction.law, V);
+        linear.table = table_of(friction.law);
     }
     return linear;
 }
 
-std::complex<double> transfer(const LinearFriction& friction, std::complex<double> s)
+LinearFriction scaled(LinearFriction friction, double factor)
 {
-    std::complex<double> sum = 0;
+    friction.f_v *= factor;
+    for (int i = 0; i < friction.states; ++i) friction.h[i] *= factor;
+    for (auto& d : friction.delays) d.weight *= factor;
+    friction.table_scale *= factor;
+    return friction;
+}
+
+Complex transfer(const LinearFriction& friction, Complex s)
+{
+    Complex sum = 0;
     for (int i = 0; i < friction.states; ++i) sum += friction.weight(i) / (s - friction.lambda[i]);
+    for (const auto& d : friction.delays) sum += d.weight * std::exp(-s * d.time);
+    if (friction.table) sum += friction.table_scale * friction.table->transform(s);
+    return sum;
+}
+
+Complex transfer_slope(const LinearFriction& friction, Complex s)
+{
+    Complex sum = 0;
+    for (int i = 0; i < friction.states; ++i) {
+        const Complex gap = s - friction.lambda[i];
+        sum -= friction.weight(i) / (gap * gap);
+    }
+    for (const auto& d : friction.delays) sum -= d.weight * d.time * std::exp(-s * d.time);
+    if (friction.table) sum += friction.table_scale * friction.table->transform_slope(s);
     return sum;
 }
 
@@ -58,20 +82,14 @@ double kernel_integral(const LinearFriction& friction)
 {
     double sum = 0;
     for (int i = 0; i < friction.states; ++i) sum += friction.weight(i) / -friction.lambda[i];
+    for (const auto& d : friction.delays) sum += d.weight;
+    if (friction.table) sum += friction.table_scale * friction.table->transform(0).real();
     return sum;
 }
 
 double steady_slope(const LinearFriction& friction)
 {
     return friction.f_v - kernel_integral(friction);
-}
-
-double steady_force(const Friction& friction, double V)
-{
-    double force =
-        steady_force(friction.law, V) + friction.asymmetry.coulomb + friction.asymmetry.viscous * std::abs(V);
-    if (has_memory(friction.memory)) force += memory_law(friction.memory).steady_force(V);
-    return force;
 }
 
 }  // namespace stickslip

@@ -22,6 +22,10 @@ SteadySliding steady_sliding(const Joint& joint)
         s.reason = Reason::law_needs_motion;
         return s;
     }
+    if (!has_response(joint.friction)) {
+        s.reason = Reason::unsupported;
+        return s;
+    }
     s.friction = steady_force(joint.friction, s.velocity);
     // friction that grows with the transmitted effort T: T = f_ss + μ T
     const double share = 1 - joint.friction.load_coefficient;

@@ -50,6 +50,10 @@ LinearVerdict linear_verdict(const Joint& joint)
     verdict.steady = steady_sliding(joint);
     if (verdict.steady.reason != Reason::none) return verdict;
     const auto mass = linear_mass(joint, verdict.steady.velocity);
+    if (!mass.friction.rational()) {
+        verdict.steady.reason = Reason::unsupported;
+        return verdict;
+    }
 
     auto& simple = verdict.velocity_only;
     simple.slope = steady_slope(mass.friction);
@@ -79,6 +83,10 @@ PointResult linear_point(const Joint& joint)
     point.reason = steady.reason;
     if (steady.reason != Reason::none) return point;
     const auto mass = linear_mass(joint, steady.velocity);
+    if (!mass.friction.rational()) {
+        point.reason = Reason::unsupported;
+        return point;
+    }
     const double slope = steady_slope(mass.friction);
     point.spectral_abscissa = spectral_abscissa(mass);
     if (std::isnan(point.spectral_abscissa) || !std::isfinite(slope)) {

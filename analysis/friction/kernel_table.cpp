@@ -1,0 +1,102 @@
+#include "analysis/friction/kernel_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// ∫_0^1 u^n e^{−zu} du for n = 0, 1, 2: by recursion from the closed form, by its power series where z is small.
+struct UnitIntegrals {
+    Complex e0, e1, e2;
+};
+UnitIntegrals unit_integrals(Complex z)
+{
+    if (std::abs(z) < 1) {
+        UnitIntegrals sum{0, 0, 0};
+        Complex term = 1;  // (−z)^k / k!
+        for (int k = 0; k < 22; ++k) {
+            sum.e0 += term / double(k + 1);
+            sum.e1 += term / double(k + 2);
+            sum.e2 += term / double(k + 3);
+            term *= -z / double(k + 1);
+        }
+        return sum;
+    }
+    const Complex decay = std::exp(-z);
+    const Complex e0 = (1.0 - decay) / z, e1 = (e0 - decay) / z;
+    return {e0, e1, (2.0 * e1 - decay) / z};
+}
+
+template <class Piece>
+Complex sum_over_pieces(const KernelTable& table, Piece&& piece)
+{
+    Complex sum = 0;
+    for (std::size_t k = 0; k + 1 < table.time.size(); ++k)
+        sum += piece(table.time[k], table.time[k + 1] - table.time[k], table.value[k], table.value[k + 1]);
+    return sum;
+}
+
+}  // namespace
+
+std::string KernelTable::problem() const
+{
+    if (time.size() != value.size()) return "the table has unequal columns";
+    if (time.size() < 2) return "the table needs at least two rows";
+    if (time[0] != 0) return "the table must start at time 0";
+    for (std::size_t k = 0; k < time.size(); ++k) {
+        if (!std::isfinite(time[k]) || !std::isfinite(value[k]))
+            return "row " + std::to_string(k + 1) + " of the table is not finite";
+        if (k > 0 && !(time[k] > time[k - 1]))
+            return "the times of the table must rise, row " + std::to_string(k + 1) + " does not";
+    }
+    return "";
+}
+
+double KernelTable::at(double t) const
+{
+    if (!(t >= 0) || t > time.back()) return 0;
+    const auto next = std::upper_bound(time.begin(), time.end(), t);
+    if (next == time.end()) return value.back();
+    const auto k = static_cast<std::size_t>(next - time.begin());
+    return std::lerp(value[k - 1], value[k], (t - time[k - 1]) / (time[k] - time[k - 1]));
+}
+
+Complex KernelTable::transform(Complex s) const
+{
+    // a piece is a + (b − a) u with t = t0 + h u
+    return sum_over_pieces(*this, [s](double t0, double h, double a, double b) {
+        const auto e = unit_integrals(s * h);
+        return h * std::exp(-s * t0) * (a * e.e0 + (b - a) * e.e1);
+    });
+}
+
+Complex KernelTable::transform_slope(Complex s) const
+{
+    return sum_over_pieces(*this, [s](double t0, double h, double a, double b) {
+        const auto e = unit_integrals(s * h);
+        return -h * std::exp(-s * t0) * (t0 * (a * e.e0 + (b - a) * e.e1) + h * (a * e.e1 + (b - a) * e.e2));
+    });
+}
+
+double KernelTable::moment(int n, double sigma) const
+{
+    double sum = 0;
+    for (std::size_t k = 0; k + 1 < time.size(); ++k) {
+        const double t0 = time[k], t1 = time[k + 1];
+        const double largest = std::exp(-sigma * (sigma > 0 ? t0 : t1));
+        sum += (t1 - t0) * std::pow(t1, n) * std::max(std::abs(value[k]), std::abs(value[k + 1])) * largest;
+    }
+    return sum;
+}
+
+double KernelTable::variation() const
+{
+    double sum = std::abs(value.front()) + std::abs(value.back());
+    for (std::size_t k = 0; k + 1 < value.size(); ++k) sum += std::abs(value[k + 1] - value[k]);
+    return sum;
+}
+
+}  // namespace stickslip

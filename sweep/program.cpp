@@ -1,13 +1,87 @@
 #include "sweep/program.h"
 
-#include <cstdio>
+#include "sweep/engine/build.h"
+#include "sweep/engine/run_directory.h"
+#include "sweep/files/bad_input.h"
+#include "sweep/verbs/verbs.h"
+
+#include <fmt/format.h>
+
+#include <csignal>
 
 namespace stickslip {
+namespace {
 
-int run_program(int, char**)
+std::atomic<bool>* interrupt_flag = nullptr;
+
+extern "C" void on_interrupt(int)
 {
-    std::puts("stickslip 0.1.0");
-    return exit_done;
+    interrupt_flag->store(true);
+}
+
+/// One argument as a shell would take it back.
+std::string quoted(const std::string& argument)
+{
+    const bool plain =
+        !argument.empty() &&
+        argument.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%") ==
+            std::string::npos;
+    if (plain) return argument;
+    std::string text = "'";
+    for (const char c : argument) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
+
+}  // namespace
+
+void catch_interrupts(Invocation& invocation)
+{
+    interrupt_flag = &invocation.interrupted;
+    struct sigaction action {};
+    action.sa_handler = on_interrupt;
+    action.sa_flags = SA_RESETHAND;  // a second Ctrl-C ends the program the ordinary way
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+}
+
+int run_program(int argc, char** argv)
+{
+    Invocation invocation;
+    invocation.command = "stickslip";
+    for (int i = 1; i < argc; ++i) invocation.command += " " + quoted(argv[i]);
+
+    CLI::App app{
+        "stickslip: where a joint slides and where it sticks.\n"
+        "Sweeps the design space of a robot joint, locates its stability boundaries, and diagnoses sim-to-real gaps.\n"
+        "All numbers are SI; a revolute joint reads rad, N·m, kg·m² where a prismatic one reads m, N, kg."};
+    app.set_version_flag("--version", "stickslip " + program_version());
+    app.require_subcommand(1);
+    app.footer(
+        "Exit codes: 0 done, 1 check failed, 2 bad input, 3 interrupted and resumable, 4 too many undecided points.\n"
+        "Example: stickslip sweep -o out && xdg-open out/report.html");
+    add_sweep(app, invocation);
+    add_check(app, invocation);
+    add_evaluate(app, invocation);
+    add_list(app, invocation);
+    add_merge(app, invocation);
+    add_report(app, invocation);
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+        const int code = app.exit(e);
+        return code == 0 ? exit_done : exit_bad_input;
+    } catch (const BadInput& e) {
+        for (const auto& message : e.messages()) fmt::print(stderr, "{}\n", message);
+        return exit_bad_input;
+    } catch (const Refused& e) {
+        fmt::print(stderr, "{}\n", e.what());
+        return exit_bad_input;
+    } catch (const std::exception& e) {
+        fmt::print(stderr, "stickslip: {}\n", e.what());
+        return exit_bad_input;
+    }
+    return invocation.exit_code;
 }
 
 }  // namespace stickslip

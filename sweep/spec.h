@@ -71,21 +71,14 @@ struct BoundarySpec {
 
 /// What `stickslip check SPEC BASELINE` accepts.
 struct CheckSpec {
-    double boundary_shift = 0.01;     ///< largest relative move of a located boundary
-    double changed_points = 0;        ///< largest share of points whose verdict differs from the baseline
-    double minimum_margin = not_set;  ///< least ratio of critical gain to the design's gain; not set: not asked
+    double tolerance = 1e-6;  ///< largest relative move of a located boundary; written into each baseline
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
         constexpr Range share{0, 1, false, false};
-        visit.number({"boundary_shift", Quantity::number, share, Need::optional, "largest relative move of a boundary"},
-                     self.boundary_shift);
-        visit.number({"changed_points", Quantity::number, share, Need::optional, "largest share of changed verdicts"},
-                     self.changed_points);
-        visit.number(
-            {"minimum_margin", Quantity::number, positive, Need::optional, "least critical gain per design gain"},
-            self.minimum_margin);
+        visit.number({"tolerance", Quantity::number, share, Need::optional, "largest relative move of a boundary"},
+                     self.tolerance);
     }
 };
 
@@ -116,5 +109,9 @@ struct Spec {
         return product;
     }
 };
+
+/// The marked design: the joint with the design value of every axis. An axis whose value the joint leaves open stands
+/// at its middle value.
+Joint design_joint(const Spec& spec);
 
 }  // namespace stickslip

@@ -25,6 +25,10 @@ Spec read_spec(const std::filesystem::path& file, const PlanLimits& limits = {})
 Spec read_spec_text(std::string_view text, const std::string& name, const std::filesystem::path& folder = {},
                     const PlanLimits& limits = {});
 
+/// The spec as one text that needs no other file: comments go, and a joint file is replaced by the joint's own tables.
+/// Throws BadInput like read_spec.
+std::string self_contained_text(const std::filesystem::path& file);
+
 /// The values of an axis, both ends included and exact. Needs from < to, and from > 0 for a log scale.
 std::vector<double> spaced(double from, double to, std::size_t points, bool log);
 

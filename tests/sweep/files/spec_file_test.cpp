@@ -77,7 +77,7 @@ title = "A page"
 charts = [["control.k_p", "friction.L.1"], ["control.V0", "control.k_p"]]
 surfaces = ["control.V0", "friction.L.1"]
 [check]
-boundary_shift = "2 %"
+tolerance = "2 %"
 )",
                                      "spec.toml");
     CHECK(spec.title == "Demo");
@@ -115,7 +115,7 @@ boundary_shift = "2 %"
     CHECK(spec.report.charts.size() == 2);
     CHECK(spec.report.charts[1][0] == "control.V0");
     CHECK(spec.report.surfaces.size() == 1);
-    CHECK(spec.check.boundary_shift == 0.02);
+    CHECK(spec.check.tolerance == 0.02);
 }
 
 TEST_CASE("a joint file is looked up from the folder of the spec, its errors come with its name")
@@ -259,8 +259,8 @@ TEST_CASE("the other tables")
     CHECK_THAT(only_error(axes + "[report]\nsurfaces = [\"control.k_p\", \"control.k_p\"]\n"),
                StartsWith("@5:12: report.surfaces: has \"control.k_p\" twice"));
     CHECK_THAT(only_error(axes + "[report]\ntitle = 3\n"), StartsWith("@5:9: report.title: is 3, allowed is text"));
-    CHECK_THAT(only_error(axes + "[check]\nboundary_shift = 2\n"),
-               StartsWith("@5:18: check.boundary_shift: is 2, allowed is a number, within [0, 1]"));
+    CHECK_THAT(only_error(axes + "[check]\ntolerance = 2\n"),
+               StartsWith("@5:13: check.tolerance: is 2, allowed is a number, within [0, 1]"));
     CHECK_THAT(only_error(axes + "[nonlinera]\n"),
                StartsWith("@4:2: nonlinera: unknown key") && EndsWith("\"nonlinear\"?"));
     CHECK_THAT(errors("nonlinear = 3\ntitle = 4\n" + joint + axes).at(0),

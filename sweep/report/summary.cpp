@@ -1,0 +1,74 @@
+#include "sweep/report/summary.h"
+
+#include "analysis/joint/parameters.h"
+#include "sweep/report/verdict_text.h"
+
+#include <algorithm>
+
+namespace stickslip {
+namespace {
+
+constexpr std::size_t most_charts = 6;
+
+std::size_t index_of(const std::vector<Axis>& axes, const std::string& path)
+{
+    return static_cast<std::size_t>(
+        std::find_if(axes.begin(), axes.end(), [&](const Axis& a) { return a.path == path; }) - axes.begin());
+}
+
+bool has_axis(const Spec& spec, const char* path)
+{
+    return index_of(spec.axes, path) < spec.axes.size();
+}
+
+}  // namespace
+
+void choose_charts(Spec& spec)
+{
+    auto& report = spec.report;
+    if (report.charts.empty() && spec.axes.size() > 1) {
+        const std::size_t gain = index_of(spec.axes, "control.k_p");
+        const auto& x = spec.axes[gain < spec.axes.size() ? gain : 0];
+        for (const auto& y : spec.axes)
+            if (y.path != x.path && report.charts.size() < most_charts) report.charts.push_back({x.path, y.path});
+    }
+    if (report.surfaces.empty() && has_axis(spec, "control.k_v") && has_axis(spec, "control.V0"))
+        report.surfaces.push_back({"control.k_v", "control.V0"});
+}
+
+SweepSummary summarise(const Spec& spec, const ResultsFile& results)
+{
+    SweepSummary summary;
+    summary.points = results.points();
+    const auto& axes = spec.axes;
+    Joint joint = design_joint(spec);
+    std::vector<std::size_t> at;
+    for (const auto& axis : axes) at.push_back(nearest_index(axis, *find_parameter(joint, axis.path)));
+    const auto held_besides = [&](std::size_t x, std::size_t y) {
+        std::vector<Held> held;
+        for (std::size_t i = 0; i < axes.size(); ++i)
+            if (i != x && i != y) held.push_back({axes[i], axes[i].values[at[i]]});
+        return held;
+    };
+    for (const auto& [x_path, y_path] : spec.report.charts) {
+        const std::size_t x = index_of(axes, x_path), y = index_of(axes, y_path);
+        Slice slice{axes[x], axes[y], held_besides(x, y), results.plane("spectral_abscissa", x, y, at), {}};
+        for (const auto code : results.code_plane("region", x, y, at))
+            slice.region.push_back(static_cast<Region>(code));
+        summary.slices.push_back(std::move(slice));
+    }
+    if (axes.size() == 1) {
+        summary.profiles.push_back({axes[0], held_besides(0, 0), results.line("spectral_abscissa", 0, at)});
+    }
+    const auto reasons = results.count_codes("reason");
+    for (std::size_t code = 1; code < reasons.size(); ++code) {
+        if (reasons[code] == 0) continue;
+        summary.undecided += reasons[code];
+        summary.reasons.emplace_back(reason_text(static_cast<Reason>(code)), reasons[code]);
+    }
+    for (const char* name : {"source", "build", "plan_id", "command"})
+        summary.provenance.emplace_back(name, results.attribute(name));
+    return summary;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,106 @@
+#include "sweep/report/verdict_text.h"
+
+#include "analysis/results/text.h"
+
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+std::string stiffness(double k, Motion motion)
+{
+    return with_unit(k, Quantity::stiffness, motion);
+}
+std::string damping(double k, Motion motion)
+{
+    return with_unit(k, Quantity::damping, motion);
+}
+
+}  // namespace
+
+std::string verdict_text(const Joint& joint, const LinearVerdict& v)
+{
+    const auto motion = joint.mechanism.motion;
+    if (v.steady.reason != Reason::none) return "Undecided: the design point has no steady sliding.";
+    const auto speed = with_unit(v.steady.velocity, Quantity::velocity, motion);
+    const auto& memory = v.state_variable;
+    std::string text = memory.stable ? "Stable: small disturbances of sliding at " + speed + " decay."
+                                     : "Stick-slip: sliding at " + speed + " is unstable.";
+    if (std::isfinite(memory.k_cr))
+        text += " k_{p} = " + stiffness(joint.control.k_p, motion) + " is " +
+                plain_number(joint.control.k_p / memory.k_cr) +
+                " times the critical gain k_{cr} = " + stiffness(memory.k_cr, motion) + ".";
+    if (v.velocity_only.stable != memory.stable)
+        text += v.velocity_only.stable
+                    ? " Friction that depends on velocity alone would call it stable."
+                    : " Friction that depends on velocity alone would call it stick-slip and ask for k_{v} > " +
+                          damping(v.velocity_only.k_v_min, motion) + ".";
+    return text;
+}
+
+Table linear_table(const Joint& joint, const LinearVerdict& v)
+{
+    const auto motion = joint.mechanism.motion;
+    const auto row = [&](std::string name, double value, Quantity q) {
+        return std::vector<std::string>{std::move(name), with_unit(value, q, motion, 6)};
+    };
+    Table table;
+    table.title = "Linear theory at the design point";
+    table.columns = {"quantity", "value"};
+    table.rows = {row("commanded velocity V_{0}", v.steady.velocity, Quantity::velocity),
+                  row("friction of steady sliding f_{ss}(V_{0})", v.steady.friction, Quantity::effort),
+                  row("steady deflection δ_{ss}", v.steady.deflection, Quantity::position),
+                  row("slope of the steady curve f_{ss}'(V_{0})", v.velocity_only.slope, Quantity::damping),
+                  row("least k_{v} by velocity alone", v.velocity_only.k_v_min, Quantity::damping),
+                  row("direct effect f_{v}", v.state_variable.f_v, Quantity::damping),
+                  row("kernel integral ∫g", v.state_variable.kernel_integral, Quantity::damping),
+                  row("critical position gain k_{cr}", v.state_variable.k_cr, Quantity::stiffness),
+                  row("spectral abscissa max Re s", v.state_variable.spectral_abscissa, Quantity::rate)};
+    if (!v.state_variable.crossings.empty())
+        table.rows.push_back(row("frequency at the critical gain ω", v.state_variable.crossings.back().omega,
+                                 Quantity::angular_frequency));
+    return table;
+}
+
+std::string reason_text(Reason reason)
+{
+    switch (reason) {
+        case Reason::none:
+            return "none";
+        case Reason::no_velocity:
+            return "neither control.V0 nor control.force_rate is set";
+        case Reason::law_needs_motion:
+            return "the friction law has no meaning at this velocity";
+        case Reason::no_steady_state:
+            return "there is no steady sliding at the commanded velocity";
+        case Reason::not_finite:
+            return "a number overflowed";
+        case Reason::linear_only:
+            return "the law is linear by definition";
+        case Reason::not_converged:
+            return "the motion is too slow to decide within the allowed work";
+        case Reason::solver_failed:
+            return "both solvers failed";
+        case Reason::unsupported:
+            return "this law on this joint cannot be evaluated";
+    }
+    return "unknown";
+}
+
+std::string plain_text(const std::string& markup)
+{
+    std::string text;
+    for (std::size_t i = 0; i < markup.size(); ++i) {
+        const bool opens = (markup[i] == '_' || markup[i] == '^') && i + 1 < markup.size() && markup[i + 1] == '{';
+        const auto end = opens ? markup.find('}', i) : std::string::npos;
+        if (end == std::string::npos) {
+            text += markup[i];
+            continue;
+        }
+        text += markup[i] + markup.substr(i + 2, end - i - 2);
+        i = end;
+    }
+    return text;
+}
+
+}  // namespace stickslip

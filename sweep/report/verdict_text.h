@@ -1,0 +1,22 @@
+// The linear verdict in words, for the report and the terminal.
+#pragma once
+#include "analysis/results/report.h"
+#include "analysis/stability/verdict.h"
+
+#include <string>
+
+namespace stickslip {
+
+/// The answer in one sentence, in chart mark-up.
+std::string verdict_text(const Joint& joint, const LinearVerdict& verdict);
+
+/// Every number of the verdict with its unit.
+Table linear_table(const Joint& joint, const LinearVerdict& verdict);
+
+/// Why a row has no verdict, in words.
+std::string reason_text(Reason reason);
+
+/// Mark-up as a terminal shows it: "k_{cr}" reads k_cr, "10^{−6}" reads 10^−6.
+std::string plain_text(const std::string& markup);
+
+}  // namespace stickslip

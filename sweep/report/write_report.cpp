@@ -1,0 +1,41 @@
+#include "sweep/report/write_report.h"
+
+#include "render/render.h"
+
+#include <fstream>
+#include <system_error>
+
+namespace stickslip {
+namespace {
+
+/// The file appears under its name only when all of it is written.
+void write_whole(const std::filesystem::path& file, const std::string& bytes)
+{
+    const auto temporary = std::filesystem::path(file).concat(".part");
+    std::ofstream out(temporary, std::ios::binary);
+    out << bytes;
+    out.close();
+    if (!out) throw std::system_error(errno, std::generic_category(), file.string() + ": cannot be written");
+    std::filesystem::rename(temporary, file);
+}
+
+}  // namespace
+
+std::filesystem::path write_report(const Report& report, const std::filesystem::path& directory)
+{
+    const auto figures = render(report);
+    const auto charts = directory / "charts";
+    std::filesystem::create_directories(charts);
+    std::size_t i = 0;
+    for (const auto& section : report.sections)
+        for (const auto& figure : section.figures) {
+            const auto& rendered = figures[i++];
+            if (!rendered.svg.empty()) write_whole(charts / (figure.id + ".svg"), rendered.svg);
+            if (!rendered.csv.empty()) write_whole(charts / (figure.id + ".csv"), rendered.csv);
+        }
+    const auto file = directory / "report.html";
+    write_whole(file, page(report, figures));
+    return file;
+}
+
+}  // namespace stickslip

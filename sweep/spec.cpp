@@ -1,0 +1,18 @@
+#include "sweep/spec.h"
+
+#include "analysis/joint/parameters.h"
+
+namespace stickslip {
+
+Joint design_joint(const Spec& spec)
+{
+    Joint joint = spec.joint;
+    for (std::size_t i = 0; i < spec.axes.size(); ++i) {
+        const auto& values = spec.axes[i].values;
+        const double design = spec.design[i].second;
+        *find_parameter(joint, spec.axes[i].path) = is_set(design) ? design : values[values.size() / 2];
+    }
+    return joint;
+}
+
+}  // namespace stickslip

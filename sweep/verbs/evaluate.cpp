@@ -1,0 +1,53 @@
+// stickslip evaluate: everything the theory says about one joint.
+#include "analysis/stability/verdict.h"
+#include "sweep/files/joint_file.h"
+#include "sweep/files/verdict_json.h"
+#include "sweep/program.h"
+#include "sweep/report/verdict_text.h"
+#include "sweep/verbs/verbs.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace stickslip {
+namespace {
+
+struct Options {
+    std::string joint;
+    std::vector<std::string> settings;
+    bool json = false;
+};
+
+int evaluate(const Options& options)
+{
+    Joint joint = read_joint(options.joint);
+    apply_settings(joint, options.settings);
+    const auto verdict = linear_verdict(joint);
+    if (options.json) {
+        fmt::print("{}\n", verdict_json(verdict).dump(2));
+    } else {
+        fmt::print("{}\n", plain_text(verdict_text(joint, verdict)));
+        for (const auto& row : linear_table(joint, verdict).rows)
+            fmt::print("  {:<40} {}\n", plain_text(row[0]), plain_text(row[1]));
+    }
+    return verdict.steady.reason == Reason::none ? exit_done : exit_undecided;
+}
+
+}  // namespace
+
+void add_evaluate(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<Options>();
+    auto* verb = app.add_subcommand("evaluate", "Answer for one joint: both linear theories, critical gains, spectrum");
+    verb->add_option("JOINT", options->joint, "joint description, TOML")->required();
+    verb->add_option(
+        "--set", options->settings,
+        "change a number first: path=value, with or without a unit (control.k_p=2e4, control.V0='1 mm/s')");
+    verb->add_flag("--json", options->json, "machine-readable, stable names");
+    verb->footer(
+        "Example: stickslip evaluate examples/02-ball-screw/joint-with-memory.toml --set control.k_p=2e4 --json");
+    verb->callback([options, &invocation] { invocation.exit_code = evaluate(*options); });
+}
+
+}  // namespace stickslip

@@ -1,0 +1,133 @@
+// stickslip sweep: from a spec to results.nc and report.html.
+#include "analysis/stability/verdict.h"
+#include "sweep/embedded.h"
+#include "sweep/engine/run_sweep.h"
+#include "sweep/files/bad_input.h"
+#include "sweep/files/spec_file.h"
+#include "sweep/program.h"
+#include "sweep/report/summary.h"
+#include "sweep/report/verdict_text.h"
+#include "sweep/report/write_report.h"
+#include "sweep/verbs/progress_line.h"
+#include "sweep/verbs/verbs.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace stickslip {
+namespace {
+
+struct Options {
+    std::string spec, directory = "out", shard;
+    int threads = 0;
+    double max_undecided = 0.05;
+    bool fresh = false, json = false, no_report = false;
+};
+
+/// "2/7": the second of seven shards.
+Shard shard_from(const std::string& text)
+{
+    if (text.empty()) return {};
+    unsigned long long index = 0, count = 0;
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%llu/%llu%c", &index, &count, &rest) != 2 || index < 1 || index > count)
+        throw BadInput("--shard: given is " + text + ", wanted is i/n with 1 ≤ i ≤ n");
+    return {index - 1, count};
+}
+
+int end_early(const RunReport& run, const std::string& directory)
+{
+    if (run.end == RunEnd::write_failed) {
+        fmt::print(stderr,
+                   "stickslip: {}\nNothing journalled is lost: free some space and run the same command again.\n",
+                   run.message);
+        return exit_interrupted;
+    }
+    fmt::print(stderr, "stopped after {} points; the same command goes on from there (journals in {})\n",
+               run.computed.points, directory);
+    return exit_interrupted;
+}
+
+int sweep(const Options& options, Invocation& invocation)
+{
+    const bool embedded = options.spec.empty();
+    Spec spec = embedded ? read_spec_text(embedded_spec(), "(embedded example)") : read_spec(options.spec);
+    choose_charts(spec);
+
+    PlanOptions plan_options;
+    plan_options.evaluation = "linear";
+    plan_options.title = spec.title;
+    plan_options.spec = embedded ? std::string(embedded_spec()) : self_contained_text(options.spec);
+    plan_options.command = embedded ? "stickslip sweep" : "stickslip sweep " + options.spec;
+    const Plan plan = make_plan(spec.joint, spec.axes, plan_options);
+
+    ProgressLine line;
+    RunOptions run_options;
+    run_options.directory = options.directory;
+    run_options.fresh = options.fresh;
+    run_options.shard = shard_from(options.shard);
+    run_options.engine.threads = options.threads;
+    run_options.engine.interrupt = &invocation.interrupted;
+    if (line.shown()) run_options.engine.progress = [&](const Progress& p) { line.update(p); };
+    catch_interrupts(invocation);
+    const auto run = run_sweep(plan, spec.joint, point_by_point([](const Joint& joint) { return linear_point(joint); }),
+                               run_options);
+    line.end();
+    if (run.end != RunEnd::complete) return end_early(run, options.directory);
+    if (!run_options.shard.whole()) {
+        fmt::print("shard {} done; when all are: stickslip merge {}\n", options.shard, options.directory);
+        return exit_done;
+    }
+
+    const ResultsFile results(run.results);
+    const auto summary = summarise(spec, results);
+    const Joint design = design_joint(spec);
+    const auto verdict = linear_verdict(design);
+    const double undecided = static_cast<double>(summary.undecided) / static_cast<double>(summary.points);
+    std::filesystem::path page;
+    if (!options.no_report) page = write_report(stability_report(spec, summary), options.directory);
+    if (options.json) {
+        fmt::print("{}\n", nlohmann::ordered_json{{"points", summary.points},
+                                                  {"computed", run.computed.points},
+                                                  {"undecided", summary.undecided},
+                                                  {"results", run.results.string()},
+                                                  {"report", page.empty() ? nlohmann::ordered_json(nullptr)
+                                                                          : nlohmann::ordered_json(page.string())}}
+                               .dump(2));
+    } else {
+        fmt::print("{}\n", plain_text(verdict_text(design, verdict)));
+        fmt::print("{} points, {} of them computed now in {:.2f} s, {} undecided\n", summary.points,
+                   run.computed.points, run.computed.seconds, summary.undecided);
+        for (const auto& [reason, count] : summary.reasons) fmt::print("  {} points: {}\n", count, reason);
+        fmt::print("results: {}\n", run.results.string());
+        if (!page.empty()) fmt::print("report:  {}\n", page.string());
+    }
+    return undecided > options.max_undecided ? exit_undecided : exit_done;
+}
+
+}  // namespace
+
+void add_sweep(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<Options>();
+    auto* verb = app.add_subcommand("sweep", "Sweep a design space: results.nc and report.html");
+    verb->add_option("SPEC", options->spec, "sweep spec, TOML; without it the embedded example runs");
+    verb->add_option("-o,--output", options->directory, "directory of the results; an interrupted sweep resumes there")
+        ->capture_default_str();
+    verb->add_option("--threads", options->threads, "threads, 0 for all cores")
+        ->check(CLI::Range(0, 4096))
+        ->capture_default_str();
+    verb->add_option("--shard", options->shard, "compute only part i of n, as i/n; then: stickslip merge DIR");
+    verb->add_option("--max-undecided", options->max_undecided, "exit 4 if a larger share of the points is undecided")
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str();
+    verb->add_flag("--fresh", options->fresh, "discard what an earlier sweep left in the directory");
+    verb->add_flag("--no-report", options->no_report, "write results.nc only");
+    verb->add_flag("--json", options->json, "machine-readable summary");
+    verb->footer("Example: stickslip sweep examples/02-ball-screw/spec-with-memory.toml -o out");
+    verb->callback([options, &invocation] { invocation.exit_code = sweep(*options, invocation); });
+}
+
+}  // namespace stickslip

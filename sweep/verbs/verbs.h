@@ -1,0 +1,27 @@
+// The verbs of the program. Each adds itself to the command line and runs when chosen.
+#pragma once
+#include <CLI/CLI.hpp>
+
+#include <atomic>
+#include <string>
+
+namespace stickslip {
+
+/// What every verb shares: how it was called and how it ends.
+struct Invocation {
+    std::string command;  ///< the command line, quoted for a shell
+    int exit_code = 0;
+    std::atomic<bool> interrupted{false};  ///< set by Ctrl-C
+};
+
+/// Marks the running program as interrupted instead of ending it, so that what is in flight can be kept.
+void catch_interrupts(Invocation& invocation);
+
+void add_sweep(CLI::App& app, Invocation& invocation);
+void add_check(CLI::App& app, Invocation& invocation);
+void add_evaluate(CLI::App& app, Invocation& invocation);
+void add_list(CLI::App& app, Invocation& invocation);
+void add_merge(CLI::App& app, Invocation& invocation);
+void add_report(CLI::App& app, Invocation& invocation);
+
+}  // namespace stickslip

@@ -1,0 +1,89 @@
+// Bad input gets one clear message with file, line and column, exit code 2, and existing results stay untouched.
+#include "tests/program/run.h"
+
+#include <catch2/catch.hpp>
+
+using Catch::Matchers::Contains;
+using program::Folder;
+using program::stickslip;
+
+namespace {
+
+const std::string good =
+    "[joint]\nmotion = \"prismatic\"\nmodel = \"single-mass\"\ninertia = 1.0\n"
+    "[control]\nk_p = 6e4\nk_v = 10.0\nV0 = 1e-3\n"
+    "[friction]\nlaw = \"rate-and-state\"\nf0 = 60.0\nA = 1.0\nB = 1.5\nL = 1e-5\nV_star = 1e-3\n"
+    "[axes]\n\"control.k_p\" = { from = 1e4, to = 1e5, points = 7, scale = \"log\" }\n"
+    "\"control.k_v\" = { from = 1.0, to = 1e3, points = 5, scale = \"log\" }\n";
+
+std::string with(const std::string& from, const std::string& to)
+{
+    std::string text = good;
+    const auto at = text.find(from);
+    REQUIRE(at != std::string::npos);
+    return text.replace(at, from.size(), to);
+}
+
+}  // namespace
+
+TEST_CASE("every kind of bad spec is refused at its place", "[program]")
+{
+    struct Bad {
+        const char *what, *from, *to, *place, *says;
+    };
+    const Bad cases[] = {
+        {"unknown key", "inertia = 1.0", "inertia = 1.0\nintertia = 2.0", "spec.toml:5:1", "inertia"},
+        {"missing key", "A = 1.0\n", "", "spec.toml", "friction.A"},
+        {"wrong type", "k_v = 10.0", "k_v = \"ten\"", "spec.toml:7:7", "k_v"},
+        {"wrong unit kind", "V0 = 1e-3", "V0 = \"1 mm\"", "spec.toml:8:6", "m/s"},
+        {"negative mass", "inertia = 1.0", "inertia = -1.0", "spec.toml:4:11", "> 0"},
+        {"L of zero", "L = 1e-5", "L = 0", "spec.toml:14:5", "> 0"},
+        {"empty axis", "{ from = 1.0, to = 1e3, points = 5, scale = \"log\" }", "[]", "spec.toml:18:17", "control.k_v"},
+        {"axis that is no number of the joint", "\"control.k_v\"", "\"control.kv\"", "spec.toml:18:1", "control.k_v"},
+        {"too many points", "points = 7", "points = 1000000000000000", "spec.toml", "points"},
+        {"syntax error", "[control]", "[control", "spec.toml:5", ""},
+        {"unknown law", "rate-and-state", "rate-and-stat", "spec.toml:10:7", "rate-and-state"},
+    };
+    for (const auto& bad : cases) {
+        Folder folder;
+        const auto spec = folder.write("spec.toml", with(bad.from, bad.to));
+        const auto run = stickslip("sweep '" + spec + "' -o '" + (folder / "out") + "'");
+        INFO(bad.what << "\n" << run.output);
+        CHECK(run.exit_code == 2);
+        CHECK_THAT(run.output, Contains(bad.place));
+        CHECK_THAT(run.output, Contains(bad.says));
+        CHECK_FALSE(std::filesystem::exists(folder / "out/results.nc"));
+    }
+}
+
+TEST_CASE("a refused run leaves earlier results as they were", "[program]")
+{
+    Folder folder;
+    const auto spec = folder.write("spec.toml", good);
+    const std::string command = "sweep '" + spec + "' --no-report -o '" + (folder / "out") + "'";
+    REQUIRE(stickslip(command).exit_code == 0);
+    const auto before = program::read(folder / "out/results.nc");
+    REQUIRE(before.size() > 1000);
+    folder.write("spec.toml", with("inertia = 1.0", "inertia = 2.0"));
+    const auto changed = stickslip(command);
+    INFO(changed.output);
+    CHECK(changed.exit_code == 2);
+    CHECK_THAT(changed.output, Contains("--fresh"));
+    folder.write("spec.toml", with("inertia = 1.0", "inertia = \"heavy\""));
+    CHECK(stickslip(command).exit_code == 2);
+    CHECK(program::read(folder / "out/results.nc") == before);
+}
+
+TEST_CASE("places that cannot be read or written are named", "[program]")
+{
+    Folder folder;
+    const auto unreadable = stickslip("sweep '" + (folder / "nowhere.toml") + "'");
+    CHECK(unreadable.exit_code == 2);
+    CHECK_THAT(unreadable.output, Contains("nowhere.toml"));
+    const auto spec = folder.write("spec.toml", good);
+    const auto unwritable = stickslip("sweep '" + spec + "' -o /dev/null/out");
+    CHECK(unwritable.exit_code == 2);
+    CHECK_THAT(unwritable.output, Contains("/dev/null/out"));
+    CHECK(stickslip("swep").exit_code == 2);
+    CHECK(stickslip("evaluate").exit_code == 2);
+}

@@ -26,7 +26,7 @@ constexpr double units = 10;
 constexpr double descender = 0.236, capital_height = 0.729;
 
 constexpr double small_size = 0.72, raise = 0.36, lower = 0.16;  // sub- and superscripts
-constexpr double halo_width = 3.2;
+constexpr double halo_width = 4;
 constexpr int tallest = 4000;  // px; the device counts from the bottom of a page that has no height yet
 
 double unit(double pixels)

@@ -14,8 +14,9 @@ namespace stickslip::drawing {
 namespace {
 
 constexpr int picture_width = 900, fineness = 2;
-constexpr double view_width = 720, view_height = 540, bar_height = 400;
-constexpr double log_from_ratio = 20;  // heights that span more than this are read on a log scale
+constexpr double view_left = 84, view_width = 610, room_below = 62, bar_height = 380;
+constexpr int x_room = 5, y_room = 5, z_room = 6;  // labels that an edge has room for
+constexpr double log_from_ratio = 20;              // heights that span more than this are read on a log scale
 
 constexpr TextStyle tick_style{13}, name_style{14.5};
 
@@ -45,10 +46,13 @@ struct Edge {
     ChartAxis axis;
     int room;
     std::function<Point(double along, double out)> at;
-    double tick_length, label_distance, name_distance;
+    Point label_offset;    ///< from the tick's foot, px
+    double name_distance;  ///< px outwards; 0: no name
     Across across;
     Along along;
 };
+
+constexpr double tick_length = 7;
 
 double distance_out(const Edge& edge, double along, double pixels)
 {
@@ -66,11 +70,11 @@ void draw_edge(Canvas& canvas, const Edge& edge)
         ends.push_back(edge.at(along, 0));
         ends.push_back(edge.at(along, distance_out(edge, along, length)));
     };
-    for (const double value : marks.minor) mark(value, 0.55 * edge.tick_length);
+    for (const double value : marks.minor) mark(value, 0.55 * tick_length);
     for (const Tick& tick : marks.major) {
-        mark(tick.value, edge.tick_length);
-        const double along = edge.axis.scale.at(tick.value);
-        canvas.text(edge.at(along, distance_out(edge, along, edge.label_distance)), tick.label, tick_style, edge.across,
+        mark(tick.value, tick_length);
+        const Point foot = edge.at(edge.axis.scale.at(tick.value), 0);
+        canvas.text({foot.x + edge.label_offset.x, foot.y + edge.label_offset.y}, tick.label, tick_style, edge.across,
                     edge.along);
     }
     canvas.stretches(ends, {theme::ink, 1});
@@ -118,9 +122,9 @@ Raster bar_colours()
     return bar;
 }
 
-ColourBar colour_bar(const ChartAxis& z, double top)
+ColourBar colour_bar(const ChartAxis& z, double middle)
 {
-    ColourBar bar{{picture_width - 112, top + (view_height - bar_height) / 2, 17, bar_height}, {}, z.label.text};
+    ColourBar bar{{picture_width - 104, middle - bar_height / 2, 17, bar_height}, {}, z.label.text};
     const Ticks marks = ticks(z.scale, 8, z.label.divisor);
     for (const Tick& tick : marks.major) bar.marks.push_back({z.scale.at(tick.value), tick.label});
     for (const double value : marks.minor) bar.marks.push_back({z.scale.at(value), ""});
@@ -151,36 +155,38 @@ Drawn draw(const CriticalGainSurface& surface, const std::string& description, c
     for (const double v : surface.x.values) field.columns.push_back(x.scale.at(v));
     for (const double v : surface.y.values) field.rows.push_back(y.scale.at(v));
     for (const double v : surface.z) field.heights.push_back(std::isfinite(v) ? z.scale.at(v) : NAN);
-    for (const Tick& tick : ticks(z.scale, 8).major) field.levels.push_back(z.scale.at(tick.value));
-    const Rectangle window{40, top, view_width, view_height};
-    const Scene scene(field, window);
+    const Ticks heights = ticks(z.scale, 8);
+    for (const Tick& tick : heights.major) field.levels.push_back(z.scale.at(tick.value));
+    for (const Tick& tick : ticks(x.scale, x_room).major) field.columns_marked.push_back(x.scale.at(tick.value));
+    for (const Tick& tick : ticks(y.scale, y_room).major) field.rows_marked.push_back(y.scale.at(tick.value));
+    const Scene scene(field, view_left, top, view_width);
     const Snapshot snapshot = scene.photograph(fineness);
     if (!snapshot.missing.empty()) return {"", snapshot.missing, 0, 0, {}};
 
-    const Edge x_edge{x,
-                      5,
-                      [&](double u, double out) { return scene.project(u, -out, 0); },
-                      7,
-                      16,
-                      48,
-                      Across::centre,
-                      Along::middle};
+    const Edge x_edge{x,         x_room, [&](double u, double out) { return scene.project(u, -out, 0); },
+                      {-5, 13},  46,     Across::centre,
+                      Along::top};
     const Edge y_edge{y,
-                      5,
+                      y_room,
                       [&](double v, double out) { return scene.project(1 + out, v, 0); },
-                      7,
-                      12,
-                      62,
+                      {14, 2},
+                      64,
                       Across::left,
                       Along::middle};
-    const Edge z_edge{
-        z, 6, [&](double w, double out) { return scene.project(-out, 0, w); }, 7, 11, 0, Across::right, Along::middle};
+    const Edge z_edge{z,
+                      z_room,
+                      [&](double w, double out) { return scene.project(-out, 0, w); },
+                      {-12, 0},
+                      0,
+                      Across::right,
+                      Along::middle};
     draw_walls(canvas, scene, x_edge, y_edge, z_edge);
-    canvas.image(window, snapshot.raster);
+    canvas.image(scene.window(), snapshot.raster);
     for (const Edge& edge : {x_edge, y_edge, z_edge}) draw_edge(canvas, edge);
-    draw_colour_bar(canvas, colour_bar(z, top), bar_colours());
-    const int height = static_cast<int>(std::ceil(window.bottom())) + 6;
-    return {canvas.svg(height, plain_text(surface.title), description), "", picture_width, height, window};
+    const double middle = top + (scene.window().height + room_below) / 2;
+    draw_colour_bar(canvas, colour_bar(z, middle), bar_colours());
+    const int height = static_cast<int>(std::ceil(scene.window().bottom() + room_below));
+    return {canvas.svg(height, plain_text(surface.title), description), "", picture_width, height, scene.window()};
 }
 
 }  // namespace stickslip::drawing

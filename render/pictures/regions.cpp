@@ -107,9 +107,9 @@ void draw_texture(Canvas& canvas, Region region, const Rectangle& box, const Cov
         case Region::stable:
             break;
         case Region::memory_only: {  // the paper's second regime: meant to be seen first
-            const auto ends = hatch(box, 9, true, covered);
-            canvas.stretches(ends, {shade(black, 0.6), 3.2});
-            canvas.stretches(ends, {gold, 1.7});
+            const auto ends = hatch(box, 11, true, covered);
+            canvas.stretches(ends, {shade(black, 0.5), 2.8});
+            canvas.stretches(ends, {gold, 1.5});
             break;
         }
         case Region::velocity_only: {
@@ -155,19 +155,28 @@ double draw_legend(Canvas& canvas, const std::vector<LegendEntry>& entries, doub
 {
     constexpr double swatch_width = 34, swatch_height = 16, line_height = 25, gap = 9, between = 26;
     constexpr TextStyle style{12.5};
-    double widest = 0;
-    for (const auto& entry : entries) widest = std::max(widest, canvas.text_width(entry.text, style));
-    const double column = swatch_width + gap + widest + between;
-    const auto columns = static_cast<std::size_t>(std::max(1.0, std::floor((width + between) / column)));
-    const std::size_t rows = (entries.size() + columns - 1) / columns;
+    std::vector<double> widths;
+    for (const auto& entry : entries) widths.push_back(swatch_width + gap + canvas.text_width(entry.text, style));
+
+    // As many columns, filled downwards, as fit; each as wide as its widest entry.
+    std::size_t rows = 1;
+    std::vector<double> starts;
+    for (;; ++rows) {
+        starts = {left};
+        for (std::size_t first = 0; first < entries.size(); first += rows) {
+            const auto end = widths.begin() + static_cast<std::ptrdiff_t>(std::min(first + rows, entries.size()));
+            starts.push_back(starts.back() + between +
+                             *std::max_element(widths.begin() + static_cast<std::ptrdiff_t>(first), end));
+        }
+        if (starts.back() - between <= left + width || rows >= entries.size()) break;
+    }
     for (std::size_t i = 0; i < entries.size(); ++i) {
-        const double x = left + static_cast<double>(i / rows) * column,
-                     y = top + static_cast<double>(i % rows) * line_height;
+        const double x = starts[i / rows], y = top + static_cast<double>(i % rows) * line_height;
         entries[i].swatch({x, y, swatch_width, swatch_height});
         canvas.text({x + swatch_width + gap, y + swatch_height / 2}, entries[i].text, style, Across::left,
                     Along::middle);
     }
-    return top + static_cast<double>(rows) * line_height;
+    return top + static_cast<double>(entries.empty() ? 0 : rows) * line_height;
 }
 
 }  // namespace stickslip::drawing

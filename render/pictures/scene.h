@@ -13,13 +13,17 @@ namespace stickslip::drawing {
 /// A height field in the unit cube: columns and rows in [0, 1], heights row by row, NaN for a hole.
 struct HeightField {
     std::vector<double> columns, rows, heights;
-    std::vector<double> levels;  ///< heights at which contour lines run over the surface
+    std::vector<double> levels;                       ///< heights at which dark contour lines run over the surface
+    std::vector<double> columns_marked, rows_marked;  ///< places of light lines along the surface, to show its shape
 };
 
 class Scene {
   public:
-    explicit Scene(const HeightField& field, const Rectangle& window);
+    /// The box fills a window of the given width from (left, top); the height follows from the view.
+    Scene(const HeightField& field, double left, double top, double width);
     ~Scene();
+
+    const Rectangle& window() const { return window_; }
 
     /// Where a point of the unit cube falls in the window.
     Point project(double x, double y, double z) const;

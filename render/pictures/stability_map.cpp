@@ -6,6 +6,7 @@
 #include "render/drawing/markup.h"
 #include "render/pictures/field.h"
 #include "render/pictures/picture.h"
+#include "render/pictures/placement.h"
 #include "render/pictures/regions.h"
 
 #include <algorithm>
@@ -38,10 +39,9 @@ CurveStyle curve_style(Curve::Kind kind)
     return {{from_hex(0x3d2f9c), 2.2, {2.5, 3}}, "boundary, nonlinear simulation"};
 }
 
-void draw_curve(Canvas& canvas, const Polyline& line, const CurveStyle& style)
+Pen halo_of(const CurveStyle& style)
 {
-    canvas.line(line, {field_halo, style.pen.width + 3});
-    canvas.line(line, style.pen);
+    return {field_halo, style.pen.width + 3, {}};
 }
 
 void check(const StabilityMap& map)
@@ -84,32 +84,54 @@ void draw_cross(Canvas& canvas, Point at)
     canvas.stretches(arms, {field_ink, 2.8});
 }
 
-/// Puts the label where it covers least of the curves.
-void draw_design(Canvas& canvas, const Frame& frame, const DesignPoint& design, const std::vector<Polyline>& curves)
+constexpr double label_height = 14;
+
+/// The design, drawn at the edge when it lies beyond. Returns what later labels must keep away from.
+std::vector<Rectangle> draw_design(Canvas& canvas, const Frame& frame, const DesignPoint& design,
+                                   const Obstacles& obstacles)
 {
     const Point true_place = frame.at(design.x, design.y);
-    const Point at{std::clamp(true_place.x, frame.box.left + 9, frame.box.right() - 9),
-                   std::clamp(true_place.y, frame.box.top + 9, frame.box.bottom() - 9)};
+    const Point at{std::clamp(true_place.x, frame.box.left + 11, frame.box.right() - 11),
+                   std::clamp(true_place.y, frame.box.top + 11, frame.box.bottom() - 11)};
     const TextStyle style{13.5, field_ink, true, 0, true};
-    const std::string text = design.inside ? "design" : "design (outside the chart)";
-    const double width = canvas.text_width(text, style), height = 14;
+    const std::string text = design.inside ? "design" : "design, beyond the chart";
+    const Rectangle place = place_beside(at, canvas.text_width(text, style), label_height, frame.box, obstacles);
     draw_cross(canvas, at);
-    Rectangle best;
-    double least = 1e9;
-    for (const double dy : {-20.0, 20.0, 0.0})
-        for (const double dx : {14.0, -14.0 - width, -width / 2}) {
-            if (dy == 0 && dx == -width / 2) continue;
-            const Rectangle place{at.x + dx, at.y + dy - height / 2, width, height};
-            double cost = 0;
-            for (const Polyline& curve : curves) cost += static_cast<double>(clip(curve, place).size());
-            if (place.left < frame.box.left + 4 || place.right() > frame.box.right() - 4) cost += 100;
-            if (place.top < frame.box.top + 4 || place.bottom() > frame.box.bottom() - 4) cost += 100;
-            if (cost < least) {
-                least = cost;
-                best = place;
-            }
-        }
-    canvas.text({best.left, best.top + height / 2}, text, style, Across::left, Along::middle);
+    canvas.text({place.left, place.top + label_height / 2}, text, style, Across::left, Along::middle);
+    return {{at.x - 11, at.y - 11, 22, 22}, place};
+}
+
+std::string_view region_label(Region region)
+{
+    switch (region) {
+        case Region::stable:
+            return "smooth";
+        case Region::memory_only:
+            return "smooth, thanks to memory";
+        case Region::velocity_only:
+            return "stick-slip, due to memory";
+        case Region::unstable:
+            return "stick-slip";
+        case Region::bistable:
+            return "bistable";
+        case Region::undecided:
+            break;
+    }
+    return "undecided";
+}
+
+/// The name of every region that has room for it, where the room is largest.
+void draw_region_labels(Canvas& canvas, const Frame& frame, const std::vector<Covers>& covered, Obstacles obstacles)
+{
+    const TextStyle style{13.5, field_ink, true, 0, true};
+    for (std::size_t i = 0; i < covered.size(); ++i) {
+        const std::string_view text = region_label(all_regions[i]);
+        const auto place =
+            roomiest_place(frame.box, canvas.text_width(text, style), label_height, covered[i], obstacles);
+        if (!place) continue;
+        canvas.text({place->left, place->top + label_height / 2}, text, style, Across::left, Along::middle);
+        obstacles.boxes.push_back(*place);
+    }
 }
 
 /// Typical colour of a region for its swatch: the sign of the abscissa that defines it.
@@ -134,7 +156,9 @@ std::vector<LegendEntry> legend(Canvas& canvas, const StabilityMap& map)
         if (std::any_of(map.curves.begin(), map.curves.end(), [kind](const Curve& c) { return c.kind == kind; }))
             entries.push_back({[&canvas, kind](const Rectangle& box) {
                                    const double y = box.top + box.height / 2;
-                                   draw_curve(canvas, {{box.left, y}, {box.right(), y}}, curve_style(kind));
+                                   const Polyline line{{box.left, y}, {box.right(), y}};
+                                   canvas.line(line, halo_of(curve_style(kind)));
+                                   canvas.line(line, curve_style(kind).pen);
                                },
                                curve_style(kind).text});
     for (const Region region : all_regions)
@@ -187,15 +211,23 @@ Drawn draw(const StabilityMap& map, const std::string& description, const Fonts&
 
     const FieldScale scale = field_scale(map.abscissa);
     canvas.image(frame.box, field_raster(grid, map.abscissa, scale, plot_width, plot_height));
-    for (const Region region : all_regions)
-        draw_texture(canvas, region, frame.box, covers(grid, map.region, region, frame.box));
-    std::vector<Polyline> drawn;
+    std::vector<Covers> covered;
+    for (const Region region : all_regions) {
+        covered.push_back(covers(grid, map.region, region, frame.box));
+        draw_texture(canvas, region, frame.box, covered.back());
+    }
+    // All rims first: no curve may cut into another one.
+    Obstacles obstacles;
+    std::vector<CurveStyle> styles;
     for (const Curve& curve : map.curves)
         for (const Polyline& piece : visible(curve, frame)) {
-            draw_curve(canvas, piece, curve_style(curve.kind));
-            drawn.push_back(piece);
+            obstacles.lines.push_back(piece);
+            styles.push_back(curve_style(curve.kind));
+            canvas.line(piece, halo_of(styles.back()));
         }
-    if (map.has_design) draw_design(canvas, frame, map.design, drawn);
+    for (std::size_t i = 0; i < styles.size(); ++i) canvas.line(obstacles.lines[i], styles[i].pen);
+    if (map.has_design) obstacles.boxes = draw_design(canvas, frame, map.design, obstacles);
+    draw_region_labels(canvas, frame, covered, obstacles);
     draw_axes(canvas, frame);
     draw_colour_bar(canvas, colour_bar(frame.box, scale), bar_colours());
     const double bottom = draw_legend(canvas, legend(canvas, map), frame.box.left, frame.box.bottom() + axis_depth + 16,

@@ -4,6 +4,7 @@
 
 #include <toml++/toml.h>
 
+#include <fstream>
 #include <sstream>
 
 namespace stickslip {
@@ -11,15 +12,19 @@ namespace stickslip {
 std::string self_contained_text(const std::filesystem::path& file)
 {
     const Spec spec = read_spec(file);
-    toml::table table = toml::parse_file(file.string());
-    if (!spec.joint_file.empty()) {
-        table.erase("joint");
-        Joint joint = read_joint(spec.joint_file);
-        for (auto&& [key, node] : toml::parse(joint_text(joint))) table.insert(key, node);
-    }
+    std::ifstream in(file, std::ios::binary);
     std::ostringstream text;
-    text << table << "\n";
-    return text.str();
+    text << in.rdbuf();
+    if (spec.joint_file.empty()) return text.str();
+
+    // the text stays as the user wrote it, order of the axes included; only the line that names the joint's file goes
+    const std::string original = text.str();
+    const auto joint_line = toml::parse(original)["joint"].node()->source().begin.line;
+    std::istringstream lines(original);
+    std::string line, kept;
+    for (toml::source_index number = 1; std::getline(lines, line); ++number)
+        if (number != joint_line) kept += line + "\n";
+    return kept + "\n" + joint_text(read_joint(spec.joint_file));
 }
 
 }  // namespace stickslip

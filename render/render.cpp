@@ -1,6 +1,7 @@
 #include "render/render.h"
 
 #include "render/csv/csv.h"
+#include "render/drawing/markup.h"
 #include "render/pictures/picture.h"
 
 namespace stickslip {
@@ -8,11 +9,12 @@ namespace stickslip {
 RenderedFigure render(const Figure& figure)
 {
     RenderedFigure result;
+    const std::string spoken = drawing::plain_text(figure.finding);
     drawing::Drawn drawn;
     {
         const std::scoped_lock turn(drawing::drawing_mutex());
         if (const drawing::Fonts fonts = drawing::find_fonts(); fonts.missing.empty())
-            drawn = std::visit([&](const auto& p) { return drawing::draw(p, figure.finding, fonts); }, figure.picture);
+            drawn = std::visit([&](const auto& p) { return drawing::draw(p, spoken, fonts); }, figure.picture);
         else
             drawn.missing = fonts.missing;
     }

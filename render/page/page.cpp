@@ -67,7 +67,7 @@ std::string alerts(const std::vector<Alert>& list)
     std::string html = "<ul class=\"alerts\" aria-label=\"Alerts\">\n";
     for (const Alert& a : list)
         html += std::string("<li class=\"alert ") + tone_class(a.tone) + "\">" + spoken_tone(a.tone) + "<span>" +
-                escape(a.text) + "</span></li>\n";
+                html_of_markup(a.text) + "</span></li>\n";
     return html + "</ul>\n";
 }
 

@@ -6,20 +6,11 @@
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
-#include <chrono>
 #include <cstring>
-#include <limits>
 #include <mutex>
 
 namespace stickslip {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start)
-{
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// What the workers of one computation share.
 class Computation {
@@ -30,11 +21,12 @@ class Computation {
           base_(base),
           evaluate_(evaluate),
           source_(source),
-          workload_(workload),
           journal_(journal),
           index_(index),
           options_(options),
-          format_(plan.nonlinear)
+          format_(plan.nonlinear),
+          done_before_(workload.done),
+          meter_(Progress::Stage::computing, workload, options.progress, options.progress_seconds)
     {
     }
 
@@ -50,29 +42,26 @@ class Computation {
             const PointRange range = plan_.range(*chunk);
             rows.resize(range.count);
             cursor.seek(range.first);
-            evaluate_(cursor, rows);
+            evaluate(cursor, rows);
             encode_record(plan_, format_, *chunk, rows, record);
             if (!keep(*chunk, record)) return;
-            points_.fetch_add(range.count, std::memory_order_relaxed);
-            report_progress(false);
+            meter_.add(range.count);
         }
     }
 
     ComputeReport report(int threads)
     {
-        if (options_.progress) report_progress(true);
+        meter_.end();
         ComputeReport report;
         report.chunks = chunks_;
-        report.points = points_;
-        report.seconds = seconds_since(start_);
+        report.points = meter_.added();
+        report.seconds = meter_.seconds();
         report.threads = threads;
         if (failure_) {
             report.end = RunEnd::write_failed;
-            report.message = fmt::format(
-                "the journal cannot be written: {}; the {} points computed so far are safe, run the same "
-                "command again to go on",
-                failure_.message(), workload_.done + points_);
-        } else if (interrupted()) {
+            report.message = fmt::format("the journal cannot be written: {}; the {} points computed so far are safe",
+                                         failure_.message(), done_before_ + meter_.added());
+        } else if (options_.interrupted()) {
             report.end = RunEnd::interrupted;
         }
         return report;
@@ -84,8 +73,18 @@ class Computation {
     }
 
   private:
-    bool interrupted() const { return options_.interrupt && options_.interrupt->load(std::memory_order_relaxed); }
-    bool stopped() const { return failed_.load(std::memory_order_relaxed) || interrupted(); }
+    bool stopped() const { return failed_.load(std::memory_order_relaxed) || options_.interrupted(); }
+
+    /// Other workers would go on to the end of the sweep before the exception reaches the caller.
+    void evaluate(PointCursor& cursor, std::span<PointResult> rows)
+    {
+        try {
+            evaluate_(cursor, rows);
+        } catch (...) {
+            failed_ = true;
+            throw;
+        }
+    }
 
     bool keep(std::uint64_t chunk, std::span<const std::byte> record)
     {
@@ -103,43 +102,22 @@ class Computation {
         return true;
     }
 
-    void report_progress(bool last)
-    {
-        if (!options_.progress) return;
-        std::unique_lock lock(progress_mutex_, std::defer_lock);
-        if (last)
-            lock.lock();
-        else if (!lock.try_lock())
-            return;
-        const double elapsed = seconds_since(start_);
-        if (!last && elapsed < next_progress_) return;
-        next_progress_ = elapsed + options_.progress_seconds;
-        const std::uint64_t now = points_.load(std::memory_order_relaxed);
-        Progress progress{workload_.done + now, workload_.total, 0, std::numeric_limits<double>::infinity()};
-        if (elapsed > 0) progress.rate = static_cast<double>(now) / elapsed;
-        if (now > 0) progress.seconds_left = static_cast<double>(progress.total - progress.done) / progress.rate;
-        options_.progress(progress);
-    }
-
     const Plan& plan_;
     const Joint& base_;
     const EvaluateChunk& evaluate_;
     ChunkSource& source_;
-    const Workload workload_;
     Journal& journal_;
     ChunkIndex& index_;
     const EngineOptions& options_;
     const RowFormat format_;
-    const Clock::time_point start_ = Clock::now();
+    const std::uint64_t done_before_;
 
-    std::atomic<std::uint64_t> points_{0};
+    ProgressMeter meter_;
     std::atomic<bool> failed_{false};
-    std::mutex index_mutex_;  ///< guards the four below and entries into the index
+    std::mutex index_mutex_;  ///< guards the three below and entries into the index
     std::uint64_t chunks_ = 0;
     std::uint32_t file_ = 0;
     std::error_code failure_;
-    std::mutex progress_mutex_;
-    double next_progress_ = 0;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "sweep/engine/cursor.h"
 #include "sweep/engine/journal.h"
 #include "sweep/engine/plan.h"
+#include "sweep/engine/progress.h"
 
 #include <atomic>
 #include <functional>
@@ -31,20 +32,15 @@ EvaluateChunk point_by_point(PointFunction f)
     };
 }
 
-struct Progress {
-    std::uint64_t done = 0, total = 0;  ///< points of this process's share, resumed ones included
-    double rate = 0;                    ///< points/s of this run
-    double seconds_left = 0;            ///< infinite until something is known
-};
-
 /// How the engine runs; none of it changes a result.
 struct EngineOptions {
     int threads = 0;  ///< 0: as many as the process may use
-    const std::atomic<bool>* interrupt =
-        nullptr;  ///< once true, chunks in flight are finished and journalled, no new one begun
-    std::function<void(const Progress&)>
-        progress;  ///< at most every progress_seconds, from any thread, never two at once
-    double progress_seconds = 0.1;
+    /// Once true, chunks in flight are finished and journalled and no new one is begun.
+    const std::atomic<bool>* interrupt = nullptr;
+    TellProgress progress;
+    double progress_seconds = 0.1;  ///< least pause between two calls of progress
+
+    bool interrupted() const { return interrupt && interrupt->load(std::memory_order_relaxed); }
 };
 
 /// How a computation ended. Everything short of `complete` can be resumed.
@@ -60,11 +56,6 @@ struct ComputeReport {
     std::uint64_t chunks = 0, points = 0;  ///< computed and journalled now
     double seconds = 0;
     int threads = 0;
-};
-
-/// What this process has to do in all and what of it an earlier run has done, for progress [points].
-struct Workload {
-    std::uint64_t total = 0, done = 0;
 };
 
 /// Runs until the source is empty, the interrupt is set or the journal fails, and enters each journalled chunk into the

@@ -34,6 +34,8 @@ class Block {
 
     void start_at(std::uint64_t first) { range_ = {first, 0}; }
 
+    std::uint64_t size() const { return range_.count; }
+
     void append(std::span<const std::byte> rows)
     {
         const std::size_t count = rows.size() / format_.bytes_per_point();
@@ -81,7 +83,9 @@ std::vector<std::size_t> shape_of(const Plan& plan)
     return shape;
 }
 
-void write_rows(const NetcdfFile& file, const Plan& plan, const ChunkIndex& index, MergeReport& report)
+/// False if it was interrupted.
+bool write_rows(const NetcdfFile& file, const Plan& plan, const ChunkIndex& index, const EngineOptions& options,
+                MergeReport& report)
 {
     const RowFormat format(plan.nonlinear);
     const ResultsVariables variables = define_results(file, plan, format);
@@ -91,13 +95,18 @@ void write_rows(const NetcdfFile& file, const Plan& plan, const ChunkIndex& inde
     const std::uint64_t chunks_per_block = std::max<std::uint64_t>(1, points_per_block / plan.chunk_size);
     Block block(format, std::min(plan.points, chunks_per_block * plan.chunk_size));
     ChunkReader reader(plan, index);
+    ProgressMeter meter(Progress::Stage::writing_results, {plan.points, 0}, options.progress, options.progress_seconds);
     for (std::uint64_t first = 0; first < plan.chunks(); first += chunks_per_block) {
+        if (options.interrupted()) return false;
         block.start_at(plan.range(first).first);
         const std::uint64_t end = std::min(first + chunks_per_block, plan.chunks());
         for (std::uint64_t chunk = first; chunk < end; ++chunk) block.append(reader.read(chunk));
         block.write(file, variables, shape);
         block.count_codes(report.codes);
+        meter.add(block.size());
     }
+    meter.end();
+    return true;
 }
 
 void sync_file(const fs::path& path)
@@ -108,22 +117,30 @@ void sync_file(const fs::path& path)
 
 }  // namespace
 
-MergeReport write_results(const Plan& plan, const ChunkIndex& index, const fs::path& results)
+std::optional<MergeReport> write_results(const Plan& plan, const ChunkIndex& index, const fs::path& results,
+                                         const EngineOptions& options)
 {
     const auto start = std::chrono::steady_clock::now();
     const fs::path partial = results.string() + ".partial";
+    const auto remove_partial = [&] {
+        std::error_code ignored;
+        fs::remove(partial, ignored);
+    };
     MergeReport report;
     report.points = plan.points;
     try {
         NetcdfFile file = NetcdfFile::create(partial);
-        write_rows(file, plan, index, report);
+        const bool whole = write_rows(file, plan, index, options, report);
         file.close();
+        if (!whole) {
+            remove_partial();
+            return std::nullopt;
+        }
         sync_file(partial);
         fs::rename(partial, results);
         sync_directory(fs::absolute(results).parent_path());
     } catch (...) {
-        std::error_code ignored;
-        fs::remove(partial, ignored);
+        remove_partial();
         throw;
     }
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -148,7 +165,7 @@ MergeReport merge(const std::vector<fs::path>& directories, const fs::path& resu
             fmt::format("{} of {} chunks are missing{}; run the sweep (or the shards that lack) again, then merge",
                         plan.chunks() - found, plan.chunks(),
                         scan.damaged_bytes ? fmt::format(" ({} damaged bytes were skipped)", scan.damaged_bytes) : ""));
-    return write_results(plan, index, results);
+    return *write_results(plan, index, fs::absolute(results));  // nothing can interrupt it
 }
 
 }  // namespace stickslip

@@ -1,11 +1,13 @@
 // From journals to results.nc: chunks in order, a block at a time, into a file that appears only when it is whole.
 #pragma once
 #include "sweep/engine/chunk_index.h"
+#include "sweep/engine/engine.h"
 #include "sweep/engine/plan.h"
 
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,9 +27,11 @@ struct MergeReport {
 
 /// Writes all rows of the plan to `results` (its directory must exist). The same bytes for the same plan, however its
 /// chunks are spread over journals. Memory: a block of rows and the largest record. The index must have every chunk.
+/// Nothing if `options` interrupted it: then the old file, if any, stays.
 /// Throws NetcdfError or std::system_error if the file cannot be written (the old one, if any, stays),
 /// std::runtime_error if a record no longer verifies.
-MergeReport write_results(const Plan& plan, const ChunkIndex& index, const std::filesystem::path& results);
+std::optional<MergeReport> write_results(const Plan& plan, const ChunkIndex& index,
+                                         const std::filesystem::path& results, const EngineOptions& options = {});
 
 /// Merges the journals of run directories that share one plan, such as those of shards; `results` may lie in one of
 /// them. Throws Refused if they are of different sweeps, if one is in use, or if chunks are missing (and says how

@@ -35,13 +35,13 @@ const char* name_of(RunEnd end)
 
 }  // namespace
 
-void write_run_record(const std::filesystem::path& path, const Plan& plan, const ComputeReport& computed,
+void write_run_record(const std::filesystem::path& path, const Plan& plan, RunEnd end, const ComputeReport& computed,
                       const ScanReport& scan, std::uint64_t resumed_chunks, Shard shard,
                       const std::optional<MergeReport>& merged)
 {
     nlohmann::ordered_json json = {
         {"plan_id", to_text(plan.id)},
-        {"end", name_of(computed.end)},
+        {"end", name_of(end)},
         {"ended_at", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()))},
         {"host", host_name()},
         {"cpu", cpu_model()},

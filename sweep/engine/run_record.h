@@ -10,7 +10,7 @@
 namespace stickslip {
 
 /// Wall time, machine, threads, points/s, resumed chunks, damage found. `merge` is absent where nothing was merged.
-void write_run_record(const std::filesystem::path& path, const Plan& plan, const ComputeReport& computed,
+void write_run_record(const std::filesystem::path& path, const Plan& plan, RunEnd end, const ComputeReport& computed,
                       const ScanReport& scan, std::uint64_t resumed_chunks, Shard shard,
                       const std::optional<MergeReport>& merged);
 

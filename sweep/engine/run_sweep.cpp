@@ -38,6 +38,31 @@ bool holds_results(const std::filesystem::path& path, const Plan& plan)
     }
 }
 
+/// All chunks are there: writes results.nc unless an earlier run has.
+void finish(const RunDirectory& directory, const ChunkIndex& index, const EngineOptions& options, RunReport& report)
+{
+    const auto results = directory.file(run_files::results);
+    const auto failed = [&](const std::exception& e) {
+        report.end = RunEnd::write_failed;
+        report.message = std::string(e.what()) + "; all points are safe in the journal";
+    };
+    try {
+        if (report.computed.chunks > 0 || !holds_results(results, directory.plan())) {
+            report.merged = write_results(directory.plan(), index, results, options);
+            if (!report.merged) {
+                report.end = RunEnd::interrupted;
+                return;
+            }
+        }
+        report.end = RunEnd::complete;  // an interrupt behind the last block interrupts nothing
+        report.results = results;
+    } catch (const NetcdfError& e) {
+        failed(e);
+    } catch (const std::system_error& e) {
+        failed(e);
+    }
+}
+
 }  // namespace
 
 RunReport run_sweep(const Plan& wanted, const Joint& base, const EvaluateChunk& evaluate, const RunOptions& options)
@@ -60,26 +85,13 @@ RunReport run_sweep(const Plan& wanted, const Joint& base, const EvaluateChunk& 
     report.end = report.computed.end;
     report.message = report.computed.message;
 
-    if (options.shard.whole() && index.count() == plan.chunks() && report.end != RunEnd::write_failed) {
-        report.end = report.computed.end = RunEnd::complete;  // an interrupt behind the last chunk interrupts nothing
-        const auto results = directory.file(run_files::results);
-        try {
-            if (report.computed.chunks > 0 || !holds_results(results, plan))
-                report.merged = write_results(plan, index, results);
-            report.results = results;
-        } catch (const NetcdfError& e) {
-            report.end = RunEnd::write_failed;
-            report.message = std::string(e.what()) + "; all points are safe in the journal, run the same command again";
-        } catch (const std::system_error& e) {
-            report.end = RunEnd::write_failed;
-            report.message = std::string(e.what()) + "; all points are safe in the journal, run the same command again";
-        }
-    }
+    if (options.shard.whole() && index.count() == plan.chunks() && report.end != RunEnd::write_failed)
+        finish(directory, index, options.engine, report);
     const std::string record =
         options.shard.whole() ? run_files::run : "run." + std::to_string(options.shard.index) + ".json";
     if (report.end != RunEnd::write_failed)
-        write_run_record(directory.file(record.c_str()), plan, report.computed, report.scan, report.resumed_chunks,
-                         options.shard, report.merged);
+        write_run_record(directory.file(record.c_str()), plan, report.end, report.computed, report.scan,
+                         report.resumed_chunks, options.shard, report.merged);
     return report;
 }
 

@@ -92,7 +92,7 @@ TEST_CASE("a journal cut anywhere keeps every whole record, and a resumed run en
             const RunReport repaired = run(sweep.plan_, sweep.where);
             REQUIRE(repaired.resumed_chunks == whole);
             REQUIRE(repaired.computed.chunks == 13 - whole);
-            REQUIRE(bytes(sweep.where / "results.nc") == sweep.results);
+            REQUIRE((bytes(sweep.where / "results.nc") == sweep.results));
         }
     }
 }
@@ -116,7 +116,7 @@ TEST_CASE("a flipped bit costs one chunk at most and never changes a result")
         if (trial % 100 == 0) {
             check_contents(sweep.plan_, found.index);
             run(sweep.plan_, sweep.where);
-            REQUIRE(bytes(sweep.where / "results.nc") == sweep.results);
+            REQUIRE((bytes(sweep.where / "results.nc") == sweep.results));
         }
     }
 }
@@ -136,7 +136,7 @@ TEST_CASE("blocks that a power cut left empty, and garbage, are skipped")
         check_contents(sweep.plan_, scan(sweep.plan_, sweep.where).index);
         if (trial % 10 == 0) {
             run(sweep.plan_, sweep.where);
-            REQUIRE(bytes(sweep.where / "results.nc") == sweep.results);
+            REQUIRE((bytes(sweep.where / "results.nc") == sweep.results));
         }
     }
 }
@@ -246,7 +246,7 @@ TEST_CASE("a full disk ends the run in words, loses nothing, and the same run go
         const RunReport rest = run(p, where, threads);
         CHECK(rest.end == RunEnd::complete);
         CHECK(rest.resumed_chunks == report.computed.chunks);
-        CHECK(bytes(where / "results.nc") == bytes(directory / "reference/results.nc"));
+        CHECK((bytes(where / "results.nc") == bytes(directory / "reference/results.nc")));
     }
 }
 
@@ -267,5 +267,5 @@ TEST_CASE("a disk that is full when results.nc is written leaves the old one or 
     CHECK_FALSE(fs::exists(directory / "a/results.nc"));
     CHECK_FALSE(fs::exists(directory / "a/results.nc.partial"));
     CHECK(run(p, directory / "a").computed.chunks == 0);
-    CHECK(bytes(directory / "a/results.nc") == before);
+    CHECK((bytes(directory / "a/results.nc") == before));
 }

@@ -86,11 +86,11 @@ TEST_CASE("a sweep survives kill -9 at random moments")
                 ++kills;
             if (!finished && fs::exists(where / run_files::journals) && !fs::exists(where / "results.nc"))
                 ++in_computation;
-            if (fs::exists(where / "results.nc")) REQUIRE(bytes(where / "results.nc") == reference);
+            if (fs::exists(where / "results.nc")) REQUIRE((bytes(where / "results.nc") == reference));
         }
         const RunReport last = run(p, where, 1);
         CHECK(last.end == RunEnd::complete);
-        CHECK(bytes(where / "results.nc") == reference);
+        CHECK((bytes(where / "results.nc") == reference));
         CHECK_FALSE(fs::exists(where / "results.nc.partial"));
     }
     INFO("kills " << kills << ", of them in the computation " << in_computation);

@@ -21,7 +21,7 @@ TEST_CASE("results.nc has the same bytes for any number of threads, at any time"
         const RunReport report = run(p, where, threads);
         CHECK(report.end == RunEnd::complete);
         CHECK(report.computed.points == 13 * 7 * 11);
-        CHECK(bytes(where / "results.nc") == reference);
+        CHECK((bytes(where / "results.nc") == reference));
     }
 }
 
@@ -41,8 +41,8 @@ TEST_CASE("shards merge to the bytes of one run, from one directory or several")
     CHECK(points == p.points);
     merge(parts, directory / "merged.nc");
     merge({directory / "together"}, directory / "together/results.nc");
-    CHECK(bytes(directory / "merged.nc") == bytes(directory / "whole/results.nc"));
-    CHECK(bytes(directory / "together/results.nc") == bytes(directory / "whole/results.nc"));
+    CHECK((bytes(directory / "merged.nc") == bytes(directory / "whole/results.nc")));
+    CHECK((bytes(directory / "together/results.nc") == bytes(directory / "whole/results.nc")));
 
     parts.pop_back();
     CHECK_THROWS_WITH(merge(parts, directory / "incomplete.nc"), Catch::Contains("chunks are missing"));
@@ -97,8 +97,32 @@ TEST_CASE("an interrupted sweep stops behind the chunks in flight and resumes to
         CHECK(rest.end == RunEnd::complete);
         CHECK(rest.resumed_chunks == cut.computed.chunks);
         CHECK(rest.computed.chunks == p.chunks() - cut.computed.chunks);
-        CHECK(bytes(where / "results.nc") == bytes(directory / "reference/results.nc"));
+        CHECK((bytes(where / "results.nc") == bytes(directory / "reference/results.nc")));
     }
+}
+
+TEST_CASE("an interrupt while results.nc is written leaves none, and the next run writes it without computing")
+{
+    const Plan p = plan({500, 20, 20});
+    TemporaryDirectory directory;
+    std::atomic<bool> interrupt = false;
+    RunOptions options{.directory = directory / "a"};
+    options.engine.interrupt = &interrupt;
+    options.engine.progress_seconds = 0;
+    options.engine.progress = [&](const Progress& progress) {
+        CHECK(progress.done <= progress.total);
+        if (progress.stage == Progress::Stage::writing_results) interrupt = true;
+    };
+    const RunReport cut = run_sweep(p, joint(), point_by_point(toy_point), options);
+    CHECK(cut.end == RunEnd::interrupted);
+    CHECK(cut.computed.points == p.points);
+    CHECK_FALSE(fs::exists(directory / "a/results.nc"));
+    CHECK_FALSE(fs::exists(directory / "a/results.nc.partial"));
+
+    const RunReport rest = run(p, directory / "a");
+    CHECK(rest.computed.points == 0);
+    CHECK(rest.end == RunEnd::complete);
+    CHECK(ResultsFile(rest.results).points() == p.points);
 }
 
 TEST_CASE("a finished sweep is not computed again, and its results are written again only if they are gone")
@@ -115,7 +139,7 @@ TEST_CASE("a finished sweep is not computed again, and its results are written a
     again = run(p, directory / "a");
     CHECK(again.computed.points == 0);
     CHECK(again.merged);
-    CHECK(bytes(directory / "a/results.nc") == before);
+    CHECK((bytes(directory / "a/results.nc") == before));
 }
 
 TEST_CASE("another sweep, another build and a second run are refused with the way out, and nothing is touched")
@@ -129,7 +153,7 @@ TEST_CASE("another sweep, another build and a second run are refused with the wa
         try {
             run(other, where);
         } catch (const Refused& e) {
-            CHECK(bytes(where / "results.nc") == before);
+            CHECK((bytes(where / "results.nc") == before));
             return std::string(e.what());
         }
         return std::string();
@@ -172,7 +196,7 @@ TEST_CASE("results of unknown origin and a damaged plan are not overwritten")
     fs::create_directories(directory / "a");
     set_bytes(directory / "a/results.nc", "precious");
     CHECK_THROWS_AS(run(p, directory / "a"), Refused);
-    CHECK(bytes(directory / "a/results.nc") == "precious");
+    CHECK((bytes(directory / "a/results.nc") == "precious"));
 
     run(p, directory / "b");
     std::string text = bytes(directory / "b/plan.json");
@@ -216,6 +240,7 @@ TEST_CASE("an evaluation that throws ends the run with its message and keeps wha
         return toy_point(joint);
     });
     CHECK_THROWS_WITH(run_sweep(p, joint(), evaluate, options), "evaluation failed");
+    CHECK(evaluated < 1000);  // the other thread stops too
     CHECK(run(p, directory / "a").resumed_chunks >= 500 / 16 - 2);
 }
 
@@ -229,8 +254,11 @@ TEST_CASE("progress ends at the total, never runs backwards and is throttled")
     options.engine.progress = [&](const Progress& progress) { seen.push_back(progress); };
     options.engine.progress_seconds = 1e9;
     run_sweep(p, joint(), point_by_point(toy_point), options);
-    REQUIRE(seen.size() == 2);  // the first chunk and the end
-    CHECK(seen.front().done <= seen.back().done);
-    CHECK(seen.back().done == p.points);
-    CHECK(seen.back().total == p.points);
+    REQUIRE(seen.size() == 4);  // the first and the end of both stages
+    for (const Progress& last : {seen[1], seen[3]}) {
+        CHECK(last.done == p.points);
+        CHECK(last.total == p.points);
+    }
+    CHECK(seen[0].done <= seen[1].done);
+    CHECK(seen[3].stage == Progress::Stage::writing_results);
 }

@@ -16,7 +16,7 @@
 namespace stickslip {
 namespace {
 
-constexpr double chunk_seconds = 5e-3;
+constexpr double chunk_seconds = 0.1;                // what a kill may cost a thread
 constexpr std::uint64_t largest_cheap_chunk = 8192;  // its slots and its record stay in a core's cache
 constexpr std::uint64_t smallest_cheap_chunk = 256;  // below this the journal's work per chunk shows
 constexpr std::uint64_t chunks_for_balance = 64;

@@ -72,7 +72,7 @@ Plan make_plan(const Joint& joint, std::vector<Axis> axes, const PlanOptions& op
 /// More would take a core days for linear verdicts and tens of terabytes.
 inline constexpr std::uint64_t max_points = 1'000'000'000'000;
 
-/// A power of two near 5 ms of work, smaller for small sweeps (so that threads share them), larger for huge ones (so
+/// A power of two near 0.1 s of work, smaller for small sweeps (so that threads share them), larger for huge ones (so
 /// that the index of chunks stays small). Depends on its arguments alone.
 std::uint64_t chunk_size_for(std::uint64_t points, double seconds_per_point);
 

@@ -61,6 +61,9 @@ Plan read_plan(const fs::path& directory)
 
 RunDirectory::RunDirectory(fs::path path, const Plan& plan, Shard shard, bool fresh) : path_(fs::absolute(path))
 {
+    if (fresh && !shard.whole())
+        throw Refused(
+            "--fresh with a shard would discard what other shards have done; remove the directory by hand first");
     fs::create_directories(path_);
     lock(shard);
     admit(plan, fresh);

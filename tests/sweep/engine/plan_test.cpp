@@ -125,7 +125,7 @@ TEST_CASE("a chunk is worth journalling, small sweeps are shared out and huge on
         }
     CHECK(chunk_size_for(100'000'000, linear_point_cost) == 8192);
     CHECK(chunk_size_for(10'000, linear_point_cost) == 256);
-    CHECK(chunk_size_for(1'000'000, nonlinear_point_cost) == 4);
+    CHECK(chunk_size_for(1'000'000, nonlinear_point_cost) == 64);
 }
 
 TEST_CASE("a plan comes back from JSON with every bit, and an edited one is found out")

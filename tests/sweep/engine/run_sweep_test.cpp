@@ -187,6 +187,7 @@ TEST_CASE("the same shard twice at once is refused, two shards are not")
     CHECK_THROWS_AS(RunDirectory(directory / "a", p, {0, 2}, false), Refused);
     CHECK_NOTHROW(RunDirectory(directory / "a", p, {1, 2}, false));
     CHECK_THROWS_AS(RunDirectory(directory / "a", p, {}, false), Refused);
+    CHECK_THROWS_AS(RunDirectory(directory / "b", p, {0, 2}, true), Refused);
 }
 
 TEST_CASE("results of unknown origin and a damaged plan are not overwritten")

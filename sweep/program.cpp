@@ -44,9 +44,10 @@ void catch_interrupts(Invocation& invocation)
     sigaction(SIGTERM, &action, nullptr);
 }
 
-int run_program(int argc, char** argv)
+int run_program(int argc, char** argv, Cluster* cluster)
 {
     Invocation invocation;
+    invocation.cluster = cluster;
     invocation.command = "stickslip";
     for (int i = 1; i < argc; ++i) invocation.command += " " + quoted(argv[i]);
 

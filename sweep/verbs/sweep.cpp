@@ -1,7 +1,7 @@
 // stickslip sweep: from a spec to results.nc and report.html.
 #include "analysis/stability/verdict.h"
 #include "sweep/embedded.h"
-#include "sweep/engine/run_sweep.h"
+#include "sweep/engine/run_on_cluster.h"
 #include "sweep/files/bad_input.h"
 #include "sweep/files/spec_file.h"
 #include "sweep/program.h"
@@ -72,10 +72,12 @@ int sweep(const Options& options, Invocation& invocation)
     run_options.engine.interrupt = &invocation.interrupted;
     if (line.shown()) run_options.engine.progress = [&](const Progress& p) { line.update(p); };
     catch_interrupts(invocation);
-    const auto run = run_sweep(plan, spec.joint, point_by_point([](const Joint& joint) { return linear_point(joint); }),
-                               run_options);
+    const auto evaluate = point_by_point([](const Joint& joint) { return linear_point(joint); });
+    const auto run = invocation.cluster ? run_on_cluster(plan, spec.joint, evaluate, run_options, *invocation.cluster)
+                                        : run_sweep(plan, spec.joint, evaluate, run_options);
     line.end();
     if (run.end != RunEnd::complete) return end_early(run, options.directory);
+    if (invocation.cluster && invocation.cluster->rank() != 0) return exit_done;  // rank 0 reports for all
     if (!run_options.shard.whole()) {
         fmt::print("shard {} done; when all are: stickslip merge {}\n", options.shard, options.directory);
         return exit_done;

@@ -7,11 +7,14 @@
 
 namespace stickslip {
 
+class Cluster;
+
 /// What every verb shares: how it was called and how it ends.
 struct Invocation {
     std::string command;  ///< the command line, quoted for a shell
     int exit_code = 0;
     std::atomic<bool> interrupted{false};  ///< set by Ctrl-C
+    Cluster* cluster = nullptr;            ///< the other processes that sweep with this one, if any
 };
 
 /// Marks the running program as interrupted instead of ending it, so that what is in flight can be kept.

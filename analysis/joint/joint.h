@@ -24,10 +24,12 @@ struct Transmission {
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number({"stiffness", Quantity::stiffness, positive, Need::required, "stiffness at the joint side"},
+        visit.number({"stiffness", Quantity::stiffness, positive, Need::required,
+                      "stiffness at the joint side (lever: motor_transmission at the motor side)"},
                      self.stiffness);
-        visit.number({"damping", Quantity::damping, not_negative, Need::optional, "damping at the joint side"},
-                     self.damping);
+        visit.number(
+            {"damping", Quantity::damping, not_negative, Need::optional, "damping, at the side of the stiffness"},
+            self.damping);
         visit.number(
             {"ratio", Quantity::number, positive, Need::optional, "reduction N: motor motion per joint motion"},
             self.ratio);
@@ -141,9 +143,11 @@ struct Control {
     ControlKind kind = ControlKind::position;
     Feedback feedback = Feedback::motor;
     double k_p = not_set, k_v = 0;
-    double V0 = not_set;          ///< commanded velocity of the maps
-    double force_rate = not_set;  ///< force control: a ramp of this rate, instead of V0 (V_0 = force_rate / k_p)
-    double period = not_set;      ///< sampled loop; not set: continuous
+    double V0 = not_set;           ///< commanded velocity of the maps
+    double force_rate = not_set;   ///< force control: rate of the contact force, instead of V0
+    double contact_stiffness = 0;  ///< k_c of Fig. 4: between link and surroundings, beside k_p
+    double force_gain = 0;         ///< force control: share of the contact force that is fed back to the motor
+    double period = not_set;       ///< sampled loop; not set: continuous
     bool reference_velocity = true;
     double effort_limit = infinity;
     double delay = 0;
@@ -159,8 +163,14 @@ struct Control {
         visit.number({"V0", Quantity::velocity, any_finite, Need::optional, "commanded velocity (maps need it)"},
                      self.V0);
         visit.number({"force_rate", Quantity::effort_rate, any_finite, Need::optional,
-                      "force control: rate of the force ramp, in place of V0"},
+                      "force control: rate of the contact force, in place of V0"},
                      self.force_rate);
+        visit.number({"contact_stiffness", Quantity::stiffness, not_negative, Need::optional,
+                      "stiffness k_c between link and surroundings, beside k_p"},
+                     self.contact_stiffness);
+        visit.number({"force_gain", Quantity::number, not_negative, Need::optional,
+                      "force control: share of the contact force that is fed back to the motor"},
+                     self.force_gain);
         visit.number({"period", Quantity::time, positive, Need::optional, "sample time of the loop (records)"},
                      self.period);
         visit.flag("reference_velocity", "velocity feedback acts on the velocity error, not on velocity alone",

@@ -57,6 +57,17 @@ LinearFriction scaled(LinearFriction friction, double factor)
     return friction;
 }
 
+LinearFriction reflected(LinearFriction friction, double N)
+{
+    for (int i = 0; i < friction.states; ++i) friction.b[i] *= N;
+    friction = scaled(std::move(friction), N);
+    // what is no state has had one N, from the force; the other comes with the velocity
+    friction.f_v *= N;
+    for (auto& d : friction.delays) d.weight *= N;
+    friction.table_scale *= N;
+    return friction;
+}
+
 Complex transfer(const LinearFriction& friction, Complex s)
 {
     Complex sum = 0;

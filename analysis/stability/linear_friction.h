@@ -29,8 +29,11 @@ struct LinearFriction {
 /// decay (a saturated bristle or element) is left out, too.
 LinearFriction linearise(const Friction& friction, double V);
 
-/// `factor` times the friction: reflected through a reduction N it is N² times as large at the joint's side.
+/// `factor` times the friction.
 LinearFriction scaled(LinearFriction friction, double factor);
+
+/// The friction behind a reduction N as the joint side feels it: δf' = N δf(N v).
+LinearFriction reflected(LinearFriction friction, double N);
 
 /// G(s), the Laplace transform of the kernel g, and dG/ds.
 std::complex<double> transfer(const LinearFriction& friction, std::complex<double> s);

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
+#include "analysis/stability/balance.h"
 #include "analysis/stability/polynomial.h"
 
 namespace stickslip {
@@ -22,25 +23,6 @@ auto roots_with_one_state(const LinearMass& j)
     const double C = j.k_v + j.friction.f_v, lambda = j.friction.lambda[0];
     return cubic_roots(C / j.inertia - lambda, (j.k_p - C * lambda - j.friction.weight(0)) / j.inertia,
                        -j.k_p * lambda / j.inertia);
-}
-
-/// Parlett-Reinsch balancing by powers of two, so that the eigenvalue solver sees entries of one size.
-/// Source: Parlett & Reinsch, Balancing a matrix for calculation of eigenvalues and eigenvectors (1969).
-void balance(Eigen::MatrixXd& matrix)
-{
-    for (bool changed = true; changed;) {
-        changed = false;
-        for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-            const double row = matrix.row(i).cwiseAbs().sum() - std::abs(matrix(i, i));
-            const double column = matrix.col(i).cwiseAbs().sum() - std::abs(matrix(i, i));
-            if (!(row > 0 && column > 0) || !std::isfinite(row + column)) continue;
-            const double factor = std::exp2(std::round(std::log2(row / column) / 2));
-            if (column * factor + row / factor >= 0.95 * (column + row)) continue;
-            matrix.col(i) *= factor;
-            matrix.row(i) /= factor;
-            changed = true;
-        }
-    }
 }
 
 /// Newton on (27) divided by nothing: F(s) and F'(s) hold to rounding wherever the states' own rates are not met.

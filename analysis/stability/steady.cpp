@@ -1,13 +1,24 @@
 #include "analysis/stability/steady.h"
 
-#include "analysis/stability/linear_friction.h"
+#include "analysis/stability/linear_joint.h"
 
 namespace stickslip {
+namespace {
+
+/// Why this body cannot slide steadily at V, or none.
+Reason obstacle(const Friction& friction, double V)
+{
+    if (V == 0 || (V < 0 && info(friction.law).needs_motion)) return Reason::law_needs_motion;
+    return has_response(friction) ? Reason::none : Reason::unsupported;
+}
+
+}  // namespace
 
 double commanded_velocity(const Joint& joint)
 {
     const auto& c = joint.control;
-    return c.kind == ControlKind::force && is_set(c.force_rate) ? c.force_rate / c.k_p : c.V0;
+    const bool ramp = c.kind == ControlKind::force && is_set(c.force_rate);
+    return ramp ? c.force_rate / (c.k_p + c.contact_stiffness) : c.V0;
 }
 
 SteadySliding steady_sliding(const Joint& joint)
@@ -18,17 +29,20 @@ SteadySliding steady_sliding(const Joint& joint)
         s.reason = Reason::no_velocity;
         return s;
     }
-    if (s.velocity == 0 || (s.velocity < 0 && info(joint.friction.law).needs_motion)) {
-        s.reason = Reason::law_needs_motion;
-        return s;
+    const Chain chain = chain_of(joint);
+    s.friction = 0;
+    for (int i = 0; i < chain.bodies; ++i) {
+        const auto& body = chain.body[i];
+        s.reason = obstacle(*body.friction, body.velocity(s.velocity));
+        if (chain.bodies > 1 && body.friction->load_coefficient != 0) s.reason = Reason::unsupported;
+        if (s.reason != Reason::none) {
+            s.friction = missing;
+            return s;
+        }
+        s.friction += body.ratio * steady_force(*body.friction, body.velocity(s.velocity));
     }
-    if (!has_response(joint.friction)) {
-        s.reason = Reason::unsupported;
-        return s;
-    }
-    s.friction = steady_force(joint.friction, s.velocity);
     // friction that grows with the transmitted effort T: T = f_ss + μ T
-    const double share = 1 - joint.friction.load_coefficient;
+    const double share = 1 - (chain.bodies == 1 ? joint.friction.load_coefficient : 0);
     s.deflection = s.friction / share / joint.control.k_p;
     if (!std::isfinite(s.friction) || !(share > 0)) s.reason = Reason::no_steady_state;
     return s;

@@ -4,10 +4,11 @@
 
 namespace stickslip {
 
-/// V_0: control.V0, or force_rate / k_p where force control ramps at a given rate. NaN if neither is set.
+/// V_0: control.V0, or force_rate / (k_p + k_c) where force control ramps at a given rate. NaN if neither is set.
 double commanded_velocity(const Joint& joint);
 
-/// f_ss(V_0) and the deflection that carries it, or the reason why the joint cannot slide steadily at V_0.
+/// The friction of all bodies in joint coordinates, Σ N f_ss(N V_0), and the deflection of the loop that carries it, or
+/// the reason why the joint cannot slide steadily at V_0.
 SteadySliding steady_sliding(const Joint& joint);
 
 }  // namespace stickslip

@@ -4,6 +4,8 @@
 
 #include "analysis/stability/critical_gain.h"
 #include "analysis/stability/crossings.h"
+#include "analysis/stability/joint_crossings.h"
+#include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/spectrum.h"
 #include "analysis/stability/steady.h"
 
@@ -34,14 +36,76 @@ Region region_of(bool velocity_only, bool memory)
     return velocity_only ? Region::velocity_only : Region::unstable;
 }
 
+/// The single mass with nothing but its loop, whose verdict has a closed form or a small polynomial.
+bool is_plain_mass(const Joint& joint)
+{
+    return joint.mechanism.model == Model::single_mass && joint.control.force_gain == 0 &&
+           joint.control.contact_stiffness == 0;
+}
+
+/// Any other joint, with the means of linear_joint.h.
+LinearVerdict joint_verdict(const Joint& joint, LinearVerdict verdict)
+{
+    const auto linear = linear_joint(joint, verdict.steady.velocity);
+    auto& simple = verdict.velocity_only;
+    auto& memory = verdict.state_variable;
+    simple.slope = memory.f_v = memory.kernel_integral = 0;
+    for (int i = 0; i < linear.bodies; ++i) {
+        simple.slope += steady_slope(linear.friction[i]);
+        memory.f_v += linear.friction[i].f_v;
+        memory.kernel_integral += kernel_integral(linear.friction[i]);
+    }
+    simple.k_v_min = least_velocity_gain(linear);
+    simple.stable = is_stable(velocity_only(linear));
+    memory.eigenvalues = spectrum(linear);
+    memory.spectral_abscissa = spectral_abscissa(linear);
+    if (std::isnan(memory.spectral_abscissa)) {
+        verdict.steady.reason = Reason::not_finite;
+        return verdict;
+    }
+    memory.stable = memory.spectral_abscissa < 0;
+    auto search = crossings(linear);
+    memory.crossings = std::move(search.crossings);
+    memory.searched_to = search.searched_to;
+    memory.doubtful = std::move(search.doubtful);
+    memory.stable_intervals = stable_intervals(linear, memory.crossings, memory.searched_to);
+    if (has_single_gain(memory.crossings, memory.stable_intervals)) memory.k_cr = memory.crossings[0].k_p;
+    return verdict;
+}
+
+PointResult joint_point(const Joint& joint, double V)
+{
+    PointResult point;
+    const auto linear = linear_joint(joint, V);
+    point.spectral_abscissa = spectral_abscissa(linear);
+    if (std::isnan(point.spectral_abscissa)) {
+        point.reason = Reason::not_finite;
+        return point;
+    }
+    point.k_v_min = least_velocity_gain(linear);
+    point.velocity_only_stable = is_stable(velocity_only(linear));
+    point.state_variable_stable = point.spectral_abscissa < 0;
+    point.region = region_of(point.velocity_only_stable, point.state_variable_stable);
+    const auto all = crossings(linear);
+    if (has_single_gain(all.crossings, stable_intervals(linear, all.crossings, all.searched_to))) {
+        point.k_cr = all.crossings[0].k_p;
+        point.omega = all.crossings[0].omega;
+    }
+    return point;
+}
+
 }  // namespace
 
 LinearMass linear_mass(const Joint& joint, double V)
 {
-    // friction that grows with the transmitted effort carries a share μ of the loop's force away
+    // friction that grows with the transmitted effort carries a share μ of the loop's force away; all else grows by as
+    // much beside the loop
     const double share = 1 - joint.friction.load_coefficient;
-    return {joint.mechanism.inertia, share * joint.control.k_v, share * joint.control.k_p,
-            linearise(joint.friction, V)};
+    LinearMass mass{joint.mechanism.inertia, joint.control.k_v, joint.control.k_p, linearise(joint.friction, V)};
+    if (share == 1) return mass;
+    mass.inertia /= share;
+    mass.friction = scaled(std::move(mass.friction), 1 / share);
+    return mass;
 }
 
 LinearVerdict linear_verdict(const Joint& joint)
@@ -49,11 +113,9 @@ LinearVerdict linear_verdict(const Joint& joint)
     LinearVerdict verdict;
     verdict.steady = steady_sliding(joint);
     if (verdict.steady.reason != Reason::none) return verdict;
+    if (!is_plain_mass(joint)) return joint_verdict(joint, std::move(verdict));
     const auto mass = linear_mass(joint, verdict.steady.velocity);
-    if (!mass.friction.rational()) {
-        verdict.steady.reason = Reason::unsupported;
-        return verdict;
-    }
+    if (!mass.friction.rational()) return joint_verdict(joint, std::move(verdict));
 
     auto& simple = verdict.velocity_only;
     simple.slope = steady_slope(mass.friction);
@@ -82,11 +144,9 @@ PointResult linear_point(const Joint& joint)
     const auto steady = steady_sliding(joint);
     point.reason = steady.reason;
     if (steady.reason != Reason::none) return point;
+    if (!is_plain_mass(joint)) return joint_point(joint, steady.velocity);
     const auto mass = linear_mass(joint, steady.velocity);
-    if (!mass.friction.rational()) {
-        point.reason = Reason::unsupported;
-        return point;
-    }
+    if (!mass.friction.rational()) return joint_point(joint, steady.velocity);
     const double slope = steady_slope(mass.friction);
     point.spectral_abscissa = spectral_abscissa(mass);
     if (std::isnan(point.spectral_abscissa) || !std::isfinite(slope)) {

@@ -45,6 +45,8 @@ struct StateVariableVerdict {
     std::vector<Crossing> crossings;
     std::vector<Interval> stable_intervals;  ///< in k_p, decided by the spectrum
     double k_cr = missing;                   ///< the single critical gain, NaN where there is none
+    double searched_to = infinity;           ///< k_p up to which crossings are complete; finite where delays go on
+    std::vector<Interval> doubtful;          ///< bands of ω in which a touch of the axis could not be excluded
 };
 
 struct LinearVerdict {
@@ -56,7 +58,8 @@ struct LinearVerdict {
 /// Everything the linear theory says about one joint. A joint without steady sliding gives NaN and the reason.
 LinearVerdict linear_verdict(const Joint& joint);
 
-/// The same verdicts as one row of a sweep, without allocation. Safe to call from many threads.
+/// The same verdicts as one row of a sweep; without allocation for a single mass with at most one state. Safe to call
+/// from many threads.
 PointResult linear_point(const Joint& joint);
 
 }  // namespace stickslip

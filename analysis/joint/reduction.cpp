@@ -1,0 +1,116 @@
+#include "analysis/joint/reduction.h"
+
+#include <stdexcept>
+
+namespace stickslip {
+namespace {
+
+void require(bool fits, const char* wanted)
+{
+    if (!fits) throw std::invalid_argument(wanted);
+}
+
+/// Coulomb-viscous friction and nothing else, or nothing.
+const CoulombViscous* simple(const Friction& f)
+{
+    return f.has_bristle() || f.has_memory() || f.has_lag() ? nullptr : std::get_if<CoulombViscous>(&f.law);
+}
+
+bool is_zero(const Friction& f)
+{
+    const auto* law = simple(f);
+    return law && law->coulomb == 0 && law->viscous == 0 && f.asymmetry.coulomb == 0 && f.asymmetry.viscous == 0;
+}
+
+/// The friction of two bodies that move as one; `turns` is the displacement of the first per that of the second.
+Friction joined(const Friction& first, double turns, const Friction& second)
+{
+    if (is_zero(first)) return second;
+    if (is_zero(second) && turns == 1) return first;
+    const auto *a = simple(first), *b = simple(second);
+    require(a && b, "the frictions of two bodies join only where both are coulomb-viscous or one is zero");
+    Friction sum = second;
+    sum.law = CoulombViscous{turns * a->coulomb + b->coulomb, turns * turns * a->viscous + b->viscous};
+    sum.asymmetry.coulomb += turns * first.asymmetry.coulomb;
+    sum.asymmetry.viscous += turns * turns * first.asymmetry.viscous;
+    return sum;
+}
+
+}  // namespace
+
+Reduction lever_to_three_mass(const Joint& joint)
+{
+    require(joint.mechanism.model == Model::lever, "the reduction to three masses starts from the lever");
+    Reduction r{joint, "lever to three masses (Fig. 4 to 5)", {"turning of the lever beyond small displacements"}};
+    auto& m = r.joint.mechanism;
+    const double N = m.motor_transmission.ratio;
+    m.model = Model::three_mass;
+    m.transmission_inertia /= m.lever_arm * m.lever_arm;
+    // a lever's first spring is at the motor's side; three masses have it at the joint side
+    m.motor_transmission.stiffness *= N * N;
+    m.motor_transmission.damping *= N * N;
+    return r;
+}
+
+Reduction three_mass_to_two_mass(const Joint& joint, Placement placement)
+{
+    require(joint.mechanism.model == Model::three_mass, "the reduction to two masses starts from three masses");
+    const auto& from = joint.mechanism;
+    require(from.transmission_link.ratio == 1, "the reduction to two masses needs the whole reduction at the motor");
+    Reduction r;
+    r.joint = joint;
+    auto& m = r.joint.mechanism;
+    m.model = Model::two_mass;
+    r.joint.frictions.has_transmission = false;
+    const double N = from.motor_transmission.ratio;
+    if (placement == Placement::at_motor) {
+        r.name = "three masses to two, transmission at the motor (Fig. 5 to 6)";
+        r.neglected = {"the compliance between motor and transmission, k_m-tr against k_tr-l"};
+        m.transmission = from.transmission_link;
+        m.transmission.ratio = N;
+        m.motor_inertia = from.motor_inertia + from.transmission_inertia / (N * N);
+        r.joint.frictions.motor = joined(joint.frictions.transmission, 1 / N, joint.frictions.motor);
+    } else {
+        r.name = "three masses to two, transmission at the joint (Fig. 5 to 6)";
+        r.neglected = {"the compliance between transmission and link, k_tr-l against k_m-tr"};
+        m.transmission = from.motor_transmission;
+        m.link_inertia = from.link_inertia + from.transmission_inertia;
+        r.joint.frictions.link = joined(joint.frictions.transmission, 1, joint.frictions.link);
+    }
+    return r;
+}
+
+Reduction two_mass_to_single_mass(const Joint& joint)
+{
+    require(joint.mechanism.model == Model::two_mass, "the reduction to one mass starts from two masses");
+    Reduction r;
+    r.joint = joint;
+    r.joint.mechanism.model = Model::single_mass;
+    r.joint.mechanism.inertia = joint.mechanism.link_inertia;
+    r.joint.friction = joint.frictions.link;
+    auto& c = r.joint.control;
+    if (c.kind == ControlKind::position) {
+        r.name = "ideal motor as a position source (Fig. 6 to 7a)";
+        r.neglected = {"the motor's inertia and friction", "the compliance of the motor's own loop, k_p against k_tr"};
+        c.k_p = joint.mechanism.transmission.stiffness;
+        c.k_v = joint.mechanism.transmission.damping;
+    } else {
+        r.name = "ideal motor as a force source (Fig. 6 to 7b)";
+        r.neglected = {"the motor's inertia and friction", "the compliance of the transmission, k_c against k_tr"};
+    }
+    return r;
+}
+
+Reduction rigid_transmission(const Joint& joint)
+{
+    require(joint.mechanism.model == Model::two_mass, "the reduction to one mass starts from two masses");
+    Reduction r{
+        joint, "rigid transmission (Fig. 6 to one mass)", {"the compliance of the transmission, k_tr against k_p"}};
+    const double N = joint.mechanism.transmission.ratio;
+    r.joint.mechanism.model = Model::single_mass;
+    r.joint.mechanism.inertia = joint.mechanism.link_inertia + N * N * joint.mechanism.motor_inertia;
+    r.joint.friction = joined(joint.frictions.motor, N, joint.frictions.link);
+    return r;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,36 @@
+// The reductions of the paper, Fig. 4 → 5 → 6 → 7, each with what it neglects. How good one is, is a matter of
+// comparing boundaries on both sides (stability/reduction_error.h).
+#pragma once
+#include <string>
+#include <vector>
+
+#include "analysis/joint/joint.h"
+
+namespace stickslip {
+
+/// A smaller joint that stands for a larger one.
+struct Reduction {
+    Joint joint;
+    std::string name;                    ///< "lever to three masses (Fig. 4 to 5)"
+    std::vector<std::string> neglected;  ///< half sentences; empty for an exact reduction
+};
+
+/// Where a transmission sits: which spring of Fig. 5 is so stiff that its bodies move as one.
+enum class Placement { at_motor, at_joint };
+
+/// Fig. 4 → 5 by the table of §3. Needs model lever; throws std::invalid_argument otherwise, as do the others.
+Reduction lever_to_three_mass(const Joint& joint);
+
+/// Fig. 5 → 6: the transmission's inertia and friction go to the motor or to the link. The frictions that meet on one
+/// body become one law where both are coulomb-viscous, or where one of them is zero; anything else has no single law.
+Reduction three_mass_to_two_mass(const Joint& joint, Placement placement);
+
+/// Fig. 6 → 7: the motor is an ideal source. Position control (7a): it moves at V_0 whatever the force, and the
+/// transmission becomes the loop, k_p = k_tr, k_v = its damping. Force control (7b, k_c ≪ k_tr): it gives its force
+/// whatever the motion, and the finger on the link remains.
+Reduction two_mass_to_single_mass(const Joint& joint);
+
+/// Fig. 6 → one mass by the other limit, k_tr ≫ k_p: all bodies move as one, the loop stays.
+Reduction rigid_transmission(const Joint& joint);
+
+}  // namespace stickslip

@@ -1,0 +1,28 @@
+// Balancing of a matrix before its eigenvalues are computed.
+#pragma once
+#include <Eigen/Core>
+#include <cmath>
+
+namespace stickslip {
+
+/// Parlett-Reinsch balancing by powers of two, so that the eigenvalue solver sees entries of one size.
+/// Source: Parlett & Reinsch, Balancing a matrix for calculation of eigenvalues and eigenvectors (1969).
+template <class Matrix>
+void balance(Matrix& matrix)
+{
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+            const double row = matrix.row(i).cwiseAbs().sum() - std::abs(matrix(i, i));
+            const double column = matrix.col(i).cwiseAbs().sum() - std::abs(matrix(i, i));
+            if (!(row > 0 && column > 0) || !std::isfinite(row + column)) continue;
+            const double factor = std::exp2(std::round(std::log2(row / column) / 2));
+            if (column * factor + row / factor >= 0.95 * (column + row)) continue;
+            matrix.col(i) *= factor;
+            matrix.row(i) /= factor;
+            changed = true;
+        }
+    }
+}
+
+}  // namespace stickslip

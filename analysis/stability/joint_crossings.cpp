@@ -1,0 +1,159 @@
+#include "analysis/stability/joint_crossings.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <numbers>
+
+#include "analysis/boundary/root.h"
+#include "analysis/stability/balance.h"
+#include "analysis/stability/joint_spectrum.h"
+
+namespace stickslip {
+namespace {
+
+/// p(−s)
+Polynomial mirrored(Polynomial p)
+{
+    for (int k = 1; k < p.size; k += 2) p.c[k] = -p.c[k];
+    return p;
+}
+
+/// Im(a(iω) conj b(iω))/ω as a polynomial in u = ω².
+Polynomial misphase_polynomial(const LinearJoint& j, Gain gain)
+{
+    const auto rational = rational_characteristic(j);
+    const auto parts =
+        split_by(gain, Characteristic<Polynomial>{rational.a, rational.b}, j.k_p, j.k_v, Polynomial(0, 1));
+    const Polynomial product = parts.a * mirrored(parts.b);
+    Polynomial q;
+    q.size = std::max(1, product.size / 2);
+    q.c[0] = 0;
+    for (int k = 1; k < product.size; k += 2) q.c[k / 2] = (k / 2) % 2 == 0 ? product.c[k] : -product.c[k];
+    return trimmed(q);
+}
+
+/// Positive real parts of the roots: each sign change of q at u > 0 lies at one of them or between two.
+std::vector<double> separators(Polynomial q)
+{
+    int zeros = 0;  // roots at u = 0
+    while (zeros < q.size && q.c[zeros] == 0) ++zeros;
+    const int n = q.degree() - zeros;
+    if (n < 1) return {};
+    const double* c = q.c.data() + zeros;
+    const double unit = std::pow(std::abs(c[0] / c[n]), 1.0 / n);
+    if (!(unit > 0) || !std::isfinite(unit)) return {};
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Polynomial::capacity / 2, Polynomial::capacity / 2>
+        companion(n, n);
+    companion.setZero();
+    if (n > 1) companion.diagonal(-1).setOnes();
+    for (int k = 0; k < n; ++k) companion(k, n - 1) = -c[k] / c[n] * std::pow(unit, k - n);
+    if (!companion.allFinite()) return {};
+    balance(companion);
+    std::vector<double> positive;
+    const auto roots = companion.eigenvalues();
+    for (const auto& root : roots)
+        if (root.real() > 0) positive.push_back(root.real() * unit);
+    std::sort(positive.begin(), positive.end());
+    return positive;
+}
+
+/// A k_p that covers what matters of a joint with infinitely many crossings; infinity where crossings are known to end.
+struct GainLimit {
+    double search, complete_to;
+};
+GainLimit gain_limit(const LinearJoint& j)
+{
+    double longest = 0, inertia = 0;
+    bool delays = false;
+    for (int i = 0; i < j.bodies; ++i) {
+        inertia += j.inertia[i];
+        for (const auto& d : j.friction[i].delays) longest = std::max(longest, d.time);
+        delays = delays || j.friction[i].delays.size > 0;
+        if (j.friction[i].table) longest = std::max(longest, j.friction[i].table->duration());
+    }
+    const double turns = 16 * std::numbers::pi / longest;
+    const double usual = std::max(4 * std::abs(j.k_p), inertia * turns * turns);
+    // a single body without delays: |Re G(iω)| ≤ (Σ|w| + variation of the table)/ω, so (34) has no solution beyond
+    // that/C
+    const auto& f = j.friction[0];
+    const double C = j.k_v * j.actuated[0] + f.f_v;
+    if (j.bodies > 1 || delays || !(C > 0)) return {usual, usual};
+    double variation = f.table ? std::abs(f.table_scale) * f.table->variation() : 0;
+    for (int k = 0; k < f.states; ++k) variation += std::abs(f.weight(k));
+    const double last = variation / C;
+    const double enough = (j.inertia[0] * last * last + variation * 2) / j.actuated[0];
+    return {std::max(enough, 4 * std::abs(j.k_p)), infinity};
+}
+
+}  // namespace
+
+std::vector<Crossing> rational_crossings(const LinearJoint& j, Gain gain)
+{
+    std::vector<Crossing> found;
+    const auto at = separators(misphase_polynomial(j, gain));
+    if (at.empty()) return found;
+    std::vector<double> points{std::sqrt(at.front()) / 2};
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        points.push_back(std::sqrt(at[i]));
+        points.push_back(i + 1 < at.size() ? std::pow(at[i] * at[i + 1], 0.25) : 2 * std::sqrt(at[i]));
+    }
+    const auto phase = [&](double omega) { return misphase(j, gain, omega); };
+    double low = points[0], at_low = phase(low);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const double high = points[i], at_high = phase(high);
+        if (std::signbit(at_low) != std::signbit(at_high) && high > low) {
+            const double omega = bracketed_root(phase, low, at_low, high, at_high, 1e-15).value;
+            const double value = gain_at(j, gain, omega);
+            if (value > 0) found.push_back({value, omega, crossing_direction(j, gain, value, omega)});
+        }
+        low = high, at_low = at_high;
+    }
+    std::sort(found.begin(), found.end(), [](const Crossing& a, const Crossing& b) { return a.k_p < b.k_p; });
+    return found;
+}
+
+CrossingSearch crossings(const LinearJoint& j)
+{
+    if (j.rational()) {
+        CrossingSearch all;
+        all.crossings = rational_crossings(j, Gain::k_p);
+        return all;
+    }
+    const auto limit = gain_limit(j);
+    auto found = search_crossings(j, limit.search);
+    if (found.searched_to == limit.search) found.searched_to = limit.complete_to;
+    return found;
+}
+
+std::vector<Interval> stable_intervals(const LinearJoint& j, const std::vector<Crossing>& crossings, double searched_to,
+                                       Gain gain)
+{
+    std::vector<double> bounds{0};
+    for (const auto& c : crossings) bounds.push_back(c.k_p);
+    if (searched_to > bounds.back()) bounds.push_back(searched_to);
+    std::vector<Interval> intervals;
+    for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
+        const double low = bounds[i], high = bounds[i + 1];
+        LinearJoint probe = j;
+        const double own = gain == Gain::k_p ? j.k_p : j.k_v;
+        (gain == Gain::k_p ? probe.k_p : probe.k_v) = low == 0 && high == infinity ? std::max(std::abs(own), 1.0)
+                                                      : high == infinity           ? 2 * low
+                                                      : low == 0                   ? high / 2
+                                                                                   : std::sqrt(low * high);
+        if (!is_stable(probe)) continue;
+        if (!intervals.empty() && intervals.back().high == low)
+            intervals.back().high = high;
+        else
+            intervals.push_back({low, high});
+    }
+    return intervals;
+}
+
+double least_velocity_gain(const LinearJoint& joint)
+{
+    const auto curve = velocity_only(joint);
+    const auto stable = stable_intervals(curve, rational_crossings(curve, Gain::k_v), infinity, Gain::k_v);
+    return stable.empty() ? missing : stable.front().low;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,103 @@
+#include "analysis/stability/linear_joint.h"
+
+namespace stickslip {
+
+int LinearJoint::states() const
+{
+    int sum = 2 * bodies;
+    for (int i = 0; i < bodies; ++i) sum += friction[i].states;
+    return sum;
+}
+
+bool LinearJoint::rational() const
+{
+    for (int i = 0; i < bodies; ++i)
+        if (!friction[i].rational()) return false;
+    return true;
+}
+
+Chain chain_of(const Joint& joint)
+{
+    const auto& m = joint.mechanism;
+    Chain chain;
+    const auto body = [&](double inertia, const Friction& friction, double ratio) {
+        chain.body[chain.bodies++] = {inertia * ratio * ratio, &friction, ratio};
+    };
+    switch (m.model) {
+        case Model::single_mass:
+            body(m.inertia, joint.friction, 1);
+            break;
+        case Model::two_mass:
+            body(m.motor_inertia, joint.frictions.motor, m.transmission.ratio);
+            body(m.link_inertia, joint.frictions.link, 1);
+            chain.stiffness[0] = m.transmission.stiffness;
+            chain.damping[0] = m.transmission.damping;
+            break;
+        case Model::three_mass:
+        case Model::lever: {
+            const bool lever = m.model == Model::lever;
+            const double middle = m.transmission_link.ratio, motor = m.motor_transmission.ratio * middle;
+            // a lever's first spring is at the motor's side, any other at its own joint side
+            const double side = lever ? motor : middle;
+            body(m.motor_inertia, joint.frictions.motor, motor);
+            body(lever ? m.transmission_inertia / (m.lever_arm * m.lever_arm) : m.transmission_inertia,
+                 joint.frictions.transmission, middle);
+            body(m.link_inertia, joint.frictions.link, 1);
+            chain.stiffness = {side * side * m.motor_transmission.stiffness, m.transmission_link.stiffness};
+            chain.damping = {side * side * m.motor_transmission.damping, m.transmission_link.damping};
+            break;
+        }
+    }
+    const auto& c = joint.control;
+    if (c.kind == ControlKind::force)
+        for (int i = chain.bodies - 1; i > 0; --i)
+            chain.body[i - 1].speed = chain.body[i].speed + (c.k_p + c.contact_stiffness) / chain.stiffness[i - 1];
+    return chain;
+}
+
+LinearJoint linear_joint(const Joint& joint, double V)
+{
+    const auto& c = joint.control;
+    const Chain chain = chain_of(joint);
+    LinearJoint linear;
+    linear.bodies = chain.bodies;
+    for (int i = 0; i < chain.bodies; ++i) {
+        const auto& body = chain.body[i];
+        linear.inertia[i] = body.inertia;
+        linear.friction[i] = reflected(linearise(*body.friction, body.velocity(V)), body.ratio);
+    }
+    if (chain.bodies == 1) {
+        // friction that grows with the transmitted effort carries a share μ of the loop's force away
+        const double share = 1 - joint.friction.load_coefficient;
+        linear.inertia[0] /= share;
+        linear.friction[0] = scaled(std::move(linear.friction[0]), 1 / share);
+    }
+    linear.stiffness = chain.stiffness;
+    linear.damping = chain.damping;
+    linear.k_p = c.k_p;
+    linear.k_v = c.k_v;
+    const int link = linear.link();
+    linear.contact[link] = c.contact_stiffness;
+    if (c.kind == ControlKind::force) {
+        linear.measured = link;
+        linear.actuated[link] = 1;
+        linear.actuated[0] += c.force_gain;
+        linear.contact[0] += c.force_gain * c.contact_stiffness;
+    } else {
+        linear.measured = c.feedback == Feedback::link ? link : 0;
+        linear.actuated[0] = 1;
+    }
+    return linear;
+}
+
+LinearJoint velocity_only(LinearJoint joint)
+{
+    for (int i = 0; i < joint.bodies; ++i) {
+        LinearFriction curve;
+        curve.f_v = steady_slope(joint.friction[i]);
+        joint.friction[i] = curve;
+    }
+    return joint;
+}
+
+}  // namespace stickslip

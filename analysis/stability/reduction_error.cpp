@@ -1,0 +1,53 @@
+#include "analysis/stability/reduction_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "analysis/boundary/root.h"
+#include "analysis/joint/parameters.h"
+#include "analysis/stability/verdict.h"
+
+namespace stickslip {
+namespace {
+
+/// Every sign change of f over a logarithmic scan.
+template <class Function>
+std::vector<double> sign_changes(Function&& f, double low, double high, int scan)
+{
+    std::vector<double> found;
+    double a = low, fa = f(a);
+    for (int i = 1; i <= scan; ++i) {
+        const double b = low * std::pow(high / low, double(i) / scan), fb = f(b);
+        if (std::signbit(fa) != std::signbit(fb) && !std::isnan(fa) && !std::isnan(fb))
+            found.push_back(bracketed_root(f, a, fa, b, fb, 1e-10).value);
+        a = b, fa = fb;
+    }
+    return found;
+}
+
+}  // namespace
+
+ReductionError compare_reduction(const Joint& full, const std::function<Reduction(const Joint&)>& reduce,
+                                 std::string_view path, double low, double high, int scan)
+{
+    Joint joint = full;
+    double* parameter = find_parameter(joint, path);
+    if (!parameter) throw std::invalid_argument("the joint has no parameter " + std::string(path));
+    const auto abscissa = [&](double value, bool reduced) {
+        *parameter = value;
+        return linear_point(reduced ? reduce(joint).joint : joint).spectral_abscissa;
+    };
+    ReductionError result;
+    result.full = sign_changes([&](double v) { return abscissa(v, false); }, low, high, scan);
+    result.reduced = sign_changes([&](double v) { return abscissa(v, true); }, low, high, scan);
+    if (result.full.size() != result.reduced.size()) {
+        result.error = infinity;
+        return result;
+    }
+    for (std::size_t i = 0; i < result.full.size(); ++i)
+        result.error = std::max(result.error, std::abs(result.reduced[i] / result.full[i] - 1));
+    return result;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,83 @@
+// Reductions: exact where they claim it, and their error where they do not.
+#include <catch2/catch.hpp>
+
+#include "analysis/joint/reduction.h"
+#include "analysis/stability/joint_spectrum.h"
+#include "analysis/stability/reduction_error.h"
+#include "tests/analysis/joint/sample_joints.h"
+
+using namespace stickslip;
+
+TEST_CASE("lever and three masses are the same linear system", "[joint]")
+{
+    auto lever = samples::nine_states();
+    lever.mechanism.model = Model::lever;
+    lever.mechanism.lever_arm = 0.3;
+    lever.mechanism.motor_transmission.ratio = 5;
+    const auto reduced = lever_to_three_mass(lever);
+    const auto before = spectrum(linear_joint(lever, 1e-3)), after = spectrum(linear_joint(reduced.joint, 1e-3));
+    REQUIRE(before.size() == after.size());
+    for (std::size_t i = 0; i < before.size(); ++i) CHECK(std::abs(before[i] - after[i]) < 1e-9 * std::abs(before[i]));
+    CHECK_THROWS_AS(lever_to_three_mass(reduced.joint), std::invalid_argument);
+}
+
+TEST_CASE("three masses become two as the neglected spring stiffens", "[joint]")
+{
+    for (const auto placement : {Placement::at_motor, Placement::at_joint}) {
+        double last = infinity;
+        for (const double stiffness : {1e7, 1e8, 1e9, 1e10}) {
+            auto joint = samples::three_mass();
+            joint.mechanism.motor_transmission.ratio = 2;
+            joint.frictions.transmission.law = CoulombViscous{0, 0};
+            auto& spring = placement == Placement::at_motor ? joint.mechanism.motor_transmission
+                                                            : joint.mechanism.transmission_link;
+            spring.stiffness = stiffness;
+            const auto compared = compare_reduction(
+                joint, [&](const Joint& j) { return three_mass_to_two_mass(j, placement); }, "control.k_p", 1e3, 1e6);
+            CAPTURE(stiffness);
+            REQUIRE(compared.full.size() == 1);
+            CHECK(compared.error < 0.3 * last);
+            last = compared.error;
+        }
+        CHECK(last < 1e-5);
+    }
+}
+
+TEST_CASE("an ideal motor is the limit of a stiff loop, a rigid transmission that of a soft one", "[joint]")
+{
+    // 7a: k_tr is the spring that k_cr is about. The motor's loop far stiffer and damped
+    auto joint = samples::two_mass();
+    joint.control.k_p = 1e10;
+    joint.control.k_v = 1e6;
+    joint.mechanism.transmission.damping = 0;
+    auto compared = compare_reduction(joint, two_mass_to_single_mass, "joint.transmission.stiffness", 1e3, 1e6);
+    REQUIRE(compared.reduced.size() == 1);
+    CHECK(compared.reduced[0] == Approx(55000).epsilon(1e-9));
+    CHECK(compared.error < 1e-4);
+    // with a loop only ten times as stiff as the spring the reduction is a tenth off
+    joint.control.k_p = 5.5e5;
+    joint.control.k_v = 0;
+    compared = compare_reduction(joint, two_mass_to_single_mass, "joint.transmission.stiffness", 1e3, 1e7);
+    CHECK(compared.error > 0.05);
+
+    auto rigid = samples::two_mass();
+    rigid.frictions.motor.law = CoulombViscous{0, 0};
+    compared = compare_reduction(rigid, rigid_transmission, "control.k_p", 1e3, 1e6);
+    REQUIRE(compared.reduced.size() == 1);
+    CHECK(compared.reduced[0] == Approx(57500).epsilon(1e-9));
+    CHECK(compared.error < 0.02);
+}
+
+TEST_CASE("every reduction says what it neglects", "[joint]")
+{
+    CHECK_FALSE(two_mass_to_single_mass(samples::two_mass()).neglected.empty());
+    auto two = samples::two_mass();
+    CHECK_THROWS_AS(rigid_transmission(two), std::invalid_argument);
+    two.frictions.motor.law = CoulombViscous{0, 0};
+    CHECK_FALSE(rigid_transmission(two).neglected.empty());
+    auto three = samples::three_mass();
+    CHECK_FALSE(three_mass_to_two_mass(three, Placement::at_motor).neglected.empty());
+    // two laws with memory on one body have no common law
+    three.frictions.transmission = three.frictions.link;
+    CHECK_THROWS_AS(three_mass_to_two_mass(three, Placement::at_joint), std::invalid_argument);
+}

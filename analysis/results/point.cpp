@@ -58,6 +58,8 @@ constexpr Column table[] = {
     numbered("period", "period of the limit cycle", Quantity::time, &PointResult::period, true),
     numbered("stick_fraction", "share of the period spent sticking", Quantity::number, &PointResult::stick_fraction,
              true),
+    numbered("overshoot", "largest excess of position over the steady path, per steady deflection", Quantity::number,
+             &PointResult::overshoot, true),
 };
 
 }  // namespace
@@ -65,6 +67,21 @@ constexpr Column table[] = {
 std::span<const Column> columns()
 {
     return table;
+}
+
+std::string_view code_name(std::string_view column, std::uint8_t code)
+{
+    for (const auto& c : table) {
+        if (c.name != column) continue;
+        std::string_view words = c.meanings;
+        for (; code > 0; --code) {
+            const auto space = words.find(' ');
+            if (space == std::string_view::npos) return "unknown";
+            words.remove_prefix(space + 1);
+        }
+        return words.substr(0, words.find(' '));
+    }
+    return "unknown";
 }
 
 }  // namespace stickslip

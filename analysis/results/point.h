@@ -60,6 +60,7 @@ struct PointResult {
     double velocity_min = missing, velocity_max = missing;
     double period = missing;
     double stick_fraction = missing;  ///< share of the period spent at rest or below a hundredth of V_0
+    double overshoot = missing;       ///< largest excess of position over the steady path, per steady deflection
 };
 
 /// A column of results.nc. Exactly one of `number` and `code` is set; a code has its meanings as CF flag_meanings.
@@ -75,5 +76,8 @@ struct Column {
 
 /// Every column, in the order of the file.
 std::span<const Column> columns();
+
+/// The word for a code of a coded column, e.g. code_name("outcome", 1) == "stable-sliding".
+std::string_view code_name(std::string_view column, std::uint8_t code);
 
 }  // namespace stickslip

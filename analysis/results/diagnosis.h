@@ -1,0 +1,110 @@
+// What a diagnosis found: plain data, the fields of diagnosis.json by the same names.
+#pragma once
+#include "analysis/results/quantity.h"
+
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stickslip {
+
+enum class Verdict { gap, no_gap, unknown, insufficient_data };
+
+/// "gap", "no-gap", "unknown" or "insufficient-data".
+inline std::string name_of(Verdict v)
+{
+    switch (v) {
+        case Verdict::gap:
+            return "gap";
+        case Verdict::no_gap:
+            return "no-gap";
+        case Verdict::unknown:
+            return "unknown";
+        default:
+            return "insufficient-data";
+    }
+}
+
+struct ConfidenceInterval {
+    double low = std::numeric_limits<double>::quiet_NaN(), high = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// A part of the whole: where along the chain, or in which regime, the gap lies.
+struct Share {
+    std::string name;
+    double share = 0;
+    ConfidenceInterval interval;
+    double rms = 0, floor = 0;  ///< in `unit`; regimes: in floors
+    std::string unit;
+};
+
+struct FittedParameter {
+    std::string name;  ///< "stribeck.c2"
+    double value = 0;
+    double standard_error = std::numeric_limits<double>::quiet_NaN();
+    std::string unit;
+};
+
+/// One cause, or a few that act together, with its rank by position.
+struct Cause {
+    std::vector<std::string> names;
+    std::string form;  ///< which way of writing it down fitted best, empty where there is one
+    double probability = 0;
+    std::vector<FittedParameter> parameters;
+    double heldout_gain = 0;  ///< 1 − after/before of held-out RMS
+    ConfidenceInterval heldout_gain_interval;
+    bool signature = false;  ///< its tell-tale is in the records
+    bool plausible = true;   ///< its numbers are not at a bound and not out of all proportion
+    std::string tell_tale;   ///< what the signature is
+    double misfit = 0;       ///< score of the fit; 0 is noise
+};
+
+/// RMS difference between measured and simulated signals over held-out records.
+struct SignalGap {
+    std::string signal, unit;
+    double before = 0, after = 0, floor = 0, explained = 0;
+};
+
+struct OverallGap {
+    double before = 0, after = 0, floor = 0, explained = 0;  ///< in floors
+    ConfidenceInterval interval;                                       ///< of explained
+};
+
+struct NextExperiment {
+    std::string description;
+    std::vector<std::pair<std::string, std::string>> separates;  ///< two causes each
+    double distance = 0;                  ///< difference of the two predictions, in noise standard deviations
+    std::vector<double> time, reference;  ///< the motion itself
+};
+
+struct RecordRole {
+    std::string file, role;  ///< fit | held-out
+};
+
+/// Traces of one record for the page: measured, and simulated before and after.
+struct DiagnosedTrace {
+    std::string file;
+    std::vector<double> time, measured, before, after;
+    std::vector<double> effort_measured, effort_before, effort_after;
+};
+
+/// Everything that the report and diagnosis.json say. Boundary numbers are added by who can compute maps.
+struct Diagnosis {
+    Verdict verdict = Verdict::insufficient_data;
+    std::vector<std::string> reasons;
+    std::vector<RecordRole> records;
+    std::vector<Share> signals, regimes;
+    std::vector<Cause> effects;
+    std::vector<std::vector<std::string>> ambiguous_with;
+    NextExperiment next_experiment;
+    std::vector<SignalGap> gap;
+    OverallGap overall;
+    double remainder = 0;  ///< part of the gap that the best cause leaves
+    std::vector<std::string> notes;
+    std::vector<DiagnosedTrace> traces;
+    Motion motion = Motion::prismatic;
+    double usual_speed = 0;  ///< 95th percentile of |velocity| in the records
+};
+
+}  // namespace stickslip

@@ -1,0 +1,23 @@
+// A motion in time, for files, time series, phase portraits and friction-velocity loops.
+#pragma once
+#include "analysis/results/point.h"
+
+#include <vector>
+
+namespace stickslip {
+
+/// One motion, all vectors of one length. Velocity 0 with `stuck` set is true sticking.
+struct Trajectory {
+    std::vector<double> time;                 ///< s
+    std::vector<double> position;             ///< excess over the steady path
+    std::vector<double> velocity;             ///< of the link
+    std::vector<double> friction;             ///< force on the link, against its motion
+    std::vector<std::vector<double>> states;  ///< of the friction law, one vector a state
+    std::vector<std::uint8_t> stuck;
+    double commanded_velocity = missing;  ///< V_0
+    double steady_friction = missing;     ///< f_ss(V_0)
+    Reason reason = Reason::none;         ///< why it is empty or stops early
+    bool used_fallback = false;           ///< CVODE gave up on the way and Rodas5P finished
+};
+
+}  // namespace stickslip

@@ -1,0 +1,230 @@
+#include "analysis/simulation/attractor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <vector>
+
+namespace stickslip {
+namespace {
+
+constexpr double settled_distance = 1e-6;  ///< of steady sliding, in units of the flow's scale
+constexpr double alike = 0.05;             ///< gap of two turns, per amplitude, from which shooting is tried
+constexpr double closed = 1e-7;            ///< gap of a closed orbit, per amplitude
+constexpr double longest_turn = 1e4;       ///< of which a turn is given up, in times of the slowest linear rate
+constexpr double watched = 1e-8;           ///< the same for a motion that is only watched, at the noise of its steps
+constexpr int longest_repeat = 32;
+constexpr int settling_turns = 60;  ///< before a motion that neither closes nor settles is tested for repeats
+
+/// The bookkeeping of one motion.
+class Follower {
+  public:
+    Follower(const Flow& flow, bool steady_attracts, const FollowOptions& options)
+        : flow_(flow),
+          options_(options),
+          steady_attracts_(steady_attracts),
+          scale_(flow.scale()),
+          steady_(flow.steady()),
+          motion_(flow, options.solver, options.rtol)
+    {
+        FlowMatrix J;
+        flow.jacobian(steady_, J);
+        const double slowest = J.eigenvalues().cwiseAbs().minCoeff();
+        turn_limit_ = longest_turn / slowest;
+    }
+
+    Attractor run(const FlowVector& y);
+
+  private:
+    double distance(const FlowVector& a, const FlowVector& b) const
+    {
+        return (a - b).cwiseQuotient(scale_).cwiseAbs().maxCoeff();
+    }
+    Attractor ended(Attractor::Kind kind, Reason reason = Reason::none);
+    Attractor from_turn(const Turn& turn);
+    bool shoot(const FlowVector& guess);
+    bool jump(double growth);
+    double still_amplitude(double growth) const;
+    double amplitude() const { return distance(points_.back(), steady_); }
+    bool repeats();
+    bool smooth(const Turn& turn) const { return turn.sticks == 0 && !turn.reversed; }
+
+    const Flow& flow_;
+    const FollowOptions& options_;
+    bool steady_attracts_;
+    FlowVector scale_, steady_;
+    SlidingMotion motion_;
+    Attractor result_;
+    std::deque<FlowVector> points_;  ///< on the section, newest last
+    std::deque<Turn> turns_;
+    double turn_limit_ = 0;                        ///< s
+    double last_growth_ = missing;                 ///< ln of the amplitude ratio of the last two turns
+    double grows_at_ = 0, shrinks_at_ = infinity;  ///< amplitudes seen to grow and to shrink since the last wild turn
+    int next_shot_ = 0, patience_ = 1;             ///< turns
+    int quiet_turns_ = 0;                          ///< turns since the amplitude was last scaled
+};
+
+Attractor Follower::ended(Attractor::Kind kind, Reason reason)
+{
+    result_.kind = kind;
+    result_.reason = reason;
+    result_.used_fallback = motion_.used_fallback();
+    return result_;
+}
+
+Attractor Follower::from_turn(const Turn& turn)
+{
+    result_.period = turn.period();
+    result_.velocity_min = turn.velocity_min;
+    result_.velocity_max = turn.velocity_max;
+    result_.position_min = turn.position_min;
+    result_.position_max = turn.position_max;
+    result_.rest_time = turn.rest_time;
+    result_.reversed = turn.reversed;
+    result_.start = turn.state;
+    return ended(Attractor::Kind::cycle);
+}
+
+bool Follower::shoot(const FlowVector& guess)
+{
+    // each miss doubles the wait: a motion that creeps past a fold would be shot at in every turn for nothing
+    if (result_.turns < next_shot_) return false;
+    next_shot_ = result_.turns + patience_;
+    patience_ = std::min(2 * patience_, 32);
+    CycleOptions options;
+    options.rtol = std::min(1e-9, options_.rtol);
+    const auto cycle = find_cycle(flow_, guess, options);
+    if (!cycle || !cycle->attracts()) return false;
+    const double size = distance(cycle->start, steady_);
+    if (distance(cycle->start, guess) > 0.5 * size) return false;  // another orbit than the one at hand
+    result_.path = DecisionPath::shooting;
+    result_.period = cycle->period;
+    result_.velocity_min = cycle->velocity_min;
+    result_.velocity_max = cycle->velocity_max;
+    result_.position_min = cycle->position_min;
+    result_.position_max = cycle->position_max;
+    result_.rest_time = cycle->rest_time;
+    result_.reversed = cycle->velocity_min < 0;
+    result_.start = cycle->start;
+    result_.multipliers = cycle->multipliers;
+    return true;
+}
+
+/// Amplitude at which the growth per turn would vanish if it were a line in amplitude²; not a number if nowhere.
+double Follower::still_amplitude(double growth) const
+{
+    const double a = amplitude(), b = amplitude() * std::exp(-growth);  // newest and the one before
+    const double squared = a * a - growth * (a * a - b * b) / (growth - last_growth_);
+    return std::sqrt(squared);
+}
+
+/// Scales the amplitude of a creeping motion towards where its growth changes sign; true when that found the cycle.
+bool Follower::jump(double growth)
+{
+    const FlowVector y = points_.back();
+    const double size = amplitude(), still = still_amplitude(growth);
+    (growth > 0 ? grows_at_ : shrinks_at_) = size;
+    const bool bracketed = grows_at_ < shrinks_at_ && grows_at_ > 0 && shrinks_at_ < infinity;
+    const double middle = std::sqrt(0.5 * (grows_at_ * grows_at_ + shrinks_at_ * shrinks_at_));
+    const bool ahead = growth > 0 ? still > size && still < 4 * size : still < size && still > 0.2 * size;
+    if (ahead && shoot(steady_ + still / size * (y - steady_))) return true;
+    if (bracketed && shoot(steady_ + middle / size * (y - steady_))) return true;
+    // what creeps inwards may be passing a fold: only where nothing lies ahead may it be moved on
+    if (growth < 0 && ahead && !bracketed) return false;
+    const double factor = bracketed ? middle / size : growth > 0 ? 2 : 0.6;
+    motion_.start(steady_ + factor * (y - steady_), motion_.time());
+    points_.clear();
+    turns_.clear();
+    last_growth_ = missing;
+    quiet_turns_ = 0;
+    return false;
+}
+
+bool Follower::repeats()
+{
+    const int n = static_cast<int>(points_.size());
+    const double size = amplitude();
+    for (int m = 2; m <= longest_repeat && 2 * m < n; ++m) {
+        if (distance(points_[n - 1], points_[n - 1 - m]) > closed * 100 * size) continue;
+        Turn all = turns_.back();
+        all.rest_time = 0;
+        for (int i = 0; i < m; ++i) {
+            const Turn& t = turns_[turns_.size() - 1 - i];
+            all.t0 = t.t0;
+            all.velocity_min = std::min(all.velocity_min, t.velocity_min);
+            all.velocity_max = std::max(all.velocity_max, t.velocity_max);
+            all.position_min = std::min(all.position_min, t.position_min);
+            all.position_max = std::max(all.position_max, t.position_max);
+            all.rest_time += t.rest_time;
+            all.reversed = all.reversed || t.reversed;
+        }
+        from_turn(all);
+        result_.repeats = m;
+        return true;
+    }
+    return false;
+}
+
+Attractor Follower::run(const FlowVector& y)
+{
+    using Kind = Attractor::Kind;
+    motion_.start(y);
+    const auto settled = [this](const FlowVector& now) {
+        return steady_attracts_ && distance(now, steady_) < settled_distance;
+    };
+    for (; result_.turns < options_.turn_limit; ++result_.turns) {
+        const Turn turn = motion_.turn(motion_.time() + turn_limit_, settled);
+        if (result_.turns == 0) result_.first_peak = turn.position_max;
+        switch (turn.end) {
+            case Turn::End::settled:
+                return ended(Kind::steady);
+            case Turn::End::held:
+                return ended(Kind::held);
+            case Turn::End::failure:
+                return ended(Kind::failure, Reason::solver_failed);
+            case Turn::End::time:
+                return ended(Kind::undecided, Reason::not_converged);
+            case Turn::End::crossing:
+                break;
+        }
+        points_.push_back(turn.state);
+        turns_.push_back(turn);
+        ++quiet_turns_;
+        if (points_.size() > 2 * longest_repeat + 2) points_.pop_front(), turns_.pop_front();
+        if (points_.size() < 2) continue;
+        const FlowVector& now = points_.back();
+        const FlowVector& before = points_[points_.size() - 2];
+        const double size = amplitude(), gap = distance(now, before);
+        const double growth = std::log(size / distance(before, steady_));
+        // a motion that sticks forgets everything but the spring: two equal turns are a closed orbit
+        const bool both_stick = turn.sticks > 0 && turns_[turns_.size() - 2].sticks > 0;
+        if (both_stick && gap <= std::max(closed, 10 * options_.rtol) * std::max(size, 1.0)) return from_turn(turn);
+        if (options_.accelerate && smooth(turn)) {
+            const bool due = gap < alike * size || quiet_turns_ % 12 == 11;
+            if (due && shoot(now)) return ended(Kind::cycle);
+            const bool creeping = std::abs(growth) < 0.3 && std::abs(growth - last_growth_) < 0.05;
+            if (creeping && flow_.size() <= 3 && quiet_turns_ >= 3) {
+                if (steady_attracts_ && growth < 0 && size < 1e-3) return ended(Kind::steady);
+                if (jump(growth)) return ended(Kind::cycle);
+                if (points_.empty()) continue;
+            }
+        } else if (!options_.accelerate && points_.size() > 3) {
+            const double last_gap = distance(before, points_[points_.size() - 3]);
+            const double ratio = std::min(gap / last_gap, 0.999);
+            if (gap < watched * size || gap / (1 - ratio) < closed * size) return from_turn(turn);
+        }
+        last_growth_ = growth;
+        if (result_.turns >= settling_turns && repeats()) return ended(Kind::period_n);
+    }
+    const bool bounded_and_wild = flow_.size() > 3 && !points_.empty();
+    return bounded_and_wild ? ended(Kind::irregular) : ended(Kind::undecided, Reason::not_converged);
+}
+
+}  // namespace
+
+Attractor follow(const Flow& flow, const FlowVector& y, bool steady_attracts, const FollowOptions& options)
+{
+    return Follower(flow, steady_attracts, options).run(y);
+}
+
+}  // namespace stickslip

@@ -1,0 +1,210 @@
+#include "analysis/simulation/delay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "analysis/stability/steady.h"
+
+namespace stickslip {
+namespace {
+
+constexpr int stages = 7;
+/// Dormand & Prince (1980), RK5(4)7M; the last row is the step itself.
+constexpr double node[stages] = {0, 1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1, 1};
+constexpr double weight[stages][stages - 1] = {
+    {},
+    {1.0 / 5},
+    {3.0 / 40, 9.0 / 40},
+    {44.0 / 45, -56.0 / 15, 32.0 / 9},
+    {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
+    {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
+    {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84},
+};
+/// Difference to the embedded method of order 4.
+constexpr double error_weight[stages] = {71.0 / 57600,      0,          -71.0 / 16695, 71.0 / 1920,
+                                         -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
+/// Fifth coefficient of the dense output (Hairer, Nørsett & Wanner, Solving ODEs I, II.6, program DOPRI5).
+constexpr double dense_weight[stages] = {-12715105075.0 / 11282082432,  0,
+                                         87487479700.0 / 32700410799,   -10690763975.0 / 1880347072,
+                                         701980252875.0 / 199316789632, -1453857185.0 / 822651844,
+                                         69997945.0 / 29380423};
+
+void fill_dense(double y0, double y1, const double* k, double h, double* c)
+{
+    const double difference = y1 - y0, bend = h * k[0] - difference;
+    double last = 0;
+    for (int i = 0; i < stages; ++i) last += dense_weight[i] * k[i];
+    c[0] = y0, c[1] = difference, c[2] = bend, c[3] = difference - h * k[6] - bend, c[4] = h * last;
+}
+
+double dense(const double* c, double f)
+{
+    return c[0] + f * (c[1] + (1 - f) * (c[2] + f * (c[3] + (1 - f) * c[4])));
+}
+
+}  // namespace
+
+double DelayedJoint::friction(double delayed) const
+{
+    return steady_force(curve, std::max(delayed, 1e-12 * V0));
+}
+
+std::optional<DelayedJoint> delayed_joint(const Joint& joint)
+{
+    const auto* law = std::get_if<TimeLag>(&joint.friction.law);
+    if (!law || joint.mechanism.model != Model::single_mass) return {};
+    DelayedJoint d;
+    d.inertia = joint.mechanism.inertia;
+    d.k_v = joint.control.k_v, d.k_p = joint.control.k_p;
+    d.V0 = std::abs(commanded_velocity(joint));
+    d.lag = law->lag;
+    d.curve = law->curve.law;
+    d.steady_friction = steady_force(d.curve, d.V0);
+    return d;
+}
+
+double DelayMotion::Segment::operator()(double at) const
+{
+    return dense(c, (at - t) / h);
+}
+
+double DelayMotion::delayed_speed(double t) const
+{
+    const double then = t - joint_.lag;
+    if (history_.empty() || then < history_.front().t) return joint_.V0;
+    auto after =
+        std::upper_bound(history_.begin(), history_.end(), then, [](double v, const Segment& s) { return v < s.t; });
+    return (*(after - 1))(then);
+}
+
+DelayMotion::Rate DelayMotion::rate(double t, double x, double V) const
+{
+    const double f = joint_.friction(delayed_speed(t));
+    return {V - joint_.V0,
+            (joint_.steady_friction - f - joint_.k_v * (V - joint_.V0) - joint_.k_p * x) / joint_.inertia};
+}
+
+void DelayMotion::start(double x, double V)
+{
+    t_ = 0, x_ = x, V_ = V;
+    stuck_ = false;
+    history_.clear();
+    h_ = std::min(joint_.lag, 0.01 * std::sqrt(joint_.inertia / std::abs(joint_.k_p)));
+}
+
+void DelayMotion::remember(Segment segment)
+{
+    history_.push_back(segment);
+    while (history_.size() > 2 && history_[1].t + history_[1].h < t_ - 2 * joint_.lag) history_.pop_front();
+}
+
+/// One accepted step, no longer than the lag, since V is known no further; false where no step is small enough.
+bool DelayMotion::step(double t_end)
+{
+    const double x_scale = joint_.V0 * std::sqrt(joint_.inertia / std::abs(joint_.k_p));
+    for (;;) {
+        const double h = std::min({h_, joint_.lag, t_end - t_});
+        if (!(h > 1e-15 * std::max(t_, 1e-3 * joint_.lag))) return false;
+        double kx[stages], kV[stages], x = x_, V = V_;
+        for (int i = 0; i < stages; ++i) {
+            x = x_, V = V_;
+            for (int j = 0; j < i; ++j) x += h * weight[i][j] * kx[j], V += h * weight[i][j] * kV[j];
+            const auto r = rate(t_ + node[i] * h, x, V);
+            kx[i] = r.x, kV[i] = r.V;
+        }
+        double ex = 0, eV = 0;
+        for (int i = 0; i < stages; ++i) ex += h * error_weight[i] * kx[i], eV += h * error_weight[i] * kV[i];
+        const double error = std::max(std::abs(ex) / (rtol_ * (x_scale + std::abs(x_))),
+                                      std::abs(eV) / (rtol_ * (joint_.V0 + std::abs(V_))));
+        const double factor = error < 1e30 ? std::clamp(0.9 * std::pow(std::max(error, 1e-10), -0.2), 0.2, 5.0) : 0.1;
+        h_ = h * factor;
+        if (!(error <= 1)) continue;
+        Segment segment{t_, h, {}};
+        fill_dense(V_, V, kV, h, segment.c);
+        fill_dense(x_, x, kx, h, x_dense_);
+        t_before_ = t_, x_before_ = x_, V_before_ = V_;
+        t_ += h, x_ = x, V_ = V;
+        remember(segment);
+        return true;
+    }
+}
+
+/// Ends the last step where V has the given level.
+void DelayMotion::land_on(double level)
+{
+    Segment& last = history_.back();
+    double low = 0, high = 1;  // V − level changes sign between
+    const bool falls = V_before_ > level;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (low + high);
+        ((dense(last.c, middle) > level) == falls ? low : high) = middle;
+    }
+    x_ = dense(x_dense_, high);
+    V_ = level;
+    t_ = last.t + high * last.h;
+}
+
+/// At rest: x falls at V_0 until the force needed reaches the static friction; V is remembered as zero.
+void DelayMotion::stick(double t_end, Turn& turn)
+{
+    const double rise = joint_.k_p * joint_.V0;
+    const double wait = rise > 0 ? std::max(0.0, (joint_.static_force() - joint_.holding_force(x_)) / rise) : infinity;
+    const double until = std::min(t_ + wait, t_end);
+    if (until > t_) remember({t_, until - t_, {}});
+    x_ -= joint_.V0 * (until - t_);
+    turn.rest_time += until - t_;
+    turn.position_min = std::min(turn.position_min, x_);
+    turn.velocity_min = 0;
+    ++turn.sticks;
+    t_ = until;
+    stuck_ = t_ >= t_end;
+    h_ = std::min(joint_.lag, 1e-3 * std::sqrt(joint_.inertia / std::abs(joint_.k_p)));
+}
+
+Turn DelayMotion::turn(double t_end, double settled_size)
+{
+    Turn turn;
+    turn.t0 = t_;
+    turn.velocity_min = turn.velocity_max = V_;
+    turn.position_min = turn.position_max = x_;
+    double quiet_since = t_;
+    const auto finish = [&](Turn::End end) {
+        turn.end = end;
+        turn.t1 = t_;
+        turn.state.resize(2);
+        turn.state << x_, V_;
+        return turn;
+    };
+    while (t_ < t_end) {
+        if (stuck_) {
+            stick(t_end, turn);
+            if (stuck_) return finish(std::isfinite(t_end) ? Turn::End::time : Turn::End::held);
+            continue;
+        }
+        if (!step(t_end)) return finish(t_ < t_end * (1 - 1e-12) ? Turn::End::failure : Turn::End::time);
+        if (V_ <= 0) {
+            if (V_before_ > 0) land_on(0);
+            V_ = 0;  // from breakaway the mass leaves V = 0 with no acceleration: roundoff may hold it there for a step
+            if (std::abs(joint_.holding_force(x_)) > joint_.static_force()) {
+                turn.reversed = true;  // beyond the validity of the law
+                return finish(Turn::End::failure);
+            }
+            stuck_ = true;
+        }
+        const bool falls = V_before_ > joint_.V0 && V_ <= joint_.V0;
+        if (falls && !stuck_) land_on(joint_.V0);
+        turn.velocity_min = std::min(turn.velocity_min, V_);
+        turn.velocity_max = std::max(turn.velocity_max, V_);
+        turn.position_min = std::min(turn.position_min, x_);
+        turn.position_max = std::max(turn.position_max, x_);
+        if (std::max(V_, V_before_) <= near_rest * joint_.V0) turn.rest_time += t_ - t_before_;
+        if (falls && !stuck_) return finish(Turn::End::crossing);
+        if (std::abs(V_ - joint_.V0) > settled_size * joint_.V0) quiet_since = t_;
+        const double turn_time = 2 * std::numbers::pi * std::sqrt(joint_.inertia / std::abs(joint_.k_p));
+        if (t_ - quiet_since > joint_.lag + turn_time) return finish(Turn::End::settled);
+    }
+    return finish(Turn::End::time);
+}
+
+}  // namespace stickslip

@@ -1,0 +1,67 @@
+// Friction that answers late, f(t) = f_ss(V(t − τ)): the method of steps. The motion of the last τ is part of the
+// state, so the solver keeps its own dense output and never steps beyond the lag; neither CVODE nor the flows here can
+// do that.
+#pragma once
+#include <deque>
+#include <optional>
+
+#include "analysis/friction/law.h"
+#include "analysis/joint/joint.h"
+#include "analysis/results/point.h"
+#include "analysis/simulation/motion.h"
+
+namespace stickslip {
+
+/// m ẍ + k_v ẋ + k_p x + f_ss(V(t − τ)) = f_ss(V_0), V = V_0 + ẋ > 0, and sticking while the force needed to hold the
+/// mass stays within the static friction.
+struct DelayedJoint {
+    double inertia = missing, k_v = 0, k_p = missing, V0 = missing, lag = missing, steady_friction = missing;
+    CurveLaw curve;
+
+    /// The curve at a delayed speed; at and below V = 0 its limit from above, since velocities keep their sign here.
+    double friction(double delayed) const;
+    double static_force() const { return stickslip::static_force(curve); }
+    double holding_force(double x) const { return steady_friction + k_v * V0 - k_p * x; }
+};
+
+/// The joint if its law is a time lag on a single mass; steady sliding was checked before.
+std::optional<DelayedJoint> delayed_joint(const Joint& joint);
+
+/// Follows one delayed motion turn by turn. Explicit Runge-Kutta of order 5 (Dormand & Prince 1980) with its dense
+/// output of order 4 (Hairer, Nørsett & Wanner, Solving ODEs I, II.6).
+class DelayMotion {
+  public:
+    DelayMotion(const DelayedJoint& joint, double rtol) : joint_(joint), rtol_(rtol) {}
+
+    /// From position and velocity, after steady sliding for ever.
+    void start(double x, double V);
+    /// Until V falls through V_0 again; ends `settled` where the motion of a whole lag stays within `settled_size` ·
+    /// V_0.
+    Turn turn(double t_end, double settled_size);
+    double time() const { return t_; }
+
+  private:
+    struct Segment {  ///< of V over one step
+        double t, h, c[5];
+        double operator()(double at) const;
+    };
+    struct Rate {
+        double x, V;
+    };
+    double delayed_speed(double t) const;
+    Rate rate(double t, double x, double V) const;
+    bool step(double t_end);
+    void land_on(double level);
+    void stick(double t_end, Turn& turn);
+    void remember(Segment segment);
+
+    DelayedJoint joint_;
+    double rtol_;
+    double t_ = 0, x_ = 0, V_ = 0, h_ = 0;
+    double t_before_ = 0, x_before_ = 0, V_before_ = 0;
+    double x_dense_[5] = {};
+    bool stuck_ = false;
+    std::deque<Segment> history_;
+};
+
+}  // namespace stickslip

@@ -1,0 +1,113 @@
+// The equations of motion in the variables of a solver: a smooth flow ẏ = F(y) with its Jacobian, and the section V =
+// V_0.
+#pragma once
+#include "analysis/joint/joint.h"
+#include "analysis/results/point.h"
+
+#include <Eigen/Dense>
+#include <memory>
+
+namespace stickslip {
+
+inline constexpr int max_flow_size = 2 + max_states;
+using FlowVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_flow_size, 1>;
+using FlowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_flow_size, max_flow_size>;
+
+/// ẏ = F(y) for one joint about steady sliding. The fixed point is steady sliding at V_0; time is in seconds.
+class Flow {
+  public:
+    virtual ~Flow() = default;
+    virtual int size() const = 0;
+    virtual FlowVector steady() const = 0;
+    /// What counts as a change of order one of each component; tolerances are relative to it.
+    virtual FlowVector scale() const = 0;
+    virtual void rate(const FlowVector& y, FlowVector& rate) const = 0;
+    virtual void jacobian(const FlowVector& y, FlowMatrix& jacobian) const = 0;
+    virtual double velocity(const FlowVector& y) const = 0;
+    /// Position in excess of the steady path.
+    virtual double position(const FlowVector& y) const = 0;
+    /// ln(V/V_0), or V/V_0 − 1 for a law that may rest or reverse. Its zero is the Poincaré section; dV/dt is no use as
+    /// one, since in quasi-static motion its zeros are roundoff.
+    virtual double speed_measure(const FlowVector& y) const = 0;
+    /// ∂ speed_measure / ∂y.
+    virtual FlowVector speed_gradient(const FlowVector& y) const = 0;
+    virtual double commanded_velocity() const = 0;
+    /// Whether speed_measure is ln(V/V_0): the law cannot rest.
+    virtual bool logarithmic_speed() const = 0;
+    /// The same joint at another position gain.
+    virtual std::unique_ptr<Flow> with_gain(double k_p) const = 0;
+    virtual double gain() const = 0;
+};
+
+/// In which branch of a friction law that is set-valued at rest the mass slides.
+enum class Branch { forward, reverse };
+
+/// m ẍ + k_v ẋ + k_p x + f − f_ss(V_0) = d, V = V_0 + ẋ                                               (9)
+/// y = (x, ln(V/V_0), θ_i) for laws that need motion, since V then spans twelve decades, and (x, V, θ_i) for the
+/// others. Steady sliding at V_0 < 0 is mirrored: positions and velocities count along the commanded direction.
+class SlidingFlow final : public Flow {
+  public:
+    double inertia = not_set, k_v = 0, k_p = not_set, V0 = not_set;
+    Friction friction;
+    double steady_friction = not_set;
+    bool logarithmic = false;  ///< y[1] is ln(V/V_0)
+    int states = 0;
+    Branch branch = Branch::forward;
+    double force = 0;  ///< d, constant while one integration lasts
+
+    int size() const override { return 2 + states; }
+    FlowVector steady() const override;
+    FlowVector scale() const override;
+    void rate(const FlowVector& y, FlowVector& rate) const override;
+    void jacobian(const FlowVector& y, FlowMatrix& jacobian) const override;
+    double velocity(const FlowVector& y) const override { return logarithmic ? V0 * std::exp(y[1]) : y[1]; }
+    double position(const FlowVector& y) const override { return y[0]; }
+    double speed_measure(const FlowVector& y) const override { return logarithmic ? y[1] : y[1] / V0 - 1; }
+    FlowVector speed_gradient(const FlowVector& y) const override;
+    double commanded_velocity() const override { return V0; }
+    bool logarithmic_speed() const override { return logarithmic; }
+    std::unique_ptr<Flow> with_gain(double gain) const override;
+    double gain() const override { return k_p; }
+
+    /// What the friction must carry for the mass to keep its speed V = 0: f_ss + d + k_v V_0 − k_p x.
+    double holding_force(double x) const { return steady_friction + force + k_v * V0 - k_p * x; }
+    /// Largest friction at rest; 0 for a law that is a function at V = 0.
+    double static_force() const;
+    /// Whether V = 0 is a set of forces: memory with a direct effect, or bristles, make it a function.
+    bool can_rest() const;
+
+  private:
+    FrictionResponse response(const FlowVector& y) const;
+};
+
+/// The same joint with m → 0: y = (x, θ_i), V from the balance of forces k_v (V − V_0) + k_p x + f(V, θ) = f_ss(V_0).
+class QuasiStaticFlow final : public Flow {
+  public:
+    explicit QuasiStaticFlow(const SlidingFlow& full) : full_(full) {}
+    int size() const override { return 1 + full_.states; }
+    FlowVector steady() const override;
+    FlowVector scale() const override;
+    void rate(const FlowVector& y, FlowVector& rate) const override;
+    void jacobian(const FlowVector& y, FlowMatrix& jacobian) const override;
+    double velocity(const FlowVector& y) const override;
+    double position(const FlowVector& y) const override { return y[0]; }
+    double speed_measure(const FlowVector& y) const override;
+    FlowVector speed_gradient(const FlowVector& y) const override;
+    double commanded_velocity() const override { return full_.V0; }
+    bool logarithmic_speed() const override { return true; }
+    std::unique_ptr<Flow> with_gain(double gain) const override;
+    double gain() const override { return full_.k_p; }
+
+  private:
+    SlidingFlow full_;
+};
+
+/// The equations of motion of a joint, or the reason why there are none: no velocity, a law without meaning there, or a
+/// term (several inertias, loads, position-locked friction, …) that a steady nonlinear outcome does not cover.
+struct SlidingOrReason {
+    SlidingFlow flow;
+    Reason reason = Reason::none;
+};
+SlidingOrReason sliding_flow(const Joint& joint);
+
+}  // namespace stickslip

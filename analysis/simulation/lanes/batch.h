@@ -1,0 +1,37 @@
+// From joints to jobs of the lanes and back: the groups of a joint, one job for all joints of equal groups.
+#pragma once
+#include <optional>
+#include <span>
+
+#include "analysis/simulation/lanes/job.h"
+#include "analysis/simulation/nonlinear.h"
+
+namespace stickslip::lanes {
+
+/// A joint in the units of its law.
+struct Scaled {
+    Groups groups;
+    double length;      ///< L
+    double velocity;    ///< V_0
+    double deflection;  ///< δ_ss
+};
+
+/// Groups of a joint that the lanes can follow: one mass, the slip law with one state and nothing beside it, k_p > 0.
+/// Each group is rounded to 40 bits, so that points which differ by roundoff only are one, whatever else is in the
+/// sweep.
+std::optional<Scaled> scaled(const Joint& joint);
+
+/// Whether these options are answered by lanes: the default disturbance of kind `position`, and acceleration.
+bool covers(const NonlinearOptions& options);
+
+/// The job of a set of groups: small disturbance, its eigenvector, window, and the start from near rest.
+Job job(const Groups& groups, bool search);
+
+/// The fields of a row from an answer; false if the reference must decide.
+bool write(const Answer& answer, const Scaled& scale, const Job& job, bool searched, PointResult& point);
+
+/// Answers the joints that lanes cover; the numbers of the others are appended to `left_over` in ascending order.
+void answer(std::span<const Joint> joints, const NonlinearOptions& options, std::span<PointResult> points,
+            std::vector<std::size_t>& left_over);
+
+}  // namespace stickslip::lanes

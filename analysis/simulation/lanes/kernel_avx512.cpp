@@ -1,0 +1,11 @@
+#include "analysis/simulation/lanes/kernel.h"
+#include "analysis/simulation/lanes/kernels.h"
+
+namespace stickslip::lanes {
+
+void run_avx512(const Job* jobs, Answer* answers, std::size_t count, const Settings& settings)
+{
+    Kernel<8, 2>(jobs, answers, count, settings).run();
+}
+
+}  // namespace stickslip::lanes

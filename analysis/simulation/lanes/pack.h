@@ -1,0 +1,156 @@
+// Packs of doubles as wide as the processor: one source for AVX-512, AVX2 and baseline x86-64. A pack is N native
+// vectors side by side, since two independent vectors hide the latency of one another; wider GCC vectors than the
+// hardware has would be split badly. Every operation is element by element, so that a lane's bits never depend on its
+// neighbours.
+#pragma once
+#include <cstdint>
+
+namespace stickslip::lanes {
+
+/// Native vectors of `width` doubles.
+template <int width>
+struct Native {
+    typedef double Doubles __attribute__((vector_size(width * 8)));
+    typedef std::int64_t Integers __attribute__((vector_size(width * 8)));
+};
+
+/// Lane by lane all bits or none.
+template <int width, int count>
+struct Mask {
+    typename Native<width>::Integers part[count];
+
+    [[gnu::always_inline]] bool operator[](int lane) const { return part[lane / width][lane % width] != 0; }
+    [[gnu::always_inline]] void set(int lane, bool on) { part[lane / width][lane % width] = on ? -1 : 0; }
+};
+
+template <int width, int count>
+struct Pack {
+    static constexpr int lanes = width * count;
+    using MaskType = Mask<width, count>;
+    typename Native<width>::Doubles part[count];
+
+    [[gnu::always_inline]] Pack() {}
+    [[gnu::always_inline]] Pack(double value)
+    {
+        for (int i = 0; i < count; ++i) part[i] = typename Native<width>::Doubles{} + value;
+    }
+    [[gnu::always_inline]] double operator[](int lane) const { return part[lane / width][lane % width]; }
+    [[gnu::always_inline]] void set(int lane, double value) { part[lane / width][lane % width] = value; }
+};
+
+/// Applies f to each native part.
+template <int width, int count, class F>
+[[gnu::always_inline]] inline Pack<width, count> map(const Pack<width, count>& a, const Pack<width, count>& b, F f)
+{
+    Pack<width, count> r;
+    for (int i = 0; i < count; ++i) r.part[i] = f(a.part[i], b.part[i]);
+    return r;
+}
+template <int width, int count, class F>
+[[gnu::always_inline]] inline Mask<width, count> compare(const Pack<width, count>& a, const Pack<width, count>& b, F f)
+{
+    Mask<width, count> r;
+    for (int i = 0; i < count; ++i) r.part[i] = f(a.part[i], b.part[i]);
+    return r;
+}
+
+template <int w, int n>
+[[gnu::always_inline]] inline Pack<w, n> operator+(const Pack<w, n>& a, const Pack<w, n>& b)
+{
+    return map(a, b, [](auto x, auto y) { return x + y; });
+}
+template <int w, int n>
+[[gnu::always_inline]] inline Pack<w, n> operator-(const Pack<w, n>& a, const Pack<w, n>& b)
+{
+    return map(a, b, [](auto x, auto y) { return x - y; });
+}
+template <int w, int n>
+[[gnu::always_inline]] inline Pack<w, n> operator*(const Pack<w, n>& a, const Pack<w, n>& b)
+{
+    return map(a, b, [](auto x, auto y) { return x * y; });
+}
+template <int w, int n>
+[[gnu::always_inline]] inline Pack<w, n> operator/(const Pack<w, n>& a, const Pack<w, n>& b)
+{
+    return map(a, b, [](auto x, auto y) { return x / y; });
+}
+template <int w, int n>
+[[gnu::always_inline]] inline Pack<w, n> operator*(double a, const Pack<w, n>& b)
+{
+    return Pack<w, n>(a) * b;
+}
+template <int w, int n>
+[[gnu::always_inline]] inline Pack<w, n> operator+(const Pack<w, n>& a, double b)
+{
+    return a + Pack<w, n>(b);
+}
+template <int w, int n>
+[[gnu::always_inline]] inline Pack<w, n> operator-(const Pack<w, n>& a, double b)
+{
+    return a - Pack<w, n>(b);
+}
+template <int w, int n>
+[[gnu::always_inline]] inline Pack<w, n> operator-(const Pack<w, n>& a)
+{
+    return Pack<w, n>(0.0) - a;
+}
+template <int w, int n>
+[[gnu::always_inline]] inline Mask<w, n> operator<(const Pack<w, n>& a, const Pack<w, n>& b)
+{
+    return compare(a, b, [](auto x, auto y) { return x < y; });
+}
+template <int w, int n>
+[[gnu::always_inline]] inline Mask<w, n> operator<=(const Pack<w, n>& a, const Pack<w, n>& b)
+{
+    return compare(a, b, [](auto x, auto y) { return x <= y; });
+}
+template <int w, int n>
+[[gnu::always_inline]] inline Mask<w, n> operator&(const Mask<w, n>& a, const Mask<w, n>& b)
+{
+    Mask<w, n> r;
+    for (int i = 0; i < n; ++i) r.part[i] = a.part[i] & b.part[i];
+    return r;
+}
+template <int w, int n>
+[[gnu::always_inline]] inline Mask<w, n> operator|(const Mask<w, n>& a, const Mask<w, n>& b)
+{
+    Mask<w, n> r;
+    for (int i = 0; i < n; ++i) r.part[i] = a.part[i] | b.part[i];
+    return r;
+}
+template <int w, int n>
+[[gnu::always_inline]] inline Pack<w, n> select(const Mask<w, n>& mask, const Pack<w, n>& yes, const Pack<w, n>& no)
+{
+    Pack<w, n> r;
+    for (int i = 0; i < n; ++i) r.part[i] = mask.part[i] ? yes.part[i] : no.part[i];
+    return r;
+}
+template <int w, int n>
+[[gnu::always_inline]] inline bool any(const Mask<w, n>& mask)
+{
+    auto all = mask.part[0];
+    for (int i = 1; i < n; ++i) all |= mask.part[i];
+    std::int64_t bits = 0;
+    for (int i = 0; i < w; ++i) bits |= all[i];
+    return bits != 0;
+}
+template <int w, int n>
+[[gnu::always_inline]] inline Pack<w, n> abs(const Pack<w, n>& a)
+{
+    Pack<w, n> r;
+    for (int i = 0; i < n; ++i)
+        r.part[i] = (typename Native<w>::Doubles)((typename Native<w>::Integers)a.part[i] & INT64_MAX);
+    return r;
+}
+template <int w, int n>
+[[gnu::always_inline]] inline Pack<w, n> max(const Pack<w, n>& a, const Pack<w, n>& b)
+{
+    return map(a, b, [](auto x, auto y) { return x > y ? x : y; });
+}
+template <int w, int n>
+[[gnu::always_inline]] inline Pack<w, n> min(const Pack<w, n>& a, const Pack<w, n>& b)
+{
+    return map(a, b, [](auto x, auto y) { return x < y ? x : y; });
+}
+
+}  // namespace stickslip::lanes

@@ -1,0 +1,27 @@
+#include "analysis/simulation/lanes/kernels.h"
+
+namespace stickslip::lanes {
+
+Instructions best_instructions()
+{
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) return Instructions::avx512;
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return Instructions::avx2;
+#endif
+    return Instructions::baseline;
+}
+
+void run(const Job* jobs, Answer* answers, std::size_t count, const Settings& settings, Instructions instructions)
+{
+    if (count == 0) return;
+    switch (instructions) {
+        case Instructions::avx512:
+            return run_avx512(jobs, answers, count, settings);
+        case Instructions::avx2:
+            return run_avx2(jobs, answers, count, settings);
+        case Instructions::baseline:
+            return run_baseline(jobs, answers, count, settings);
+    }
+}
+
+}  // namespace stickslip::lanes

@@ -1,0 +1,198 @@
+#include "analysis/simulation/motion.h"
+
+#include "analysis/simulation/hermite.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+/// Share of V_0 beyond which a negative velocity is reverse sliding rather than the error of a step that ends at rest.
+constexpr double reversal = 1e-6;
+
+}  // namespace
+SlidingMotion::SlidingMotion(const Flow& flow, Solver solver, double rtol)
+    : flow_(&flow), stepper_(stepper(solver, rtol)), solver_(solver), rtol_(rtol)
+{
+    const auto* sliding = dynamic_cast<const SlidingFlow*>(&flow);
+    if (sliding && sliding->can_rest()) {
+        auto copy = std::make_unique<SlidingFlow>(*sliding);
+        mutable_flow_ = copy.get();
+        own_ = std::move(copy);
+        flow_ = own_.get();
+    }
+    events_.count = mutable_flow_ ? 3 : 2;
+    if (mutable_flow_) {  // V may vanish and reverse: straight measures
+        events_.values = [this](const FlowVector& y, double* values) {
+            const double speed = flow_->velocity(y) / flow_->commanded_velocity();
+            values[section] = speed - 1;
+            values[slow] = speed - near_rest;
+            values[rest] = speed;
+        };
+    } else {
+        const double threshold = flow.logarithmic_speed() ? std::log(near_rest) : near_rest - 1;
+        events_.values = [this, threshold](const FlowVector& y, double* values) {
+            values[section] = flow_->speed_measure(y);
+            values[slow] = values[section] - threshold;
+        };
+    }
+}
+
+void SlidingMotion::start(const FlowVector& y, double t)
+{
+    y_ = y;
+    t_ = t;
+    rest_time_ = 0;
+    release_position_ = missing;
+    sticks_ = 0;
+    stuck_ = false;
+    stepper_ = stepper(solver_, rtol_);
+    if (mutable_flow_ && y_[1] == 0) {
+        arrive_at_rest();
+    } else {
+        if (mutable_flow_) mutable_flow_->branch = y_[1] > 0 ? Branch::forward : Branch::reverse;
+        restart();
+    }
+    tell();
+}
+
+void SlidingMotion::restart()
+{
+    stepper_->start(*flow_, t_, y_, events_);
+}
+
+void SlidingMotion::begin_slide(Branch branch)
+{
+    stuck_ = false;
+    mutable_flow_->branch = branch;
+    y_[1] = 0;
+    restart();
+}
+
+void SlidingMotion::arrive_at_rest()
+{
+    y_[1] = 0;
+    const double needed = mutable_flow_->holding_force(y_[0]), limit = mutable_flow_->static_force();
+    if (std::abs(needed) <= limit) {
+        stuck_ = true;
+        ++sticks_;
+    } else {
+        begin_slide(needed > 0 ? Branch::forward : Branch::reverse);
+    }
+}
+
+/// Sticking: x falls at V_0, so the force needed changes at k_p V_0 until it reaches the static friction of one side.
+bool SlidingMotion::stick(double t_end)
+{
+    const double needed = mutable_flow_->holding_force(y_[0]), limit = mutable_flow_->static_force();
+    const double rise = mutable_flow_->k_p * mutable_flow_->V0;
+    const double wait = rise > 0 ? (limit - needed) / rise : rise < 0 ? (-limit - needed) / rise : infinity;
+    if (!(std::isfinite(wait)) && !std::isfinite(t_end)) return false;
+    const double until = std::min(t_end, t_ + wait);
+    y_[0] -= mutable_flow_->V0 * (until - t_);
+    rest_time_ += until - t_;
+    t_ = until;
+    if (until < t_end) {
+        release_position_ = y_[0];
+        begin_slide(rise > 0 ? Branch::forward : Branch::reverse);
+    }
+    return true;
+}
+
+bool SlidingMotion::step_failed()
+{
+    if (solver_ != Solver::cvode || used_fallback_) return true;
+    used_fallback_ = true;
+    solver_ = Solver::rodas5p;
+    stepper_ = stepper(solver_, rtol_);
+    restart();
+    return false;
+}
+
+void SlidingMotion::measure_step(double t_before, const FlowVector& before, Turn& turn)
+{
+    const double V = flow_->velocity(y_), V0 = flow_->commanded_velocity();
+    turn.velocity_min = std::min(turn.velocity_min, V);
+    turn.velocity_max = std::max(turn.velocity_max, V);
+    turn.position_min = std::min(turn.position_min, flow_->position(y_));
+    turn.position_max = std::max(turn.position_max, flow_->position(y_));
+    FlowVector r0, r1;
+    flow_->rate(before, r0);
+    flow_->rate(y_, r1);
+    const double h = t_ - t_before;
+    const double m0 = flow_->speed_measure(before), m1 = flow_->speed_measure(y_);
+    if (const auto m =
+            hermite_extremum(m0, m1, flow_->speed_gradient(before).dot(r0), flow_->speed_gradient(y_).dot(r1), h)) {
+        const double peak = flow_->logarithmic_speed() ? V0 * std::exp(*m) : V0 * (1 + *m);
+        turn.velocity_min = std::min(turn.velocity_min, peak);
+        turn.velocity_max = std::max(turn.velocity_max, peak);
+    }
+    if (std::max(V, flow_->velocity(before)) <= near_rest * V0 * (1 + 1e-9)) rest_time_ += h;
+    if (V < -reversal * V0) turn.reversed = true;
+}
+
+void SlidingMotion::tell()
+{
+    if (observer_) observer_({t_, y_, stuck_ ? 0.0 : flow_->velocity(y_), stuck_});
+}
+
+Turn SlidingMotion::turn(double t_end, const std::function<bool(const FlowVector&)>& settled)
+{
+    Turn turn;
+    turn.t0 = t_;
+    turn.start = y_;
+    turn.velocity_min = turn.velocity_max = stuck_ ? 0 : flow_->velocity(y_);
+    turn.position_min = turn.position_max = flow_->position(y_);
+    rest_time_ = 0;
+    sticks_ = stuck_ ? 1 : 0;
+    release_position_ = missing;
+    const auto finish = [&](Turn::End end) {
+        turn.end = end;
+        turn.t1 = t_;
+        turn.state = y_;
+        turn.rest_time = rest_time_;
+        turn.sticks = sticks_;
+        turn.release_position = release_position_;
+        return turn;
+    };
+    for (;;) {
+        if (stuck_) {
+            if (!stick(t_end)) return finish(Turn::End::held);
+            turn.position_min = std::min(turn.position_min, y_[0]);
+            turn.velocity_min = std::min(turn.velocity_min, 0.0);
+            tell();
+            if (t_ >= t_end) return finish(Turn::End::time);
+            continue;
+        }
+        const double t_before = t_;
+        const FlowVector before = y_;
+        const auto report = stepper_->step(t_end);
+        if (report.end == StepEnd::failure) {
+            if (step_failed()) return finish(Turn::End::failure);
+            continue;
+        }
+        t_ = stepper_->time();
+        y_ = stepper_->state();
+        const bool at_rest = report.end == StepEnd::event && report.event == rest;
+        if (at_rest) y_[1] = 0;
+        measure_step(t_before, before, turn);
+        if (at_rest) arrive_at_rest();
+        tell();
+        if (report.end == StepEnd::event && report.event == section && report.direction < 0)
+            return finish(Turn::End::crossing);
+        if (report.end == StepEnd::time) return finish(Turn::End::time);
+        if (settled && !stuck_ && settled(y_)) return finish(Turn::End::settled);
+    }
+}
+
+bool SlidingMotion::advance(double t_end)
+{
+    while (t_ < t_end) {
+        const auto end = turn(t_end).end;
+        if (end == Turn::End::failure || end == Turn::End::held) return false;
+    }
+    return true;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,77 @@
+// The motion of a joint through sliding, sticking and reversal, turn by turn around the section V = V_0.
+#pragma once
+#include "analysis/simulation/stepper.h"
+
+#include <functional>
+
+namespace stickslip {
+
+inline constexpr double near_rest = 0.01;  ///< share of V_0 below which motion counts as (near) sticking
+
+/// One revolution, from one downward crossing of V = V_0 to the next.
+struct Turn {
+    enum class End { crossing, settled, time, failure, held };  ///< held: sticks for ever
+    End end = End::crossing;
+    double t0 = 0, t1 = 0;
+    FlowVector start, state;  ///< at both ends
+    double velocity_min = 0, velocity_max = 0;
+    double position_min = 0, position_max = 0;
+    double rest_time = 0;               ///< at rest or below near_rest · V_0
+    double release_position = missing;  ///< where true sticking last ended
+    int sticks = 0;                     ///< phases of true sticking
+    bool reversed = false;
+    double period() const { return t1 - t0; }
+};
+
+/// An instant of the motion, as an observer sees it at every step.
+struct Instant {
+    double t;
+    const FlowVector& y;
+    double velocity;
+    bool stuck;
+};
+
+/// Follows one flow. Laws that are set-valued at rest stick there while the force needed to hold the mass stays within
+/// the static friction; sticking has a closed form (the spring winds up at V_0) and ends with forward or reverse
+/// sliding.
+class SlidingMotion {
+  public:
+    SlidingMotion(const Flow& flow, Solver solver, double rtol);
+
+    void start(const FlowVector& y, double t = 0);
+    /// Until the next downward crossing of V = V_0, until `settled` says true at a step, or until the time is over.
+    Turn turn(double t_end, const std::function<bool(const FlowVector&)>& settled = {});
+    /// Straight to a time, whatever is crossed on the way; false if the solver fails.
+    bool advance(double t_end);
+
+    double time() const { return t_; }
+    const FlowVector& state() const { return y_; }
+    bool used_fallback() const { return used_fallback_; }
+    void observe(std::function<void(const Instant&)> observer) { observer_ = std::move(observer); }
+
+  private:
+    enum EventIndex { section = 0, slow = 1, rest = 2 };
+    bool step_failed();
+    void restart();
+    void begin_slide(Branch branch);
+    void arrive_at_rest();
+    bool stick(double t_end);
+    void measure_step(double t_before, const FlowVector& before, Turn& turn);
+    void tell();
+
+    const Flow* flow_;
+    SlidingFlow* mutable_flow_ = nullptr;  ///< own copy, where branches are switched
+    std::unique_ptr<Flow> own_;
+    Events events_;
+    std::unique_ptr<Stepper> stepper_;
+    Solver solver_;
+    double rtol_;
+    double t_ = 0;
+    FlowVector y_;
+    bool stuck_ = false, used_fallback_ = false;
+    double rest_time_ = 0, release_position_ = missing;
+    int sticks_ = 0;
+    std::function<void(const Instant&)> observer_;
+};
+
+}  // namespace stickslip

@@ -1,0 +1,201 @@
+#include "analysis/simulation/nonlinear.h"
+
+#include "analysis/simulation/attractor.h"
+#include "analysis/simulation/bifurcation.h"
+#include "analysis/simulation/delay.h"
+#include "analysis/simulation/mode.h"
+#include "analysis/stability/spectrum.h"
+#include "analysis/stability/steady.h"
+#include "analysis/stability/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+/// A share of V_0 from which commanding V_0 is a large disturbance: the friction then differs by nine e-folds of V.
+constexpr double slow_start = 1e-4;
+
+/// How much of |s| a growth rate must be before its sign is believed; below, the spectrum decides.
+constexpr double measurable_growth = 1e-6;
+
+/// Tolerances below are lost in the rounding of states that are large beside the disturbance.
+constexpr double finest_tolerance = 1e-14;
+
+/// A first Lyapunov coefficient, per ω, that decides nothing.
+constexpr double degenerate_lyapunov = 1e-6;
+
+constexpr double neutral_abscissa = 1e-12;  ///< per |s|
+
+struct Growth {
+    double rate = missing;
+    double peak = missing;  ///< largest position excess on the way
+    bool failed = false;
+    bool used_fallback = false;
+};
+
+Growth measure_growth(const SlidingFlow& flow, const SlowMode& mode, DisturbanceKind kind, const FollowOptions& options)
+{
+    Growth growth;
+    const FlowVector y0 = disturbed(flow, kind, default_size(flow, mode, kind));
+    // tolerances relative to the disturbance, not to the motion that it may grow into
+    SlidingMotion motion(flow, options.solver, std::max(options.rtol * small_disturbance, finest_tolerance));
+    motion.start(y0);
+    const double window = mode.window();
+    growth.failed = !motion.advance(window);
+    growth.used_fallback = motion.used_fallback();
+    growth.rate = std::log(mode.size(motion.state()) / mode.size(y0)) / window;
+    return growth;
+}
+
+Outcome outcome_of(const Attractor& a)
+{
+    using Kind = Attractor::Kind;
+    switch (a.kind) {
+        case Kind::steady:
+            return Outcome::stable_sliding;
+        case Kind::period_n:
+            return Outcome::period_n;
+        case Kind::irregular:
+            return Outcome::irregular;
+        case Kind::undecided:
+            return Outcome::undecided;
+        case Kind::failure:
+            return Outcome::solver_failure;
+        case Kind::held:
+            return Outcome::stick_slip;
+        case Kind::cycle:
+            break;
+    }
+    if (a.reversed) return Outcome::reversal;
+    return a.rest_time > 0 ? Outcome::stick_slip : Outcome::limit_cycle;
+}
+
+bool oscillates(const Attractor& a)
+{
+    using Kind = Attractor::Kind;
+    return a.kind == Kind::cycle || a.kind == Kind::period_n || a.kind == Kind::irregular || a.kind == Kind::held;
+}
+
+void describe_cycle(const Attractor& a, double deflection, NonlinearVerdict& verdict)
+{
+    verdict.period = a.period;
+    verdict.amplitude = 0.5 * (a.position_max - a.position_min);
+    verdict.velocity_min = a.velocity_min;
+    verdict.velocity_max = a.velocity_max;
+    verdict.stick_fraction = a.rest_time / a.period;
+    verdict.overshoot = std::max(0.0, a.position_max) / std::abs(deflection);
+    verdict.multipliers.assign(a.multipliers.begin(), a.multipliers.end());
+    verdict.repeats = a.repeats;
+    verdict.path = a.path;
+}
+
+/// Criticality at k_cr, and the fold: from a subcritical Hopf point, or from the cycle that a bistable joint has.
+void add_bifurcation(const Joint& joint, const SlidingFlow& flow, const FlowVector& cycle_start,
+                     NonlinearVerdict& verdict)
+{
+    const double k_cr = linear_verdict(joint).state_variable.k_cr;
+    const CycleOptions options;
+    if (std::isfinite(k_cr) && k_cr > 0) {
+        const auto at_critical = flow.with_gain(k_cr);
+        const auto hopf = hopf_point(*at_critical);
+        verdict.lyapunov = hopf.lyapunov;
+        const bool weak = !(std::abs(hopf.lyapunov) > degenerate_lyapunov * hopf.omega);
+        verdict.criticality = weak                ? Criticality::degenerate
+                              : hopf.lyapunov > 0 ? Criticality::subcritical
+                                                  : Criticality::supercritical;
+        if (const auto fold = fold_of_cycles(*at_critical, hopf, options)) verdict.fold_k_p = fold->k_p;
+    }
+    const bool smooth = cycle_start.size() > 0 && verdict.velocity_min > 0 && flow.states > 0;
+    if (std::isnan(verdict.fold_k_p) && verdict.region == NonlinearRegion::bistable && smooth)
+        if (const auto fold = fold_of_cycles(flow, BranchPoint{flow.k_p, cycle_start}, options))
+            verdict.fold_k_p = fold->k_p;
+}
+
+/// From a start at rest, or nearly so, with the spring wound up: the largest disturbance that operation brings about.
+FlowVector from_rest(const SlidingFlow& flow)
+{
+    return disturbed(flow, DisturbanceKind::start, slow_start);
+}
+
+}  // namespace
+
+NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& options)
+{
+    NonlinearVerdict verdict;
+    const auto [flow, reason] = sliding_flow(joint);
+    if (reason == Reason::unsupported)
+        if (const auto delayed = delayed_joint(joint)) return delayed_verdict(joint, *delayed, options);
+    verdict.reason = reason;
+    verdict.disturbance = options.disturbance;
+    if (reason != Reason::none) {
+        verdict.outcome = reason == Reason::linear_only ? Outcome::linear_only : Outcome::undecided;
+        return verdict;
+    }
+    FollowOptions follow_options;
+    follow_options.solver = options.fallback_only ? Solver::rodas5p : Solver::cvode;
+    follow_options.rtol = options.rtol;
+    follow_options.turn_limit = options.turn_limit;
+    follow_options.accelerate = options.accelerate;
+
+    const auto mode = slow_mode(flow);
+    const double abscissa = spectral_abscissa(linear_mass(joint, steady_sliding(joint).velocity));
+    const double deflection = flow.steady_friction / flow.k_p;
+    const bool stated_small = !is_set(options.disturbance.size);
+    if (stated_small) verdict.disturbance.size = default_size(flow, mode, options.disturbance.kind);
+
+    const auto growth = measure_growth(flow, mode, options.disturbance.kind, follow_options);
+    verdict.growth_rate = growth.rate;
+    verdict.used_fallback = growth.used_fallback;
+    if (growth.failed || !std::isfinite(growth.rate)) {
+        verdict.outcome = Outcome::solver_failure;
+        verdict.reason = Reason::solver_failed;
+        return verdict;
+    }
+    const bool measurable = std::abs(growth.rate) > measurable_growth * std::abs(mode.s);
+    // a neutral mode, as of an undamped spring, does not grow
+    const bool decays = measurable ? growth.rate < 0 : abscissa <= neutral_abscissa * std::abs(mode.s);
+
+    // the stated disturbance
+    const FlowVector y0 = disturbed(flow, options.disturbance.kind, verdict.disturbance.size);
+    Attractor stated;
+    if (stated_small && decays) {
+        stated.kind = Attractor::Kind::steady;
+        SlidingMotion first(flow, follow_options.solver, options.rtol);
+        first.start(y0);
+        stated.first_peak = first.turn(mode.window()).position_max;
+    } else {
+        // a small disturbance that grows need not be watched while it is linear: its direction is known, its size is
+        // not
+        const double lift = stated_small ? 0.1 / small_disturbance : 1;
+        stated = follow(flow, mode.steady + lift * (y0 - mode.steady), decays, follow_options);
+    }
+    verdict.outcome = outcome_of(stated);
+    verdict.reason = stated.reason;
+    verdict.path = stated.path;
+    verdict.used_fallback |= stated.used_fallback;
+    verdict.overshoot = std::max(0.0, stated.first_peak) / std::abs(deflection);
+    if (oscillates(stated)) describe_cycle(stated, deflection, verdict);
+    FlowVector cycle_start = stated.start;
+
+    if (!decays) {
+        verdict.region = NonlinearRegion::stick_slip;
+    } else if (oscillates(stated)) {
+        verdict.region = NonlinearRegion::bistable;
+    } else if (options.region) {
+        const auto large = follow(flow, from_rest(flow), decays, follow_options);
+        verdict.used_fallback |= large.used_fallback;
+        if (large.kind == Attractor::Kind::steady) verdict.region = NonlinearRegion::stable;
+        if (oscillates(large)) {
+            verdict.region = NonlinearRegion::bistable;
+            describe_cycle(large, deflection, verdict);
+            cycle_start = large.start;
+        }
+        if (verdict.region == NonlinearRegion::undecided) verdict.reason = large.reason;
+    }
+    if (options.bifurcation) add_bifurcation(joint, flow, cycle_start, verdict);
+    return verdict;
+}
+
+}  // namespace stickslip

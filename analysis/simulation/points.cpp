@@ -1,0 +1,28 @@
+#include "analysis/simulation/lanes/batch.h"
+#include "analysis/simulation/nonlinear.h"
+
+namespace stickslip {
+
+void write_nonlinear(const NonlinearVerdict& verdict, PointResult& point)
+{
+    point.outcome = verdict.outcome;
+    point.path = verdict.path;
+    point.growth_rate = verdict.growth_rate;
+    point.amplitude = verdict.amplitude;
+    point.velocity_min = verdict.velocity_min;
+    point.velocity_max = verdict.velocity_max;
+    point.period = verdict.period;
+    point.stick_fraction = verdict.stick_fraction;
+    point.overshoot = verdict.overshoot;
+    if (verdict.region == NonlinearRegion::bistable) point.region = Region::bistable;
+    if (point.reason == Reason::none) point.reason = verdict.reason;
+}
+
+void nonlinear_points(std::span<const Joint> joints, const NonlinearOptions& options, std::span<PointResult> points)
+{
+    std::vector<std::size_t> left_over;
+    lanes::answer(joints, options, points, left_over);
+    for (const auto i : left_over) write_nonlinear(nonlinear_verdict(joints[i], options), points[i]);
+}
+
+}  // namespace stickslip

@@ -1,0 +1,78 @@
+// The two-state case of Gu, Rice, Ruina & Tse (1984), J. Mech. Phys. Solids 32, without inertia: from the Hopf point
+// through period doublings towards chaos.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "analysis/simulation/attractor.h"
+#include "tests/analysis/simulation/joints.h"
+
+using namespace stickslip;
+
+namespace {
+
+constexpr double critical = 0.0802755656;  // κ_cr, published
+
+QuasiStaticFlow two_states(double share)
+{
+    Joint joint = dimensionless_joint(share * critical, 1, 1, 0);
+    auto& law = std::get<RateAndState>(joint.friction.law);
+    law.B.push_back(0.84);
+    law.L.push_back(1 / 0.048);
+    return QuasiStaticFlow(sliding_flow(joint).flow);
+}
+
+/// The orbit of the given number of turns at this gain, from that of a neighbouring gain.
+Cycle orbit(double share, int turns, const FlowVector& guess)
+{
+    CycleOptions options;
+    options.turns = turns;
+    const auto cycle = find_cycle(two_states(share), guess, options);
+    CAPTURE(share, turns);
+    REQUIRE(cycle);
+    return *cycle;
+}
+
+/// Where the multiplier of the orbit falls through −1, between two shares of κ_cr.
+double doubling(int turns, double low, double high, FlowVector start)
+{
+    for (int i = 0; i < 40 && high - low > 1e-8; ++i) {
+        const double middle = 0.5 * (low + high);
+        const auto cycle = orbit(middle, turns, start);
+        start = cycle.start;
+        (cycle.multipliers[0].real() < -1 ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+}  // namespace
+
+TEST_CASE("two states without inertia: the fixed point loses stability at the published κ_cr", "[nonlinear]")
+{
+    const auto abscissa = [](double share) {
+        const auto flow = two_states(share);
+        FlowMatrix J;
+        flow.jacobian(flow.steady(), J);
+        return J.eigenvalues().real().maxCoeff();
+    };
+    CHECK(abscissa(1 + 1e-8) < 0);
+    CHECK(abscissa(1 - 1e-8) > 0);
+}
+
+TEST_CASE("two states without inertia: period doublings at 0.866259 and 0.857039 κ_cr", "[nonlinear]")
+{
+    const auto settled = follow(two_states(0.88), two_states(0.88).steady() + FlowVector::Constant(3, 0.05), false, {});
+    REQUIRE(settled.kind == Attractor::Kind::cycle);
+    auto cycle = orbit(0.88, 1, settled.start);
+    CHECK(cycle.attracts());
+    for (double share = 0.878; share > 0.8679; share -= 0.002) cycle = orbit(share, 1, cycle.start);
+    const double first = doubling(1, 0.864, 0.868, cycle.start);
+    CHECK(first == Approx(0.866259).margin(1e-6));
+
+    const auto twice = follow(two_states(0.862), cycle.start, false, {});
+    REQUIRE(twice.kind == Attractor::Kind::period_n);
+    CHECK(twice.repeats == 2);
+    auto two = orbit(0.862, 2, twice.start);
+    CHECK(two.attracts());
+    for (double share = 0.861; share > 0.8575; share -= 0.0005) two = orbit(share, 2, two.start);
+    CHECK(doubling(2, 0.8560, 0.8580, two.start) == Approx(0.857039).margin(1e-6));
+}

@@ -1,0 +1,47 @@
+// How many linear answers a core gives in a second. Prints, asserts nothing about time.
+#include <chrono>
+#include <cstdio>
+#include <functional>
+
+#include "analysis/stability/joint_crossings.h"
+#include "analysis/stability/joint_spectrum.h"
+#include "analysis/stability/verdict.h"
+#include "tests/analysis/joint/sample_joints.h"
+
+using namespace stickslip;
+
+namespace {
+
+/// Answers per second, k_p swept over three decades so that no two answers are the same.
+void measure(const char* name, Joint joint, int count, const std::function<double(const Joint&)>& answer)
+{
+    double sum = 0;
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < count; ++i) {
+        joint.control.k_p = 1e3 * std::pow(10, 3.0 * i / count);
+        sum += answer(joint);
+    }
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    std::printf("%-58s %12.0f /s   (checksum %g)\n", name, count / time.count(), sum);
+}
+
+}  // namespace
+
+int main()
+{
+    const auto row = [](const Joint& j) { return double(linear_point(j).state_variable_stable); };
+    const auto verdict = [](const Joint& j) { return double(is_stable(linear_joint(j, j.control.V0))); };
+    const auto abscissa = [](const Joint& j) { return spectral_abscissa(linear_joint(j, j.control.V0)); };
+    const auto gains = [](const Joint& j) {
+        return double(rational_crossings(linear_joint(j, j.control.V0), Gain::k_p).size());
+    };
+    measure("single mass, one state: row of a sweep", samples::single_mass(1), 1'000'000, row);
+    measure("single mass, one state: stability verdict", samples::single_mass(1), 500'000, verdict);
+    measure("three masses, nine states: stability verdict", samples::nine_states(), 200'000, verdict);
+    measure("three masses, nine states: spectral abscissa", samples::nine_states(), 20'000, abscissa);
+    measure("three masses, nine states: all crossings in k_p", samples::nine_states(), 20'000, gains);
+    measure("three masses, nine states: row of a sweep", samples::nine_states(), 10'000, row);
+    Joint lagging = samples::single_mass(1);
+    lagging.friction.law = samples::time_lag(Stribeck{10, 0, 1, 1e-2, 2});
+    measure("single mass, time lag: row of a sweep", lagging, 200, row);
+}

@@ -1,0 +1,179 @@
+// Two ways to use CVODE for the outcome of a point, as measures of speed: the plain one that a user would write first,
+// and one with every trick short of batching. Neither is the product's reference solver.
+#pragma once
+#include <cvode/cvode.h>
+#include <nvector/nvector_serial.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "analysis/simulation/lanes/job.h"
+
+namespace stickslip::benchmark {
+
+struct SlipJoint {
+    double V0, k_v, k_p;
+};
+inline constexpr double A = 1, B = 1.5, L = 1e-5, inertia = 1, f0 = 60, V_star = 1e-6;
+inline constexpr double kick = 0.01, watched_turns = 50, large_swing = 0.3;
+
+inline lanes::Groups groups_of(const SlipJoint& j)
+{
+    return {j.k_p * L / A, inertia * j.V0 * j.V0 / (L * A), B / A, j.k_v * j.V0 / A};
+}
+/// A turn of the undamped slow oscillation, in units of L/V_0.
+inline double natural_turn(const lanes::Groups& g)
+{
+    return 2 * std::numbers::pi * std::sqrt((g.M + g.c + 1) / g.K);
+}
+
+enum class Judged { decays, oscillates, failed, unsure };
+
+/// Quiet, dense, BDF; the same for both ways.
+struct Solver {
+    SUNContext context = nullptr;
+    N_Vector y = nullptr, tolerance = nullptr;
+    SUNMatrix matrix = nullptr;
+    SUNLinearSolver linear = nullptr;
+    void* cvode = nullptr;
+
+    explicit Solver(CVRhsFn rate)
+    {
+        SUNContext_Create(nullptr, &context);
+        y = N_VNew_Serial(3, context);
+        tolerance = N_VNew_Serial(3, context);
+        N_VConst(0, y);
+        cvode = CVodeCreate(CV_BDF, context);
+        CVodeSetErrHandlerFn(
+            cvode, [](int, const char*, const char*, char*, void*) {}, nullptr);
+        CVodeInit(cvode, rate, 0, y);
+        matrix = SUNDenseMatrix(3, 3, context);
+        linear = SUNLinSol_Dense(y, matrix, context);
+        CVodeSetLinearSolver(cvode, linear, matrix);
+        CVodeSetMaxNumSteps(cvode, 1000000);
+    }
+    ~Solver()
+    {
+        CVodeFree(&cvode);
+        SUNLinSolFree(linear);
+        SUNMatDestroy(matrix);
+        N_VDestroy(tolerance);
+        N_VDestroy(y);
+        SUNContext_Free(&context);
+    }
+    Solver(const Solver&) = delete;
+    Solver& operator=(const Solver&) = delete;
+};
+
+/// Plain: x, ln V, θ in SI units, one solver a point, Jacobian by differences, fifty turns, then look at the amplitude.
+inline Judged plain_cvode(const SlipJoint& joint, double rtol)
+{
+    struct Problem {
+        SlipJoint j;
+        double f_ss;
+    } problem{joint, f0 + (A - B) * std::log(joint.V0 / V_star)};
+    const auto rate = [](realtype, N_Vector y, N_Vector out, void* user) {
+        const auto& p = *static_cast<Problem*>(user);
+        const double *s = NV_DATA_S(y), V = std::exp(s[1]), log = s[1] - std::log(V_star);
+        double* d = NV_DATA_S(out);
+        d[0] = V - p.j.V0;
+        d[1] = -(p.j.k_v * d[0] + p.j.k_p * s[0] + f0 + A * log + s[2] - p.f_ss) / (inertia * V);
+        d[2] = -(V / L) * (s[2] + B * log);
+        return 0;
+    };
+    Solver solver(rate);
+    double* s = NV_DATA_S(solver.y);
+    s[0] = 0;
+    s[1] = std::log((1 + kick) * joint.V0);
+    s[2] = -B * std::log(joint.V0 / V_star) - A * std::log(1 + kick) - joint.k_v * kick * joint.V0;
+    double* tolerance = NV_DATA_S(solver.tolerance);
+    tolerance[0] = rtol * L, tolerance[1] = tolerance[2] = rtol;
+    CVodeReInit(solver.cvode, 0, solver.y);
+    CVodeSVtolerances(solver.cvode, rtol, solver.tolerance);
+    CVodeSetUserData(solver.cvode, &problem);
+    const double end = watched_turns * natural_turn(groups_of(joint)) * L / joint.V0;
+    double t = 0, swing = 0;
+    while (t < end) {
+        if (CVode(solver.cvode, end, solver.y, &t, CV_ONE_STEP) < 0) return Judged::failed;
+        if (t > 0.6 * end) swing = std::max(swing, std::abs(s[1] - std::log(joint.V0)));
+    }
+    return swing > large_swing ? Judged::oscillates : Judged::decays;
+}
+
+/// Tuned: dimensionless groups, one solver for all, exact Jacobian, root-finding on V = V_0, and an early end: when the
+/// slow mode has shrunk by three, or two successive turns agree in their extrema.
+class TunedCvode {
+  public:
+    explicit TunedCvode(double rtol) : solver_(&rate)
+    {
+        CVodeSStolerances(solver_.cvode, rtol, rtol);
+        CVodeSetJacFn(solver_.cvode, &jacobian);
+        CVodeRootInit(solver_.cvode, 1, [](realtype, N_Vector y, realtype* g, void*) {
+            g[0] = NV_DATA_S(y)[1];
+            return 0;
+        });
+        int down = -1;
+        CVodeSetRootDirection(solver_.cvode, &down);
+    }
+
+    Judged judge(const lanes::Job& job)
+    {
+        g_ = job.groups;
+        double* s = NV_DATA_S(solver_.y);
+        s[0] = 0, s[1] = std::log1p(kick), s[2] = -(s[1] + g_.c * kick);
+        CVodeReInit(solver_.cvode, 0, solver_.y);
+        CVodeSetUserData(solver_.cvode, &g_);
+        const double start = slow(job, s), end = watched_turns * natural_turn(g_);
+        double t = 0, high = 0, low = 0, last_high = 0, last_low = 0, peak = 0;
+        while (t < end) {
+            const int flag = CVode(solver_.cvode, end, solver_.y, &t, CV_ONE_STEP);
+            if (flag < 0) return Judged::failed;
+            high = std::max(high, s[1]), low = std::min(low, s[1]);
+            if (slow(job, s) < start / 3) return Judged::decays;
+            if (flag != CV_ROOT_RETURN) continue;
+            const bool same = std::abs(high - last_high) < 1e-3 * high && std::abs(low - last_low) < 1e-3 * -low;
+            if (high > large_swing && same) return Judged::oscillates;
+            peak = high;
+            last_high = high, last_low = low, high = low = 0;
+        }
+        return peak > large_swing ? Judged::oscillates : slow(job, s) < start ? Judged::decays : Judged::unsure;
+    }
+
+  private:
+    static double slow(const lanes::Job& job, const double* s)
+    {
+        double re = 0, im = 0;
+        for (int i = 0; i < 3; ++i) re += job.left[i][0] * s[i], im += job.left[i][1] * s[i];
+        return std::hypot(re, im);
+    }
+    static int rate(realtype, N_Vector y, N_Vector out, void* user)
+    {
+        const auto& g = *static_cast<lanes::Groups*>(user);
+        const double *s = NV_DATA_S(y), v = std::exp(s[1]);
+        double* d = NV_DATA_S(out);
+        d[0] = v - 1;
+        d[1] = -(g.c * (v - 1) + g.K * s[0] + s[1] + s[2]) / (g.M * v);
+        d[2] = -v * (s[2] + g.beta * s[1]);
+        return 0;
+    }
+    static int jacobian(realtype, N_Vector y, N_Vector, SUNMatrix J, void* user, N_Vector, N_Vector, N_Vector)
+    {
+        const auto& g = *static_cast<lanes::Groups*>(user);
+        const double *s = NV_DATA_S(y), v = std::exp(s[1]), per_Mv = 1 / (g.M * v);
+        const double rate = -(g.c * (v - 1) + g.K * s[0] + s[1] + s[2]) * per_Mv;
+        SM_ELEMENT_D(J, 0, 0) = 0, SM_ELEMENT_D(J, 0, 1) = v, SM_ELEMENT_D(J, 0, 2) = 0;
+        SM_ELEMENT_D(J, 1, 0) = -g.K * per_Mv, SM_ELEMENT_D(J, 1, 1) = -(g.c * v + 1) * per_Mv - rate;
+        SM_ELEMENT_D(J, 1, 2) = -per_Mv;
+        SM_ELEMENT_D(J, 2, 0) = 0, SM_ELEMENT_D(J, 2, 1) = -v * (s[2] + g.beta * s[1] + g.beta),
+                           SM_ELEMENT_D(J, 2, 2) = -v;
+        return 0;
+    }
+
+    Solver solver_;
+    lanes::Groups g_{};
+};
+
+}  // namespace stickslip::benchmark

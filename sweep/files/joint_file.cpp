@@ -2,6 +2,7 @@
 
 #include "analysis/joint/parameters.h"
 #include "sweep/files/bad_input.h"
+#include "sweep/files/csv.h"
 #include "sweep/files/joint_keys.h"
 #include "sweep/files/joint_table.h"
 #include "sweep/files/struct_reader.h"
@@ -11,12 +12,12 @@ namespace files {
 namespace {
 
 void read_into(Joint& joint, const toml::table& root, Complaints& complaints, Mode mode,
-               const std::vector<std::string>& also_allowed)
+               const std::vector<std::string>& also_allowed, const std::filesystem::path& folder = {})
 {
     const auto explain = [&joint](const std::string& path, const std::vector<std::string>& siblings) {
         return explain_unknown_key(joint, path, siblings);
     };
-    StructReader reader(complaints, joint.mechanism.motion, mode, explain);
+    StructReader reader(complaints, joint.mechanism.motion, mode, explain, folder);
     reader.read(root, "", joint, also_allowed);
 }
 
@@ -48,20 +49,14 @@ toml::table nested(std::string_view path, toml::table value)
     return nested(path.substr(0, dot), std::move(wrapped));
 }
 
-std::string_view trimmed(std::string_view text)
-{
-    while (text.starts_with(' ')) text.remove_prefix(1);
-    while (text.ends_with(' ')) text.remove_suffix(1);
-    return text;
-}
-
 }  // namespace
 
-Joint joint_from(const toml::table& root, Complaints& complaints, const std::vector<std::string>& also_allowed)
+Joint joint_from(const toml::table& root, Complaints& complaints, const std::vector<std::string>& also_allowed,
+                 const std::filesystem::path& folder)
 {
     Joint joint;
     const std::size_t before = complaints.count();
-    read_into(joint, root, complaints, Mode::whole, also_allowed);
+    read_into(joint, root, complaints, Mode::whole, also_allowed, folder);
     if (complaints.count() > before) return joint;
     // the joint's own check is the last word: it may know rules that join several tables
     for (const auto& problem : check(joint)) complaints.add(Place(root.source()), problem.path, problem.message);
@@ -72,14 +67,14 @@ Joint joint_from(const toml::table& root, Complaints& complaints, const std::vec
 
 Joint read_joint(const std::filesystem::path& file)
 {
-    return read_joint_text(files::read_text(file), file.string());
+    return read_joint_text(files::read_text(file), file.string(), file.parent_path());
 }
 
-Joint read_joint_text(std::string_view text, const std::string& name)
+Joint read_joint_text(std::string_view text, const std::string& name, const std::filesystem::path& folder)
 {
     const toml::table root = files::parse_toml(text, name);
     files::Complaints complaints(name);
-    Joint joint = files::joint_from(root, complaints, {"record"});
+    Joint joint = files::joint_from(root, complaints, {"record"}, folder);
     complaints.throw_if_any();
     return joint;
 }

@@ -13,8 +13,9 @@ namespace stickslip {
 /// by read_record_layout. Throws BadInput with every error of the file, each `file:line:column: path: …`.
 Joint read_joint(const std::filesystem::path& file);
 
-/// The same from text; `name` is what messages call it.
-Joint read_joint_text(std::string_view text, const std::string& name);
+/// The same from text; `name` is what messages call it, `folder` where files that it names (a kernel table) are looked
+/// up.
+Joint read_joint_text(std::string_view text, const std::string& name, const std::filesystem::path& folder = {});
 
 /// Applies one `path=value` as the command line gives it: "control.k_p=2e4", "control.V0=1 mm/s",
 /// "friction.law=stribeck", "friction.B=[1, 2]", "friction.B.1=2". A new law or model starts with its numbers not set;

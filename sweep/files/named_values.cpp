@@ -27,7 +27,8 @@ void flatten(const toml::table& table, const std::string& prefix, const std::vec
 
 }  // namespace
 
-std::vector<NamedValue> dotted_values(const toml::table& table, const std::vector<std::string>& leaf_keys)
+std::vector<NamedValue> dotted_values(const toml::table& table, const std::vector<std::string>& leaf_keys,
+                                      const std::vector<std::string>& skip)
 {
     std::vector<std::tuple<unsigned, unsigned, NamedValue>> found;
     flatten(table, "", leaf_keys, found);
@@ -35,7 +36,10 @@ std::vector<NamedValue> dotted_values(const toml::table& table, const std::vecto
         return std::pair(std::get<0>(a), std::get<1>(a)) < std::pair(std::get<0>(b), std::get<1>(b));
     });
     std::vector<NamedValue> values;
-    for (auto& [line, column, value] : found) values.push_back(std::move(value));
+    for (auto& [line, column, value] : found) {
+        const std::string first = value.path.substr(0, value.path.find('.'));
+        if (std::find(skip.begin(), skip.end(), first) == skip.end()) values.push_back(std::move(value));
+    }
     return values;
 }
 

@@ -18,7 +18,9 @@ struct NamedValue {
 
 /// Flattens `"control.k_p" = …`, `control.k_p = …` and `[axes.control]` to dotted paths in the order of the file. A
 /// table that holds one of `leaf_keys` is a value, any other table is part of the path.
-std::vector<NamedValue> dotted_values(const toml::table& table, const std::vector<std::string>& leaf_keys);
+/// Keys of the table itself that are in `skip` have another reader.
+std::vector<NamedValue> dotted_values(const toml::table& table, const std::vector<std::string>& leaf_keys,
+                                      const std::vector<std::string>& skip = {});
 
 /// The leaf at a path, or nothing after a complaint that lists near names.
 std::optional<Parameter> find_leaf(Joint& joint, const std::string& path, const Place& place, std::string_view prefix,

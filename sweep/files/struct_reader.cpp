@@ -1,5 +1,7 @@
 #include "sweep/files/struct_reader.h"
 
+#include "sweep/files/bad_input.h"
+#include "sweep/files/kernel_table_file.h"
 #include "sweep/files/units.h"
 
 #include <algorithm>
@@ -148,6 +150,18 @@ void StructReader::text(std::string_view key, std::string_view, std::string& val
         value = given->get();
     else
         complain(*node, key, "is " + describe(*node) + ", allowed is text in quotes");
+}
+
+void StructReader::samples(std::string_view key, std::string_view help, std::string& name, KernelTablePtr& table)
+{
+    text(key, help, name);
+    const toml::node* node = frame_.table->get(key);
+    if (!node || !node->is_string()) return;
+    try {
+        table = name.empty() ? nullptr : std::make_shared<const KernelTable>(read_kernel_table(folder_ / name));
+    } catch (const BadInput& bad) {
+        for (const auto& message : bad.messages()) complain(*node, key, "is \"" + name + "\": " + message);
+    }
 }
 
 const toml::table* StructReader::indexed_table(const toml::node& node) const

@@ -24,8 +24,14 @@ class StructReader {
     using Explain = std::function<std::string(const std::string& path, const std::vector<std::string>& siblings)>;
 
     /// `motion` is read whenever a unit is needed, so it may be part of what is being read (its table comes first).
-    StructReader(Complaints& complaints, const Motion& motion, Mode mode, Explain explain)
-        : complaints_(complaints), motion_(motion), mode_(mode), explain_(std::move(explain))
+    /// Files that a value names are looked up from `folder`.
+    StructReader(Complaints& complaints, const Motion& motion, Mode mode, Explain explain,
+                 std::filesystem::path folder = {})
+        : complaints_(complaints),
+          motion_(motion),
+          mode_(mode),
+          explain_(std::move(explain)),
+          folder_(std::move(folder))
     {
     }
 
@@ -42,6 +48,7 @@ class StructReader {
     void numbers(const Field& f, NumberList& list);
     void flag(std::string_view key, std::string_view help, bool& value);
     void text(std::string_view key, std::string_view help, std::string& value);
+    void samples(std::string_view key, std::string_view help, std::string& name, KernelTablePtr& table);
 
     template <class Enum, std::size_t n>
     void choice(std::string_view key, std::string_view, Enum& value, const Choice<Enum> (&choices)[n])
@@ -187,6 +194,7 @@ class StructReader {
     const Motion& motion_;
     Mode mode_;
     Explain explain_;
+    std::filesystem::path folder_;
     Frame frame_;
     bool model_doubtful_ = false;
 };

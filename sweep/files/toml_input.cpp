@@ -14,6 +14,11 @@ namespace {
 constexpr std::uintmax_t max_bytes = 16u << 20;  // a description is a page of text; this is a wrong file
 constexpr std::size_t max_quoted = 60;           // characters of a text that a message repeats
 
+std::string below(const std::string& path, const std::string& key)
+{
+    return path.empty() ? key : path + "." + key;
+}
+
 std::string at(const std::string& source, const Place& place)
 {
     if (place.line == 0) return source;
@@ -110,6 +115,39 @@ std::string number_text(double value)
     std::array<char, 32> buffer;
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
     return {buffer.data(), end};
+}
+
+const toml::table* table_at(const toml::table& parent, const std::string& key, const std::string& path,
+                            Complaints& complaints)
+{
+    const auto* node = parent.get(key);
+    if (node && !node->is_table())
+        complaints.add(Place(node->source()), below(path, key), "is " + describe(*node) + ", allowed is a table");
+    return node ? node->as_table() : nullptr;
+}
+
+void read_text_at(const toml::table& parent, const std::string& key, const std::string& path, std::string& value,
+                  Complaints& complaints)
+{
+    const auto* node = parent.get(key);
+    if (!node) return;
+    if (const auto* text = node->as_string())
+        value = text->get();
+    else
+        complaints.add(Place(node->source()), below(path, key),
+                       "is " + describe(*node) + ", allowed is text in quotes");
+}
+
+void complain_unknown_keys(const toml::table& table, const std::vector<std::string>& allowed, const std::string& path,
+                           Complaints& complaints)
+{
+    for (auto&& [key, node] : table) {
+        const std::string name(key.str());
+        if (std::find(allowed.begin(), allowed.end(), name) != allowed.end()) continue;
+        const Place place = Place(key.source()).or_else(Place(table.source()));
+        complaints.add(place, below(path, name),
+                       "unknown key, allowed here are " + listed(allowed) + did_you_mean(name, allowed));
+    }
 }
 
 std::vector<std::pair<std::string, const toml::node*>> in_file_order(const toml::table& table)

@@ -63,6 +63,19 @@ std::string listed(const std::vector<std::string>& names);
 /// The shortest text that reads back as the same number.
 std::string number_text(double value);
 
+/// The table under a key; nothing if it is absent, or after a complaint that it is something else. `path` is what
+/// messages call `parent`, empty for the whole file.
+const toml::table* table_at(const toml::table& parent, const std::string& key, const std::string& path,
+                            Complaints& complaints);
+
+/// Reads text under a key, if there is any; complains about anything else.
+void read_text_at(const toml::table& parent, const std::string& key, const std::string& path, std::string& value,
+                  Complaints& complaints);
+
+/// Complains about every key that is not allowed, with the nearest one that is.
+void complain_unknown_keys(const toml::table& table, const std::vector<std::string>& allowed, const std::string& path,
+                           Complaints& complaints);
+
 /// The keys of a table in the order of the file (the parser sorts them by name).
 std::vector<std::pair<std::string, const toml::node*>> in_file_order(const toml::table& table);
 

@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 using namespace stickslip;
@@ -120,7 +121,9 @@ TEST_CASE("syntax errors have a place")
 TEST_CASE("unknown keys, with the allowed ones and the nearest")
 {
     CHECK(only_error(with("k_v = 0", "kv = 0")) ==
-          "joint.toml:8:1: control.kv: unknown key, allowed here are kind, feedback, k_p, k_v, V0, force_rate, period, "
+          "joint.toml:8:1: control.kv: unknown key, allowed here are kind, feedback, k_p, k_v, V0, force_rate, "
+          "contact_stiffness, "
+          "force_gain, period, "
           "reference_velocity, effort_limit, delay, velocity_estimate; did you mean \"k_v\"?");
     CHECK_THAT(only_error(good + "[frction]\nlaw = 1\n"),
                StartsWith("joint.toml:17:2: frction: unknown key") && EndsWith("did you mean \"friction\"?"));
@@ -308,4 +311,67 @@ TEST_CASE("settings that are wrong change nothing")
     CHECK(incomplete.size() == 3);
     CHECK(messages_of([&] { apply_settings(joint, {"a=1", "b=1", "control.k_p=1"}); }).size() == 2);
     CHECK(canonical_text(joint) == before);
+}
+
+TEST_CASE("rows of a law, a law inside a law, a table from a file")
+{
+    const auto folder = std::filesystem::temp_directory_path() / "stickslip-kernel-test";
+    std::filesystem::create_directories(folder);
+    const auto table = [&](const std::string& content) { std::ofstream(folder / "g.csv") << content; };
+    const std::string head = "joint.inertia = 1\ncontrol.k_p = 1\n";
+    const std::string kernel = head + "[friction]\nlaw = \"kernel\"\nf_v = 1\ntable = \"g.csv\"\n";
+    const auto error = [&](const std::string& text) {
+        const auto all = messages_of([&] { read_joint_text(text, "joint.toml", folder); });
+        for (const auto& message : all) UNSCOPED_INFO(message);
+        REQUIRE(all.size() == 1);
+        return all.front();
+    };
+    table("# measured\ntime,g\n0,5\n0.5,2\n1,0\n");
+    Joint joint = read_joint_text(
+        kernel +
+            "exponentials = { weight = 2, rate = \"3 Hz\" }\n[[friction.delays]]\nweight = 1\ntime = \"2 ms\"\n"
+            "[[friction.delays]]\nweight = \"1 N·s/mm\"\ntime = 1\n",
+        "joint.toml", folder);
+    const auto& law = std::get<Kernel>(joint.friction.law);
+    CHECK(law.exponentials.size == 1);
+    CHECK(law.exponentials[0].rate == 3);
+    REQUIRE(law.impulses.size == 2);
+    CHECK(law.impulses[0].time == 2e-3);
+    CHECK(law.impulses[1].weight == 1000);
+    REQUIRE(law.samples);
+    CHECK(law.samples->time == std::vector<double>{0, 0.5, 1});
+    CHECK(law.samples->value == std::vector<double>{5, 2, 0});
+    apply_setting(joint, "friction.delays.1.time=4 ms");
+    CHECK(std::get<Kernel>(joint.friction.law).impulses[1].time == 4e-3);
+    CHECK_THAT(messages_of([&] { apply_setting(joint, "friction.delays.2.time=4"); }).at(0),
+               EndsWith("friction.delays.2: there is no such element; the list has 2, counted from 0"));
+    CHECK_THAT(error(kernel + "exponentials = 3\n"),
+               StartsWith("joint.toml:7:16: friction.exponentials: is 3, allowed is a list of"));
+    CHECK_THAT(error(kernel + "exponentials = [1]\n"),
+               StartsWith("joint.toml:7:17: friction.exponentials: is 1, allowed is a table"));
+    CHECK_THAT(error(kernel + "exponentials = [{ weight = 1 }]\n"),
+               StartsWith("joint.toml:7:17: friction.exponentials.0.rate: is missing"));
+    CHECK_THAT(error(kernel + "exponentials = [{ weight = 1, rate = 1, tau = 2 }]\n"),
+               StartsWith("joint.toml:7:41: friction.exponentials.0.tau: unknown key, allowed here are weight, rate"));
+
+    const std::string place = "joint.toml:6:9: friction.table: is \"g.csv\": " + (folder / "g.csv").string();
+    table("0,1\n1,x\n");
+    CHECK(error(kernel) == place + ":2:1: is no row of two numbers, time and g");
+    table("0.5,1\n1,1\n");
+    CHECK(error(kernel) == place + ": the table must start at time 0");
+    table("");
+    CHECK(error(kernel) == place + ": the table needs at least two rows");
+    std::filesystem::remove_all(folder);
+    CHECK(error(kernel) == place + ": there is no such file");
+
+    const Joint lagged = read_joint_text(head +
+                                             "[friction]\nlaw = \"time-lag\"\nlag = \"5 ms\"\n"
+                                             "curve = { law = \"stribeck\", c0 = 1, c1 = 2, c2 = 3, c3 = 4 }\n",
+                                         "joint.toml");
+    CHECK(std::get<TimeLag>(lagged.friction.law).lag == 5e-3);
+    CHECK_THAT(
+        error(head + "[friction]\nlaw = \"time-lag\"\nlag = 1\ncurve = { law = \"stribek\" }\n"),
+        StartsWith("joint.toml:6:17: friction.curve.law: is \"stribek\", allowed are ") && EndsWith("\"stribeck\"?"));
+    CHECK_THAT(error(head + "[friction]\nlaw = \"time-lag\"\nlag = 1\n"),
+               StartsWith("joint.toml:3:1: friction.curve.law: is missing"));
 }

@@ -4,16 +4,21 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <random>
 
 using namespace stickslip;
 
 namespace {
 
+const auto folder = std::filesystem::temp_directory_path() / "stickslip-round-trip";
+
 /// Gives every leaf, choice and law of a joint a random value within its range.
 struct Shuffler {
     std::mt19937_64& random;
-    int size = 1;  // of every list in the struct at hand
+    int size = 1;    // of every list in the struct at hand
+    int tables = 0;  // files written for kernels
 
     bool coin() { return random() % 2 == 0; }
     double within(const Range& range)
@@ -38,6 +43,17 @@ struct Shuffler {
     }
     void flag(std::string_view, std::string_view, bool& value) { value = coin(); }
     void text(std::string_view, std::string_view, std::string& value) { value = coin() ? "" : "a \"b\"\\\n\tµ.csv"; }
+    void samples(std::string_view, std::string_view, std::string& name, KernelTablePtr& table)
+    {
+        if (coin()) return;
+        name = (folder / ("\"g\" " + std::to_string(tables++) + ".csv")).string();
+        const KernelTable samples{{0, 0.25, 1.5}, {3, -2, static_cast<double>(random())}};
+        std::ofstream out(name);
+        out << "time,g\n";
+        out.precision(17);
+        for (int i = 0; i < 3; ++i) out << samples.time[i] << ", " << samples.value[i] << "\n";
+        table = std::make_shared<const KernelTable>(samples);
+    }
     template <class Enum, std::size_t n>
     void choice(std::string_view, std::string_view, Enum& value, const Choice<Enum> (&choices)[n])
     {
@@ -72,6 +88,7 @@ struct Shuffler {
 
 TEST_CASE("a joint that is written reads back equal")
 {
+    std::filesystem::create_directories(folder);
     const unsigned seed = 20240817;
     std::mt19937_64 random(seed);
     int valid = 0;
@@ -89,6 +106,7 @@ TEST_CASE("a joint that is written reads back equal")
         REQUIRE(joint_text(again) == text);
     }
     CHECK(valid > 500);
+    std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("defaults are left out, units stand in comments")

@@ -68,7 +68,7 @@ control.k_p = 2e3
 [nonlinear]
 enabled = true
 tolerance = 1e-9
-disturbance = { kind = "force-impulse", size = "1 mN·s" }
+disturbance = { kind = "impulse", size = "1 mN·s" }
 [boundary]
 axis = "friction.f0"
 precision = 1e-4
@@ -105,8 +105,8 @@ tolerance = "2 %"
     CHECK(spec.joint.control.k_v == 7);    // a design value of no axis holds everywhere
     CHECK(spec.joint.control.k_p == 2e4);  // that of an axis marks a point only
     CHECK(spec.nonlinear.enabled);
-    CHECK(spec.nonlinear.disturbance.kind == Disturbance::Kind::force_impulse);
-    CHECK(spec.nonlinear.disturbance.size == 1e-3);
+    CHECK(spec.nonlinear.disturbance.disturbance.kind == DisturbanceKind::impulse);
+    CHECK(spec.nonlinear.disturbance.disturbance.size == 1e-3);
     CHECK(spec.nonlinear.tolerance == 1e-9);
     REQUIRE(spec.boundary);
     CHECK(spec.boundary->axis == "friction.f0");
@@ -244,7 +244,7 @@ TEST_CASE("the other tables")
     CHECK_THAT(
         only_error(axes + "[nonlinear]\ndisturbance.kind = \"kick\"\n"),
         StartsWith(
-            "@5:20: nonlinear.disturbance.kind: is \"kick\", allowed are position, velocity, state, force-impulse"));
+            "@5:20: nonlinear.disturbance.kind: is \"kick\", allowed are position, velocity, impulse, offset, state, start"));
     CHECK_THAT(only_error(axes + "[nonlinear]\ndisturbance = { kind = \"position\", size = \"1 N\" }\n"),
                EndsWith("expected is m"));
     CHECK_THAT(only_error(axes + "[boundary]\naxis = \"control.kp\"\n"),

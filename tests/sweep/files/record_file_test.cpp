@@ -1,0 +1,359 @@
+#include "sweep/files/record_file.h"
+
+#include "sweep/files/joint_file.h"
+#include "tests/sweep/files/messages.h"
+
+#include <zlib.h>
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+using namespace stickslip;
+using Catch::Contains;
+using Catch::EndsWith;
+using Catch::StartsWith;
+
+namespace {
+
+const std::filesystem::path folder = std::filesystem::temp_directory_path() / "stickslip-record-test";
+
+Joint joint_of(const std::string& motion)
+{
+    return read_joint_text("joint = { motion = \"" + motion +
+                               "\", inertia = 1 }\ncontrol = { k_p = 1, period = 1e-3 }\n" +
+                               "friction = { law = \"coulomb-viscous\", coulomb = 1, viscous = 1 }\n",
+                           "joint.toml");
+}
+
+std::filesystem::path file(const std::string& content, const std::string& name = "run.csv")
+{
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / name, std::ios::binary) << content;
+    return folder / name;
+}
+
+RecordReading read(const std::string& content, const std::string& layout = "", const std::string& motion = "prismatic")
+{
+    const Joint joint = joint_of(motion);
+    return read_record(file(content), joint, read_record_layout_text(layout, "record.toml", joint));
+}
+
+/// The errors of a file, without the folder in front.
+std::vector<std::string> errors(const std::string& content, const std::string& layout = "",
+                                const RecordLimits& limits = {})
+{
+    const Joint joint = joint_of("prismatic");
+    auto all = messages_of(
+        [&] { read_record(file(content), joint, read_record_layout_text(layout, "record.toml", joint), limits); });
+    for (auto& message : all)
+        while (message.find(folder.string()) != std::string::npos)
+            message.erase(message.find(folder.string()), folder.string().size() + 1);
+    return all;
+}
+
+std::string only_error(const std::string& content, const std::string& layout = "", const RecordLimits& limits = {})
+{
+    const auto all = errors(content, layout, limits);
+    for (const auto& message : all) UNSCOPED_INFO(message);
+    REQUIRE(all.size() == 1);
+    return all.front();
+}
+
+std::string gzipped(const std::string& text)
+{
+    const auto path = (folder / "zip.gz").string();
+    std::filesystem::create_directories(folder);
+    gzFile out = gzopen(path.c_str(), "wb");
+    gzwrite(out, text.data(), static_cast<unsigned>(text.size()));
+    gzclose(out);
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+TEST_CASE("a plain record, its gaps and its columns that nobody reads")
+{
+    const auto [record, warnings] = read(
+        "\xef\xbb\xbf# a comment\r\n\r\n \"time\" , position,effort_command,postion2\r\n"
+        "0,1.5e-3,-2,x\r\n0.5, +2 ,,y\r\n\r\n1.25,nan,3,z\r\n");
+    CHECK(record.name == "run.csv");
+    CHECK(record.time == std::vector<double>{0, 0.5, 1.25});
+    REQUIRE(record.position.size() == 3);
+    CHECK(record.position[0] == 1.5e-3);
+    CHECK(record.position[1] == 2);
+    CHECK(std::isnan(record.position[2]));
+    CHECK(std::isnan(record.effort_command[1]));
+    CHECK(record.effort_command[2] == 3);
+    CHECK(record.velocity.empty());
+    CHECK(record.at_rest_at_start);
+    REQUIRE(warnings.size() == 3);
+    CHECK(warnings[0] == "columns that are not read: postion2");
+    CHECK(warnings[1] == "position: 1 of 3 cells are missing");
+    CHECK(warnings[2] == "effort_command: 1 of 3 cells are missing");
+}
+
+TEST_CASE("gzip, semicolons and tabs, no end of the last line")
+{
+    CHECK(read(gzipped("time,position\n0,1\n1,2")).record.position == std::vector<double>{1, 2});
+    CHECK(read("time;position\n0;1\n1;2\n").record.position == std::vector<double>{1, 2});
+    CHECK(read("time\tposition\n0\t1\n1\t2\n").record.position == std::vector<double>{1, 2});
+    const auto hint = read("time,position,velocty\n0,1,2\n").warnings;
+    CHECK(hint.at(0) == "columns that are not read: velocty (did you mean \"velocity\"?)");
+}
+
+TEST_CASE("foreign names, units, constants, and what holds for one file")
+{
+    const Joint joint = joint_of("revolute");
+    const auto layout = read_record_layout_text(R"([record]
+at_rest_at_start = false
+[record.columns]
+time = { name = "t_ms", unit = "ms" }
+position = { name = "angle_deg", unit = "deg", scale = -1, offset = "0.5 rad" }
+velocity = { unit = "rpm" }
+normal_load = { name = "stress_MPa", unit = "MPa" }
+temperature = { name = "T", unit = "K" }
+[record.constants]
+supply_voltage = "12 V"
+[record.files."run*"]
+k_p = 100
+friction.coulomb = "250 mN·m"
+[record.files."other*"]
+control.k_p = 7
+[record.files."run.cs?"]
+control.k_p = 200
+constants.supply_voltage = 24
+)",
+                                                "record.toml", joint);
+    const auto [record, warnings] = read_record(
+        file("t_ms,angle_deg,velocity,stress_MPa,T\n0,180,60,20,293.15\n2.5,90,30,21,300\n"), joint, layout);
+    const double pi = 3.14159265358979323846;
+    CHECK(record.time == std::vector<double>{0, 2.5e-3});
+    CHECK(record.position[0] == Approx(0.5 - pi).epsilon(1e-15));
+    CHECK(record.velocity[0] == Approx(2 * pi).epsilon(1e-15));
+    CHECK(record.normal_load == std::vector<double>{20e6, 21e6});
+    CHECK(record.temperature[0] == Approx(20).epsilon(1e-14));
+    CHECK(record.supply_voltage == std::vector<double>{24, 24});
+    CHECK(record.overrides ==
+          std::vector<std::pair<std::string, double>>{{"control.k_p", 200}, {"friction.coulomb", 0.25}});
+    CHECK_FALSE(record.at_rest_at_start);
+    CHECK(warnings == std::vector<std::string>{});
+}
+
+TEST_CASE("a layout stands in the joint file, a sidecar beside the record wins")
+{
+    const auto joint_file = file(
+        joint_text(joint_of("prismatic")) + "[record]\ncolumns = { position = \"x\", time = \"t\" }\n", "joint.toml");
+    const Joint joint = read_joint(joint_file);
+    const auto run = file("t,x,y\n0,1,2\n1,2,3\n");
+    CHECK(read_record(run, joint, record_layout_for(run, joint_file, joint)).record.position ==
+          std::vector<double>{1, 2});
+    const auto sidecar = file("columns.position = \"y\"\n", "record.toml");
+    CHECK(read_record(run, joint, record_layout_for(run, joint_file, joint)).record.position ==
+          std::vector<double>{2, 3});
+    std::filesystem::remove(sidecar);
+    const auto bare = file(joint_text(joint), "joint.toml");
+    CHECK(record_layout_for(run, bare, joint).rules.empty());
+}
+
+TEST_CASE("the drive signal is the one that the actuator takes")
+{
+    const std::string both = "time,position,drive_voltage,duty\n0,1,5,0.5\n1,2,6,0.6\n";
+    CHECK(read(both).record.drive == std::vector<double>{5, 6});
+    Joint joint = joint_of("revolute");
+    apply_settings(joint, {"actuator.kind=dc-motor", "actuator.k_t=1", "actuator.k_e=1", "actuator.resistance=1",
+                           "actuator.signal=duty", "actuator.supply_voltage=12"});
+    const auto reading = read_record(file(both), joint);
+    CHECK(reading.record.drive == std::vector<double>{0.5, 0.6});
+    CHECK(reading.warnings.at(0) == "columns that are not read: drive_voltage");
+}
+
+TEST_CASE("rows with the motor off are kept and counted")
+{
+    const auto [record, warnings] = read("time,position,torque_enable\n0,1,1\n1e-3,2,0\n2e-3,3,0\n");
+    CHECK(record.rows() == 3);
+    CHECK(warnings == std::vector<std::string>{"2 of 3 rows have torque_enable = 0: the motor was off"});
+    CHECK(only_error("time,position,torque_enable\n0,1,2\n") ==
+          "run.csv:2:5: torque_enable: is 2, allowed are 0 and 1");
+}
+
+TEST_CASE("tables that are none")
+{
+    CHECK(only_error("") == "run.csv: is empty, expected is a header row such as time,position");
+    CHECK(only_error("# only a comment\n") == "run.csv: is empty, expected is a header row such as time,position");
+    CHECK(only_error("time,position\n") == "run.csv: has a header and no rows");
+    CHECK(only_error("0,1\n1,2\n") ==
+          "run.csv:1:1: there is no header row, expected are names such as time,reference_position,position");
+    CHECK(only_error(std::string("\x89PNG\r\n\x1a\n\0\0", 10)) ==
+          "run.csv:2:1: is not text, expected is a CSV table (plain or gzip)");
+    CHECK_THAT(errors(std::string("ti\0me,position\n", 15)).at(0), StartsWith("run.csv:1:3: is not text"));
+    CHECK_THAT(errors(std::string("time,position\n0,\x01\x02\n", 19)).at(0), StartsWith("run.csv:2:"));
+    CHECK_THAT(only_error(std::string(3u << 20, 'x')), Contains("run.csv:1:1: the line is longer than 1 MiB"));
+    const std::string zip = gzipped(std::string("time,position\n") + std::string(40000, '\n') + "0,1\n");
+    CHECK_THAT(only_error(zip.substr(0, zip.size() - 12)), Contains("damaged or cut off"));
+    std::string damaged = zip;
+    damaged[damaged.size() - 6] ^= 1;  // inside the check sum
+    CHECK_THAT(only_error(damaged), Contains("damaged or cut off"));
+    const Joint joint = joint_of("prismatic");
+    CHECK_THAT(messages_of([&] { read_record(folder / "absent.csv", joint); }).at(0),
+               EndsWith("there is no such file"));
+    CHECK_THAT(messages_of([&] { read_record(folder, joint); }).at(0), EndsWith("is a folder, expected is a CSV file"));
+}
+
+TEST_CASE("headers that do not do")
+{
+    CHECK_THAT(only_error("t,position\n0,1\n"),
+               StartsWith("run.csv:1:1: has no column time; its columns are t, position"));
+    CHECK_THAT(only_error("time,effort_command\n0,1\n"),
+               StartsWith("run.csv:1:1: has no measured signal, expected is one of position, velocity,"));
+    CHECK(only_error("time,position,position\n0,1,1\n") ==
+          "run.csv:1:1: column \"position\" stands twice in the header");
+    CHECK(only_error("time,angle\n0,1\n", "[record.columns]\nposition = \"anlge\"\n") ==
+          "record.toml:2:1: record.columns.position: run.csv has no column \"anlge\", its columns are time, angle; "
+          "did you mean \"angle\"?");
+    CHECK_THAT(only_error("time,x\n0,1\n", "[record.columns]\nposition = \"x\"\nvelocity = \"x\"\n"),
+               Contains("column \"x\" is already position"));
+}
+
+TEST_CASE("rows that do not do")
+{
+    CHECK(only_error("time,position\n0,1\n1\n") == "run.csv:3:1: has 1 cells, the header has 2");
+    CHECK(only_error("time,position\n0,1,2\n") == "run.csv:2:1: has 3 cells, the header has 2");
+    CHECK(only_error("time,position\n0,abc\n") ==
+          "run.csv:2:3: position: is \"abc\", allowed is a finite number or an empty cell");
+    CHECK_THAT(only_error("time,position\n0,1.5x\n"), StartsWith("run.csv:2:3: position: is \"1.5x\""));
+    CHECK_THAT(only_error("time,position\n0,inf\n"), StartsWith("run.csv:2:3: position: is \"inf\""));
+    CHECK_THAT(only_error("time,position\n0,1e999\n"), StartsWith("run.csv:2:3: position: is \"1e999\""));
+    CHECK(only_error("time,position\n,1\n") == "run.csv:2:1: time: is missing, every row needs one");
+    CHECK(only_error("position,time\n1,nan\n") == "run.csv:2:3: time: is missing, every row needs one");
+    CHECK(only_error("time,position\n1,1\n1,1\n") ==
+          "run.csv:3:1: time: is 1, the same as in the row before; allowed is ascending time");
+    CHECK(only_error("time,position\n2,1\n1,1\n") ==
+          "run.csv:3:1: time: is 1, earlier than 2 before; allowed is ascending time");
+    CHECK(only_error("time,position\n0,\n1,NA\n") == "run.csv: every measured signal is missing in every row");
+    CHECK(only_error("time,position\n0,1\n1,1\n2,1\n", "", {2}) ==
+          "run.csv:4:1: has more than 2 rows, split the record or keep every n-th row");
+    std::string junk = "time,position\n";
+    for (int i = 0; i < 1000; ++i) junk += "x,y\n";
+    CHECK(errors(junk).size() == 21);
+    CHECK(errors(junk).back() == "run.csv: and more; only the first 20 errors are shown");
+}
+
+TEST_CASE("units that look wrong are suspected, never corrected")
+{
+    const auto sine = [](double position_scale, double velocity_scale, double time_scale) {
+        std::string text = "time,reference_position,position,velocity\n";
+        for (int k = 0; k < 1000; ++k) {
+            const double t = 1e-3 * k;
+            text += std::to_string(t * time_scale) + "," + std::to_string(std::sin(7 * t)) + "," +
+                    std::to_string(position_scale * std::sin(7 * t)) + "," +
+                    std::to_string(velocity_scale * 7 * std::cos(7 * t)) + "\n";
+        }
+        return text;
+    };
+    const double deg = 57.29577951308232;
+    CHECK(read(sine(1, 1, 1), "", "revolute").warnings == std::vector<std::string>{});
+    const auto degrees = read(sine(deg, deg, 1), "", "revolute");
+    REQUIRE(degrees.warnings.size() == 1);
+    CHECK_THAT(degrees.warnings[0],
+               StartsWith("suspected degrees: position moves 57.3 times as far as reference_position"));
+    CHECK(degrees.record.position[500] == Approx(deg * std::sin(3.5)).epsilon(1e-5));
+    CHECK_THAT(read(sine(1, deg, 1), "", "revolute").warnings.at(0),
+               StartsWith("suspected degrees: velocity moves 57.3"));
+    CHECK_THAT(read(sine(1000, 1000, 1)).warnings.at(0),
+               StartsWith("suspected millimetres: position moves 1000 times"));
+    CHECK_THAT(read(sine(1, 1e-3, 1000)).warnings.at(0), StartsWith("suspected milliseconds: rows are 1 s apart"));
+    CHECK_THAT(read("time,position\n0,0\n1e-3,90\n", "", "revolute").warnings.at(0),
+               StartsWith("suspected degrees: position travels 90 rad"));
+    CHECK_THAT(read("time,position_mm\n0,0\n1e-3,1\n", "columns.position = \"position_mm\"\n").warnings.at(0),
+               StartsWith("suspected unit: column \"position_mm\" is read as m, its name says mm"));
+    CHECK(read("time,motor position\n0,0\n1e-3,1\n", "columns.position = \"motor position\"\n").warnings.empty());
+}
+
+TEST_CASE("random tables come back bit for bit")
+{
+    const unsigned seed = 977;
+    std::mt19937_64 random(seed);
+    for (int round = 0; round < 20; ++round) {
+        const std::size_t rows = 1 + random() % 3000;
+        std::vector<double> position, effort;
+        std::string text = "effort_measured,time,position\n";
+        for (std::size_t k = 0; k < rows; ++k) {
+            const auto value = [&] {
+                return std::ldexp(static_cast<double>(static_cast<std::int64_t>(random())),
+                                  -static_cast<int>(random() % 100));
+            };
+            position.push_back(value());
+            effort.push_back(value());
+            char line[120];
+            std::snprintf(line, sizeof line, "%.17g,%zu,%.17g\n", effort.back(), k, position.back());
+            text += line;
+        }
+        INFO("seed " << seed << ", round " << round);
+        const auto record = read(round % 2 ? gzipped(text) : text).record;
+        REQUIRE(record.position == position);
+        REQUIRE(record.effort_measured == effort);
+        REQUIRE(record.time.back() == static_cast<double>(rows - 1));
+    }
+}
+
+// The measured data of three other groups; not part of this repository (analysis on them has its own tests).
+TEST_CASE("measured records of others read with a few lines of layout")
+{
+    const std::filesystem::path data = "../shared/data";
+    if (!std::filesystem::exists(data)) {
+        WARN("skipped: there is no folder ../shared/data");
+        return;
+    }
+    SECTION("a ball-screw drive: own names, nothing to say")
+    {
+        const auto [record, warnings] = read_record(data / "emps" / "run.csv.gz", joint_of("prismatic"));
+        CHECK(record.rows() == 24841);
+        CHECK(record.drive[0] == 2.53863);
+        CHECK(record.position[1] == 1.43e-5);
+        CHECK(warnings.empty());
+    }
+    SECTION("a servo with a pendulum: gains by file name")
+    {
+        const Joint joint = joint_of("revolute");
+        const auto layout = read_record_layout_text(
+            "[record.files.\"kp100-*\"]\nk_p = 100\n[record.files.\"kp400-*\"]\nk_p = 400\n", "record.toml", joint);
+        int files = 0;
+        for (const auto& entry : std::filesystem::directory_iterator(data / "xl330")) {
+            if (entry.path().extension() != ".gz") continue;
+            const auto [record, warnings] = read_record(entry.path(), joint, layout);
+            INFO(entry.path());
+            CHECK(record.rows() > 1000);
+            CHECK(record.temperature.size() == record.rows());
+            const double k_p = entry.path().filename().string().starts_with("kp100") ? 100 : 400;
+            CHECK(record.overrides == std::vector<std::pair<std::string, double>>{{"control.k_p", k_p}});
+            const bool drop = entry.path().string().find("lift-and-drop") != std::string::npos;  // let go on purpose
+            REQUIRE(warnings.size() == (drop ? 1 : 0));
+            if (drop)
+                CHECK(warnings[0] == (k_p == 100 ? "1138 of 1510 rows have torque_enable = 0: the motor was off"
+                                                 : "1133 of 1499 rows have torque_enable = 0: the motor was off"));
+            ++files;
+        }
+        CHECK(files == 8);
+    }
+    SECTION("a rock under load: foreign names and units")
+    {
+        const Joint joint = joint_of("prismatic");
+        const auto layout = read_record_layout_text(R"([record.columns]
+reference_position = { name = "load_point_displacement_um", unit = "um" }
+effort_measured = "friction_coefficient"
+normal_load = { name = "normal_stress_MPa", unit = "MPa" }
+)",
+                                                    "record.toml", joint);
+        const auto [record, warnings] = read_record(data / "basalt" / "velocity-step.csv.gz", joint, layout);
+        CHECK(record.rows() == 5849);
+        CHECK(record.reference_position[0] == 8503.602e-6);
+        CHECK(record.effort_measured[0] == 0.607016);
+        CHECK(record.normal_load[0] == Approx(19.969273e6).epsilon(1e-15));
+        for (const auto& warning : warnings) UNSCOPED_INFO(warning);
+        CHECK(warnings.empty());
+    }
+}

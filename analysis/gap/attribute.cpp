@@ -9,53 +9,91 @@ namespace stickslip::gap {
 namespace {
 
 constexpr int iterations = 12;
+constexpr std::size_t refined_singles = 8, refined_pairs = 6;
 
-/// Descends from every start at the fastest level, then carries the best on to the slower ones.
-Attribution fit(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
-                const Candidate& candidate, const std::vector<Eigen::VectorXd>& from, int iterations_)
+/// One descent, or a search where the misfit is jagged.
+LevelFit improve(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales,
+                 const Eigen::VectorXd& x, double omega, int effort)
+{
+    for (const auto* f : candidate.forms)
+        if (f->rough)
+            return search_rough(cases, candidate, scales, x, omega,
+                                effort * static_cast<int>(candidate.parameter_count()));
+    return descend(cases, candidate, scales, x, omega, iterations);
+}
+
+/// The best of descents from the given starts at one level. Jagged misfits try all starts and go on from the two best.
+LevelFit best_of(const std::vector<Case>& cases, const Scales& scales, const Candidate& candidate,
+                 const std::vector<Eigen::VectorXd>& from, double omega)
+{
+    std::vector<std::pair<double, std::size_t>> order;
+    const bool rough =
+        std::any_of(candidate.forms.begin(), candidate.forms.end(), [](const auto* f) { return f->rough; });
+    for (std::size_t i = 0; i < from.size(); ++i)
+        order.emplace_back(rough ? evaluate(cases, candidate, in_si(candidate, from[i], scales), omega).objective : 0,
+                           i);
+    std::stable_sort(order.begin(), order.end());
+    if (rough && order.size() > 2) order.resize(2);
+    LevelFit best;
+    int evaluations = rough ? static_cast<int>(from.size()) : 0;
+    for (const auto& [objective, i] : order) {
+        auto fit = improve(cases, candidate, scales, from[i], omega, 25);
+        evaluations += fit.evaluations;
+        if (best.x.size() == 0 || fit.evaluation.objective < best.evaluation.objective) best = std::move(fit);
+    }
+    best.evaluations = evaluations;
+    return best;
+}
+
+/// A candidate as it stands after screening: judged everywhere at the same parameters.
+Attribution as_screened(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
+                        const Candidate& candidate, const LevelFit& screened)
 {
     Attribution a;
     a.candidate = candidate;
-    bool rough = false;
-    for (const auto* f : candidate.forms) rough = rough || f->rough;
-    std::vector<LevelFit> kept;
-    if (rough) {
-        // try all starts, go on from the two best
-        std::vector<std::pair<double, std::size_t>> order;
-        for (std::size_t i = 0; i < from.size(); ++i) {
-            order.emplace_back(evaluate(cases, candidate, in_si(candidate, from[i], scales), levels[0]).objective, i);
-            ++a.evaluations;
-        }
-        std::sort(order.begin(), order.end());
-        for (std::size_t i = 0; i < std::min<std::size_t>(2, order.size()); ++i) {
-            const int budget = 25 * static_cast<int>(candidate.parameter_count());
-            kept.push_back(search_rough(cases, candidate, scales, from[order[i].second], levels[0], budget));
-        }
-    } else {
-        for (const auto& start : from) kept.push_back(descend(cases, candidate, scales, start, levels[0], iterations_));
-    }
-    for (const auto& k : kept) a.evaluations += k.evaluations;
-    std::sort(kept.begin(), kept.end(),
-              [](const auto& p, const auto& q) { return p.evaluation.objective < q.evaluation.objective; });
-    if (kept.size() > 2) kept.resize(2);
+    a.screened = screened.evaluation.objective;
     for (std::size_t l = 0; l < levels.size(); ++l) {
-        if (l > 0) {
-            for (auto& k : kept) {
-                k = rough ? search_rough(cases, candidate, scales, k.x, levels[l],
-                                         12 * static_cast<int>(candidate.parameter_count()))
-                          : descend(cases, candidate, scales, k.x, levels[l], iterations_);
-                a.evaluations += k.evaluations;
-            }
-        }
-        const auto best = std::min_element(kept.begin(), kept.end(), [](const auto& p, const auto& q) {
-            return p.evaluation.objective < q.evaluation.objective;
-        });
-        a.x[l] = best->x;
-        a.evaluation[l] = best->evaluation;
-        if (l == 1) a.information = best->information;
+        a.x[l] = screened.x;
+        a.evaluation[l] = evaluate(cases, candidate, in_si(candidate, screened.x, scales), levels[l]);
     }
+    a.evaluations = screened.evaluations + static_cast<int>(levels.size());
+    a.information = screened.information;
     judge(a, nominal);
     return a;
+}
+
+/// Carries a screened candidate through all levels, fastest first.
+void refine(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal, Attribution& a)
+{
+    const Attribution screened = a;
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+        std::vector<Eigen::VectorXd> from{screened.x[l]};
+        if (l > 0 && a.x[l - 1] != screened.x[l]) from.push_back(a.x[l - 1]);
+        std::size_t start = 0;
+        double least = infinity;
+        for (std::size_t i = 0; i < from.size(); ++i)
+            if (const double o = evaluate(cases, a.candidate, in_si(a.candidate, from[i], scales), levels[l]).objective;
+                o < least)
+                least = o, start = i;
+        auto fit = improve(cases, a.candidate, scales, from[start], levels[l], 12);
+        a.evaluations += fit.evaluations;
+        a.x[l] = fit.x;
+        a.evaluation[l] = fit.evaluation;
+        if (l == 1 && fit.information.size()) a.information = fit.information;
+    }
+    judge(a, nominal);
+}
+
+/// The fastest level at which the nominal joint clearly fails: there a fit is least troubled by what stick-slip
+/// amplifies.
+double screening_level(const Nominal& nominal)
+{
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+        double excess = 0;
+        for (const auto& m : nominal.evaluation[l].records) excess = std::max({excess, m.position - 1, m.effort - 1});
+        if (excess > 0.3) return levels[l];
+    }
+    return levels.back();
 }
 
 bool better(const Attribution& a, const Attribution& b)
@@ -132,22 +170,49 @@ std::vector<Candidate> single_candidates(const std::vector<Case>& cases, const A
 std::vector<Attribution> fit_singles(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
                                      const std::vector<Candidate>& candidates, const ParallelFor& parallel)
 {
-    std::vector<Attribution> forms(candidates.size());
-    parallel(candidates.size(), [&](std::size_t i) {
-        const auto from = starts(cases, scales, *candidates[i].forms[0], {}, {});
-        forms[i] = fit(cases, scales, nominal, candidates[i], from, iterations);
-    });
+    const double omega = screening_level(nominal);
     std::vector<Attribution> best;
-    for (auto& f : forms) {
-        if (f.x[0].size() == 0) continue;
-        const auto same = std::find_if(best.begin(), best.end(),
-                                       [&](const auto& b) { return b.candidate.effects == f.candidate.effects; });
-        if (same == best.end())
-            best.push_back(std::move(f));
-        else if (better(f, *same))
-            *same = std::move(f);
+    const auto screen = [&](const std::vector<Candidate>& some) {
+        std::vector<Attribution> forms(some.size());
+        parallel(some.size(), [&](std::size_t i) {
+            const auto from = starts(cases, scales, *some[i].forms[0], {}, {});
+            if (from.empty()) return;
+            forms[i] = as_screened(cases, scales, nominal, some[i], best_of(cases, scales, some[i], from, omega));
+        });
+        for (auto& f : forms) {
+            if (f.x[0].size() == 0) continue;
+            const auto same = std::find_if(best.begin(), best.end(),
+                                           [&](const auto& b) { return b.candidate.effects == f.candidate.effects; });
+            if (same == best.end())
+                best.push_back(std::move(f));
+            else if (better(f, *same))
+                *same = std::move(f);
+        }
+        std::stable_sort(best.begin(), best.end(), better);
+    };
+    const auto refine_best = [&] {
+        const std::size_t n = std::min(refined_singles, best.size());
+        parallel(n, [&](std::size_t i) {
+            if (!best[i].refined) refine(cases, scales, nominal, best[i]);
+            best[i].refined = true;
+        });
+        std::stable_sort(best.begin(), best.end(), better);
+    };
+    std::vector<Candidate> simple, divided;
+    for (const auto& c : candidates) (two_mass_edit(c) ? divided : simple).push_back(c);
+    screen(simple);
+    refine_best();
+    if (!best.empty() && best[0].accepted) {
+        // two masses cost ten times as much: only those that could be mistaken for the winner
+        const auto& mistaken = best[0].candidate.effects[0]->confusable;
+        std::erase_if(divided, [&](const Candidate& c) {
+            return std::find(mistaken.begin(), mistaken.end(), c.effects[0]->name) == mistaken.end();
+        });
     }
-    std::stable_sort(best.begin(), best.end(), better);
+    if (!divided.empty()) {
+        screen(divided);
+        refine_best();
+    }
     return best;
 }
 
@@ -155,6 +220,7 @@ std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales&
                                    const std::vector<Attribution>& singles, std::size_t partners,
                                    const ParallelFor& parallel)
 {
+    const double omega = screening_level(nominal);
     struct Task {
         const Attribution *first, *second;
     };
@@ -162,6 +228,8 @@ std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales&
     for (std::size_t i = 0; i < std::min(partners, singles.size()); ++i)
         for (std::size_t j = i + 1; j < singles.size(); ++j) {
             if (two_mass_edit(singles[i].candidate) && two_mass_edit(singles[j].candidate)) continue;
+            // divided masses cost ten times as much: only the best single looks for one
+            if (i > 0 && (two_mass_edit(singles[i].candidate) || two_mass_edit(singles[j].candidate))) continue;
             tasks.push_back({&singles[i], &singles[j]});
         }
     std::vector<Attribution> pairs(tasks.size());
@@ -191,11 +259,17 @@ std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales&
                 joint << x, a.x[0];
             else
                 joint << a.x[0], x;
-            const double objective = evaluate(cases, both, in_si(both, joint, scales), levels[0]).objective;
+            const double objective = evaluate(cases, both, in_si(both, joint, scales), omega).objective;
             if (objective < least) least = objective, chosen = joint;
         }
         if (chosen.size()) from.push_back(chosen);
-        pairs[i] = fit(cases, scales, nominal, both, from, iterations);
+        pairs[i] = as_screened(cases, scales, nominal, both, best_of(cases, scales, both, from, omega));
+    });
+    std::stable_sort(pairs.begin(), pairs.end(), better);
+    const std::size_t n = std::min(refined_pairs, pairs.size());
+    parallel(n, [&](std::size_t i) {
+        refine(cases, scales, nominal, pairs[i]);
+        pairs[i].refined = true;
     });
     std::stable_sort(pairs.begin(), pairs.end(), better);
     return pairs;

@@ -19,9 +19,10 @@ struct Attribution {
     Eigen::MatrixXd information;  ///< at the middle level
     double score = 0;             ///< mean log misfit over levels and records, plus a price a parameter; less is better
     double explained = 0;         ///< part of the excess misfit that is gone
+    double screened = 0;          ///< objective of the screening
+    bool refined = false;         ///< carried through all levels
     bool accepted = false;        ///< what is left is noise
     int evaluations = 0;
-    int middle() const { return 1; }
 };
 
 struct Nominal {

@@ -48,10 +48,12 @@ void add_rows(const Case& c, double tau, int late, double limit, Sums& sums)
     control.velocity_estimate.tau = tau;
     Controller controller(control);
     const Ticks& t = c.ticks;
+    const bool believed = t.ticks_per_row > 1 && !t.rebuilt && t.has_velocity;
     for (std::size_t k = 0; k < t.size(); ++k) {
         const std::size_t seen = k >= static_cast<std::size_t>(late) ? k - static_cast<std::size_t>(late) : 0;
         const double exact = is_set(t.velocity[k]) ? t.velocity[k] : 0;
         controller.read(t.position[seen], k == 0 ? t.step[0] : t.step[k - 1], exact);
+        if (believed && is_set(t.velocity[k])) controller.believe(t.velocity[k]);
         if (!is_set(t.command[k]) || std::abs(t.command[k]) > 0.999 * limit || !t.enabled[k]) continue;
         const double rate = control.reference_velocity ? t.reference_rate[k] : 0;
         sums.add(t.reference[k] - t.position[seen], rate - controller.velocity(), t.command[k]);
@@ -101,11 +103,45 @@ void audit_grid(std::vector<Case>& cases, Audit& result)
     const bool coarser = quantum > 1.3 * documented.encoder_quantum && quantum > 0.5 * documented.position_noise &&
                          quantum > 0 && quantum < infinity;
     const double known = std::hypot(documented.position_noise, documented.encoder_quantum / std::sqrt(12.0));
-    if (!coarser || quantum / std::sqrt(12.0) < 0.1 * known) return;
+    // without a documented sensor a grid may be nothing but the digits of the file
+    if (!cases[0].noise_documented || !coarser || quantum / std::sqrt(12.0) < 0.1 * known) return;
     result.findings.push_back({"quantisation", "quantisation.quantum", quantum, 0, Quantity::position, 1});
     for (auto& c : cases) {
         c.joint.sensor.encoder_quantum = quantum;
         c.sigma = std::max(c.sigma, std::hypot(documented.position_noise, quantum / std::sqrt(12.0)));
+    }
+}
+
+/// A logged supply that falls with the motor's current: the source has a resistance. The record's own supply then gives
+/// way to the documented one and the resistance, so that the joint after the audit explains what the joint before does
+/// not.
+void audit_supply(std::vector<Case>& cases, Audit& result)
+{
+    double drop_current = 0, current_current = 0, drop_drop = 0, rows = 0;
+    for (const auto& c : cases) {
+        const Actuator& a = c.joint.actuator;
+        if (a.kind != ActuatorKind::dc_motor || !is_set(a.supply_voltage) || !c.supply_logged) return;
+        Innovation innovation;
+        const Plant plant = flatten(c.joint);
+        predict(plant, c.ticks, known_command(plant, c.ticks), levels[1], innovation);
+        for (std::size_t k = 0; k < c.ticks.size(); ++k) {
+            if (!c.ticks.logged[k] || !c.ticks.enabled[k]) continue;
+            const double effort = is_set(c.ticks.effort[k]) ? c.ticks.effort[k] : innovation.predicted_effort[k];
+            const double current = std::abs(effort / (a.effort_gain * a.k_t));
+            const double drop = a.supply_voltage - c.ticks.supply[k];
+            drop_current += drop * current, current_current += current * current, drop_drop += drop * drop, rows += 1;
+        }
+    }
+    if (rows == 0 || current_current == 0 || drop_drop == 0) return;
+    const double resistance = drop_current / current_current;
+    const double explained = drop_current * drop_current / current_current / drop_drop;
+    const double part = std::sqrt(drop_drop / rows) / cases[0].joint.actuator.supply_voltage;
+    constexpr double follows = 0.8, matters = 0.002;
+    if (resistance <= 0 || explained < follows || part < matters) return;
+    result.findings.push_back({"supply-sag", "supply-sag.resistance", resistance, 0, Quantity::resistance, explained});
+    for (auto& c : cases) {
+        c.joint.actuator.supply_resistance += resistance;
+        c.ticks.supply.assign(c.ticks.size(), c.joint.actuator.supply_voltage);
     }
 }
 
@@ -154,9 +190,11 @@ Audit audit(std::vector<Case>& cases)
     Audit result;
     if (cases.empty()) return result;
     audit_grid(cases, result);
+    audit_supply(cases, result);
     for (const auto& c : cases)
         if (c.ticks.source != CommandSource::logged || !c.ticks.has_reference ||
-            c.joint.control.kind != ControlKind::position || (c.ticks.ticks_per_row > 1 && !c.ticks.rebuilt))
+            c.joint.control.kind != ControlKind::position ||
+            (c.ticks.ticks_per_row > 1 && !c.ticks.rebuilt && !c.ticks.has_velocity))
             return result;
     result.possible = true;
     const Control documented = cases[0].joint.control;

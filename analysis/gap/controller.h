@@ -26,6 +26,8 @@ class Controller {
         else if (count_ > 1)
             velocity_ += step / (c_.velocity_estimate.tau + step) * ((average() - before) / step - velocity_);
     }
+    /// Takes a logged estimate in place of the controller's own.
+    void believe(double velocity) { velocity_ = velocity; }
     double velocity() const { return velocity_; }
     double unlimited(double reference, double reference_rate) const
     {

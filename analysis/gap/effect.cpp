@@ -12,6 +12,8 @@ double unit_of(Scale scale, const Scales& s)
             return 1;
         case Scale::effort:
             return s.effort;
+        case Scale::peak_effort:
+            return s.peak_effort;
         case Scale::velocity:
             return s.velocity;
         case Scale::position:
@@ -107,7 +109,38 @@ Friction& main_friction(Joint& joint)
     return coulomb_level(f.link) > coulomb_level(f.motor) ? f.link : f.motor;
 }
 
-void divide_mass(Joint& joint, double motor_share, double stiffness, double damping_ratio, bool friction_on_link)
+namespace {
+
+/// The law with all its forces times `part`.
+void scale_forces(Friction& friction, double part)
+{
+    std::visit(
+        [part](auto& law) {
+            if constexpr (requires { law.viscous; }) law.viscous *= part;
+            if constexpr (requires { law.c1; }) law.c1 *= part, law.c2 *= part;
+            if constexpr (requires {
+                              law.A;
+                              law.f0;
+                          }) {
+                law.A *= part;
+                for (double& b : law.B) b *= part;
+            }
+        },
+        friction.law);
+    shift_coulomb(friction, (part - 1) * coulomb_level(friction));
+    friction.asymmetry.coulomb *= part;
+    friction.asymmetry.viscous *= part;
+    friction.ripple.amplitude *= part;
+    friction.drift.change *= part;
+    friction.bristle.stiffness *= part;
+    friction.bristle.damping *= part;
+    friction.memory.A *= part;
+    friction.memory.B *= part;
+}
+
+}  // namespace
+
+void divide_mass(Joint& joint, double motor_share, double stiffness, double damping_ratio, double link_friction_share)
 {
     Mechanism& m = joint.mechanism;
     const double total = m.inertia;
@@ -118,13 +151,9 @@ void divide_mass(Joint& joint, double motor_share, double stiffness, double damp
     m.transmission = {};
     m.transmission.stiffness = stiffness;
     m.transmission.damping = 2 * damping_ratio * std::sqrt(stiffness * reduced);
-    CoulombViscous none;
-    none.coulomb = 0;
-    none.viscous = 0;
-    Friction without;
-    without.law = none;
-    joint.frictions.motor = friction_on_link ? without : joint.friction;
-    joint.frictions.link = friction_on_link ? joint.friction : without;
+    joint.frictions.motor = joint.frictions.link = joint.friction;
+    scale_forces(joint.frictions.motor, 1 - link_friction_share);
+    scale_forces(joint.frictions.link, link_friction_share);
 }
 
 void add_wave(double& amplitude, double& phase, double sine, double cosine)

@@ -11,21 +11,23 @@ namespace stickslip::gap {
 /// What one of something means for this joint and these records: parameters are fitted in these units, so that a step
 /// of one in every parameter is about equally large.
 struct Scales {
-    double effort = 1;     ///< rms effort that moves the joint
-    double velocity = 1;   ///< 95th percentile of |velocity|
-    double position = 1;   ///< span of the positions
-    double inertia = 1;    ///< of all bodies together
-    double tick = 1e-3;    ///< s
-    double duration = 10;  ///< s, longest record
-    double command = 1;    ///< largest |command|, in the drive's unit
-    double coulomb = 0;    ///< nominal Coulomb level
-    double supply = 1;     ///< V
+    double effort = 1;       ///< rms effort that moves the joint
+    double velocity = 1;     ///< 95th percentile of |velocity|
+    double position = 1;     ///< span of the positions
+    double inertia = 1;      ///< of all bodies together
+    double tick = 1e-3;      ///< s
+    double duration = 10;    ///< s, longest record
+    double peak_effort = 1;  ///< largest |effort|, measured or predicted
+    double command = 1;      ///< largest |command|, in the drive's unit
+    double coulomb = 0;      ///< nominal Coulomb level
+    double supply = 1;       ///< V
 };
 
 /// The unit in which a parameter is fitted.
 enum class Scale {
     one,
     effort,
+    peak_effort,
     velocity,
     position,
     damping,
@@ -95,8 +97,9 @@ double coulomb_level(const Friction& friction);
 void shift_viscous(Friction& friction, double change);
 /// Turns a law without a Stribeck peak into the same law with one.
 void set_stribeck(Friction& friction, double c2, double c3, double c4);
-/// Divides a single mass into motor and link with a spring; friction stays on one of them, the load acts on the link.
-void divide_mass(Joint& joint, double motor_share, double stiffness, double damping_ratio, bool friction_on_link);
+/// Divides a single mass into motor and link with a spring; its friction is shared out likewise, the load acts on the
+/// link.
+void divide_mass(Joint& joint, double motor_share, double stiffness, double damping_ratio, double link_friction_share);
 /// Adds sine·sin(x) + cosine·cos(x) to amplitude·sin(x + phase).
 void add_wave(double& amplitude, double& phase, double sine, double cosine);
 bool is_single_mass(const Joint& joint);

@@ -117,7 +117,8 @@ Evaluation evaluate(const std::vector<Case>& cases, const Candidate& candidate, 
         for (std::size_t k = 0; k < c.ticks.size(); ++k)
             if (c.ticks.logged[k]) {
                 const double e = innovation.position[k] * per_floor;
-                scaled.push_back(std::isfinite(e) ? std::clamp(e, -far, far) : far);
+                const bool skipped = c.ticks.time[k] >= c.skip_from && c.ticks.time[k] < c.skip_to;
+                scaled.push_back(skipped ? 0 : std::isfinite(e) ? std::clamp(e, -far, far) : far);
             }
         const std::size_t rows = scaled.size() - begin;
         Misfit misfit;
@@ -126,7 +127,8 @@ Evaluation evaluate(const std::vector<Case>& cases, const Candidate& candidate, 
             for (std::size_t k = 0; k < c.ticks.size(); ++k)
                 if (c.ticks.logged[k]) {
                     const double e = innovation.effort[k] / c.effort_sigma;
-                    scaled.push_back(std::isfinite(e) ? std::clamp(e, -far, far) : 0);
+                    const bool skipped = c.ticks.time[k] >= c.skip_from && c.ticks.time[k] < c.skip_to;
+                    scaled.push_back(!skipped && std::isfinite(e) ? std::clamp(e, -far, far) : 0);
                 }
             misfit.effort = add_blocks(scaled, begin + rows, rows, block, result.objective);
         }

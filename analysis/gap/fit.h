@@ -16,6 +16,9 @@ struct Case {
     double sigma = 1;         ///< standard deviation of a reading, quantisation included
     double effort_sigma = 0;  ///< of a measured effort; 0: effort is not judged
     double row_step = 1e-3;   ///< s between two readings
+    bool supply_logged = false;
+    bool noise_documented = true;                      ///< the sensor's own numbers set the floor
+    double skip_from = infinity, skip_to = -infinity;  ///< s; rows held out of the fit
 };
 
 /// Bandwidths of the observer, rad/s: the horizons over which a prediction has to hold (9, 20 and 50 ms, in 1/ω).

@@ -57,6 +57,49 @@ double reading_sigma(const Sensor& sensor, double span)
                      sensor.encoder_quantum * sensor.encoder_quantum / 12 + numerical * numerical);
 }
 
+namespace {
+
+Case prepare_with_effort(const Record& record, const Joint& joint, std::vector<std::string>& notes)
+{
+    Case c;
+    c.joint = joint;
+    c.ticks = on_clock(record, c.joint);
+    c.supply_logged = !record.supply_voltage.empty();
+    const auto rows = static_cast<double>(std::max<std::size_t>(record.rows(), 2));
+    c.row_step = c.ticks.duration() / (rows - 1);
+    const double estimated = noise_of(record.position), span = span_of(record.position);
+    c.sigma = reading_sigma(c.joint.sensor, span);
+    const bool documented = c.joint.sensor.position_noise > 0 || c.joint.sensor.encoder_quantum > 0;
+    c.noise_documented = documented;
+    if (!documented || estimated > 1.25 * c.sigma) {
+        notes.push_back(record.name +
+                        (documented ? ": the readings are noisier than documented" : ": no documented noise") +
+                        "; the floor uses the noise estimated from third differences");
+        c.sigma = std::max(c.sigma, estimated);
+        c.joint.sensor.position_noise = std::max(c.joint.sensor.position_noise, estimated);
+    }
+    // what the unlogged commands of a slow log were is known up to the noise that the loop feeds through
+    const Control& control = c.joint.control;
+    const bool unknown_between = c.ticks.ticks_per_row > 1 && !c.ticks.rebuilt && is_set(control.period);
+    const double noise_rate = std::sqrt(2.0) / (control.period + control.velocity_estimate.tau);
+    const double command_noise = unknown_between ? c.sigma * std::hypot(control.k_p, control.k_v * noise_rate) *
+                                                       std::abs(c.joint.actuator.effort_gain)
+                                                 : 0;
+    if (c.ticks.has_effort) {
+        const double range = rms(record.effort_measured);
+        double sigma = c.joint.sensor.effort_noise;
+        if (sigma == 0) {
+            sigma = noise_of(record.effort_measured);
+            notes.push_back(record.name + ": no documented effort noise; estimated from third differences");
+        }
+        c.effort_sigma =
+            std::hypot(sigma, effort_part * range, c.joint.actuator.kind == ActuatorKind::effort ? command_noise : 0);
+    }
+    return c;
+}
+
+}  // namespace
+
 Case prepare(const Record& record, const Joint& nominal, std::vector<std::string>& notes)
 {
     Case c;
@@ -67,35 +110,20 @@ Case prepare(const Record& record, const Joint& nominal, std::vector<std::string
             throw std::invalid_argument(record.name + ": the joint has no parameter \"" + path + "\" to override");
         *number = value;
     }
-    c.ticks = on_clock(record, c.joint);
-    const auto rows = static_cast<double>(std::max<std::size_t>(record.rows(), 2));
-    c.row_step = c.ticks.duration() / (rows - 1);
-    const double estimated = noise_of(record.position), span = span_of(record.position);
-    c.sigma = reading_sigma(c.joint.sensor, span);
-    const bool documented = c.joint.sensor.position_noise > 0 || c.joint.sensor.encoder_quantum > 0;
-    if (!documented || estimated > 1.25 * c.sigma) {
-        notes.push_back(record.name +
-                        (documented ? ": the readings are noisier than documented" : ": no documented noise") +
-                        "; the floor uses the noise estimated from third differences");
-        c.sigma = std::max(c.sigma, estimated);
-        c.joint.sensor.position_noise = std::max(c.joint.sensor.position_noise, estimated);
+    if (record.effort_measured.empty() && !record.current.empty() && c.joint.actuator.kind == ActuatorKind::dc_motor) {
+        // a motor's current is its effort: one place converts it
+        Record converted = record;
+        for (double i : record.current)
+            converted.effort_measured.push_back(c.joint.actuator.effort_gain * c.joint.actuator.k_t * i);
+        return prepare_with_effort(converted, c.joint, notes);
     }
-    if (c.ticks.has_effort) {
-        const double range = rms(record.effort_measured);
-        double sigma = c.joint.sensor.effort_noise;
-        if (sigma == 0) {
-            sigma = noise_of(record.effort_measured);
-            notes.push_back(record.name + ": no documented effort noise; estimated from third differences");
-        }
-        c.effort_sigma = std::hypot(sigma, effort_part * range);
-    }
-    return c;
+    return prepare_with_effort(record, c.joint, notes);
 }
-
 Scales scales_of(const std::vector<Case>& cases)
 {
     Scales s;
     double effort = 0, velocity = 0, position = 0, tick = 0, duration = 0, command = 0;
+    bool peaked = false;
     for (const auto& c : cases) {
         const Plant plant = flatten(c.joint);
         const auto known = known_command(plant, c.ticks);
@@ -105,6 +133,8 @@ Scales scales_of(const std::vector<Case>& cases)
         for (double v : innovation.velocity) speeds.push_back(std::isfinite(v) ? std::abs(v) : 0);
         velocity = std::max(velocity, percentile(speeds, 0.95));
         effort = std::max(effort, c.ticks.has_effort ? rms(c.ticks.effort) : rms(innovation.predicted_effort));
+        for (double e : c.ticks.has_effort ? c.ticks.effort : innovation.predicted_effort)
+            if (std::isfinite(e)) s.peak_effort = std::max(peaked ? s.peak_effort : 0, std::abs(e)), peaked = true;
         position = std::max(position, span_of(c.ticks.position));
         tick = std::max(tick, is_set(c.joint.control.period) ? c.joint.control.period : c.row_step);
         duration = std::max(duration, c.ticks.duration());

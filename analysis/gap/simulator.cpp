@@ -193,15 +193,37 @@ Trace closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t seed)
     return out;
 }
 
+namespace {
+
+std::vector<double> velocity_between_rows(const Ticks& ticks)
+{
+    std::vector<double> v = ticks.velocity;
+    std::size_t last = 0;
+    for (std::size_t k = 1; k < v.size(); ++k) {
+        if (!is_set(v[k])) continue;
+        for (std::size_t i = last + 1; i < k; ++i)
+            v[i] = v[last] + (v[k] - v[last]) * static_cast<double>(i - last) / static_cast<double>(k - last);
+        last = k;
+    }
+    return v;
+}
+
+}  // namespace
+
 std::vector<double> command_of(const Plant& plant, const Ticks& ticks)
 {
     std::vector<double> command(ticks.size());
     Controller controller(plant.control);
+    // readings between the rows of a slow log are interpolated: the logged estimate is then the better velocity
+    const auto logged_velocity = ticks.ticks_per_row > 1 && !ticks.rebuilt && ticks.has_velocity
+                                     ? velocity_between_rows(ticks)
+                                     : std::vector<double>();
     for (std::size_t k = 0; k < ticks.size(); ++k) {
         const double exact = is_set(ticks.velocity[k]) ? ticks.velocity[k]
                              : k == 0                  ? 0
                                       : (ticks.position[k] - ticks.position[k - 1]) / ticks.step[k - 1];
         controller.read(ticks.position[k], k == 0 ? ticks.step[0] : ticks.step[k - 1], exact);
+        if (!logged_velocity.empty()) controller.believe(logged_velocity[k]);
         command[k] = controller.command(ticks.reference[k], ticks.reference_rate[k]);
     }
     return command;

@@ -1,7 +1,6 @@
 #include "analysis/gap/effects/catalogue.h"
 
-namespace stickslip::gap
-{
+namespace stickslip::gap {
 
 Effect backlash()
 {
@@ -14,37 +13,21 @@ Effect backlash()
     e.confusable = {"presliding", "compliance"};
     {
         EffectForm f;
-        f.name = "motor-friction";
+        f.name = "divided-mass";
         f.parameters = {
-            {"width", Quantity::position, Scale::position, true, 1e-05, 0.5, 0.01, "total play"},
-            {"motor_share", Quantity::number, Scale::one, true, 0.02, 0.98, 0.5,
+            {"width", Quantity::position, Scale::position, true, 1e-5, 0.5, 0.01, "total play"},
+            {"motor_share", Quantity::number, Scale::one, false, 0.02, 0.98, 0.5,
              "share of the inertia on the motor side"},
-            {"stiffness", Quantity::stiffness, Scale::stiffness, true, 0.3, 1000000.0, 100, "transmission stiffness"},
+            {"stiffness", Quantity::stiffness, Scale::stiffness, true, 0.3, 1e6, 100, "transmission stiffness"},
+            {"link_friction", Quantity::number, Scale::one, false, 0, 1, 0.3, "share of the friction on the link side"},
         };
         f.apply = [](Joint& j, const double* p) {
-            divide_mass(j, p[1], p[2], 0.1, false);
+            divide_mass(j, p[1], p[2], 0.2, p[3]);
             j.mechanism.transmission.backlash = p[0];
         };
-        f.seeds = {{0.002, 0.3, 3000}, {0.002, 0.6, 3000}, {0.01, 0.3, 3000},
-                   {0.01, 0.6, 3000},  {0.04, 0.3, 3000},  {0.04, 0.6, 3000}};
-        f.applies = is_single_mass;
-        f.rough = true;
-        e.forms.push_back(f);
-    }
-    {
-        EffectForm f;
-        f.name = "link-friction";
-        f.parameters = {
-            {"width", Quantity::position, Scale::position, true, 1e-05, 0.5, 0.01, "total play"},
-            {"motor_share", Quantity::number, Scale::one, true, 0.02, 0.98, 0.5,
-             "share of the inertia on the motor side"},
-            {"stiffness", Quantity::stiffness, Scale::stiffness, true, 0.3, 1000000.0, 100, "transmission stiffness"},
-        };
-        f.apply = [](Joint& j, const double* p) {
-            divide_mass(j, p[1], p[2], 0.1, true);
-            j.mechanism.transmission.backlash = p[0];
-        };
-        f.seeds = {{0.002, 0.3, 3000}, {0.01, 0.3, 3000}, {0.04, 0.3, 3000}};
+        f.seeds = {{0.001, 0.35, 2000, 0.2}, {0.001, 0.65, 2000, 0.2}, {0.003, 0.35, 2000, 0.2},
+                   {0.003, 0.65, 2000, 0.2}, {0.01, 0.35, 2000, 0.2},  {0.01, 0.65, 2000, 0.2},
+                   {0.04, 0.35, 2000, 0.2},  {0.04, 0.65, 2000, 0.2}};
         f.applies = is_single_mass;
         f.rough = true;
         e.forms.push_back(f);

@@ -1,7 +1,6 @@
 #include "analysis/gap/effects/catalogue.h"
 
-namespace stickslip::gap
-{
+namespace stickslip::gap {
 
 Effect compliance()
 {
@@ -14,30 +13,18 @@ Effect compliance()
     e.confusable = {"delay", "presliding", "backlash"};
     {
         EffectForm f;
-        f.name = "motor-friction";
+        f.name = "divided-mass";
         f.parameters = {
-            {"stiffness", Quantity::stiffness, Scale::stiffness, true, 0.3, 1000000.0, 100, "transmission stiffness"},
-            {"motor_share", Quantity::number, Scale::one, true, 0.02, 0.98, 0.5,
+            {"motor_share", Quantity::number, Scale::one, false, 0.02, 0.98, 0.5,
              "share of the inertia on the motor side"},
-            {"damping_ratio", Quantity::number, Scale::one, true, 0.001, 2, 0.05, "damping ratio of the divided mass"},
+            {"stiffness", Quantity::stiffness, Scale::stiffness, true, 0.3, 1e6, 100, "transmission stiffness"},
+            {"link_friction", Quantity::number, Scale::one, false, 0, 1, 0.3, "share of the friction on the link side"},
+            {"damping_ratio", Quantity::number, Scale::one, true, 1e-3, 2, 0.05, "damping ratio of the divided mass"},
         };
-        f.apply = [](Joint& j, const double* p) { divide_mass(j, p[1], p[0], p[2], false); };
-        f.seeds = {{300, 0.5, 0.05}, {5000, 0.5, 0.05}};
+        f.apply = [](Joint& j, const double* p) { divide_mass(j, p[0], p[1], p[3], p[2]); };
+        f.seeds = {{0.5, 300, 0.2, 0.1}, {0.5, 5000, 0.2, 0.1}, {0.3, 1000, 0.8, 0.1}};
         f.applies = is_single_mass;
-        e.forms.push_back(f);
-    }
-    {
-        EffectForm f;
-        f.name = "link-friction";
-        f.parameters = {
-            {"stiffness", Quantity::stiffness, Scale::stiffness, true, 0.3, 1000000.0, 100, "transmission stiffness"},
-            {"motor_share", Quantity::number, Scale::one, true, 0.02, 0.98, 0.5,
-             "share of the inertia on the motor side"},
-            {"damping_ratio", Quantity::number, Scale::one, true, 0.001, 2, 0.05, "damping ratio of the divided mass"},
-        };
-        f.apply = [](Joint& j, const double* p) { divide_mass(j, p[1], p[0], p[2], true); };
-        f.seeds = {{300, 0.5, 0.05}, {5000, 0.5, 0.05}};
-        f.applies = is_single_mass;
+
         e.forms.push_back(f);
     }
     {

@@ -1,7 +1,6 @@
 #include "analysis/gap/effects/catalogue.h"
 
-namespace stickslip::gap
-{
+namespace stickslip::gap {
 
 Effect saturation()
 {
@@ -15,10 +14,10 @@ Effect saturation()
     {
         EffectForm f;
         f.parameters = {
-            {"limit", Quantity::effort, Scale::effort, true, 0.05, 10, 2, "true limit of the effort"},
+            {"limit", Quantity::effort, Scale::peak_effort, true, 0.02, 2, 0.7, "true limit of the effort"},
         };
         f.apply = [](Joint& j, const double* p) { j.actuator.limit = p[0]; };
-        f.seeds = {{4}, {3}, {2.5}, {2}, {1.5}, {1.1}, {0.8}};
+        f.seeds = {{0.97}, {0.9}, {0.8}, {0.7}, {0.6}, {0.5}, {0.4}, {0.3}, {0.2}};
         f.rough = true;
         e.forms.push_back(f);
     }

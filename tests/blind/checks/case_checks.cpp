@@ -23,10 +23,11 @@ TEST_CASE("the same seed makes the same case, another seed another one", "[blind
 {
     const Wish wish{.kind = "single", .effect = "viscous"};
     const auto a = make_case(wish, 42, 0), b = make_case(wish, 42, 0), c = make_case(wish, 43, 0);
-    CHECK(joint_toml(a.nominal, true) == joint_toml(b.nominal, true));
-    CHECK(record_csv(a.records[0], a.machines[0], a.columns) == record_csv(b.records[0], b.machines[0], b.columns));
+    CHECK(joint_toml(a.setting) == joint_toml(b.setting));
+    CHECK(record_csv(a.records[0], a.machines[0], a.setting.columns) ==
+          record_csv(b.records[0], b.machines[0], b.setting.columns));
     CHECK(truth_json({{"x", a}}, "own") == truth_json({{"x", b}}, "own"));
-    CHECK(joint_toml(a.nominal, true) != joint_toml(c.nominal, true));
+    CHECK(joint_toml(a.setting) != joint_toml(c.setting));
 }
 
 TEST_CASE("a case without an effect is at its floor, one with an effect is not, and its truth closes the gap",
@@ -49,10 +50,10 @@ TEST_CASE("the joint of a case is its nominal, never its truth", "[blind]")
 {
     for (const char* effect : {"inertia", "compliance", "gain-k_p"}) {
         const auto c = make_case({.kind = "single", .effect = effect}, 19, 0);
-        Nominal opened = c.nominal;
-        opened.machine = c.machines[0];
-        CHECK(joint_toml(c.nominal, true) != joint_toml(opened, true));
-        CHECK(joint_toml(c.nominal, true).find("single-mass") != std::string::npos);
+        Setting opened = c.setting;
+        opened.nominal.machine = c.machines[0];
+        CHECK(joint_toml(c.setting) != joint_toml(opened));
+        CHECK(joint_toml(c.setting).find("single-mass") != std::string::npos);
     }
 }
 

@@ -1,20 +1,9 @@
-// One sealed case: a nominal joint, a machine that may differ from it, its records, and the answer.
+// One sealed case: a setting, a machine that may differ from its nominal, its records, and the answer.
 #pragma once
 #include "tests/blind/generate/effects.h"
-#include "tests/blind/generate/gap.h"
-#include "tests/blind/generate/nominal.h"
-
-#include <map>
-#include <optional>
+#include "tests/blind/generate/setting.h"
 
 namespace blind {
-
-/// Which columns a case writes.
-struct Columns {
-    std::string name = "full";
-    bool reference_position = true, reference_velocity = true, velocity = true, command = true, effort = true,
-         supply = false;
-};
 
 /// What is wanted of a case. Empty strings leave the choice to the draw.
 struct Wish {
@@ -26,17 +15,14 @@ struct Wish {
 struct SealedCase {
     std::string kind, strength, verdict;
     std::uint64_t seed = 0;
-    Nominal nominal;
+    Setting setting;
     std::vector<Machine> machines;  ///< the true one of each record
-    std::vector<Excitation> excitations;
     std::vector<Record> records;
-    int stride = 1;
-    Columns columns;
-    bool noise_stated = true;
 
     std::vector<Edit> edits;
     std::vector<std::string> effects, equivalent;
     std::string outside;
+    double explained_by_catalogue = 0;  ///< of a cause outside it
     std::vector<Parameter> parameters;
     double wanted = 1;                ///< the gap that was aimed at, in floors
     std::vector<double> gap_without;  ///< of a pair: what remains when one effect is left out, in floors
@@ -47,11 +33,8 @@ struct SealedCase {
 inline const std::vector<std::pair<std::string, std::pair<double, double>>> strengths = {
     {"weak", {2, 4}}, {"medium", {4, 10}}, {"strong", {10, 30}}};
 
-/// Makes case `index` of the stream `seed`. Cases of kind "single" walk through the whole catalogue in an order that
-/// the seed decides.
+/// Makes case `index` of the stream `seed`. Cases walk through the whole catalogue in an order that the seed decides.
+/// Throws std::runtime_error if many draws were all unusable.
 SealedCase make_case(const Wish& wish, std::uint64_t seed, int index);
-
-/// The signals that a simulation of the closed loop predicts and that the columns show.
-std::vector<Signal> compared_signals(const Machine& machine, const Columns& columns);
 
 }  // namespace blind

@@ -25,7 +25,7 @@ struct Edit {
     std::function<std::vector<Parameter>(Machine&, double size)> apply;
     /// Catalogue effects that no experiment of this kind could tell from it.
     std::vector<std::string> equivalent;
-    bool phase_free = false;  ///< a time-locked force whose phase differs from record to record
+    bool differs_by_record = false;  ///< random, or time-locked with a phase of its own in every record
 };
 
 const std::vector<std::string>& effect_names();
@@ -33,6 +33,8 @@ const std::vector<std::string>& effect_names();
 std::vector<std::string> families_for(const std::string& effect);
 /// Draws everything but the size. `peak_command` is the largest drive signal of the nominal records.
 Edit draw_effect(const std::string& name, const Nominal& nominal, double peak_command, Draw& draw);
+/// The same for a cause outside the catalogue.
+Edit draw_outside(const std::string& name, const Nominal& nominal, Draw& draw);
 /// Whether two effects may act together in a pair case: not the same, and not two names for nearly the same motion.
 bool may_pair(const std::string& one, const std::string& other);
 

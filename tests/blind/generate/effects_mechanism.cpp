@@ -131,8 +131,8 @@ Edit periodic(const Nominal& n, double, Draw& draw)
 {
     Edit e{.smallest = 0.02, .largest = 1.5};
     const double rate = turn * draw.log_uniform(0.4, 8), phase = draw.phase();
-    e.phase_free = draw.chance(0.25);
-    e.variant = e.phase_free ? "phase-of-each-record" : "one-phase";
+    e.differs_by_record = draw.chance(0.25);
+    e.variant = e.differs_by_record ? "phase-of-each-record" : "one-phase";
     e.apply = [=, level = n.coulomb()](Machine& m, double size) -> Changed {
         auto& d = m.mechanism.disturbance;
         return {changed("load.disturbance.amplitude", d.amplitude, size * level),

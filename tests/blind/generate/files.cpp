@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <stdexcept>
 
 namespace blind {
@@ -18,6 +19,11 @@ std::string text(double x)
     std::string s(buffer, end);
     // TOML tells 1 (whole) from 1.0 (real).
     return s.find_first_of(".en") == std::string::npos ? s + ".0" : s;
+}
+
+std::string record_name(std::size_t r)
+{
+    return "record-" + std::to_string(r + 1) + ".csv.gz";
 }
 
 class Toml {
@@ -71,8 +77,10 @@ void write_actuator(Toml& t, const Drive& d)
 
 }  // namespace
 
-std::string joint_toml(const Nominal& n, bool noise_stated)
+std::string joint_toml(const Setting& setting)
 {
+    const auto& n = setting.nominal;
+    const bool noise_stated = setting.noise_stated;
     const auto& m = n.machine.mechanism;
     const auto& c = n.machine.controller;
     const auto& s = n.machine.sensors;
@@ -114,6 +122,13 @@ std::string joint_toml(const Nominal& n, bool noise_stated)
         t.number_if(noise_stated, "position_noise", s.position_noise);
         t.number_if(noise_stated, "effort_noise", s.effort_noise);
     }
+    for (std::size_t r = 0; r < setting.machines.size(); ++r) {
+        const auto& own = setting.machines[r].controller;
+        if (own.k_p == c.k_p && own.k_v == c.k_v) continue;
+        t.table("record.files.\"" + record_name(r) + '"');
+        t.number("control.k_p", own.k_p);
+        t.number("control.k_v", own.k_v);
+    }
     return t.str();
 }
 
@@ -152,10 +167,10 @@ std::string record_csv(const Record& r, const Machine& machine, const Columns& c
 void write_case(const SealedCase& c, const std::filesystem::path& folder)
 {
     std::filesystem::create_directories(folder);
-    std::ofstream(folder / "joint.toml") << joint_toml(c.nominal, c.noise_stated);
+    std::ofstream(folder / "joint.toml") << joint_toml(c.setting);
     for (std::size_t r = 0; r < c.records.size(); ++r) {
-        const std::string csv = record_csv(c.records[r], c.nominal.machine, c.columns);
-        const auto path = folder / ("record-" + std::to_string(r + 1) + ".csv.gz");
+        const std::string csv = record_csv(c.records[r], c.setting.nominal.machine, c.setting.columns);
+        const auto path = folder / (record_name(r));
         gzFile file = gzopen(path.c_str(), "wb6");
         const bool written =
             file && gzwrite(file, csv.data(), static_cast<unsigned>(csv.size())) == static_cast<int>(csv.size());
@@ -163,21 +178,25 @@ void write_case(const SealedCase& c, const std::filesystem::path& folder)
     }
 }
 
-std::string truth_json(const std::map<std::string, SealedCase>& cases, const std::string& engine)
+std::string truth_json(const std::map<std::string, SealedCase>& cases, const std::string& engine,
+                       const std::string& earlier)
 {
-    nlohmann::ordered_json all;
+    auto all = earlier.empty() ? nlohmann::ordered_json::object() : nlohmann::ordered_json::parse(earlier);
     for (const auto& [name, c] : cases) {
         nlohmann::ordered_json j;
         j["verdict"] = c.verdict;
         j["effects"] = c.effects;
         j["equivalent"] = c.equivalent;
-        if (!c.outside.empty()) j["outside"] = c.outside;
+        if (!c.outside.empty()) {
+            j["outside"] = c.outside;
+            j["explained_by_catalogue"] = c.explained_by_catalogue;
+        }
         j["kind"] = c.kind;
         j["strength"] = c.strength;
         j["engine"] = engine;
-        j["joint"] = c.nominal.family;
-        j["columns"] = c.columns.name;
-        j["noise_stated"] = c.noise_stated;
+        j["joint"] = c.setting.nominal.family;
+        j["columns"] = c.setting.columns.name;
+        j["noise_stated"] = c.setting.noise_stated;
         j["seed"] = std::to_string(c.seed);
         auto& variants = j["variants"] = nlohmann::ordered_json::array();
         for (const auto& e : c.edits) variants.push_back(e.variant);
@@ -185,8 +204,8 @@ std::string truth_json(const std::map<std::string, SealedCase>& cases, const std
         for (const auto& p : c.parameters) parameters[p.path] = {{"nominal", p.nominal}, {"value", p.value}};
         auto& records = j["records"] = nlohmann::ordered_json::array();
         for (std::size_t r = 0; r < c.records.size(); ++r)
-            records.push_back({{"file", "record-" + std::to_string(r + 1) + ".csv.gz"},
-                               {"excitation", c.excitations[r].kind},
+            records.push_back({{"file", record_name(r)},
+                               {"excitation", c.setting.excitations[r].kind},
                                {"before", c.gap.before_by_record[r]}});
         if (!c.gap_without.empty()) j["gap_without"] = c.gap_without;
         auto& gap = j["true_gap"];

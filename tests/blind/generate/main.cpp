@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <random>
 
 namespace {
@@ -17,7 +18,8 @@ void print(const char* name, const blind::SealedCase& c)
     std::string what = c.outside.empty() ? "" : "outside:" + c.outside;
     for (const auto& e : c.effects) what += (what.empty() ? "" : " + ") + e;
     std::printf("%s %-7s %-40s %-11s %-7s %-13s gap %6.2f -> %5.2f floors\n", name, c.kind.c_str(), what.c_str(),
-                c.nominal.family.c_str(), c.strength.c_str(), c.columns.name.c_str(), c.gap.before, c.gap.after);
+                c.setting.nominal.family.c_str(), c.strength.c_str(), c.setting.columns.name.c_str(), c.gap.before,
+                c.gap.after);
     std::fflush(stdout);
 }
 
@@ -53,7 +55,7 @@ int main(int argc, char** argv)
         ->check(CLI::IsMember({"single", "pair", "none", "outside", "noisy", "few", "mixed"}));
     const auto* seeded =
         app.add_option("--seed", seed, "seed; the same seed gives the same bytes. Without it: a fresh one, printed");
-    app.add_option("--truth", truth_file, "file of the answers (default: DIR.truth.json)");
+    app.add_option("--truth", truth_file, "file of the answers, added to if it is there (default: DIR.truth.json)");
     app.add_option("--effect", wish.effect, "only this effect of the catalogue")
         ->check(CLI::IsMember(blind::effect_names()));
     app.add_option("--strength", wish.strength, "only this strength")
@@ -88,6 +90,7 @@ int main(int argc, char** argv)
             auto c = blind::make_case(wish, seed, i);
             blind::write_case(c, std::filesystem::path(folder) / name);
             print(name, c);
+            c.setting.ensemble.clear();
             for (auto& r : c.records) r = {};  // the truth needs only what the gap has already measured
             made.emplace(name, std::move(c));
         } catch (const std::exception& e) {
@@ -95,8 +98,11 @@ int main(int argc, char** argv)
             ++failed;
         }
     }
+    std::string earlier;
+    if (std::ifstream in(truth_file); in) earlier.assign(std::istreambuf_iterator<char>(in), {});
+    const std::string truth = blind::truth_json(made, engine, earlier);
     std::ofstream out(truth_file);
-    out << blind::truth_json(made, engine);
+    out << truth;
     if (!out) std::cerr << "blind_generate: cannot write " << truth_file << '\n';
     return !out ? 2 : failed ? 1 : 0;
 }

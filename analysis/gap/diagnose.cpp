@@ -1,0 +1,194 @@
+#include "analysis/gap/diagnose.h"
+
+#include "analysis/gap/experiment.h"
+#include "analysis/gap/heldout.h"
+#include "analysis/gap/inspect.h"
+#include "analysis/gap/locate.h"
+#include "analysis/gap/prepare.h"
+#include "analysis/gap/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace stickslip::gap {
+namespace {
+
+/// What has been gathered on the way to an answer.
+struct Work {
+    std::vector<Case> cases;
+    std::vector<Joint> documented;
+    Audit audit;
+    Scales scales;
+    Nominal nominal;
+};
+
+Cause cause_of(const Work& w, const Attribution& a, double probability)
+{
+    Cause c;
+    if (a.candidate.effects.empty() || a.accepted)
+        for (const auto& f : w.audit.findings)
+            if (std::find(c.names.begin(), c.names.end(), f.effect) == c.names.end()) c.names.push_back(f.effect);
+    const Motion motion = w.documented[0].mechanism.motion;
+    if (!c.names.empty())
+        for (const auto& f : w.audit.findings)
+            c.parameters.push_back({f.parameter, f.value, f.stderr_, std::string(unit_of(f.quantity, motion))});
+    c.probability = probability;
+    c.misfit = a.score;
+    for (const auto& name : c.names)
+        if (const Effect* e = effect_named(name))
+            c.tell_tale += (c.tell_tale.empty() ? "" : "; ") + std::string(e->signature);
+    c.signature = !c.names.empty();
+    if (a.candidate.effects.empty()) return c;
+    const auto quality = quality_of(w.cases, a, w.scales);
+    c.signature = quality.signature;
+    c.plausible = quality.plausible;
+    const auto si = in_si(a.candidate, a.x[1], w.scales);
+    std::size_t i = 0;
+    for (std::size_t n = 0; n < a.candidate.effects.size(); ++n) {
+        const Effect& e = *a.candidate.effects[n];
+        if (std::find(c.names.begin(), c.names.end(), e.name) == c.names.end()) c.names.emplace_back(e.name);
+        c.tell_tale += (c.tell_tale.empty() ? "" : "; ") + std::string(e.signature);
+        if (!a.candidate.forms[n]->name.empty())
+            c.form += (c.form.empty() ? "" : " + ") + std::string(a.candidate.forms[n]->name);
+        for (const auto& p : a.candidate.forms[n]->parameters) {
+            c.parameters.push_back({std::string(e.name) + "." + std::string(p.name), si[i], quality.standard_error[i],
+                                    std::string(unit_of(p.quantity, motion))});
+            ++i;
+        }
+    }
+    return c;
+}
+
+void describe_data(const std::vector<Case>& cases, Diagnosis& d)
+{
+    for (const auto& c : cases) {
+        d.records.push_back({c.ticks.name, "held-out"});
+        if (!c.ticks.regular)
+            d.notes.push_back(c.ticks.name + ": irregular sampling; every row is used at its own time");
+        if (c.ticks.rebuilt)
+            d.notes.push_back(c.ticks.name +
+                              ": logged at every second tick; the ticks between were rebuilt from the velocity");
+        else if (c.ticks.ticks_per_row > 1)
+            d.notes.push_back(c.ticks.name + ": logged slower than the loop; readings between rows are interpolated");
+    }
+    d.notes.push_back(cases.size() > 1 ? "every record is held out in turn and predicted from a fit to the others"
+                                       : "one record: its three thirds are held out in turn");
+}
+
+}  // namespace
+
+DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records, const ParallelFor& parallel,
+                         const DiagnosisOptions& options)
+{
+    DiagnosisResult result{{}, joint};
+    Diagnosis& d = result.diagnosis;
+    d.motion = joint.mechanism.motion;
+    if (records.empty()) throw std::invalid_argument("no record was given");
+    const auto progress = [&](const char* stage, double done) {
+        if (options.progress) options.progress(stage, done);
+    };
+    progress("reading", 0);
+    std::vector<const Record*> usable;
+    for (const auto& r : records) {
+        const auto found = inspect(r, joint);
+        if (!found.errors.empty()) throw std::invalid_argument(found.errors.front());
+        d.notes.insert(d.notes.end(), found.notes.begin(), found.notes.end());
+        if (found.shortages.empty())
+            usable.push_back(&r);
+        else
+            d.reasons.insert(d.reasons.end(), found.shortages.begin(), found.shortages.end());
+    }
+    if (usable.empty()) return result;
+
+    Work w;
+    for (const Record* r : usable) w.cases.push_back(prepare(*r, joint, d.notes));
+    for (const auto& c : w.cases) w.documented.push_back(c.joint);
+    describe_data(w.cases, d);
+    progress("auditing the controller", 0.02);
+    w.audit = audit(w.cases);
+    d.notes.insert(d.notes.end(), w.audit.notes.begin(), w.audit.notes.end());
+    w.scales = scales_of(w.cases);
+    d.usual_speed = w.scales.velocity;
+    w.nominal = judge_nominal(w.cases);
+    d.signals = locate_signals(w.cases, w.documented);
+    d.regimes = locate_regimes(w.cases);
+
+    Attribution none;
+    none.evaluation = w.nominal.evaluation;
+    none.score = w.nominal.score;
+    progress("measuring the floor", 0.05);
+    const bool quiet = at_floor(w.cases, none, w.nominal, w.scales, parallel);
+    if (quiet) none.accepted = true;
+    std::vector<Attribution> singles, pairs;
+    Decision decision;
+    if (!quiet) {
+        progress("fitting single effects", 0.1);
+        singles = fit_singles(w.cases, w.scales, w.nominal, single_candidates(w.cases, w.audit), parallel);
+        confirm(w.cases, singles, w.nominal, w.scales, parallel);
+        if (singles.empty() || !singles[0].accepted) {
+            progress("fitting pairs", 0.5);
+            pairs = fit_pairs(w.cases, w.scales, w.nominal, singles, options.pair_partners, parallel);
+            confirm(w.cases, pairs, w.nominal, w.scales, parallel);
+        }
+        const bool floor_documented =
+            std::all_of(w.cases.begin(), w.cases.end(), [](const auto& c) { return c.noise_documented; });
+        decision = decide(singles, pairs, w.nominal, floor_documented);
+    }
+    progress("predicting held-out data", 0.9);
+    const bool named = quiet ? !w.audit.findings.empty() : decision.named;
+    if (quiet && !named) {
+        d.verdict = could_have_shown(w.cases, w.scales, parallel) ? Verdict::no_gap : Verdict::insufficient_data;
+        d.reasons.push_back(
+            d.verdict == Verdict::no_gap
+                ? "the nominal joint predicts every record to the noise"
+                : "no effect of usual size would have shown itself at five times the noise under this excitation");
+    } else {
+        d.verdict = named || !w.audit.findings.empty() ? Verdict::gap : Verdict::unknown;
+    }
+
+    // ranking: the named set first, then everything that was fitted, by probability
+    const auto ranked = quiet ? std::vector<Ranked>{} : rank(singles, pairs, decision);
+    const Attribution& winner = quiet || !decision.named ? none : *ranked.front().attribution;
+    const bool shown = d.verdict == Verdict::gap;
+    const auto held = hold_out(w.cases, w.documented, w.scales, shown ? winner : none, options.ensemble, parallel);
+    d.gap = held.signals;
+    d.overall = held.overall;
+    d.traces = held.traces;
+    if (shown && winner.candidate.effects.empty()) {
+        Attribution audited = none;
+        d.effects.push_back(cause_of(w, audited, quiet ? 0.99 : 0.5));
+        if (!quiet)
+            d.reasons.push_back(
+                "the controller differs from its document, and something that the catalogue does not explain remains");
+    }
+    for (const auto& r : ranked) {
+        if (d.effects.size() >= 8) break;
+        d.effects.push_back(cause_of(w, *r.attribution, r.probability));
+    }
+    if (!d.effects.empty() && shown) {
+        d.effects[0].heldout_gain = held.gain;
+        d.effects[0].heldout_gain_interval = held.gain_interval;
+    }
+    if (d.verdict == Verdict::unknown)
+        d.reasons.push_back(
+            "there is a gap, and no effect of the catalogue, nor two together, explain it: the best leaves " +
+            std::to_string(static_cast<int>(std::lround(100 * (1 - decision.best_explained)))) + " % of it");
+    if (shown) {
+        d.remainder = winner.candidate.effects.empty() ? 0 : std::max(0.0, 1 - winner.explained);
+        for (const auto* rival : decision.ambiguous) d.ambiguous_with.push_back(names_of(rival->candidate));
+        const Attribution* rival = !decision.ambiguous.empty() ? decision.ambiguous.front()
+                                   : ranked.size() > 1         ? ranked[1].attribution
+                                                               : nullptr;
+        if (rival && !winner.candidate.effects.empty())
+            d.next_experiment = design_experiment(w.cases[0], w.scales, winner, *rival);
+        Joint after = w.cases[0].joint;
+        if (!winner.candidate.effects.empty())
+            after = edited(after, winner.candidate, in_si(winner.candidate, winner.x[1], w.scales));
+        result.after = after;
+    }
+    progress("done", 1);
+    return result;
+}
+
+}  // namespace stickslip::gap

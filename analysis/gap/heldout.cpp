@@ -1,0 +1,137 @@
+#include "analysis/gap/heldout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace stickslip::gap {
+namespace {
+
+constexpr std::size_t level = 1;  // the middle horizon: its parameters serve closed-loop runs best
+
+std::vector<Case> without(const std::vector<Case>& cases, const Fold& fold)
+{
+    std::vector<Case> rest;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        if (i == fold.record && fold.from == -infinity) continue;
+        rest.push_back(cases[i]);
+        if (i == fold.record) rest.back().skip_from = fold.from, rest.back().skip_to = fold.to;
+    }
+    return rest;
+}
+
+struct FoldResult {
+    std::vector<SignalSquares> before, after;
+    Trace trace_before, trace_after;
+};
+
+double overall(const std::map<std::string, std::array<double, 3>>& sums, std::size_t which)
+{
+    double total = 0;
+    for (const auto& [signal, s] : sums) total += s[which] / std::max(s[2], 1e-300);
+    return sums.empty() ? 0 : std::sqrt(total / static_cast<double>(sums.size()));
+}
+
+double explained_part(double before, double after, double floor)
+{
+    const double whole = before * before - floor * floor;
+    return whole > 0 ? (before * before - after * after) / whole : 0;
+}
+
+}  // namespace
+
+std::vector<Fold> folds_of(const std::vector<Case>& cases)
+{
+    std::vector<Fold> folds;
+    if (cases.size() > 1) {
+        for (std::size_t i = 0; i < cases.size(); ++i) folds.push_back({i});
+        return folds;
+    }
+    constexpr int blocks = 3;
+    const double start = cases[0].ticks.time.front(), length = cases[0].ticks.duration() / blocks;
+    for (int b = 0; b < blocks; ++b)
+        folds.push_back({0, start + b * length, b + 1 == blocks ? infinity : start + (b + 1) * length});
+    return folds;
+}
+
+HeldOut hold_out(const std::vector<Case>& cases, const std::vector<Joint>& documented, const Scales& scales,
+                 const Attribution& found, int runs, const ParallelFor& parallel)
+{
+    const auto folds = folds_of(cases);
+    std::vector<FoldResult> results(folds.size());
+    parallel(folds.size(), [&](std::size_t i) {
+        const Case& c = cases[folds[i].record];
+        Joint after = c.joint;
+        if (found.candidate.parameter_count() > 0) {
+            constexpr int few = 5;
+            const auto rest = without(cases, folds[i]);
+            bool rough = false;
+            for (const auto* f : found.candidate.forms) rough = rough || f->rough;
+            const auto refit = rough ? search_rough(rest, found.candidate, scales, found.x[level], levels[level], 30)
+                                     : descend(rest, found.candidate, scales, found.x[level], levels[level], few);
+            after = edited(after, found.candidate, in_si(found.candidate, refit.x, scales));
+        }
+        results[i].before =
+            compare(c, documented[folds[i].record], runs, folds[i].from, folds[i].to, &results[i].trace_before);
+        results[i].after = compare(c, after, runs, folds[i].from, folds[i].to, &results[i].trace_after);
+    });
+
+    // per signal: mean squares before, after, floor, summed over folds
+    std::map<std::string, std::array<double, 3>> all;
+    std::map<std::string, std::string> units;
+    std::vector<double> gains, parts;
+    for (const auto& r : results) {
+        std::map<std::string, std::array<double, 3>> own;
+        for (std::size_t s = 0; s < std::min(r.before.size(), r.after.size()); ++s) {
+            // the floor of whichever joint's runs differ less: a wrong joint may wander more than the machine
+            const double floor = std::max(std::min(r.before[s].floor, r.after[s].floor), 1e-300);
+            own[r.before[s].signal] = {r.before[s].difference, r.after[s].difference, floor};
+            units[r.before[s].signal] = r.before[s].unit;
+            for (std::size_t k = 0; k < 3; ++k) all[r.before[s].signal][k] += own[r.before[s].signal][k];
+        }
+        const double before = overall(own, 0), after = overall(own, 1);
+        if (before > 0) gains.push_back(1 - after / before), parts.push_back(explained_part(before, after, 1));
+    }
+    HeldOut held;
+    const double n = static_cast<double>(std::max<std::size_t>(results.size(), 1));
+    for (const auto& [signal, s] : all) {
+        SignalGap g{signal, units[signal], std::sqrt(s[0] / n), std::sqrt(s[1] / n), std::sqrt(s[2] / n)};
+        g.explained = explained_part(g.before, g.after, g.floor);
+        held.signals.push_back(g);
+    }
+    held.overall = {overall(all, 0), overall(all, 1), 1};
+    held.overall.explained = explained_part(held.overall.before, held.overall.after, 1);
+    held.gain = held.overall.before > 0 ? 1 - held.overall.after / held.overall.before : 0;
+    if (!gains.empty()) {
+        held.gain_interval = {*std::min_element(gains.begin(), gains.end()),
+                              *std::max_element(gains.begin(), gains.end())};
+        held.overall.interval = {*std::min_element(parts.begin(), parts.end()),
+                                 *std::max_element(parts.begin(), parts.end())};
+    }
+    for (std::size_t i = 0; i < folds.size(); ++i) {
+        if (folds[i].record != i || results[i].trace_before.position.empty()) continue;
+        const Ticks& t = cases[i].ticks;
+        DiagnosedTrace trace;
+        trace.file = t.name;
+        constexpr std::size_t most = 4000;  // points a chart can show
+        const std::size_t stride = std::max<std::size_t>(1, t.size() / most);
+        for (std::size_t k = 0; k < t.size(); k += stride) {
+            trace.time.push_back(t.time[k]);
+            trace.measured.push_back(t.position[k]);
+            trace.before.push_back(results[i].trace_before.position[k]);
+            trace.after.push_back(results[i].trace_after.position[k]);
+            if (is_set(t.command[k]) || is_set(t.effort[k])) {
+                const bool effort = is_set(t.effort[k]);
+                trace.effort_measured.push_back(effort ? t.effort[k] : t.command[k]);
+                trace.effort_before.push_back(effort ? results[i].trace_before.effort[k]
+                                                     : results[i].trace_before.command[k]);
+                trace.effort_after.push_back(effort ? results[i].trace_after.effort[k]
+                                                    : results[i].trace_after.command[k]);
+            }
+        }
+        held.traces.push_back(std::move(trace));
+    }
+    return held;
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,27 @@
+// How far the gap shrinks on data that the fit has not seen.
+#pragma once
+#include "analysis/gap/ensemble.h"
+
+namespace stickslip::gap {
+
+/// A part of the data that is held out in turn: a whole record, or a third of the only one.
+struct Fold {
+    std::size_t record = 0;
+    double from = -infinity, to = infinity;  ///< s
+};
+std::vector<Fold> folds_of(const std::vector<Case>& cases);
+
+struct HeldOut {
+    std::vector<SignalGap> signals;
+    OverallGap overall;
+    double gain = 0;                   ///< 1 − after / before
+    ConfidenceInterval gain_interval;  ///< smallest and largest over the folds
+    std::vector<DiagnosedTrace> traces;
+};
+
+/// Refits the candidate without each fold (an empty candidate needs no fit), simulates the closed loop there before and
+/// after, and compares. `documented` holds the joints before the audit.
+HeldOut hold_out(const std::vector<Case>& cases, const std::vector<Joint>& documented, const Scales& scales,
+                 const Attribution& found, int runs, const ParallelFor& parallel);
+
+}  // namespace stickslip::gap

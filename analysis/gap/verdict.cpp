@@ -1,0 +1,200 @@
+#include "analysis/gap/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip::gap {
+namespace {
+
+constexpr double margin = 0.02;       // of score: rivals this close cannot be told apart
+constexpr double temperature = 0.03;  // of score: from margins to probabilities, set on generated cases
+constexpr int runs = 3;
+
+/// Stick-slip amplifies what two integrators do differently, so slower levels get more room. Scores of misfit at which
+/// a cause still counts as found although a rest remains.
+constexpr double explained_single = 0.97, explained_pair = 0.985;
+
+bool divided(const Attribution& a)
+{
+    for (const auto* e : a.candidate.effects)
+        if (e->name == "backlash" || e->name == "compliance") return true;
+    return false;
+}
+
+double worst_at(const Attribution& a, std::size_t level)
+{
+    double worst = 0;
+    for (const auto& m : a.evaluation[level].records) worst = std::max({worst, m.position, m.effort});
+    return worst;
+}
+
+}  // namespace
+
+bool at_floor(const std::vector<Case>& cases, const Attribution& a, const Nominal& nominal, const Scales& scales,
+              const ParallelFor& parallel)
+{
+    if (a.candidate.effects.empty() && nominal.worst <= 1.06) return true;
+    constexpr double hopeless = 3;  // no joint's own noise does this at the fastest level
+    if (worst_at(a, 0) > hopeless) return false;
+    const auto si = a.candidate.effects.empty() ? std::vector<double>{} : in_si(a.candidate, a.x[1], scales);
+    return within(spread_of(cases, a.candidate, si, runs, parallel), a.evaluation, levels.size());
+}
+
+void confirm(const std::vector<Case>& cases, std::vector<Attribution>& ranked, const Nominal& nominal,
+             const Scales& scales, const ParallelFor& parallel)
+{
+    constexpr std::size_t few = 2;
+    for (std::size_t i = 0; i < std::min(few, ranked.size()); ++i)
+        if (!ranked[i].accepted && ranked[i].refined && at_floor(cases, ranked[i], nominal, scales, parallel))
+            ranked[i].accepted = true;
+    std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.score < b.score; });
+}
+
+Decision decide(const std::vector<Attribution>& singles, const std::vector<Attribution>& pairs, const Nominal& nominal,
+                bool floor_documented)
+{
+    Decision d;
+    const std::vector<Attribution>* from = nullptr;
+    const bool single = !singles.empty() && (singles[0].accepted || pairs.empty());
+    const Attribution* best_single = singles.empty() ? nullptr : &singles[0];
+    const Attribution* best_pair = pairs.empty() ? nullptr : &pairs[0];
+    if (best_single) d.best_explained = best_single->explained;
+    if (best_pair) d.best_explained = std::max(d.best_explained, best_pair->explained);
+    if (single && best_single->accepted) {
+        d.winner = best_single;
+        from = &singles;
+    } else if (best_pair && (best_pair->accepted || best_pair->explained > explained_pair)) {
+        // a second effect must earn its place: else the first alone is the answer with a rest
+        constexpr double worth = 0.15;
+        const bool alone =
+            best_single && best_single->explained > explained_single && best_single->score < best_pair->score + worth;
+        d.winner = alone ? best_single : best_pair;
+        from = alone ? &singles : &pairs;
+    } else if (best_single && best_single->explained > (divided(*best_single) ? 0.75 : explained_single)) {
+        d.winner = best_single;
+        from = &singles;
+    }
+    const auto gain = [&](const Attribution& a) { return nominal.score - a.score; };
+    constexpr double worth_naming = 0.2;  // of mean log misfit: a tenth of the RMS
+    if (!d.winner && !floor_documented && best_single && gain(*best_single) > worth_naming) {
+        d.winner = best_single;
+        d.named = true;
+        for (const auto& rival : singles)
+            if (&rival != best_single && gain(rival) > 0.5 * gain(*best_single)) d.ambiguous.push_back(&rival);
+        return d;
+    }
+    d.named = d.winner != nullptr;
+    if (d.named)
+        for (const auto& rival : *from)
+            if (&rival != d.winner && rival.refined && rival.score < d.winner->score + margin)
+                d.ambiguous.push_back(&rival);
+    return d;
+}
+
+std::vector<Ranked> rank(const std::vector<Attribution>& singles, const std::vector<Attribution>& pairs,
+                         const Decision& decision)
+{
+    std::vector<Ranked> all;
+    const bool pair_wins = decision.named && decision.winner->candidate.effects.size() > 1;
+    for (const auto& s : singles) all.push_back({&s, 0});
+    for (const auto& p : pairs)
+        if (pair_wins || !decision.named) all.push_back({&p, 0});
+    std::stable_sort(all.begin(), all.end(), [&](const Ranked& a, const Ranked& b) {
+        const bool wa = a.attribution == decision.winner, wb = b.attribution == decision.winner;
+        if (wa != wb) return wa;
+        return a.attribution->score < b.attribution->score;
+    });
+    if (all.empty()) return all;
+    const double best = all.front().attribution->score;
+    // far above the floor the margins between scores are model error, not noise
+    const double width = std::max(temperature, 0.02 * best);
+    double sum = 0;
+    for (auto& r : all) sum += r.probability = std::exp(-std::max(0.0, r.attribution->score - best) / width);
+    // what the best leaves unexplained is the chance that it is something else
+    const double else_ =
+        decision.named ? 0.01 + 0.5 * std::clamp(1 - all.front().attribution->explained, 0.0, 1.0) : 0.9;
+    for (auto& r : all) r.probability *= (1 - else_) / sum;
+    return all;
+}
+
+Quality quality_of(const std::vector<Case>& cases, const Attribution& a, const Scales& scales)
+{
+    Quality q;
+    const auto n = static_cast<Eigen::Index>(a.candidate.parameter_count());
+    q.standard_error.assign(static_cast<std::size_t>(n), not_set);
+    const auto si = in_si(a.candidate, a.x[1], scales);
+    double rows = 0;
+    for (const auto& c : cases)
+        rows += static_cast<double>(std::count(c.ticks.logged.begin(), c.ticks.logged.end(), 1));
+    if (a.information.rows() == n && n > 0 && a.information.diagonal().minCoeff() > 0) {
+        // weights are one over the rows of a record: undo that, and scale with what is left
+        const double per_record = rows / static_cast<double>(cases.size());
+        const Eigen::MatrixXd covariance =
+            (a.information * per_record).completeOrthogonalDecomposition().pseudoInverse();
+        double left = 0;
+        for (const auto& m : a.evaluation[1].records) left = std::max(left, m.position);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const auto& p = a.candidate.parameter(static_cast<std::size_t>(i));
+            const double error = std::sqrt(std::max(0.0, covariance(i, i)) * std::max(1.0, left));
+            q.standard_error[static_cast<std::size_t>(i)] =
+                p.logarithmic ? error * si[static_cast<std::size_t>(i)] : error * unit_of(p.scale, scales);
+        }
+    }
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const auto& p = a.candidate.parameter(static_cast<std::size_t>(i));
+        const double value = p.logarithmic ? std::exp(a.x[1][i]) : a.x[1][i];
+        const bool at_bound = value > p.high * (p.high > 0 ? 0.999 : 1.001) || (p.logarithmic && value < p.low * 1.001);
+        if (at_bound || (!p.logarithmic && p.prior > 0 && std::abs(value) > 10 * std::max(p.prior, 0.1)))
+            q.plausible = false;
+    }
+    // the pattern that the effect takes out of the residual, against the residual itself, second by second
+    int acts = 0, found = 0;
+    Innovation before, after;
+    for (const auto& c : cases) {
+        const Plant one = flatten(c.joint), two = flatten(edited(c.joint, a.candidate, si));
+        predict(one, c.ticks, known_command(one, c.ticks), levels[1], before);
+        predict(two, c.ticks, known_command(two, c.ticks), levels[1], after);
+        const auto block = static_cast<std::size_t>(std::max(10.0, 1 / c.row_step));
+        for (std::size_t b = 0; b + block <= c.ticks.size(); b += block) {
+            double mm = 0, rr = 0, mr = 0;
+            for (std::size_t k = b; k < b + block; ++k) {
+                if (!c.ticks.logged[k]) continue;
+                double r = before.position[k] / c.sigma, m = r - after.position[k] / c.sigma;
+                if (c.effort_sigma > 0 && std::isfinite(before.effort[k])) {
+                    const double er = before.effort[k] / c.effort_sigma, em = er - after.effort[k] / c.effort_sigma;
+                    mm += em * em, rr += er * er, mr += em * er;
+                }
+                mm += m * m, rr += r * r, mr += m * r;
+            }
+            if (mm < 4 * static_cast<double>(block)) continue;  // does not act here
+            ++acts;
+            found += mr > 0.7 * std::sqrt(mm * rr);
+        }
+    }
+    q.signature = acts > 0 ? 3 * found >= 2 * acts : a.explained > 0.9;
+    return q;
+}
+
+bool could_have_shown(const std::vector<Case>& cases, const Scales& scales, const ParallelFor& parallel)
+{
+    std::vector<Candidate> all;
+    for (const auto& e : effects())
+        for (const auto& f : e.forms) {
+            Candidate c{{&e}, {&f}};
+            if (c.applies(cases[0].joint) && e.name != "backlash" && e.name != "compliance" && e.name != "quantisation")
+                all.push_back(c);
+        }
+    std::vector<double> shown(all.size(), 0);
+    parallel(all.size(), [&](std::size_t i) {
+        std::vector<double> usual;
+        for (std::size_t p = 0; p < all[i].parameter_count(); ++p) usual.push_back(all[i].parameter(p).prior);
+        if (all[i].effects[0]->name == "inertia" || all[i].effects[0]->name == "effort-gain") usual[0] = 1 + usual[0];
+        const auto si = in_si(all[i], to_fit(all[i], usual), scales);
+        for (const auto& m : evaluate(cases, all[i], si, levels.back()).records)
+            shown[i] = std::max({shown[i], m.position, m.effort});
+    });
+    constexpr double five_times_noise = 25;
+    return *std::max_element(shown.begin(), shown.end()) > five_times_noise;
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,51 @@
+// From fits to an answer: what is noise, what is named, what cannot be told apart, how sure.
+#pragma once
+#include "analysis/gap/ensemble.h"
+
+namespace stickslip::gap {
+
+/// Whether a joint's misfit is what its own noise makes of it.
+bool at_floor(const std::vector<Case>& cases, const Attribution& a, const Nominal& nominal, const Scales& scales,
+              const ParallelFor& parallel);
+
+/// Judges the best few against the noise that they themselves would have, which fixed thresholds do not know.
+void confirm(const std::vector<Case>& cases, std::vector<Attribution>& ranked, const Nominal& nominal,
+             const Scales& scales, const ParallelFor& parallel);
+
+struct Decision {
+    bool named = false;
+    const Attribution* winner = nullptr;
+    std::vector<const Attribution*> ambiguous;
+    double best_explained = 0;
+};
+
+/// The named cause, if any, and what this excitation cannot tell from it. Pairs count only where no single is accepted.
+/// Without a documented floor nothing can be told to be noise: a single effect is then named when it takes a good part
+/// of the misfit away and no other takes half as much.
+Decision decide(const std::vector<Attribution>& singles, const std::vector<Attribution>& pairs, const Nominal& nominal,
+                bool floor_documented);
+
+struct Ranked {
+    const Attribution* attribution = nullptr;
+    double probability = 0;
+};
+
+/// Everything fitted, most probable first: a softmax of scores whose temperature was set on generated cases; what is
+/// left for "none of these" grows with the winner's misfit.
+std::vector<Ranked> rank(const std::vector<Attribution>& singles, const std::vector<Attribution>& pairs,
+                         const Decision& decision);
+
+struct Quality {
+    std::vector<double> standard_error;  ///< SI
+    bool plausible = true;
+    bool signature = false;
+};
+
+/// Standard errors from the information at the middle level; plausible: no parameter at its bound or ten times what is
+/// usual; signature: the pattern that the effect predicts is found wherever it should act.
+Quality quality_of(const std::vector<Case>& cases, const Attribution& a, const Scales& scales);
+
+/// Whether any effect of usual size would have shown itself at five times the noise.
+bool could_have_shown(const std::vector<Case>& cases, const Scales& scales, const ParallelFor& parallel);
+
+}  // namespace stickslip::gap

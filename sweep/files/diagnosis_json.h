@@ -1,0 +1,16 @@
+// diagnosis.json: documented, stable names (a diagnosis as data).
+#pragma once
+#include "analysis/joint/joint.h"
+#include "analysis/results/diagnosis.h"
+
+#include <nlohmann/json.hpp>
+
+namespace stickslip {
+
+/// The stability boundary of one joint as the diagnosis reports it; null where the linear theory has no answer.
+nlohmann::ordered_json boundary_json(const Joint& joint, double speed);
+
+/// Every field of a diagnosis. `before` and `after` are joints for the boundary; equal where nothing was named.
+nlohmann::ordered_json diagnosis_json(const Diagnosis& diagnosis, const Joint& before, const Joint& after);
+
+}  // namespace stickslip

@@ -1,0 +1,124 @@
+// stickslip diagnose: where the sim-to-real gap of a joint lies, what causes it, how far it shrinks.
+#include "analysis/gap/diagnose.h"
+#include "analysis/joint/parameters.h"
+#include "sweep/engine/build.h"
+#include "sweep/files/bad_input.h"
+#include "sweep/files/diagnosis_json.h"
+#include "sweep/files/joint_file.h"
+#include "sweep/files/record_file.h"
+#include "sweep/program.h"
+#include "sweep/report/diagnosis_report.h"
+#include "sweep/report/write_report.h"
+#include "sweep/verbs/verbs.h"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+namespace stickslip {
+namespace {
+
+struct Options {
+    std::string joint, directory = "diagnosis";
+    std::vector<std::string> records;
+    int threads = 0;
+    bool json = false, no_report = false;
+};
+
+void write_text(const std::filesystem::path& file, const std::string& text)
+{
+    std::ofstream out(file, std::ios::binary);
+    out << text;
+    if (!out.flush()) throw BadInput(file.string() + ": cannot be written");
+}
+
+void write_experiment(const std::filesystem::path& file, const NextExperiment& experiment)
+{
+    std::string text = "time,reference_position\n";
+    for (std::size_t k = 0; k < experiment.time.size(); ++k)
+        text += fmt::format("{},{}\n", experiment.time[k], experiment.reference[k]);
+    write_text(file, text);
+}
+
+int diagnose(const Options& options, const Invocation& invocation)
+{
+    const Joint joint = read_joint(options.joint);
+    std::vector<Record> records;
+    std::vector<std::string> warnings;
+    for (const auto& file : options.records) {
+        auto reading = read_record(file, joint, record_layout_for(file, options.joint, joint));
+        records.push_back(std::move(reading.record));
+        warnings.insert(warnings.end(), reading.warnings.begin(), reading.warnings.end());
+    }
+    std::unique_ptr<tbb::global_control> limit;
+    if (options.threads > 0)
+        limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                      static_cast<std::size_t>(options.threads));
+    const gap::ParallelFor parallel = [](std::size_t n, const std::function<void(std::size_t)>& task) {
+        tbb::parallel_for(std::size_t{0}, n, task);
+    };
+    gap::DiagnosisOptions settings;
+    const bool terminal = isatty(STDERR_FILENO) != 0;
+    if (terminal)
+        settings.progress = [](const std::string& stage, double done) {
+            fmt::print(stderr, "\r\x1b[K{:3.0f} %  {}", 100 * done, stage);
+            if (done >= 1) fmt::print(stderr, "\r\x1b[K");
+        };
+    auto result = [&] {
+        try {
+            return gap::diagnose(joint, records, parallel, settings);
+        } catch (const std::invalid_argument& e) {
+            throw BadInput(e.what());
+        }
+    }();
+    Diagnosis& d = result.diagnosis;
+    d.notes.insert(d.notes.begin(), warnings.begin(), warnings.end());
+
+    const std::filesystem::path directory = options.directory;
+    std::filesystem::create_directories(directory);
+    const auto json = diagnosis_json(d, joint, result.after);
+    write_text(directory / "diagnosis.json", json.dump(2) + "\n");
+    if (!d.next_experiment.reference.empty()) write_experiment(directory / "next-experiment.csv", d.next_experiment);
+    if (!options.no_report)
+        write_report(
+            diagnosis_report(d, joint, result.after, {{"version", program_version()}, {"command", invocation.command}}),
+            directory);
+    if (options.json) {
+        fmt::print("{}\n", json.dump(2));
+        return exit_done;
+    }
+    fmt::print("{}\n", diagnosis_sentence(d));
+    for (const auto& reason : d.reasons) fmt::print("  {}\n", reason);
+    for (const auto& cause : d.effects)
+        fmt::print("  {:<44} probability {:.3f}  misfit {:.4g}\n", fmt::format("{}", fmt::join(cause.names, " + ")),
+                   cause.probability, cause.misfit);
+    fmt::print("diagnosis: {}\n", (directory / "diagnosis.json").string());
+    if (!options.no_report) fmt::print("report:    {}\n", (directory / "report.html").string());
+    return exit_done;
+}
+
+}  // namespace
+
+void add_diagnose(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<Options>();
+    auto* verb =
+        app.add_subcommand("diagnose", "Say where the gap between a joint and its records lies and what causes it");
+    verb->add_option("JOINT", options->joint, "nominal joint, TOML")->required();
+    verb->add_option("RECORD", options->records,
+                     "records, CSV or .csv.gz; SI units unless the [record] table says otherwise")
+        ->required();
+    verb->add_option("-o,--output", options->directory, "directory for diagnosis.json and report.html");
+    verb->add_option("--threads", options->threads, "threads, 0 for all; the answer does not depend on it");
+    verb->add_flag("--json", options->json, "print diagnosis.json");
+    verb->add_flag("--no-report", options->no_report, "leave the page away");
+    verb->footer("Example: stickslip diagnose joint.toml slow.csv.gz steps.csv.gz -o diagnosis");
+    verb->callback([options, &invocation] { invocation.exit_code = diagnose(*options, invocation); });
+}
+
+}  // namespace stickslip

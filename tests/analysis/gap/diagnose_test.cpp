@@ -1,0 +1,140 @@
+#include "analysis/gap/diagnose.h"
+#include "analysis/gap/audit.h"
+#include "analysis/gap/prepare.h"
+#include "tests/analysis/gap/small_machine.h"
+
+#include <catch2/catch.hpp>
+#include <set>
+
+using namespace stickslip;
+using namespace stickslip::gap;
+using stickslip::test::Machine;
+using stickslip::test::nominal_joint;
+using stickslip::test::record_of;
+
+namespace {
+
+void in_order(std::size_t n, const std::function<void(std::size_t)>& task)
+{
+    for (std::size_t i = 0; i < n; ++i) task(i);
+}
+
+void backwards(std::size_t n, const std::function<void(std::size_t)>& task)
+{
+    for (std::size_t i = n; i-- > 0;) task(i);
+}
+
+std::vector<Record> records_of(const Machine& m)
+{
+    return {record_of(m, 1), record_of(m, 2)};
+}
+
+}  // namespace
+
+TEST_CASE(
+    "the catalogue holds its pinned names, each with bounds that hold its seeds and an edit that changes the joint",
+    "[gap]")
+{
+    const std::set<std::string_view> pinned{"coulomb-level",
+                                            "viscous",
+                                            "stribeck",
+                                            "asymmetric-friction",
+                                            "load-dependent-friction",
+                                            "presliding",
+                                            "frictional-memory",
+                                            "position-dependent-friction",
+                                            "friction-drift",
+                                            "inertia",
+                                            "constant-load",
+                                            "gravity",
+                                            "cogging",
+                                            "backlash",
+                                            "compliance",
+                                            "effort-gain",
+                                            "saturation",
+                                            "supply-sag",
+                                            "actuator-lag",
+                                            "delay",
+                                            "velocity-filter",
+                                            "gain-k_p",
+                                            "gain-k_v",
+                                            "quantisation",
+                                            "sensor-offset",
+                                            "periodic-disturbance"};
+    std::set<std::string_view> found;
+    for (const auto& e : effects()) {
+        found.insert(e.name);
+        INFO(e.name);
+        CHECK(!e.source.empty());
+        CHECK(!e.signature.empty());
+        CHECK(!e.forms.empty());
+        for (const auto& name : e.confusable) CHECK(effect_named(name) != nullptr);
+        for (const auto& f : e.forms)
+            for (const auto& seed : f.seeds) {
+                REQUIRE(seed.size() == f.parameters.size());
+                for (std::size_t i = 0; i < seed.size(); ++i)
+                    if (f.parameters[i].comb == Comb::none)
+                        CHECK((seed[i] >= f.parameters[i].low && seed[i] <= f.parameters[i].high));
+            }
+    }
+    CHECK(found == pinned);
+}
+
+TEST_CASE("the audit reads a wrong gain and a wrong filter off the command, to a thousandth", "[gap]")
+{
+    Machine m;
+    m.k_p *= 1.07;
+    m.tau = 0.0051;
+    std::vector<std::string> notes;
+    std::vector<Case> cases{prepare(record_of(m, 1), nominal_joint(), notes),
+                            prepare(record_of(m, 2), nominal_joint(), notes)};
+    const Audit found = audit(cases);
+    CHECK(found.command_explained);
+    REQUIRE(found.findings.size() == 2);
+    CHECK(found.findings[0].effect == "velocity-filter");
+    CHECK(found.findings[0].value == Approx(0.0051).epsilon(1e-3));
+    CHECK(found.findings[1].effect == "gain-k_p");
+    CHECK(found.findings[1].value == Approx(1.07).epsilon(1e-3));
+}
+
+TEST_CASE("a machine that is its document has no gap", "[gap]")
+{
+    const auto result = diagnose(nominal_joint(), records_of({}), in_order);
+    CHECK(result.diagnosis.verdict == Verdict::no_gap);
+    CHECK(result.diagnosis.effects.empty());
+}
+
+TEST_CASE("more friction is named, sized and halves nothing but the gap; the order of the tasks does not matter",
+          "[gap]")
+{
+    Machine m;
+    m.coulomb = 2.3;
+    DiagnosisOptions options;
+    options.ensemble = 4;
+    const auto result = diagnose(nominal_joint(), records_of(m), in_order, options);
+    const auto& d = result.diagnosis;
+    REQUIRE(d.verdict == Verdict::gap);
+    REQUIRE(!d.effects.empty());
+    CHECK(d.effects[0].names == std::vector<std::string>{"coulomb-level"});
+    CHECK(d.effects[0].parameters[0].value == Approx(0.3).epsilon(0.05));
+    CHECK(d.effects[0].probability > 0.5);
+    CHECK(d.overall.before > 2 * d.overall.after);
+    CHECK(d.overall.after < 1.3);
+    const auto again = diagnose(nominal_joint(), records_of(m), backwards, options);
+    CHECK(again.diagnosis.effects[0].parameters[0].value == d.effects[0].parameters[0].value);
+    CHECK(again.diagnosis.overall.after == d.overall.after);
+}
+
+TEST_CASE("records that say nothing are answered with insufficient-data or refused, never with a cause", "[gap]")
+{
+    Record still = record_of({}, 1, 1);
+    std::fill(still.position.begin(), still.position.end(), 0.5);
+    CHECK(diagnose(nominal_joint(), {still}, in_order).diagnosis.verdict == Verdict::insufficient_data);
+
+    Record backwards_in_time = record_of({}, 1, 1);
+    std::swap(backwards_in_time.time[10], backwards_in_time.time[11]);
+    CHECK_THROWS_AS(diagnose(nominal_joint(), {backwards_in_time}, in_order), std::invalid_argument);
+
+    Record ten = record_of({}, 1, 0.01);
+    CHECK(diagnose(nominal_joint(), {ten}, in_order).diagnosis.verdict == Verdict::insufficient_data);
+}

@@ -1,0 +1,81 @@
+// A machine for the tests of the diagnosis, simulated in another way than the diagnosis does: explicit steps of 10 µs
+// with Karnopp's stick band.
+#pragma once
+#include "analysis/gap/record.h"
+#include "analysis/joint/joint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace stickslip::test {
+
+struct Machine {
+    double inertia = 1.2, coulomb = 2, viscous = 1.5, k_p = 1200, k_v = 45, tau = 0.003, load = 0, gain = 1;
+    double noise = 2e-6, quantum = 5e-6, drag = 0;
+};
+
+inline Joint nominal_joint()
+{
+    const Machine m;
+    Joint j;
+    j.mechanism.inertia = m.inertia;
+    CoulombViscous law;
+    law.coulomb = m.coulomb;
+    law.viscous = m.viscous;
+    j.friction.law = law;
+    j.control.k_p = m.k_p;
+    j.control.k_v = m.k_v;
+    j.control.period = 1e-3;
+    j.control.velocity_estimate.tau = m.tau;
+    j.sensor.position_noise = m.noise;
+    j.sensor.encoder_quantum = m.quantum;
+    return j;
+}
+
+inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
+{
+    Record r;
+    r.name = "run-" + std::to_string(seed);
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    constexpr double period = 1e-3, h = 1e-5, band = 1e-6;
+    double q = 0, v = 0, estimate = 0, last = 0;
+    const double slow = 1.3 + 0.2 * seed, quick = 5.1 + seed;
+    for (int k = 0; k < static_cast<int>(seconds / period); ++k) {
+        const double t = k * period;
+        const auto reference = [&](double s) {
+            return std::min(1.0, s) * (0.08 * std::sin(slow * s) + 0.02 * std::sin(quick * s));
+        };
+        double y = q + m.noise * normal(random);
+        y = m.quantum * std::round(y / m.quantum);
+        if (k > 0) estimate += period / (m.tau + period) * ((y - last) / period - estimate);
+        last = y;
+        const double rate = (reference(t + 1e-5) - reference(std::max(0.0, t - 1e-5))) / (t > 0 ? 2e-5 : 1e-5);
+        const double u = m.k_p * (reference(t) - y) + m.k_v * (rate - estimate);
+        r.time.push_back(t);
+        r.reference_position.push_back(reference(t));
+        r.reference_velocity.push_back(rate);
+        r.position.push_back(y);
+        r.velocity.push_back(estimate);
+        r.effort_command.push_back(u);
+        for (int i = 0; i < 100; ++i) {
+            const double push = m.gain * u + m.load;
+            if (std::abs(v) < band && std::abs(push) <= m.coulomb) {
+                v = 0;
+                continue;
+            }
+            const double direction = std::abs(v) < band ? std::copysign(1.0, push) : std::copysign(1.0, v);
+            const double next =
+                v + h / m.inertia * (push - direction * m.coulomb - m.viscous * v - m.drag * v * std::abs(v));
+            if (next * v < 0)
+                v = 0;
+            else
+                v = next;
+            q += h * v;
+        }
+    }
+    return r;
+}
+
+}  // namespace stickslip::test

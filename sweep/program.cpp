@@ -66,6 +66,9 @@ int run_program(int argc, char** argv, Cluster* cluster)
     add_list(app, invocation);
     add_merge(app, invocation);
     add_report(app, invocation);
+    add_simulate(app, invocation);
+    add_diagnose(app, invocation);
+    add_blind(app, invocation);
 
     try {
         app.parse(argc, argv);

@@ -2,6 +2,7 @@
 #pragma once
 #include "analysis/joint/joint.h"
 #include "analysis/results/stability_map.h"
+#include "analysis/simulation/disturbance.h"
 
 #include <array>
 #include <cstdint>
@@ -12,34 +13,33 @@
 
 namespace stickslip {
 
-/// How the steadily sliding joint is disturbed before its nonlinear outcome is watched.
-struct Disturbance {
-    enum class Kind {
-        position,      ///< the body is displaced, m | rad
-        velocity,      ///< the velocity jumps, m/s | rad/s
-        state,         ///< every friction state is moved, N | N·m
-        force_impulse  ///< a short push of this impulse, N·s | N·m·s
-    };
-    static constexpr Choice<Kind> kinds[] = {{"position", Kind::position},
-                                             {"velocity", Kind::velocity},
-                                             {"state", Kind::state},
-                                             {"force-impulse", Kind::force_impulse}};
-    Kind kind = Kind::velocity;
-    double size = not_set;  ///< in the unit of its kind; not set: the evaluation chooses and states it
+/// The disturbance of analysis/simulation/disturbance.h as it stands in a file.
+struct DisturbanceSpec {
+    static constexpr Choice<DisturbanceKind> kinds[] = {
+        {"position", DisturbanceKind::position}, {"velocity", DisturbanceKind::velocity},
+        {"impulse", DisturbanceKind::impulse},   {"offset", DisturbanceKind::offset},
+        {"state", DisturbanceKind::state},       {"start", DisturbanceKind::start}};
+    Disturbance disturbance;
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        constexpr Quantity quantities[] = {Quantity::position, Quantity::velocity, Quantity::effort, Quantity::impulse};
-        visit.choice("kind", "what is disturbed", self.kind, kinds);
-        visit.number({"size", quantities[static_cast<int>(self.kind)], any_finite, Need::optional, "size"}, self.size);
+        auto& d = self.disturbance;
+        visit.choice("kind", "what is disturbed", d.kind, kinds);
+        const Quantity unit = d.kind == DisturbanceKind::position || d.kind == DisturbanceKind::offset
+                                  ? Quantity::position
+                              : d.kind == DisturbanceKind::velocity ? Quantity::velocity
+                              : d.kind == DisturbanceKind::impulse  ? Quantity::impulse
+                              : d.kind == DisturbanceKind::state    ? Quantity::effort
+                                                                    : Quantity::number;
+        visit.number({"size", unit, any_finite, Need::optional, "size; not set: small, in the slow mode"}, d.size);
     }
 };
 
 /// The nonlinear outcome at each point. Linear verdicts are always computed.
 struct NonlinearSpec {
     bool enabled = false;
-    Disturbance disturbance;
+    DisturbanceSpec disturbance;
     double tolerance = 1e-8;
 
     template <class Self, class Visitor>

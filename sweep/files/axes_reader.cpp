@@ -43,10 +43,11 @@ class AxisReader {
         Axis axis{given_.path, symbol_of(given_.path), name_of(given_.path), leaf_.quantity, false, {}};
         const std::size_t before = complaints_.count();
         const auto* table = given_.node->as_table();
+        if (table) complain_unknown_keys(*table, axis_keys, path_, complaints_);
         if (!table) {
             axis.values = list(*given_.node, path_);
             axis.log = looks_logarithmic(axis.values);
-        } else if (const auto* values = keys_of(*table).get("values")) {
+        } else if (const auto* values = table->get("values")) {
             for (const char* key : {"from", "to", "points"})
                 if (table->contains(key)) complain(*table, key, "has no meaning beside values");
             axis.values = list(*values, path_ + ".values");
@@ -71,17 +72,6 @@ class AxisReader {
     void complain_log(double value)
     {
         complaints_.add(given_.place, path_, "a log scale needs values > 0, given is " + number_text(value));
-    }
-
-    const toml::table& keys_of(const toml::table& table)
-    {
-        for (auto&& [key, node] : table) {
-            const std::string name(key.str());
-            if (std::find(axis_keys.begin(), axis_keys.end(), name) != axis_keys.end()) continue;
-            complaints_.add(Place(key.source()).or_else(given_.place), path_ + "." + name,
-                            "unknown key, allowed here are " + listed(axis_keys) + did_you_mean(name, axis_keys));
-        }
-        return table;
     }
 
     bool scale(const toml::table& table)

@@ -28,7 +28,7 @@ class SpecReader {
     Spec read()
     {
         read_joint_part();
-        text(root_, "title", "title", spec_.title);
+        read_text_at(root_, "title", "", spec_.title, complaints_);
         // paths can be judged only against a joint that is known
         if (joint_known_) read_paths();
         read_struct("nonlinear", spec_.nonlinear);
@@ -51,7 +51,7 @@ class SpecReader {
                 complaints_.add_foreign(bad.messages());
             }
         } else {
-            spec_.joint = joint_from(root_, complaints_, spec_tables);
+            spec_.joint = joint_from(root_, complaints_, spec_tables, folder_);
         }
         joint_known_ = complaints_.count() == before;
     }
@@ -76,7 +76,7 @@ class SpecReader {
         if (!axes)
             complaints_.add(Place(root_.source()), "axes",
                             "is missing, allowed are one or more dotted paths of the joint");
-        else if (const auto* table = expect_table("axes"))
+        else if (const auto* table = table_at(root_, "axes", "", complaints_))
             spec_.axes = read_axes(*table, spec_.joint, limits_, complaints_);
         read_design();
         require_velocity();
@@ -88,7 +88,7 @@ class SpecReader {
     void read_design()
     {
         std::vector<std::pair<const double*, double>> given;
-        if (const auto* table = expect_table("design")) {
+        if (const auto* table = table_at(root_, "design", "", complaints_)) {
             for (const auto& named : dotted_values(*table, {})) {
                 const auto leaf = find_leaf(spec_.joint, named.path, named.place, "design", complaints_);
                 if (!leaf) continue;
@@ -141,16 +141,10 @@ class SpecReader {
 
     void read_report()
     {
-        const auto* table = expect_table("report");
+        const auto* table = table_at(root_, "report", "", complaints_);
         if (!table) return;
-        const std::vector<std::string> keys{"title", "charts", "surfaces"};
-        for (auto&& [key, node] : *table) {
-            const std::string name(key.str());
-            if (std::find(keys.begin(), keys.end(), name) == keys.end())
-                complaints_.add(Place(key.source()), "report." + name,
-                                "unknown key, allowed here are " + listed(keys) + did_you_mean(name, keys));
-        }
-        text(*table, "title", "report.title", spec_.report.title);
+        complain_unknown_keys(*table, {"title", "charts", "surfaces"}, "report", complaints_);
+        read_text_at(*table, "title", "report", spec_.report.title, complaints_);
         spec_.report.charts = pairs(*table, "charts");
         spec_.report.surfaces = pairs(*table, "surfaces");
     }
@@ -211,29 +205,10 @@ class SpecReader {
             return "unknown key, allowed here are " + listed(siblings) +
                    did_you_mean(path.substr(path.rfind('.') + 1), siblings);
         };
-        const auto* table = expect_table(key);
+        const auto* table = table_at(root_, key, "", complaints_);
         if (!table) return;
         StructReader reader(complaints_, spec_.joint.mechanism.motion, Mode::whole, explain);
         reader.read(*table, key, s);
-    }
-
-    /// The table of that name; nothing if it is absent, or after a complaint that it is something else.
-    const toml::table* expect_table(const std::string& key)
-    {
-        const auto* node = root_.get(key);
-        if (node && !node->is_table())
-            complaints_.add(Place(node->source()), key, "is " + describe(*node) + ", allowed is a table");
-        return node ? node->as_table() : nullptr;
-    }
-
-    void text(const toml::table& table, const std::string& key, const std::string& path, std::string& value)
-    {
-        const auto* node = table.get(key);
-        if (!node) return;
-        if (node->is_string())
-            value = node->as_string()->get();
-        else
-            complaints_.add(Place(node->source()), path, "is " + describe(*node) + ", allowed is text in quotes");
     }
 
     const toml::table& root_;

@@ -26,21 +26,27 @@ Json state_variable_json(const StateVariableVerdict& v)
 
 }  // namespace
 
-Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json json_number(double value)
+{
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
 
 Json verdict_json(const LinearVerdict& verdict)
 {
     const auto& steady = verdict.steady;
     Json json = {{"steady",
-                  {{"velocity", json_number(steady.velocity)}, {"friction", json_number(steady.friction)}, {"deflection", json_number(steady.deflection)}}}};
+                  {{"velocity", json_number(steady.velocity)},
+                   {"friction", json_number(steady.friction)},
+                   {"deflection", json_number(steady.deflection)}}}};
     if (steady.reason != Reason::none) {
         json["linear"] = nullptr;
         json["reason"] = reason_text(steady.reason);
         return json;
     }
     const auto& v = verdict.velocity_only;
-    json["linear"] = {{"velocity_only", {{"stable", v.stable}, {"k_v_min", json_number(v.k_v_min)}, {"slope", json_number(v.slope)}}},
-                      {"state_variable", state_variable_json(verdict.state_variable)}};
+    json["linear"] = {
+        {"velocity_only", {{"stable", v.stable}, {"k_v_min", json_number(v.k_v_min)}, {"slope", json_number(v.slope)}}},
+        {"state_variable", state_variable_json(verdict.state_variable)}};
     return json;
 }
 

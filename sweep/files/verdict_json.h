@@ -11,7 +11,8 @@ using Json = nlohmann::ordered_json;
 /// JSON has no NaN and no infinity: what does not exist is null.
 Json json_number(double value);
 
-/// {"steady": …, "linear": {"velocity_only": …, "state_variable": …}}; without steady sliding "linear" is null and "reason" says why.
+/// {"steady": …, "linear": {"velocity_only": …, "state_variable": …}}; without steady sliding "linear" is null and
+/// "reason" says why.
 Json verdict_json(const LinearVerdict& verdict);
 
 }  // namespace stickslip

@@ -3,6 +3,7 @@
 #include "analysis/boundary/locate.h"
 #include "analysis/results/text.h"
 #include "analysis/stability/verdict.h"
+#include "sweep/evaluate.h"
 #include "sweep/report/verdict_text.h"
 
 #include <cmath>
@@ -131,6 +132,16 @@ Figure surface_figure(const Joint& joint, const Axis& x, const Axis& y)
     return figure;
 }
 
+/// The share of a chart's area, axes as drawn, that has this region.
+double share_of(const Slice& slice, Region region)
+{
+    const auto shares = area_shares(slice.x, slice.y);
+    double sum = 0;
+    for (std::size_t i = 0; i < shares.size(); ++i)
+        if (slice.region[i] == region) sum += shares[i];
+    return sum;
+}
+
 const Axis* axis_of(const Spec& spec, const std::string& path)
 {
     for (const auto& axis : spec.axes)
@@ -190,12 +201,20 @@ Report stability_report(const Spec& spec, const SweepSummary& summary)
     Section design{"design", "The design point", "", {}, {}};
     if (!margins.empty()) design.tables.push_back(margin_table(margins, motion));
     if (linear.steady.reason == Reason::none) design.tables.push_back(linear_table(joint, linear));
+    if (spec.nonlinear.enabled) {
+        auto options = nonlinear_options(spec.nonlinear);
+        options.bifurcation = true;
+        design.tables.push_back(nonlinear_table(joint, nonlinear_verdict(joint, options)));
+    }
     report.sections.push_back(std::move(design));
 
-    report.not_checked = {
-        "Large disturbances: the verdicts are those of the linear theory, and hold for small ones.",
-        "Terms locked to position or time (ripple, cogging, drift, periodic forces) are no part of a linear verdict.",
-        "Sampling, delay, saturation and quantisation of a digital loop."};
+    if (!spec.nonlinear.enabled)
+        report.not_checked.push_back(
+            "Large disturbances: the verdicts are those of the linear theory, and hold for small ones.");
+    for (const char* text :
+         {"Terms locked to position or time (ripple, cogging, drift, periodic forces) are no part of these verdicts.",
+          "Sampling, delay, saturation and quantisation of a digital loop."})
+        report.not_checked.push_back(text);
     report.provenance = summary.provenance;
     return report;
 }

@@ -62,6 +62,27 @@ Table linear_table(const Joint& joint, const LinearVerdict& v)
     return table;
 }
 
+Table nonlinear_table(const Joint& joint, const NonlinearVerdict& v)
+{
+    const auto motion = joint.mechanism.motion;
+    Table table;
+    table.title = "The nonlinear joint at the design point";
+    table.columns = {"quantity", "value"};
+    table.rows.push_back({"outcome", std::string(code_name("outcome", static_cast<std::uint8_t>(v.outcome)))});
+    if (v.reason != Reason::none) table.rows.push_back({"because", reason_text(v.reason)});
+    const auto add = [&](const char* name, double value, Quantity q) {
+        if (is_set(value)) table.rows.push_back({name, with_unit(value, q, motion, 6)});
+    };
+    add("growth rate of a small disturbance", v.growth_rate, Quantity::rate);
+    add("limit-cycle amplitude in position", v.amplitude, Quantity::position);
+    add("least velocity of the cycle", v.velocity_min, Quantity::velocity);
+    add("peak velocity of the cycle", v.velocity_max, Quantity::velocity);
+    add("period", v.period, Quantity::time);
+    add("share of the period spent sticking", v.stick_fraction, Quantity::number);
+    add("k_{p} at the fold of limit cycles", v.fold_k_p, Quantity::stiffness);
+    return table;
+}
+
 std::string reason_text(Reason reason)
 {
     switch (reason) {

@@ -1,6 +1,7 @@
 // The linear verdict in words, for the report and the terminal.
 #pragma once
 #include "analysis/results/report.h"
+#include "analysis/simulation/nonlinear.h"
 #include "analysis/stability/verdict.h"
 
 #include <string>
@@ -12,6 +13,9 @@ std::string verdict_text(const Joint& joint, const LinearVerdict& verdict);
 
 /// Every number of the verdict with its unit.
 Table linear_table(const Joint& joint, const LinearVerdict& verdict);
+
+/// Every number of the nonlinear verdict with its unit.
+Table nonlinear_table(const Joint& joint, const NonlinearVerdict& verdict);
 
 /// Why a row has no verdict, in words.
 std::string reason_text(Reason reason);

@@ -1,6 +1,8 @@
 // stickslip evaluate: everything the theory says about one joint.
+#include "analysis/simulation/nonlinear.h"
 #include "analysis/stability/verdict.h"
 #include "sweep/files/joint_file.h"
+#include "sweep/files/nonlinear_json.h"
 #include "sweep/files/verdict_json.h"
 #include "sweep/program.h"
 #include "sweep/report/verdict_text.h"
@@ -24,11 +26,18 @@ int evaluate(const Options& options)
     Joint joint = read_joint(options.joint);
     apply_settings(joint, options.settings);
     const auto verdict = linear_verdict(joint);
+    NonlinearOptions nonlinear_options;
+    nonlinear_options.bifurcation = true;
+    const auto nonlinear = nonlinear_verdict(joint, nonlinear_options);
     if (options.json) {
-        fmt::print("{}\n", verdict_json(verdict).dump(2));
+        auto json = verdict_json(verdict);
+        json["nonlinear"] = nonlinear_json(nonlinear);
+        fmt::print("{}\n", json.dump(2));
     } else {
         fmt::print("{}\n", plain_text(verdict_text(joint, verdict)));
         for (const auto& row : linear_table(joint, verdict).rows)
+            fmt::print("  {:<40} {}\n", plain_text(row[0]), plain_text(row[1]));
+        for (const auto& row : nonlinear_table(joint, nonlinear).rows)
             fmt::print("  {:<40} {}\n", plain_text(row[0]), plain_text(row[1]));
     }
     return verdict.steady.reason == Reason::none ? exit_done : exit_undecided;
@@ -39,7 +48,8 @@ int evaluate(const Options& options)
 void add_evaluate(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    auto* verb = app.add_subcommand("evaluate", "Answer for one joint: both linear theories, critical gains, spectrum");
+    auto* verb = app.add_subcommand(
+        "evaluate", "Answer for one joint: both linear theories, critical gains, spectrum, nonlinear outcome");
     verb->add_option("JOINT", options->joint, "joint description, TOML")->required();
     verb->add_option(
         "--set", options->settings,

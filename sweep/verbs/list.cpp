@@ -1,4 +1,5 @@
 // stickslip list: what there is to choose from.
+#include "analysis/gap/effect.h"
 #include "analysis/joint/parameters.h"
 #include "sweep/files/joint_file.h"
 #include "sweep/verbs/verbs.h"
@@ -31,6 +32,32 @@ Json joint_list()
 {
     Json json = Json::array();
     for (const auto& model : models) json.push_back({{"name", model.name}});
+    return json;
+}
+
+/// The catalogue of the diagnosis; a parameter's name is the effect's name, a dot, and its own.
+Json effect_list(bool with_parameters)
+{
+    Json json = Json::array();
+    for (const auto& effect : gap::effects()) {
+        Json entry{{"name", effect.name},
+                   {"stage", effect.stage},
+                   {"form", effect.form},
+                   {"source", effect.source},
+                   {"signature", effect.signature}};
+        if (with_parameters) {
+            entry["confusable_with"] = effect.confusable;
+            entry["parameters"] = Json::array();
+            for (const auto& form : effect.forms)
+                for (const auto& p : form.parameters)
+                    entry["parameters"].push_back({{"name", std::string(effect.name) + "." + std::string(p.name)},
+                                                   {"form", form.name},
+                                                   {"unit_prismatic", unit_of(p.quantity, Motion::prismatic)},
+                                                   {"unit_revolute", unit_of(p.quantity, Motion::revolute)},
+                                                   {"help", p.help}});
+        }
+        json.push_back(entry);
+    }
     return json;
 }
 
@@ -84,19 +111,20 @@ struct Options {
 void add_list(CLI::App& app, Invocation&)
 {
     auto options = std::make_shared<Options>();
-    auto* verb = app.add_subcommand("list", "What there is: friction laws, joints, parameters");
-    verb->add_option("WHAT", options->what, "laws | joints | parameters")
+    auto* verb = app.add_subcommand("list", "What there is: friction laws, joints, effects, parameters");
+    verb->add_option("WHAT", options->what, "laws | joints | effects | parameters")
         ->required()
-        ->check(CLI::IsMember({"laws", "joints", "parameters"}));
+        ->check(CLI::IsMember({"laws", "joints", "effects", "parameters"}));
     verb->add_option("--joint", options->joint, "list the parameters of this joint file");
     verb->add_option("--law", options->law, "list the parameters of a single mass with this law")
         ->capture_default_str();
     verb->add_flag("--json", options->json, "machine-readable, stable names");
     verb->footer("Example: stickslip list parameters --law stribeck");
     verb->callback([options] {
-        const Json list = options->what == "laws"     ? law_list()
-                          : options->what == "joints" ? joint_list()
-                                                      : parameter_list(options->joint, options->law);
+        const Json list = options->what == "laws"      ? law_list()
+                          : options->what == "joints"  ? joint_list()
+                          : options->what == "effects" ? effect_list(options->json)
+                                                       : parameter_list(options->joint, options->law);
         if (options->json)
             fmt::print("{}\n", list.dump(2));
         else

@@ -2,6 +2,7 @@
 #include "analysis/stability/verdict.h"
 #include "sweep/embedded.h"
 #include "sweep/engine/run_on_cluster.h"
+#include "sweep/evaluate.h"
 #include "sweep/files/bad_input.h"
 #include "sweep/files/spec_file.h"
 #include "sweep/program.h"
@@ -57,7 +58,9 @@ int sweep(const Options& options, Invocation& invocation)
     choose_charts(spec);
 
     PlanOptions plan_options;
-    plan_options.evaluation = "linear";
+    plan_options.evaluation = evaluation_text(spec.nonlinear);
+    plan_options.nonlinear = spec.nonlinear.enabled;
+    plan_options.seconds_per_point = seconds_per_point(spec.nonlinear);
     plan_options.title = spec.title;
     plan_options.spec = embedded ? std::string(embedded_spec()) : self_contained_text(options.spec);
     plan_options.command = embedded ? "stickslip sweep" : "stickslip sweep " + options.spec;
@@ -72,7 +75,7 @@ int sweep(const Options& options, Invocation& invocation)
     run_options.engine.interrupt = &invocation.interrupted;
     if (line.shown()) run_options.engine.progress = [&](const Progress& p) { line.update(p); };
     catch_interrupts(invocation);
-    const auto evaluate = point_by_point([](const Joint& joint) { return linear_point(joint); });
+    const auto evaluate = evaluator(spec.nonlinear);
     const auto run = invocation.cluster ? run_on_cluster(plan, spec.joint, evaluate, run_options, *invocation.cluster)
                                         : run_sweep(plan, spec.joint, evaluate, run_options);
     line.end();

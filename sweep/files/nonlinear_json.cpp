@@ -1,0 +1,68 @@
+#include "sweep/files/nonlinear_json.h"
+
+#include "sweep/files/verdict_json.h"
+#include "sweep/report/verdict_text.h"
+#include "sweep/spec.h"
+
+namespace stickslip {
+namespace {
+
+std::string kind_name(DisturbanceKind kind)
+{
+    for (const auto& k : DisturbanceSpec::kinds)
+        if (k.value == kind) return std::string(k.name);
+    return "unknown";
+}
+
+nlohmann::ordered_json criticality_json(Criticality criticality)
+{
+    switch (criticality) {
+        case Criticality::supercritical:
+            return "supercritical";
+        case Criticality::subcritical:
+            return "subcritical";
+        case Criticality::degenerate:
+            return "degenerate";
+        case Criticality::none:
+            break;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+std::string region_name(NonlinearRegion region)
+{
+    switch (region) {
+        case NonlinearRegion::stable:
+            return "stable";
+        case NonlinearRegion::bistable:
+            return "bistable";
+        case NonlinearRegion::stick_slip:
+            return "stick-slip";
+        case NonlinearRegion::undecided:
+            break;
+    }
+    return "undecided";
+}
+
+nlohmann::ordered_json nonlinear_json(const NonlinearVerdict& v)
+{
+    return {{"outcome", code_name("outcome", static_cast<std::uint8_t>(v.outcome))},
+            {"region", region_name(v.region)},
+            {"disturbance", {{"kind", kind_name(v.disturbance.kind)}, {"size", json_number(v.disturbance.size)}}},
+            {"growth_rate", json_number(v.growth_rate)},
+            {"amplitude", json_number(v.amplitude)},
+            {"velocity_min", json_number(v.velocity_min)},
+            {"velocity_max", json_number(v.velocity_max)},
+            {"period", json_number(v.period)},
+            {"stick_fraction", json_number(v.stick_fraction)},
+            {"overshoot", json_number(v.overshoot)},
+            {"criticality", criticality_json(v.criticality)},
+            {"fold_k_p", json_number(v.fold_k_p)},
+            {"path", code_name("path", static_cast<std::uint8_t>(v.path))},
+            {"reason", v.reason == Reason::none ? nlohmann::ordered_json(nullptr)
+                                                : nlohmann::ordered_json(reason_text(v.reason))}};
+}
+
+}  // namespace stickslip

@@ -1,0 +1,90 @@
+#include "sweep/report/trajectory_report.h"
+
+#include "analysis/results/text.h"
+#include "sweep/report/verdict_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+std::string label(const char* name, Quantity quantity, Motion motion)
+{
+    return std::string(name) + " [" + std::string(unit_of(quantity, motion)) + "]";
+}
+
+/// The last third of a motion: what it has settled to.
+std::vector<double> settled(const std::vector<double>& values)
+{
+    return {values.begin() + static_cast<std::ptrdiff_t>(2 * values.size() / 3), values.end()};
+}
+
+Figure line_figure(const char* id, LineChart chart, std::string caption)
+{
+    Figure figure;
+    figure.id = id;
+    figure.finding = chart.title;
+    figure.caption = std::move(caption);
+    figure.picture = std::move(chart);
+    return figure;
+}
+
+LineChart chart_of(const char* title, std::string x_label, std::string y_label, std::vector<LineChart::Line> lines)
+{
+    LineChart chart;
+    chart.title = title;
+    chart.x_label = std::move(x_label);
+    chart.y_label = std::move(y_label);
+    chart.lines = std::move(lines);
+    return chart;
+}
+
+}  // namespace
+
+Report trajectory_report(const Joint& joint, const Trajectory& t)
+{
+    const auto motion = joint.mechanism.motion;
+    const auto time = label("time t", Quantity::time, motion),
+               position = label("excess position x", Quantity::position, motion),
+               velocity = label("velocity V", Quantity::velocity, motion),
+               friction = label("friction f", Quantity::effort, motion);
+    Report report;
+    report.title = "One motion of the joint";
+    report.subtitle = std::string(info(joint.friction.law).name) +
+                      " friction · V_{0} = " + with_unit(t.commanded_velocity, Quantity::velocity, motion);
+    if (t.time.empty()) {
+        report.verdict = "No motion: " + reason_text(t.reason) + ".";
+        report.tone = Headline::Tone::warning;
+        return report;
+    }
+    const auto [low, high] = std::minmax_element(
+        t.velocity.begin() + static_cast<std::ptrdiff_t>(2 * t.velocity.size() / 3), t.velocity.end());
+    report.verdict = "In the last third of " + with_unit(t.time.back(), Quantity::time, motion) +
+                     " the velocity stays between " + with_unit(*low, Quantity::velocity, motion) + " and " +
+                     with_unit(*high, Quantity::velocity, motion) + ".";
+    if (t.reason != Reason::none)
+        report.alerts.push_back({Headline::Tone::warning, "The motion stops early: " + reason_text(t.reason) + "."});
+    if (t.used_fallback)
+        report.alerts.push_back({Headline::Tone::neutral, "CVODE gave up on the way; Rodas5P finished the motion."});
+    Section section{"motion", "Motion", "", {}, {}};
+    section.figures.push_back(line_figure("velocity",
+                                          chart_of("Velocity in time", time, velocity, {{"V", t.time, t.velocity}}),
+                                          "Velocity of the link after the disturbance."));
+    section.figures.push_back(
+        line_figure("position", chart_of("Excess position in time", time, position, {{"x", t.time, t.position}}),
+                    "Position of the link beyond its steady path."));
+    section.figures.push_back(line_figure("phase",
+                                          chart_of("Phase portrait", position, velocity,
+                                                   {{"whole motion", t.position, t.velocity, true},
+                                                    {"last third", settled(t.position), settled(t.velocity)}}),
+                                          "Velocity over excess position; solid is what the motion has settled to."));
+    section.figures.push_back(line_figure("loop",
+                                          chart_of("Friction over velocity", velocity, friction,
+                                                   {{"last third", settled(t.velocity), settled(t.friction)}}),
+                                          "Friction against velocity: a loop shows that friction remembers."));
+    report.sections.push_back(std::move(section));
+    return report;
+}
+
+}  // namespace stickslip

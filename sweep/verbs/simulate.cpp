@@ -1,0 +1,88 @@
+// stickslip simulate: one motion of one joint, as numbers and pictures.
+#include "analysis/simulation/simulate.h"
+
+#include "sweep/files/joint_file.h"
+#include "sweep/program.h"
+#include "sweep/report/trajectory_report.h"
+#include "sweep/report/verdict_text.h"
+#include "sweep/report/write_report.h"
+#include "sweep/spec.h"
+#include "sweep/verbs/verbs.h"
+
+#include <fmt/format.h>
+#include <fmt/os.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+
+namespace stickslip {
+namespace {
+
+struct Options {
+    std::string joint, directory = "out", kind = "position";
+    std::vector<std::string> settings;
+    double size = missing, duration = missing, tolerance = 1e-8;
+};
+
+/// trajectory.csv, one row a step of the solver.
+std::filesystem::path write_trajectory(const Joint& joint, const Trajectory& t, const std::filesystem::path& directory)
+{
+    std::filesystem::create_directories(directory);
+    const auto file = directory / "trajectory.csv";
+    const auto motion = joint.mechanism.motion;
+    auto out = fmt::output_file(file.string());
+    out.print("time [s],excess_position [{}],velocity [{}],friction [{}],stuck\n", unit_of(Quantity::position, motion),
+              unit_of(Quantity::velocity, motion), unit_of(Quantity::effort, motion));
+    for (std::size_t i = 0; i < t.time.size(); ++i)
+        out.print("{},{},{},{},{}\n", t.time[i], t.position[i], t.velocity[i], t.friction[i],
+                  static_cast<int>(t.stuck[i]));
+    return file;
+}
+
+int simulate_joint(const Options& options)
+{
+    Joint joint = read_joint(options.joint);
+    apply_settings(joint, options.settings);
+    SimulateOptions simulation;
+    for (const auto& k : DisturbanceSpec::kinds)
+        if (k.name == options.kind) simulation.disturbance.kind = k.value;
+    simulation.disturbance.size = options.size;
+    simulation.duration = options.duration;
+    simulation.rtol = options.tolerance;
+    const auto trajectory = simulate(joint, simulation);
+    const auto report = trajectory_report(joint, trajectory);
+    fmt::print("{}\n", plain_text(report.verdict));
+    if (trajectory.time.empty()) return exit_undecided;
+    fmt::print("trajectory: {}\n", write_trajectory(joint, trajectory, options.directory).string());
+    fmt::print("report:     {}\n", write_report(report, options.directory).string());
+    return trajectory.reason == Reason::none ? exit_done : exit_undecided;
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<Options>();
+    std::vector<std::string> kinds;
+    for (const auto& k : DisturbanceSpec::kinds) kinds.emplace_back(k.name);
+    auto* verb = app.add_subcommand(
+        "simulate", "One motion of one joint: trajectory.csv, time series, phase portrait, friction-velocity loop");
+    verb->add_option("JOINT", options->joint, "joint description, TOML")->required();
+    verb->add_option("-o,--output", options->directory, "directory of the files")->capture_default_str();
+    verb->add_option("--set", options->settings, "change a number first: path=value");
+    verb->add_option("--disturbance", options->kind, "what is disturbed")
+        ->check(CLI::IsMember(kinds))
+        ->capture_default_str();
+    verb->add_option("--size", options->size, "size of the disturbance in SI; default: small, in the slow mode");
+    verb->add_option("--duration", options->duration, "s; default: fifty turns of the slowest mode");
+    verb->add_option("--tolerance", options->tolerance, "relative tolerance")
+        ->check(CLI::Range(1e-13, 1e-2))
+        ->capture_default_str();
+    verb->footer(
+        "Example: stickslip simulate examples/02-ball-screw/joint-with-memory.toml --set control.k_v=0 --set "
+        "control.k_p=5e4 -o out");
+    verb->callback([options, &invocation] { invocation.exit_code = simulate_joint(*options); });
+}
+
+}  // namespace stickslip

@@ -3,6 +3,8 @@
 #include "analysis/joint/parameters.h"
 #include "tests/sweep/files/messages.h"
 
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>

@@ -2,6 +2,8 @@
 #include "sweep/files/joint_file.h"
 #include "tests/sweep/files/messages.h"
 
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>

@@ -4,6 +4,8 @@
 #include "tests/sweep/files/messages.h"
 
 #include <zlib.h>
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -18,7 +20,9 @@ using Catch::StartsWith;
 
 namespace {
 
-const std::filesystem::path folder = std::filesystem::temp_directory_path() / "stickslip-record-test";
+// the tests run side by side, each in a process of its own
+const std::filesystem::path folder =
+    std::filesystem::temp_directory_path() / ("stickslip-record-test-" + std::to_string(getpid()));
 
 Joint joint_of(const std::string& motion)
 {

@@ -4,6 +4,8 @@
 #include "sweep/files/symbols.h"
 #include "tests/sweep/files/messages.h"
 
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>

@@ -2,6 +2,7 @@
 
 #include "analysis/boundary/root.h"
 #include "analysis/joint/parameters.h"
+#include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/linear_friction.h"
 #include "analysis/stability/spectrum.h"
 #include "analysis/stability/steady.h"
@@ -17,6 +18,9 @@ double instability(const Joint& joint, Curve::Kind theory)
     if (theory == Curve::Kind::velocity_only) {
         const auto steady = steady_sliding(joint);
         if (steady.reason != Reason::none) return missing;
+        const auto& c = joint.control;
+        if (joint.mechanism.model != Model::single_mass || c.force_gain != 0 || c.contact_stiffness != 0)
+            return spectral_abscissa(velocity_only(linear_joint(joint, steady.velocity)));
         const auto mass = linear_mass(joint, steady.velocity);
         return std::max(-(mass.k_v + steady_slope(mass.friction)), -mass.k_p);
     }

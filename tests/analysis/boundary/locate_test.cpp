@@ -42,6 +42,20 @@ Axis axis(std::string path, double low, double high, int points)
     return a;
 }
 
+/// The reference contact on the link of two masses.
+Joint two_masses()
+{
+    Joint joint = reference_joint();
+    joint.mechanism.model = Model::two_mass;
+    joint.mechanism.motor_inertia = 0.5;
+    joint.mechanism.link_inertia = 1;
+    joint.mechanism.transmission.stiffness = 1e9;
+    joint.frictions.motor.law = CoulombViscous{1, 0};
+    joint.frictions.link.law = joint.friction.law;
+    joint.friction = {};
+    return joint;
+}
+
 }  // namespace
 
 TEST_CASE("a bracketed root is found to its precision", "[boundary]")
@@ -113,4 +127,13 @@ TEST_CASE("a margin is the distance to the nearest boundary", "[boundary]")
     const auto f0 =
         margin_along(reference_joint(), axis("friction.f0", 1, 100, 20));  // f_0 drops out of the linear theory
     CHECK_FALSE(f0.found);
+}
+
+TEST_CASE("several bodies have a velocity-only boundary, too", "[boundary]")
+{
+    // stiff: k_v > (B − A)/V_0 = 500 N·s/m as for one mass
+    const auto found = locate_on_ray(two_masses(), "control.k_v", 10, 1e4, true, Curve::Kind::velocity_only);
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].value == Approx(500).epsilon(1e-3));
+    CHECK(found[0].direction == -1);
 }

@@ -1,0 +1,99 @@
+#include "analysis/stability/resolution.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "analysis/boundary/root.h"
+#include "analysis/stability/joint_spectrum.h"
+#include "analysis/stability/linear_friction.h"
+#include "analysis/stability/steady.h"
+
+namespace stickslip {
+namespace {
+
+/// max Re s at the joint's own velocity, by either theory; NaN where it cannot slide.
+double instability(const Joint& joint, Theory theory)
+{
+    if (theory == Theory::state_variable) return linear_point(joint).spectral_abscissa;
+    const auto steady = steady_sliding(joint);
+    if (steady.reason != Reason::none) return missing;
+    return spectral_abscissa(velocity_only(linear_joint(joint, steady.velocity)));
+}
+
+/// Where f < 0 within [low, high], by a logarithmic scan and bracketed roots.
+template <class Function>
+std::vector<Interval> negative_intervals(Function&& f, double low, double high, int scan)
+{
+    std::vector<Interval> found;
+    double a = low, fa = f(a);
+    if (fa < 0) found.push_back({low, high});
+    for (int i = 1; i <= scan; ++i) {
+        const double b = i == scan ? high : low * std::pow(high / low, double(i) / scan), fb = f(b);
+        if ((fa < 0) != (fb < 0)) {
+            const double change = std::isnan(fa) || std::isnan(fb) ? b : bracketed_root(f, a, fa, b, fb, 1e-10).value;
+            if (fb < 0)
+                found.push_back({change, high});
+            else
+                found.back().high = change;
+        }
+        a = b, fa = fb;
+    }
+    return found;
+}
+
+}  // namespace
+
+StableVelocities stable_velocities(const Joint& given, double low, double high, Theory theory, int scan)
+{
+    Joint joint = given;
+    joint.control.force_rate = not_set;
+    const auto at = [&](double V) {
+        joint.control.V0 = V;
+        return instability(joint, theory);
+    };
+    StableVelocities result;
+    result.intervals = negative_intervals(at, low, high, scan);
+    if (result.intervals.empty()) return result;
+    result.least = result.intervals.front().low;
+    if (result.intervals.back().high == high) result.all_above = result.intervals.back().low;
+    if (given.control.kind == ControlKind::force)
+        result.least_force_rate = result.least * (given.control.k_p + given.control.contact_stiffness);
+    return result;
+}
+
+std::vector<Interval> stable_springs(const Joint& given, double rate, double low, double high, Theory theory, int scan)
+{
+    if (given.control.kind != ControlKind::force)
+        throw std::invalid_argument("a force ramps through a spring in force control only");
+    Joint joint = given;
+    joint.control.force_rate = rate;
+    const auto at = [&](double k_p) {
+        joint.control.k_p = k_p;
+        return instability(joint, theory);
+    };
+    return negative_intervals(at, low, high, scan);
+}
+
+RangeGain velocity_gain_for_range(const Joint& joint, double highest, int scan)
+{
+    const auto falling = [&](double V) { return -steady_slope(linearise(joint.friction, V)); };
+    std::vector<double> V;
+    for (int i = 0; i <= scan; ++i) V.push_back(highest * std::pow(1e-6, 1 - double(i) / scan));
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < V.size(); ++i)
+        if (falling(V[i]) > falling(V[best])) best = i;
+    double a = V[best == 0 ? 0 : best - 1], b = V[std::min(best + 1, V.size() - 1)];
+    const double golden = (std::sqrt(5.0) - 1) / 2;
+    while (b - a > 1e-10 * b) {
+        const double x = b - golden * (b - a), y = a + golden * (b - a);
+        (falling(x) > falling(y) ? b : a) = falling(x) > falling(y) ? y : x;
+    }
+    // the ends of the range belong to it
+    double hardest = (a + b) / 2;
+    for (const double end : {V.front(), V.back()})
+        if (falling(end) > falling(hardest)) hardest = end;
+    return {std::max(0.0, falling(hardest)), hardest};
+}
+
+}  // namespace stickslip

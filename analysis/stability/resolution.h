@@ -1,0 +1,39 @@
+// How slow a joint can go: stable velocities for given gains, and what a whole range of velocities asks of k_v.
+#pragma once
+#include <vector>
+
+#include "analysis/joint/joint.h"
+#include "analysis/stability/verdict.h"
+
+namespace stickslip {
+
+/// Which theory judges.
+enum class Theory { velocity_only, state_variable };
+
+/// The velocities at which steady sliding is stable with the joint's own gains, within [low, high].
+struct StableVelocities {
+    std::vector<Interval> intervals;    ///< an end equal to low or high is that of the search
+    double least = missing;             ///< resolution limit of §6: the least stable V_0; NaN if none is stable
+    double all_above = missing;         ///< from here up to `high` all are stable: below lies the first stick-slip
+    double least_force_rate = missing;  ///< force control: `least` times the stiffness of the contact, k_p + k_c
+};
+
+/// A logarithmic scan of `scan` steps, each change located to 1e-10: two changes within one step can be missed.
+StableVelocities stable_velocities(const Joint& joint, double low, double high, Theory theory, int scan = 200);
+
+/// Armstrong's experiment (§5): the contact force ramps at `rate` through a spring, so that V_0 = rate/(k_p + k_c) and
+/// a stiffer spring gives a smaller velocity. The k_p in [low, high] with which sliding is stable; the ends are located
+/// as those of stable_velocities. Force control only: throws std::invalid_argument otherwise.
+std::vector<Interval> stable_springs(const Joint& joint, double rate, double low, double high, Theory theory,
+                                     int scan = 200);
+
+/// The k_v, to be exceeded, that the velocity-only theory asks for over a whole range of velocities, and the hardest of
+/// them: the maximum of −f_ss'(V) (the paper, below (21), prints "minimum"); for (22) it is (26) at (25).
+struct RangeGain {
+    double k_v, velocity;
+};
+
+/// For a single mass, 0 < V ≤ highest: a logarithmic scan from highest/1e6 of `scan` steps, then golden sections.
+RangeGain velocity_gain_for_range(const Joint& joint, double highest, int scan = 600);
+
+}  // namespace stickslip

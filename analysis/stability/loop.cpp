@@ -8,6 +8,7 @@
 #include "analysis/stability/characteristic.h"
 #include "analysis/stability/joint_crossings.h"
 #include "analysis/stability/joint_spectrum.h"
+#include "analysis/stability/maximum.h"
 
 namespace stickslip {
 namespace {
@@ -32,24 +33,6 @@ std::vector<double> logarithmic(double low, double high, int points)
     std::vector<double> list;
     for (int i = 0; i < points; ++i) list.push_back(low * std::pow(high / low, double(i) / (points - 1)));
     return list;
-}
-
-/// The maximum of f between a and b by golden sections, f unimodal there.
-template <class Function>
-double maximiser(Function&& f, double a, double b)
-{
-    const double golden = (std::sqrt(5.0) - 1) / 2;
-    double x = b - golden * (b - a), y = a + golden * (b - a), fx = f(x), fy = f(y);
-    while (b - a > 1e-10 * b) {
-        if (fx > fy) {
-            b = y, y = x, fy = fx;
-            x = b - golden * (b - a), fx = f(x);
-        } else {
-            a = x, x = y, fx = fy;
-            y = a + golden * (b - a), fy = f(y);
-        }
-    }
-    return (a + b) / 2;
 }
 
 Complex open_loop(const LinearJoint& j, double omega)

@@ -6,6 +6,8 @@
 
 #include "analysis/boundary/root.h"
 #include "analysis/joint/parameters.h"
+#include "analysis/stability/joint_crossings.h"
+#include "analysis/stability/steady.h"
 #include "analysis/stability/verdict.h"
 
 namespace stickslip {
@@ -26,6 +28,20 @@ std::vector<double> sign_changes(Function&& f, double low, double high, int scan
     return found;
 }
 
+/// The ends of the stable set in k_p: exact where the spectrum's real parts drown in rounding, and faster than a scan.
+std::vector<double> gain_boundaries(const Joint& joint, double low, double high)
+{
+    std::vector<double> found;
+    const auto steady = steady_sliding(joint);
+    if (steady.reason != Reason::none) return found;
+    const auto linear = linear_joint(joint, steady.velocity);
+    const auto search = crossings(linear);
+    for (const auto& stable : stable_intervals(linear, search.crossings, search.searched_to))
+        for (const double end : {stable.low, stable.high})
+            if (end > low && end < high && end != search.searched_to) found.push_back(end);
+    return found;
+}
+
 }  // namespace
 
 ReductionError compare_reduction(const Joint& full, const std::function<Reduction(const Joint&)>& reduce,
@@ -39,8 +55,15 @@ ReductionError compare_reduction(const Joint& full, const std::function<Reductio
         return linear_point(reduced ? reduce(joint).joint : joint).spectral_abscissa;
     };
     ReductionError result;
-    result.full = sign_changes([&](double v) { return abscissa(v, false); }, low, high, scan);
-    result.reduced = sign_changes([&](double v) { return abscissa(v, true); }, low, high, scan);
+    const Joint small = reduce(full).joint;
+    // crossings in k_p are those at one velocity, and of a reduction that leaves the loop as it is
+    if (path == "control.k_p" && small.control.k_p == full.control.k_p && !is_set(full.control.force_rate)) {
+        result.full = gain_boundaries(full, low, high);
+        result.reduced = gain_boundaries(small, low, high);
+    } else {
+        result.full = sign_changes([&](double v) { return abscissa(v, false); }, low, high, scan);
+        result.reduced = sign_changes([&](double v) { return abscissa(v, true); }, low, high, scan);
+    }
     if (result.full.size() != result.reduced.size()) {
         result.error = infinity;
         return result;

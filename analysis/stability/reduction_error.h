@@ -15,7 +15,8 @@ struct ReductionError {
     double error = 0;
 };
 
-/// Moves the parameter at `path` of the *full* joint over [low, high] (logarithmic scan, then bisection to 1e-10); the
+/// Moves the parameter at `path` of the *full* joint over [low, high] (logarithmic scan, then bisection to 1e-10; for
+/// k_p of the loop the crossings themselves); the
 /// reduction is done anew for each value, so both joints mean the same machine. Both verdicts are those of friction
 /// with memory. Throws std::invalid_argument if there is no such parameter or the reduction refuses the joint.
 ReductionError compare_reduction(const Joint& full, const std::function<Reduction(const Joint&)>& reduce,

@@ -7,6 +7,7 @@
 #include "analysis/boundary/root.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/linear_friction.h"
+#include "analysis/stability/maximum.h"
 #include "analysis/stability/steady.h"
 
 namespace stickslip {
@@ -83,14 +84,8 @@ RangeGain velocity_gain_for_range(const Joint& joint, double highest, int scan)
     std::size_t best = 0;
     for (std::size_t i = 1; i < V.size(); ++i)
         if (falling(V[i]) > falling(V[best])) best = i;
-    double a = V[best == 0 ? 0 : best - 1], b = V[std::min(best + 1, V.size() - 1)];
-    const double golden = (std::sqrt(5.0) - 1) / 2;
-    while (b - a > 1e-10 * b) {
-        const double x = b - golden * (b - a), y = a + golden * (b - a);
-        (falling(x) > falling(y) ? b : a) = falling(x) > falling(y) ? y : x;
-    }
+    double hardest = maximiser(falling, V[best == 0 ? 0 : best - 1], V[std::min(best + 1, V.size() - 1)]);
     // the ends of the range belong to it
-    double hardest = (a + b) / 2;
     for (const double end : {V.front(), V.back()})
         if (falling(end) > falling(hardest)) hardest = end;
     return {std::max(0.0, falling(hardest)), hardest};

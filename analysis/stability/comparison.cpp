@@ -1,0 +1,151 @@
+#include "analysis/stability/comparison.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/stability/joint_crossings.h"
+#include "analysis/stability/joint_spectrum.h"
+#include "analysis/stability/maximum.h"
+#include "analysis/stability/steady.h"
+
+namespace stickslip {
+namespace {
+
+/// What of `set` lies in no interval of `other`. Both ascending and disjoint.
+std::vector<Interval> without(const std::vector<Interval>& set, const std::vector<Interval>& other)
+{
+    std::vector<Interval> rest;
+    for (auto piece : set) {
+        for (const auto& hole : other) {
+            if (hole.high <= piece.low || hole.low >= piece.high) continue;
+            if (hole.low > piece.low) rest.push_back({piece.low, hole.low});
+            piece.low = hole.high;
+        }
+        if (piece.low < piece.high) rest.push_back(piece);
+    }
+    return rest;
+}
+
+std::vector<Interval> stable_in_k_p(const LinearJoint& j, const CrossingSearch& search)
+{
+    return stable_intervals(j, search.crossings, search.searched_to);
+}
+
+/// Damping that the joint knows of: a natural unit of k_v.
+double damping_unit(const LinearJoint& j)
+{
+    double sum = std::abs(j.k_v), inertia = 0;
+    for (int i = 0; i < j.bodies; ++i) {
+        sum += std::abs(j.friction[i].f_v) + std::abs(kernel_integral(j.friction[i]));
+        inertia += j.inertia[i];
+    }
+    return sum + std::sqrt(std::abs(j.k_p) * inertia);
+}
+
+/// By a scan, for joints with infinitely many roots.
+std::vector<Interval> scanned_in_k_v(LinearJoint j)
+{
+    constexpr int steps = 60;
+    constexpr double decades_below = 6, decades_above = 3, precision = 1e-6;
+    const double unit = damping_unit(j);
+    const auto stable = [&](double k_v) {
+        j.k_v = k_v;
+        return is_stable(j);
+    };
+    std::vector<Interval> found;
+    double a = 0;
+    bool at_a = stable(0);
+    if (at_a) found.push_back({0, infinity});
+    for (int i = 0; i <= steps; ++i) {
+        const double b = unit * std::pow(10, -decades_below + (decades_below + decades_above) * i / steps);
+        const bool at_b = stable(b);
+        if (at_a != at_b) {
+            double low = a, high = b;
+            while (high - low > precision * high) {
+                const double middle = (low + high) / 2;
+                (stable(middle) == at_a ? low : high) = middle;
+            }
+            if (at_b)
+                found.push_back({high, infinity});
+            else
+                found.back().high = low;
+        }
+        a = b, at_a = at_b;
+    }
+    return found;
+}
+
+std::vector<Interval> stable_in_k_v(const LinearJoint& j)
+{
+    return j.rational() ? stable_intervals(j, rational_crossings(j, Gain::k_v), infinity, Gain::k_v)
+                        : scanned_in_k_v(j);
+}
+
+double least_position_gain(const LinearJoint& j)
+{
+    const auto stable = stable_in_k_p(j, crossings(j));
+    return stable.empty() ? missing : stable.front().low;
+}
+
+}  // namespace
+
+Comparison compare_theories(const Joint& joint)
+{
+    Comparison result;
+    const auto steady = steady_sliding(joint);
+    if (steady.reason != Reason::none) return result;
+    const auto memory = linear_joint(joint, steady.velocity);
+    const auto simple = velocity_only(memory);
+    const auto search = crossings(memory);
+    result.searched_to = search.searched_to;
+    result.k_p_memory = stable_in_k_p(memory, search);
+    result.k_p_velocity_only = stable_intervals(simple, rational_crossings(simple, Gain::k_p), search.searched_to);
+    result.forbidden_needlessly = without(result.k_p_memory, result.k_p_velocity_only);
+    result.allowed_wrongly = without(result.k_p_velocity_only, result.k_p_memory);
+    result.k_v_memory = stable_in_k_v(memory);
+    result.k_v_velocity_only = stable_in_k_v(simple);
+    return result;
+}
+
+double least_position_gain(const Joint& joint)
+{
+    const auto steady = steady_sliding(joint);
+    return steady.reason == Reason::none ? least_position_gain(linear_joint(joint, steady.velocity)) : missing;
+}
+
+GainMix optimal_mix(const Joint& joint, double velocity_noise)
+{
+    GainMix best;
+    const auto steady = steady_sliding(joint);
+    if (steady.reason != Reason::none) return best;
+    auto linear = linear_joint(joint, steady.velocity);
+    const auto mix = [&](double k_v) {
+        linear.k_v = k_v;
+        const double k_p = least_position_gain(linear);
+        return GainMix{k_p, k_v, std::hypot(k_p, velocity_noise * k_v)};
+    };
+    const auto quieter = [&](const GainMix& m) {
+        if (m.noise < best.noise || std::isnan(best.noise)) best = m;
+    };
+    // from pure position feedback to the k_v that needs no position gain, and somewhat beyond
+    const int steps = linear.rational() ? 160 : 40;
+    const double unit = damping_unit(linear);
+    std::vector<double> k_v{0};
+    for (int i = 0; i <= steps; ++i) k_v.push_back(unit * std::pow(10, -5 + 6.0 * i / steps));
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < k_v.size(); ++i) {
+        const auto m = mix(k_v[i]);
+        if (m.noise < best.noise || (std::isnan(best.noise) && !std::isnan(m.noise))) best = m, at = i;
+    }
+    if (std::isnan(best.noise)) return best;
+    const double low = k_v[at == 0 ? 0 : at - 1], high = k_v[std::min(at + 1, k_v.size() - 1)];
+    quieter(mix(maximiser(
+        [&](double v) {
+            const double noise = mix(v).noise;
+            return std::isnan(noise) ? -infinity : -noise;
+        },
+        low, high)));
+    return best;
+}
+
+}  // namespace stickslip

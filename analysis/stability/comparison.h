@@ -1,0 +1,46 @@
+// The paper's question: what velocity-only friction demands, and what friction with memory demands, of the same joint.
+#pragma once
+#include <vector>
+
+#include "analysis/joint/joint.h"
+#include "analysis/stability/verdict.h"
+
+namespace stickslip {
+
+/// Both theories about one joint. Gains of a stable set are open intervals of positive numbers.
+struct Comparison {
+    std::vector<Interval> k_v_velocity_only, k_v_memory;  ///< stable k_v at the joint's own k_p
+    std::vector<Interval> k_p_velocity_only, k_p_memory;  ///< stable k_p at the joint's own k_v
+    /// k_p that velocity-only forbids although memory allows them: the paper's second regime, Armstrong's stiff springs
+    std::vector<Interval> forbidden_needlessly;
+    /// k_p that velocity-only allows although memory forbids them: lag, LuGre, several masses
+    std::vector<Interval> allowed_wrongly;
+    double searched_to = infinity;  ///< k_p up to which the sets are complete
+
+    /// The least k_v, to be exceeded, by either theory; NaN if none is enough.
+    double k_v_demanded_velocity_only() const { return least(k_v_velocity_only); }
+    double k_v_demanded_memory() const { return least(k_v_memory); }
+
+  private:
+    static double least(const std::vector<Interval>& set) { return set.empty() ? missing : set.front().low; }
+};
+
+/// Compares at the joint's commanded velocity. Without steady sliding every set is empty. Sets in k_v: complete without
+/// delays and tables; with them by a scan of 60 logarithmic steps over nine decades, ends bisected to 1e-6.
+Comparison compare_theories(const Joint& joint);
+
+/// A pair of gains on the boundary of stability (to be exceeded), chosen for its noise.
+struct GainMix {
+    double k_p = missing, k_v = missing;
+    double noise = missing;  ///< √(k_p² + (ρ k_v)²): effort noise per position noise
+};
+
+/// The optimal mix of §5: of all pairs on the boundary with memory, that with the least effort noise
+/// σ_u/σ_x = √(k_p² + (ρ k_v)²), ρ = σ_v/σ_x [1/s]. A velocity differenced from positions at the sample time T has
+/// ρ = √2/T. The boundary is the lower end of the first stable interval in k_p; NaN where there is none for any k_v.
+GainMix optimal_mix(const Joint& joint, double velocity_noise);
+
+/// The least k_p, to be exceeded, with which the joint is stable at its k_v by memory; NaN if none is, 0 if any is.
+double least_position_gain(const Joint& joint);
+
+}  // namespace stickslip

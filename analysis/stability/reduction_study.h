@@ -1,0 +1,39 @@
+// Every reduction that a joint allows, each with the boundary before and after it, and where its assumption breaks.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "analysis/joint/reduction.h"
+#include "analysis/results/point.h"
+#include "analysis/stability/reduction_error.h"
+
+namespace stickslip {
+
+/// One reduction of one joint along the number that its assumption is about: the boundary of the full joint and of the
+/// reduced one at each value.
+struct ReductionStudy {
+    std::string name;                    ///< "three masses to one, ideal motor … (Fig. 5 to 7a)"
+    std::vector<std::string> neglected;  ///< half sentences
+    std::string refused;                 ///< why the reduction does not apply; all below is empty then
+    std::string boundary_path;           ///< the number whose boundary is compared: "control.k_p"
+    std::string assumption_path;         ///< the number that is assumed large; empty for an exact reduction
+    std::string assumption;              ///< mark-up: "k_{tr} ≫ k_{p}"
+    ReductionError own;                  ///< at the joint's own value of the assumption's number
+    std::vector<double> values;          ///< of the assumption's number, ascending
+    std::vector<ReductionError> at;      ///< one a value
+    /// Above this value of the assumption's number the error stays within 1 % and 10 %; NaN where it never does.
+    double good_from = missing, fair_from = missing;
+};
+
+struct StudyOptions {
+    double decades = 2;           ///< how far the assumption's number moves to either side of its own value
+    int values = 33;              ///< steps of it
+    double boundary_decades = 3;  ///< how far the boundary is searched to either side of its own value
+    int scan = 48;
+};
+
+/// Studies of every reduction of Figs. 4 → 5 → 6 → 7 that starts from this joint, single steps and chains; none for a
+/// single mass. Both verdicts are those of friction with memory.
+std::vector<ReductionStudy> reduction_studies(const Joint& joint, const StudyOptions& options = {});
+
+}  // namespace stickslip

@@ -1,0 +1,99 @@
+// What each theory demands, against closed forms.
+#include <catch2/catch.hpp>
+
+#include "analysis/stability/comparison.h"
+#include "analysis/stability/reduction_study.h"
+#include "tests/analysis/joint/sample_joints.h"
+
+using namespace stickslip;
+
+TEST_CASE("velocity-only asks for k_v whatever the spring, memory for less with a stiffer one", "[stability]")
+{
+    Joint joint = samples::single_mass(1);  // A = 1, B = 1.5, L = 1e-5, V_0 = 1e-3
+    joint.control.k_p = 3e4;
+    const auto both = compare_theories(joint);
+    CHECK(both.k_v_demanded_velocity_only() == Approx(500));  // (B − A)/V_0
+    // memory: k_cr(k_v) = 30000, with ((0.5 − 1e-3 k)/1e-5)(1 + 100/(k + 1000)) = 30000 solved for k by hand:
+    // (500 − k)(k + 1100) = 300 (k + 1000)  ⇒  k² + 900 k − 250000 = 0
+    CHECK(both.k_v_demanded_memory() == Approx((-900 + std::sqrt(900.0 * 900 + 4 * 250000)) / 2).epsilon(1e-9));
+    CHECK(both.k_p_velocity_only.empty());
+    REQUIRE(both.forbidden_needlessly.size() == 1);
+    CHECK(both.forbidden_needlessly[0].low == Approx(55000));
+    CHECK(both.forbidden_needlessly[0].high == infinity);
+    CHECK(both.allowed_wrongly.empty());
+}
+
+TEST_CASE("a lag and LuGre forbid what velocity-only allows", "[stability]")
+{
+    // LuGre of PHYSICS: f_v = −73.185, steady slope −428.482: at k_v = 400 memory asks for k_p > 1801.88
+    Joint joint = samples::single_mass(1);
+    joint.friction.law = LuGre{1e5, std::sqrt(1e5), 0.4, 1, 1.5, 1e-3};
+    joint.control.V0 = 1e-3 / std::sqrt(2.0);
+    joint.control.k_v = 400;
+    CHECK(compare_theories(joint).k_p_memory.at(0).low == Approx(1801.88).epsilon(1e-5));
+    // a lag of 5 ms on a falling curve: k_p = mω² + ω|f'| sin ωτ and k_v = |f'| cos ωτ at the boundary, |f'| = 14.07…
+    const Stribeck curve{10, 0, 1, 1e-2, 2};
+    joint.friction.law = samples::time_lag(curve, 5e-3);
+    const double slope = 2 * joint.control.V0 / 1e-4 * std::exp(-0.005);  // (23)
+    double low = 0, high = 200;
+    while (high - low > 1e-12 * high) {
+        const double w = (low + high) / 2;
+        (w * w + w * slope * std::sin(w * 5e-3) < joint.control.k_p ? low : high) = w;
+    }
+    CHECK(compare_theories(joint).k_v_demanded_memory() == Approx(slope * std::cos(low * 5e-3)).epsilon(1e-5));
+    // on a rising curve velocity-only allows every k_p; with a lag some are forbidden
+    joint.control.k_v = 0;
+    joint.friction.law = samples::time_lag(CoulombViscous{1, 50});
+    const auto rising = compare_theories(joint);
+    REQUIRE(rising.k_p_velocity_only.size() == 1);
+    CHECK(!rising.allowed_wrongly.empty());
+    for (const auto& wrong : rising.allowed_wrongly)
+        for (const auto& right : rising.k_p_memory) CHECK((wrong.high <= right.low || wrong.low >= right.high));
+}
+
+TEST_CASE("the optimal mix of gains lies where the boundary touches a circle of equal noise", "[stability]")
+{
+    Joint joint = samples::single_mass(1);
+    const auto k_cr = [](double k) { return (0.5 - 1e-3 * k) / 1e-5 * (1 + 100 / (k + 1000)); };
+    CHECK(least_position_gain(joint) == Approx(55000));
+    for (const double ratio : {50.0, 100.0, 300.0}) {
+        const auto mix = optimal_mix(joint, ratio);
+        // least of k_cr² + ρ² k² over a fine grid
+        double best = infinity;
+        for (double k = 0; k < 500; k += 0.01) best = std::min(best, std::hypot(k_cr(k), ratio * k));
+        CHECK(mix.noise == Approx(best).epsilon(1e-7));
+        CHECK(mix.k_p == Approx(k_cr(mix.k_v)).epsilon(1e-9));
+    }
+    // cheap velocity: no position gain is needed; costly velocity: position alone
+    CHECK(optimal_mix(joint, 1e-3).k_p < 1);
+    CHECK(optimal_mix(joint, 1e6).k_v < 1e-3 * 500);
+}
+
+TEST_CASE("each reduction holds where its assumption does", "[stability]")
+{
+    // position control, friction on the link alone: quasi-statically loop and transmission are in series,
+    // 1/k_p + 1/k_tr = 1/k_cr; the ideal motor says k_tr = k_cr. Light bodies make it so.
+    auto joint = samples::two_mass();
+    joint.mechanism.motor_inertia = joint.mechanism.link_inertia = 1e-6;
+    joint.mechanism.transmission.damping = 0;
+    joint.mechanism.transmission.stiffness = 1e5;
+    joint.frictions.motor.law = CoulombViscous{0, 0};
+    joint.control.k_p = 1e7;
+    const auto studies = reduction_studies(joint);
+    REQUIRE(studies.size() == 2);
+    const auto& ideal = studies[0];
+    CHECK(ideal.refused.empty());
+    CHECK(ideal.boundary_path == "joint.transmission.stiffness");
+    REQUIRE(ideal.own.full.size() == 1);
+    CHECK(ideal.own.reduced.at(0) == Approx(5e4).epsilon(1e-4));
+    CHECK(ideal.own.full[0] == Approx(5e4 / (1 - 5e4 / 1e7)).epsilon(1e-4));
+    // the error k_cr/k_p falls below 1 % at k_p = 100 k_cr, below 10 % at 10 k_cr; steps of 4 decades/32
+    CHECK(ideal.good_from == Approx(5e6).epsilon(0.35));
+    CHECK(ideal.fair_from == Approx(5e5).epsilon(0.35));
+    // rigid transmission: k_p = k_cr k_tr/(k_tr − k_cr), 1 % at k_tr = 100 k_cr
+    CHECK(studies[1].good_from == Approx(5e6).epsilon(0.35));
+    // several frictions on one body have no single law: the study says so
+    auto three = samples::nine_states();
+    for (const auto& study : reduction_studies(three)) CHECK(!study.refused.empty());
+    CHECK(reduction_studies(samples::single_mass(1)).empty());
+}

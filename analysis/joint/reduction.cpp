@@ -1,6 +1,8 @@
 #include "analysis/joint/reduction.h"
 
+#include <optional>
 #include <stdexcept>
+#include <type_traits>
 
 namespace stickslip {
 namespace {
@@ -22,15 +24,48 @@ bool is_zero(const Friction& f)
     return law && law->coulomb == 0 && law->viscous == 0 && f.asymmetry.coulomb == 0 && f.asymmetry.viscous == 0;
 }
 
+/// A law with a constant level and viscous friction beside it, where that is the same law with other numbers.
+std::optional<FrictionLaw> with_level(const FrictionLaw& law, double level, double viscous)
+{
+    return std::visit(
+        [&](auto l) -> std::optional<FrictionLaw> {
+            using Law = decltype(l);
+            if constexpr (std::is_same_v<Law, CoulombViscous>) {
+                l.coulomb += level, l.viscous += viscous;
+                return l;
+            } else if constexpr (std::is_same_v<Law, Stribeck>) {
+                l.c0 += level, l.c1 += viscous;
+                return l;
+            } else if constexpr (std::is_same_v<Law, KineticStatic>) {
+                l.kinetic += level, l.breakaway += level;
+                if (viscous == 0) return l;
+            } else if constexpr (std::is_same_v<Law, RateAndState> || std::is_same_v<Law, Ageing>) {
+                l.f0 += level;
+                if (viscous == 0) return l;
+            }
+            return std::nullopt;
+        },
+        law);
+}
+
 /// The friction of two bodies that move as one; `turns` is the displacement of the first per that of the second.
 Friction joined(const Friction& first, double turns, const Friction& second)
 {
     if (is_zero(first)) return second;
     if (is_zero(second) && turns == 1) return first;
-    const auto *a = simple(first), *b = simple(second);
-    require(a && b, "the frictions of two bodies join only where both are coulomb-viscous or one is zero");
+    // one of them is a level with viscous friction; a law of the first keeps its numbers only where both move alike
+    const bool first_is_simple = simple(first) != nullptr;
+    const auto* level = first_is_simple ? simple(first) : turns == 1 ? simple(second) : nullptr;
+    const Friction& other = first_is_simple ? second : first;
+    require(level && !other.has_bristle() && !other.has_memory() && !other.has_lag(),
+            "the frictions of two bodies join only where one is coulomb-viscous");
+    const double by = first_is_simple ? turns : 1;
+    const auto law = with_level(other.law, by * level->coulomb, by * by * level->viscous);
+    require(law.has_value(),
+            "coulomb-viscous friction joins coulomb-viscous and Stribeck friction, and without a "
+            "viscous part kinetic-static, rate-and-state and ageing friction");
     Friction sum = second;
-    sum.law = CoulombViscous{turns * a->coulomb + b->coulomb, turns * turns * a->viscous + b->viscous};
+    sum.law = *law;
     sum.asymmetry.coulomb += turns * first.asymmetry.coulomb;
     sum.asymmetry.viscous += turns * turns * first.asymmetry.viscous;
     return sum;

@@ -22,7 +22,8 @@ enum class Placement { at_motor, at_joint };
 Reduction lever_to_three_mass(const Joint& joint);
 
 /// Fig. 5 → 6: the transmission's inertia and friction go to the motor or to the link. The frictions that meet on one
-/// body become one law where both are coulomb-viscous, or where one of them is zero; anything else has no single law.
+/// body become one law where one is zero, or coulomb-viscous and the other takes a level (coulomb-viscous, Stribeck;
+/// without a viscous part kinetic-static, rate-and-state, ageing); anything else has no single law.
 Reduction three_mass_to_two_mass(const Joint& joint, Placement placement);
 
 /// Fig. 6 → 7: the motor is an ideal source. Position control (7a): it moves at V_0 whatever the force, and the

@@ -3,6 +3,7 @@
 #include "analysis/stability/verdict.h"
 #include "sweep/files/joint_file.h"
 #include "sweep/files/nonlinear_json.h"
+#include "sweep/files/study_json.h"
 #include "sweep/files/verdict_json.h"
 #include "sweep/program.h"
 #include "sweep/report/verdict_text.h"
@@ -31,6 +32,7 @@ int evaluate(const Options& options)
     const auto nonlinear = nonlinear_verdict(joint, nonlinear_options);
     if (options.json) {
         auto json = verdict_json(verdict);
+        if (verdict.steady.reason == Reason::none) json["linear"].update(study_json(joint, linear_study(joint)));
         json["nonlinear"] = nonlinear_json(nonlinear);
         fmt::print("{}\n", json.dump(2));
     } else {

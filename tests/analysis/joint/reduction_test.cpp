@@ -72,7 +72,8 @@ TEST_CASE("every reduction says what it neglects", "[joint]")
 {
     CHECK_FALSE(two_mass_to_single_mass(samples::two_mass()).neglected.empty());
     auto two = samples::two_mass();
-    CHECK_THROWS_AS(rigid_transmission(two), std::invalid_argument);
+    two.frictions.motor.law = CoulombViscous{1, 2};
+    CHECK_THROWS_AS(rigid_transmission(two), std::invalid_argument);  // no viscous part in rate-and-state
     two.frictions.motor.law = CoulombViscous{0, 0};
     CHECK_FALSE(rigid_transmission(two).neglected.empty());
     auto three = samples::three_mass();
@@ -80,4 +81,27 @@ TEST_CASE("every reduction says what it neglects", "[joint]")
     // two laws with memory on one body have no common law
     three.frictions.transmission = three.frictions.link;
     CHECK_THROWS_AS(three_mass_to_two_mass(three, Placement::at_joint), std::invalid_argument);
+}
+
+TEST_CASE("frictions that move as one add up in sliding", "[joint]")
+{
+    for (const FrictionLaw& law : {FrictionLaw(samples::rate_and_state<RateAndState>()),
+                                   FrictionLaw(Stribeck{10, 5, 4, 1e-2, 2}), FrictionLaw(CoulombViscous{3, 4})}) {
+        auto joint = samples::two_mass();
+        joint.mechanism.transmission.ratio = 3;
+        joint.frictions.motor.law = CoulombViscous{2, info(law).needs_motion ? 0.0 : 0.5};
+        joint.frictions.link.law = law;
+        const auto one = rigid_transmission(joint).joint.friction;
+        for (const double V : {1e-4, 1e-2})
+            CHECK(steady_force(one, V) ==
+                  Approx(3 * steady_force(joint.frictions.motor, 3 * V) + steady_force(joint.frictions.link, V)));
+        // the same inside out: the law at the motor keeps its numbers only without a reduction
+        std::swap(joint.frictions.motor, joint.frictions.link);
+        if (!std::holds_alternative<CoulombViscous>(law))
+            CHECK_THROWS_AS(rigid_transmission(joint), std::invalid_argument);
+        joint.mechanism.transmission.ratio = 1;
+        const auto other = rigid_transmission(joint).joint.friction;
+        CHECK(steady_force(other, 1e-3) ==
+              Approx(steady_force(joint.frictions.motor, 1e-3) + steady_force(joint.frictions.link, 1e-3)));
+    }
 }

@@ -1,0 +1,38 @@
+// Everything beyond the verdict that the linear theory can say of one joint: what evaluate prints and reports draw.
+#pragma once
+#include <optional>
+
+#include "analysis/stability/comparison.h"
+#include "analysis/stability/loop.h"
+#include "analysis/stability/reduction_study.h"
+#include "analysis/stability/resolution.h"
+
+namespace stickslip {
+
+/// Armstrong's ramps at the joint's own rate of force.
+struct ForceRamp {
+    double rate = missing;                                ///< (k_p + k_c) V_0
+    std::vector<Interval> velocity_only, state_variable;  ///< stable k_p at that rate
+};
+
+struct LinearStudy {
+    double compliance = missing;  ///< |X/D|(0): lasting displacement per lasting force on the link
+    ResponsePeak peak{missing, missing};
+    LoopMargins margins{missing, missing, missing, missing};
+    Interval velocities{missing, missing};  ///< searched for stable_velocities
+    StableVelocities velocity_only, state_variable;
+    std::optional<RangeGain> range_gain;  ///< single mass: k_v for every velocity up to the highest searched
+    Comparison comparison;
+    double velocity_noise = missing;  ///< σ_v/σ_x = √2/T of a differenced position, where the loop has a sample time
+    GainMix mix;                      ///< for velocity_noise
+    std::optional<ForceRamp> ramp;    ///< force control
+    std::vector<ReductionStudy> reductions;
+};
+
+/// How far velocities and springs are searched to either side of the joint's own.
+inline constexpr double study_decades = 3;
+
+/// The study at the joint's commanded velocity. Without steady sliding all is missing.
+LinearStudy linear_study(const Joint& joint);
+
+}  // namespace stickslip

@@ -1,0 +1,115 @@
+#include "sweep/files/study_json.h"
+
+#include "analysis/stability/steady.h"
+
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+Json intervals_json(const std::vector<Interval>& list)
+{
+    Json json = Json::array();
+    for (const auto& i : list) json.push_back({json_number(i.low), json_number(i.high)});
+    return json;
+}
+
+Json numbers_json(const std::vector<double>& list)
+{
+    Json json = Json::array();
+    for (const double v : list) json.push_back(json_number(v));
+    return json;
+}
+
+Json velocities_json(const StableVelocities& v)
+{
+    return {{"stable", intervals_json(v.intervals)},
+            {"least", json_number(v.least)},
+            {"all_above", json_number(v.all_above)},
+            {"least_force_rate", json_number(v.least_force_rate)}};
+}
+
+Json comparison_json(const Comparison& c)
+{
+    return {
+        {"k_v_demanded",
+         {{"velocity_only", json_number(c.k_v_demanded_velocity_only())},
+          {"state_variable", json_number(c.k_v_demanded_memory())}}},
+        {"stable_k_v",
+         {{"velocity_only", intervals_json(c.k_v_velocity_only)}, {"state_variable", intervals_json(c.k_v_memory)}}},
+        {"stable_k_p",
+         {{"velocity_only", intervals_json(c.k_p_velocity_only)}, {"state_variable", intervals_json(c.k_p_memory)}}},
+        {"forbidden_needlessly_k_p", intervals_json(c.forbidden_needlessly)},
+        {"allowed_wrongly_k_p", intervals_json(c.allowed_wrongly)}};
+}
+
+Json reduction_json(const ReductionStudy& r)
+{
+    Json json{{"name", r.name}};
+    if (!r.refused.empty()) {
+        json["refused"] = r.refused;
+        return json;
+    }
+    json["neglected"] = r.neglected;
+    json["assumption"] = r.assumption;
+    json["boundary_of"] = r.boundary_path;
+    json["full"] = numbers_json(r.own.full);
+    json["reduced"] = numbers_json(r.own.reduced);
+    json["error"] = json_number(r.own.error);
+    json["assumed_large"] = r.assumption_path.empty() ? Json(nullptr) : Json(r.assumption_path);
+    json["within_1_percent_from"] = json_number(r.good_from);
+    json["within_10_percent_from"] = json_number(r.fair_from);
+    return json;
+}
+
+/// Two decades to either side of the joint's own gain, in twelve steps a decade.
+Json locus_json(const Joint& joint)
+{
+    constexpr int steps = 48;
+    std::vector<double> gains;
+    for (int i = 0; i <= steps; ++i) gains.push_back(joint.control.k_p * std::pow(10, 4.0 * i / steps - 2));
+    const auto rows = root_locus(linear_joint(joint, commanded_velocity(joint)), gains);
+    Json json = Json::array();
+    for (std::size_t i = 0; i < gains.size(); ++i) {
+        Json roots = Json::array();
+        for (const auto& s : rows[i]) roots.push_back({json_number(s.real()), json_number(s.imag())});
+        json.push_back({{"k_p", gains[i]}, {"roots", roots}});
+    }
+    return json;
+}
+
+}  // namespace
+
+Json study_json(const Joint& joint, const LinearStudy& s)
+{
+    Json json;
+    json["response"] = {{"at_rest", json_number(s.compliance)},
+                        {"peak", json_number(s.peak.magnitude)},
+                        {"peak_omega", json_number(s.peak.omega)}};
+    json["margins"] = {{"gain_below", json_number(s.margins.gain_below)},
+                       {"gain_above", json_number(s.margins.gain_above)},
+                       {"phase", json_number(s.margins.phase)},
+                       {"crossover", json_number(s.margins.crossover)}};
+    json["root_locus"] = locus_json(joint);
+    json["velocities"] = {{"searched", {json_number(s.velocities.low), json_number(s.velocities.high)}},
+                          {"velocity_only", velocities_json(s.velocity_only)},
+                          {"state_variable", velocities_json(s.state_variable)},
+                          {"k_v_for_all", s.range_gain ? json_number(s.range_gain->k_v) : Json(nullptr)},
+                          {"hardest", s.range_gain ? json_number(s.range_gain->velocity) : Json(nullptr)}};
+    json["comparison"] = comparison_json(s.comparison);
+    json["comparison"]["optimal_mix"] = {{"velocity_noise", json_number(s.velocity_noise)},
+                                         {"k_p", json_number(s.mix.k_p)},
+                                         {"k_v", json_number(s.mix.k_v)},
+                                         {"noise", json_number(s.mix.noise)}};
+    json["force_ramp"] = nullptr;
+    if (s.ramp)
+        json["force_ramp"] = {{"rate", json_number(s.ramp->rate)},
+                              {"stable_k_p",
+                               {{"velocity_only", intervals_json(s.ramp->velocity_only)},
+                                {"state_variable", intervals_json(s.ramp->state_variable)}}}};
+    json["reductions"] = Json::array();
+    for (const auto& r : s.reductions) json["reductions"].push_back(reduction_json(r));
+    return json;
+}
+
+}  // namespace stickslip

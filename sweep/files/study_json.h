@@ -1,0 +1,12 @@
+// The linear study as `stickslip evaluate --json` prints it: documented, stable names.
+#pragma once
+#include "analysis/stability/study.h"
+#include "sweep/files/verdict_json.h"
+
+namespace stickslip {
+
+/// {"response", "margins", "root_locus", "velocities", "comparison", "force_ramp", "reductions"}; what does not exist
+/// or has no bound is null. docs/evaluate.md says what each name means.
+Json study_json(const Joint& joint, const LinearStudy& study);
+
+}  // namespace stickslip

@@ -1,0 +1,18 @@
+# The analysis floor as a CMake package: find_package(stickslip) gives stickslip::analysis.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/stickslip)
+
+# "libresults.a" would say nothing in a library folder that all programs share.
+set_target_properties(results PROPERTIES OUTPUT_NAME stickslip-results)
+set_target_properties(analysis PROPERTIES OUTPUT_NAME stickslip-analysis)
+target_compile_features(results PUBLIC cxx_std_20)
+target_include_directories(results INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/stickslip>)
+
+install(TARGETS results analysis EXPORT stickslip ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library)
+install(EXPORT stickslip NAMESPACE stickslip:: FILE stickslip-targets.cmake DESTINATION ${package_dir} COMPONENT library)
+install(DIRECTORY analysis DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/stickslip COMPONENT library FILES_MATCHING PATTERN "*.h")
+configure_package_config_file(cmake/stickslip-config.cmake.in stickslip-config.cmake INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(stickslip-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/stickslip-config.cmake ${PROJECT_BINARY_DIR}/stickslip-config-version.cmake
+  DESTINATION ${package_dir} COMPONENT library)

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <functional>
 
+#include "analysis/stability/critical_gain.h"
 #include "analysis/stability/joint_crossings.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/verdict.h"
@@ -25,6 +26,20 @@ void measure(const char* name, Joint joint, int count, const std::function<doubl
     std::printf("%-58s %12.0f /s   (checksum %g)\n", name, count / time.count(), sum);
 }
 
+/// Critical gains per second by the closed form alone, over velocity gains, for a friction that is linearised already.
+void measure_closed_form(const Joint& joint, int count)
+{
+    const auto friction = linearise(joint.friction, joint.control.V0);
+    double sum = 0;
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < count; ++i)
+        if (const auto critical = critical_gain(joint.mechanism.inertia, 1e-6 * i, friction))
+            sum += critical->k_p + critical->omega;
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    std::printf("%-58s %12.0f /s   (checksum %g)\n", "single mass, one state: closed form alone", count / time.count(),
+                sum);
+}
+
 }  // namespace
 
 int main()
@@ -35,6 +50,7 @@ int main()
     const auto gains = [](const Joint& j) {
         return double(rational_crossings(linear_joint(j, j.control.V0), Gain::k_p).size());
     };
+    measure_closed_form(samples::single_mass(1), 100'000'000);
     measure("single mass, one state: row of a sweep", samples::single_mass(1), 1'000'000, row);
     measure("single mass, one state: stability verdict", samples::single_mass(1), 500'000, verdict);
     measure("three masses, nine states: stability verdict", samples::nine_states(), 200'000, verdict);

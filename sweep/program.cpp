@@ -3,11 +3,13 @@
 #include "sweep/engine/build.h"
 #include "sweep/engine/run_directory.h"
 #include "sweep/files/bad_input.h"
+#include "sweep/verbs/usage.h"
 #include "sweep/verbs/verbs.h"
 
 #include <fmt/format.h>
 
 #include <csignal>
+#include <filesystem>
 
 namespace stickslip {
 namespace {
@@ -55,6 +57,7 @@ int run_program(int argc, char** argv, Cluster* cluster)
         "stickslip: where a joint slides and where it sticks.\n"
         "Sweeps the design space of a robot joint, locates its stability boundaries, and diagnoses sim-to-real gaps.\n"
         "All numbers are SI; a revolute joint reads rad, N·m, kg·m² where a prismatic one reads m, N, kg."};
+    app.name("stickslip");
     app.set_version_flag("--version", "stickslip " + program_version());
     app.require_subcommand(1);
     app.footer(
@@ -73,13 +76,19 @@ int run_program(int argc, char** argv, Cluster* cluster)
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
-        const int code = app.exit(e);
-        return code == 0 ? exit_done : exit_bad_input;
+        if (e.get_exit_code() == 0) return app.exit(e);  // help or version, on standard output
+        fmt::print(stderr, "{}", usage_error(app, e, {argv + 1, argv + argc}));
+        return exit_bad_input;
     } catch (const BadInput& e) {
         for (const auto& message : e.messages()) fmt::print(stderr, "{}\n", message);
         return exit_bad_input;
     } catch (const Refused& e) {
         fmt::print(stderr, "{}\n", e.what());
+        return exit_bad_input;
+    } catch (const std::filesystem::filesystem_error& e) {
+        fmt::print(stderr,
+                   "stickslip: {}: {}\nChoose a directory that exists on a disk and that you may write to, with -o.\n",
+                   e.path1().string(), e.code().message());
         return exit_bad_input;
     } catch (const std::exception& e) {
         fmt::print(stderr, "stickslip: {}\n", e.what());

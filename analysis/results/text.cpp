@@ -64,7 +64,11 @@ std::string plain_number(double value, int digits)
 
 ScaledUnit scaled_unit(double largest, Quantity quantity, Motion motion)
 {
-    const std::string unit(unit_of(quantity, motion));
+    return scaled_unit(largest, std::string(unit_of(quantity, motion)));
+}
+
+ScaledUnit scaled_unit(double largest, const std::string& unit)
+{
     if (takes_prefix(unit))
         for (const auto& p : prefixes) {
             const double scaled = std::abs(largest) / std::pow(10, p.exponent);
@@ -79,6 +83,19 @@ std::string with_unit(double value, Quantity quantity, Motion motion, int digits
     if (std::isnan(value) || unit == "1") return plain_number(value, digits);
     const ScaledUnit scaled = scaled_unit(std::isfinite(value) ? rounded(value, digits) : 0, quantity, motion);
     return plain_number(value / scaled.size, digits) + " " + scaled.text;
+}
+
+std::string counted(std::uint64_t count, std::string_view noun)
+{
+    return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
+}
+
+std::string grouped(std::uint64_t count)
+{
+    std::string digits = std::to_string(count);
+    for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3)
+        digits.insert(static_cast<std::size_t>(at), "\u202f");
+    return digits;
 }
 
 std::string percent(double share)

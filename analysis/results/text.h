@@ -3,7 +3,9 @@
 #pragma once
 #include "analysis/results/quantity.h"
 
+#include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace stickslip {
 
@@ -19,9 +21,16 @@ struct ScaledUnit {
 
 /// For a column or an axis whose largest number is `largest`; the bare unit where it takes no prefix.
 ScaledUnit scaled_unit(double largest, Quantity quantity, Motion motion);
+ScaledUnit scaled_unit(double largest, const std::string& unit);
 
 /// The number alone, "5.5×10^{4}" in chart mark-up where a plain one would be long.
 std::string plain_number(double value, int digits = 3);
+
+/// "1 point", "41 points": for nouns with a plain plural.
+std::string counted(std::uint64_t count, std::string_view noun);
+
+/// "401 841" with narrow no-break spaces, for pages.
+std::string grouped(std::uint64_t count);
 
 /// "38.7 %"; a share that is not quite 0 or 1 is never printed as if it were.
 std::string percent(double share);

@@ -47,4 +47,7 @@ struct AxisLabel {
 AxisLabel axis_label(const std::string& name, const std::string& symbol, Quantity quantity, Motion motion,
                      const Scale& scale);
 
+/// The same for a finished label, "velocity V [m/s]": on a linear axis the unit in the last brackets takes the prefix.
+AxisLabel axis_label(const std::string& label, const Scale& scale);
+
 }  // namespace stickslip::drawing

@@ -70,6 +70,34 @@ void marker(Canvas& canvas, Point at, std::size_t index, Colour colour)
     }
 }
 
+double length_of(const std::vector<Polyline>& pieces)
+{
+    double length = 0;
+    for (const Polyline& piece : pieces)
+        for (std::size_t i = 0; i + 1 < piece.size(); ++i)
+            length += std::hypot(piece[i + 1].x - piece[i].x, piece[i + 1].y - piece[i].y);
+    return length;
+}
+
+/// Marks on a line that winds, like an orbit or an oscillation, or on one made of dashes would read as samples.
+bool takes_markers(const LineChart& chart, std::size_t index, const std::vector<Polyline>& pieces)
+{
+    return chart.lines.size() > 1 && !chart.lines[index].dashed && length_of(pieces) < 3 * (plot_width + plot_height);
+}
+
+/// A curve in the plane, not a function of x: it needs air on all sides.
+bool winds(const LineChart::Line& line)
+{
+    return !std::is_sorted(line.x.begin(), line.x.end());
+}
+
+/// A single line needs a legend only where the axis does not name it already.
+bool needs_legend(const LineChart& chart)
+{
+    if (chart.lines.size() != 1) return !chart.lines.empty();
+    return chart.y_label.find(chart.lines[0].name) == std::string::npos;
+}
+
 /// Evenly spaced along the visible line, each line with its own offset.
 void draw_markers(Canvas& canvas, const std::vector<Polyline>& pieces, std::size_t index)
 {
@@ -114,15 +142,17 @@ Drawn draw(const LineChart& chart, const std::string& description, const Fonts& 
     check(chart);
     std::vector<double> xs = all_values(chart, &LineChart::Line::x, chart.x_log);
     for (const auto& mark : chart.x_marks) xs.push_back(mark.second);
-    const Scale x = spanning(xs, chart.x_log);
+    const bool orbit = std::any_of(chart.lines.begin(), chart.lines.end(), winds);
+    const Scale x = orbit ? with_room(spanning(xs, chart.x_log)) : spanning(xs, chart.x_log);
     const Scale y = with_room(spanning(all_values(chart, &LineChart::Line::y, chart.y_log), chart.y_log));
 
     Canvas canvas(picture_width, fonts);
     const double heading = draw_heading(canvas, axis_margin, plot_width, chart.title, chart.fixed, "");
     const std::vector<int> levels = mark_levels(canvas, chart, x);
     const double marks = levels.empty() ? 0 : mark_line * (*std::max_element(levels.begin(), levels.end()) + 1);
-    const Frame frame{
-        {axis_margin, heading + marks, plot_width, plot_height}, {x, {chart.x_label}}, {y, {chart.y_label}}};
+    const Frame frame{{axis_margin, heading + marks, plot_width, plot_height},
+                      {x, axis_label(chart.x_label, x)},
+                      {y, axis_label(chart.y_label, y)}};
     draw_grid(canvas, frame);
     for (std::size_t i = 0; i < chart.x_marks.size(); ++i) {
         const double at = frame.at(chart.x_marks[i].second, y.low).x, top = frame.box.top - mark_line * levels[i];
@@ -137,19 +167,18 @@ Drawn draw(const LineChart& chart, const std::string& description, const Fonts& 
         std::vector<Polyline> pieces = clip(points, frame.box);
         const Pen pen = pen_of(i, line.dashed);
         for (Polyline& piece : pieces) canvas.line(piece = thin(piece, 0.1), pen);
-        if (chart.lines.size() > 1) draw_markers(canvas, pieces, i);
-        entries.push_back({[&canvas, &chart, pen, i](const Rectangle& box) {
+        const bool marked = takes_markers(chart, i, pieces);
+        if (marked) draw_markers(canvas, pieces, i);
+        entries.push_back({[&canvas, marked, pen, i](const Rectangle& box) {
                                const double middle = box.top + box.height / 2;
                                canvas.line({{box.left, middle}, {box.right(), middle}}, pen);
-                               if (chart.lines.size() > 1)
-                                   marker(canvas, {box.left + box.width / 2, middle}, i, pen.colour);
+                               if (marked) marker(canvas, {box.left + box.width / 2, middle}, i, pen.colour);
                            },
                            line.name});
     }
     draw_axes(canvas, frame);
     double bottom = frame.box.bottom() + axis_depth;
-    if (entries.size() > 1 || (entries.size() == 1 && !entries[0].text.empty()))
-        bottom = draw_legend(canvas, entries, frame.box.left, bottom + 12, plot_width);
+    if (needs_legend(chart)) bottom = draw_legend(canvas, entries, frame.box.left, bottom + 12, plot_width);
     const int height = static_cast<int>(std::ceil(bottom)) + 6;
     return {canvas.svg(height, plain_text(chart.title), description), "", picture_width, height, frame.box};
 }

@@ -24,7 +24,7 @@ std::string read_number(const toml::node& node, const Field& f, Motion motion, d
         given = *number;
     } else if (const auto* text = node.as_string()) {
         const auto reading = parse_number_with_unit(text->get(), f.quantity, motion);
-        if (!reading.error.empty()) return "is " + reading.error;
+        if (!reading.error.empty()) return reading.error;
         given = reading.value;
         written += " (" + number_text(given) + " " + std::string(unit_of(f.quantity, motion)) + ")";
     } else {

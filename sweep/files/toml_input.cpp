@@ -25,6 +25,32 @@ std::string at(const std::string& source, const Place& place)
     return source + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
 }
 
+std::string_view line_of(std::string_view text, unsigned number)
+{
+    for (; number > 1 && !text.empty(); --number) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    return text.substr(0, std::min(text.find('\n'), text.find('\r')));
+}
+
+/// toml++ says what its parser was doing; a writer wants to know what is wrong with the line.
+std::string syntax_error(std::string_view parser_says, std::string_view line)
+{
+    const auto first = std::min(line.find_first_not_of(" \t"), line.size());
+    line.remove_prefix(first);
+    if (parser_says.find("cannot redefine") != std::string_view::npos) {
+        const auto name =
+            line.starts_with('[') ? line : line.substr(0, line.find_last_not_of(" \t", line.find('=') - 1) + 1);
+        return std::string(name) + " stands twice in this file; keep one of the two";
+    }
+    if (parser_says.starts_with("Error while parsing "))
+        parser_says.remove_prefix(std::min(parser_says.find(": "), parser_says.size() - 2) + 2);
+    std::string text = "not valid TOML: " + std::string(parser_says);
+    const auto equals = line.find('=');
+    const bool number_with_text = equals != std::string_view::npos &&
+                                  parser_says.find("expected a comment or whitespace") != std::string_view::npos;
+    if (number_with_text) text += "; a number with a unit stands in quotes, as in V0 = \"1 mm/s\"";
+    return text;
+}
+
 }  // namespace
 
 void Complaints::add(const Place& place, std::string_view path, std::string_view text)
@@ -78,7 +104,8 @@ toml::table parse_toml(std::string_view text, const std::string& name)
         return toml::parse(text, std::string_view(name));
     } catch (const toml::parse_error& error) {
         Complaints complaints(name);
-        complaints.add(Place(error.source()), "", "not valid TOML: " + std::string(error.description()));
+        const Place place(error.source());
+        complaints.add(place, "", syntax_error(error.description(), line_of(text, place.line)));
         throw BadInput(complaints.messages());
     }
 }

@@ -132,16 +132,6 @@ Figure surface_figure(const Joint& joint, const Axis& x, const Axis& y)
     return figure;
 }
 
-/// The share of a chart's area, axes as drawn, that has this region.
-double share_of(const Slice& slice, Region region)
-{
-    const auto shares = area_shares(slice.x, slice.y);
-    double sum = 0;
-    for (std::size_t i = 0; i < shares.size(); ++i)
-        if (slice.region[i] == region) sum += shares[i];
-    return sum;
-}
-
 const Axis* axis_of(const Spec& spec, const std::string& path)
 {
     for (const auto& axis : spec.axes)

@@ -1,5 +1,6 @@
 // stickslip merge: journals of shards become one results.nc.
 #include "sweep/engine/merge.h"
+#include "analysis/results/text.h"
 #include "sweep/engine/run_directory.h"
 #include "sweep/program.h"
 #include "sweep/verbs/verbs.h"
@@ -22,7 +23,8 @@ int merge_journals(const Options& options)
     const std::filesystem::path results =
         options.results.empty() ? directories.front() / run_files::results : std::filesystem::path(options.results);
     const auto merged = merge(directories, results);
-    fmt::print("{} points merged in {:.2f} s\nresults: {}\n", merged.points, merged.seconds, results.string());
+    fmt::print("{} merged in {:.2f} s\nresults: {}\n", counted(merged.points, "point"), merged.seconds,
+               results.string());
     return exit_done;
 }
 

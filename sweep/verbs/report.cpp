@@ -1,6 +1,7 @@
 // stickslip report: draw the page of a finished sweep again.
 #include "sweep/engine/results_file.h"
 #include "sweep/engine/run_directory.h"
+#include "sweep/files/bad_input.h"
 #include "sweep/files/spec_file.h"
 #include "sweep/program.h"
 #include "sweep/report/summary.h"
@@ -16,6 +17,9 @@ namespace {
 
 int report(const std::string& directory)
 {
+    if (!std::filesystem::exists(std::filesystem::path(directory) / run_files::results))
+        throw BadInput(directory + ": holds no finished sweep (results.nc); make one with: stickslip sweep -o " +
+                       directory);
     const ResultsFile results(std::filesystem::path(directory) / run_files::results);
     // the spec travels with its results, with its joint written out, so that the page needs no other file
     Spec spec = read_spec_text(results.attribute("spec"), directory + " (spec of results.nc)");

@@ -1,6 +1,8 @@
 // stickslip sweep: from a spec to results.nc and report.html.
+#include "analysis/results/text.h"
 #include "analysis/stability/verdict.h"
 #include "sweep/embedded.h"
+#include "sweep/engine/run_directory.h"
 #include "sweep/engine/run_on_cluster.h"
 #include "sweep/evaluate.h"
 #include "sweep/files/bad_input.h"
@@ -94,19 +96,19 @@ int sweep(const Options& options, Invocation& invocation)
     std::filesystem::path page;
     if (!options.no_report) page = write_report(stability_report(spec, summary), options.directory);
     if (options.json) {
-        fmt::print("{}\n", nlohmann::ordered_json{{"points", summary.points},
-                                                  {"computed", run.computed.points},
-                                                  {"undecided", summary.undecided},
-                                                  {"results", run.results.string()},
-                                                  {"report", page.empty() ? nlohmann::ordered_json(nullptr)
-                                                                          : nlohmann::ordered_json(page.string())}}
-                               .dump(2));
+        nlohmann::ordered_json json{{"points", summary.points},
+                                    {"computed", run.computed.points},
+                                    {"undecided", summary.undecided},
+                                    {"results", absolute(run.results).string()},
+                                    {"report", nullptr}};
+        if (!page.empty()) json["report"] = absolute(page).string();
+        fmt::print("{}\n", json.dump(2));
     } else {
         fmt::print("{}\n", plain_text(verdict_text(design, verdict)));
-        fmt::print("{} points, {} of them computed now in {:.2f} s, {} undecided\n", summary.points,
+        fmt::print("{}, {} of them computed now in {:.2f} s, {} undecided\n", counted(summary.points, "point"),
                    run.computed.points, run.computed.seconds, summary.undecided);
-        for (const auto& [reason, count] : summary.reasons) fmt::print("  {} points: {}\n", count, reason);
-        fmt::print("results: {}\n", run.results.string());
+        for (const auto& [reason, count] : summary.reasons) fmt::print("  {}: {}\n", counted(count, "point"), reason);
+        fmt::print("results: {}\n", (std::filesystem::path(options.directory) / run_files::results).string());
         if (!page.empty()) fmt::print("report:  {}\n", page.string());
     }
     return undecided > options.max_undecided ? exit_undecided : exit_done;

@@ -87,3 +87,52 @@ TEST_CASE("places that cannot be read or written are named", "[program]")
     CHECK(stickslip("swep").exit_code == 2);
     CHECK(stickslip("evaluate").exit_code == 2);
 }
+
+TEST_CASE("a wrong command line is told what is allowed and the nearest name", "[program]")
+{
+    struct Wrong {
+        const char *arguments, *says;
+    };
+    const Wrong cases[] = {
+        {"swep", "there is no verb \"swep\""},
+        {"swep", "did you mean sweep?"},
+        {"", "Example: stickslip sweep -o out"},
+        {"sweep --freh", "stickslip sweep: there is no option \"--freh\""},
+        {"sweep --freh", "did you mean --fresh?"},
+        {"evaluate", "JOINT is required\nExample: stickslip evaluate"},
+        {"evaluate a.toml b.toml", "\"b.toml\" is one argument too many"},
+        {"simulate a.toml --disturbance posit", "given is \"posit\", allowed are position, velocity"},
+        {"simulate a.toml --disturbance posit", "did you mean position?"},
+        {"report /dev/null/out", "/dev/null/out: holds no finished sweep"},
+    };
+    for (const auto& wrong : cases) {
+        const auto run = stickslip(wrong.arguments);
+        INFO(run.output);
+        CHECK(run.exit_code == 2);
+        CHECK_THAT(run.output, Contains(wrong.says));
+    }
+}
+
+TEST_CASE("a directory that cannot be made is named, and what to do", "[program]")
+{
+    const auto run = stickslip("sweep -o /proc/results");
+    INFO(run.output);
+    CHECK(run.exit_code == 2);
+    CHECK_THAT(run.output, Contains("stickslip: /proc/results: No such file or directory\nChoose a directory"));
+}
+
+TEST_CASE("what stands wrong in a file is said in the words of its writer", "[program]")
+{
+    Folder folder;
+    const auto says = [&](const std::string& from, const std::string& to) {
+        const auto run =
+            stickslip("sweep '" + folder.write("spec.toml", with(from, to)) + "' -o '" + (folder / "out'"));
+        CHECK(run.exit_code == 2);
+        return run.output;
+    };
+    CHECK_THAT(says("k_v = 10.0", "k_v = \"fast\""),
+               Contains("control.k_v: \"fast\" is not a number with a unit such as N·s/m"));
+    CHECK_THAT(says("k_v = 10.0", "k_v = 10.0\nk_v = 11.0"), Contains("spec.toml:8:") && Contains("k_v stands twice"));
+    CHECK_THAT(says("[friction]", "[control]\n[friction]"), Contains("[control] stands twice"));
+    CHECK_THAT(says("V0 = 1e-3", "V0 = 1 mm/s"), Contains("a number with a unit stands in quotes"));
+}

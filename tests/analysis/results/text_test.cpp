@@ -32,3 +32,14 @@ TEST_CASE("plain numbers and shares never round to a lie", "[text]")
     CHECK(percent(1) == "100 %");
     CHECK(percent(0) == "0 %");
 }
+
+TEST_CASE("counts read as words and large ones in groups")
+{
+    CHECK(stickslip::counted(1, "point") == "1 point");
+    CHECK(stickslip::counted(0, "point") == "0 points");
+    CHECK(stickslip::counted(401841, "point") == "401841 points");
+    CHECK(stickslip::grouped(41) == "41");
+    CHECK(stickslip::grouped(999) == "999");
+    CHECK(stickslip::grouped(1000) == "1\u202f000");
+    CHECK(stickslip::grouped(1234567) == "1\u202f234\u202f567");
+}

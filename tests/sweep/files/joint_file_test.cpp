@@ -184,11 +184,11 @@ TEST_CASE("wrong types")
 TEST_CASE("units of another kind")
 {
     CHECK(only_error(with("V0 = \"1 mm/s\"", "V0 = \"1 mm\"")) ==
-          "joint.toml:9:6: control.V0: is \"1 mm\": \"mm\" is the unit of something else, expected is m/s");
+          "joint.toml:9:6: control.V0: \"1 mm\": \"mm\" is the unit of something else, expected is m/s");
     const auto all = errors(with("motion = \"prismatic\"", "motion = \"revolute\""));
     REQUIRE(all.size() == 3);
     CHECK(all[0] ==
-          "joint.toml:7:7: control.k_p: is \"20 kN/m\": \"kN/m\" is the unit of something else, expected is N·m/rad");
+          "joint.toml:7:7: control.k_p: \"20 kN/m\": \"kN/m\" is the unit of something else, expected is N·m/rad");
     CHECK_THAT(all[1], EndsWith("expected is rad/s"));
     CHECK_THAT(all[2], StartsWith("joint.toml:15:5: friction.L: ") && EndsWith("expected is rad"));
 }
@@ -294,7 +294,7 @@ TEST_CASE("settings that are wrong change nothing")
         return all.front();
     };
     CHECK(error("control.k_p=fast") ==
-          "--set control.k_p=fast: control.k_p: is \"fast\" is not a number with a unit such as N/m");
+          "--set control.k_p=fast: control.k_p: \"fast\" is not a number with a unit such as N/m");
     CHECK_THAT(error("control.kp=1"),
                StartsWith("--set control.kp=1: control.kp: unknown key") && EndsWith("\"k_p\"?"));
     CHECK_THAT(error("k_p=1"), EndsWith("did you mean \"control.k_p\"?"));

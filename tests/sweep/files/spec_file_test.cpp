@@ -157,7 +157,7 @@ TEST_CASE("axes that are wrong")
           "@2:24: axes.control.k_p: has 2 after 3, allowed are ascending values");
     CHECK(only_error(axis(k_p + "[1, 1]")) == "@2:21: axes.control.k_p: has 1 after 1, allowed are ascending values");
     CHECK_THAT(only_error(axis(k_p + "[1, \"2 N\"]")),
-               StartsWith("@2:21: axes.control.k_p: is \"2 N\": ") && EndsWith("expected is N/m"));
+               StartsWith("@2:21: axes.control.k_p: \"2 N\": ") && EndsWith("expected is N/m"));
     CHECK_THAT(only_error(axis(k_p + "[1, true]")),
                StartsWith("@2:21: axes.control.k_p: is true, allowed is a number in N/m"));
     CHECK_THAT(only_error(axis("\"joint.inertia\" = [0, 1]")),
@@ -222,7 +222,7 @@ TEST_CASE("design points that are wrong")
     CHECK_THAT(only_error(axes + "[design]\n\"joint.inertia\" = -1\n"),
                StartsWith("@5:19: design.joint.inertia: is -1, allowed is"));
     CHECK_THAT(only_error(axes + "[design]\ncontrol.k_p = \"1 mm\"\n"),
-               StartsWith("@5:15: design.control.k_p: is \"1 mm\""));
+               StartsWith("@5:15: design.control.k_p: \"1 mm\""));
     CHECK(only_error("design = 3\n" + axes).find("friction.design") != std::string::npos);  // it stands in [friction]
 }
 

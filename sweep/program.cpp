@@ -64,6 +64,7 @@ int run_program(int argc, char** argv, Cluster* cluster)
         "Exit codes: 0 done, 1 check failed, 2 bad input, 3 interrupted and resumable, 4 too many undecided points.\n"
         "Example: stickslip sweep -o out && xdg-open out/report.html");
     add_sweep(app, invocation);
+    add_boundary(app, invocation);
     add_check(app, invocation);
     add_evaluate(app, invocation);
     add_list(app, invocation);

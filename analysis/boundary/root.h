@@ -14,10 +14,10 @@ struct Bracketed {
 };
 
 /// The sign change of f within [a, b], given f(a) and f(b) of opposite sign (or zero). Stops when the bracket is
-/// narrower than precision · |value|, or f is exactly zero. Superlinear and never slower than bisection by more than a
-/// factor. Source: T. R. Chandrupatla, Adv. Eng. Softw. 28 (1997) 145-149.
+/// narrower than precision · |value| or than `floor`, or f is exactly zero. Superlinear and never slower than bisection
+/// by more than a factor. Source: T. R. Chandrupatla, Adv. Eng. Softw. 28 (1997) 145-149.
 template <class Function>
-Bracketed bracketed_root(Function&& f, double a, double fa, double b, double fb, double precision)
+Bracketed bracketed_root(Function&& f, double a, double fa, double b, double fb, double precision, double floor = 0)
 {
     double c = a, fc = fa;
     double t = 0.5;
@@ -35,7 +35,7 @@ Bracketed bracketed_root(Function&& f, double a, double fa, double b, double fb,
         a = x, fa = fx;
         const bool a_is_better = std::abs(fa) < std::abs(fb);
         const double best = a_is_better ? a : b;
-        const double width = std::abs(b - a), wanted = precision * std::abs(best);
+        const double width = std::abs(b - a), wanted = std::max(floor, precision * std::abs(best));
         if ((a_is_better ? fa : fb) == 0) return {best, best, best, evaluations + 1, true};
         if (width <= wanted) return {best, std::min(a, b), std::max(a, b), evaluations + 1, true};
         // inverse quadratic interpolation where it is safe, else bisection

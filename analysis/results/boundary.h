@@ -1,4 +1,5 @@
-// Where a stability boundary lies: located points with their brackets, and margins of a design.
+// Where a stability boundary lies: located points with their brackets, followed curves with what could be missed, and
+// margins of a design.
 #pragma once
 #include "analysis/results/stability_map.h"
 
@@ -7,15 +8,100 @@
 
 namespace stickslip {
 
+/// What lies on the two sides of a boundary.
+enum class BoundaryKind {
+    velocity_only,   ///< linear theory, friction replaced by its steady-state curve
+    state_variable,  ///< linear theory with memory
+    v_min,           ///< the same along the commanded velocity: the least at which sliding is stable
+    fold,            ///< limit cycles exist at all, stable or not
+    outcome          ///< the stated disturbance ends in steady sliding
+};
+inline constexpr BoundaryKind boundary_kinds[] = {BoundaryKind::velocity_only, BoundaryKind::state_variable,
+                                                  BoundaryKind::v_min, BoundaryKind::fold, BoundaryKind::outcome};
+
+/// "velocity-only", "linear", "v-min", "fold", "outcome".
+std::string_view name_of(BoundaryKind kind);
+
+/// How a point was located.
+enum class LocationMethod {
+    interpolation,  ///< bracketed root of a continuous measure
+    bisection,      ///< only the side is known
+    shooting        ///< closed orbits whose Floquet multiplier is one
+};
+std::string_view name_of(LocationMethod method);
+
 /// One located point of a boundary along one parameter. The true crossing lies within [low, high].
 struct BoundaryPoint {
     double value = 0, low = 0, high = 0;
-    int direction = 0;       ///< +1: turns unstable as the parameter rises; −1: turns stable
+    int direction = 0;       ///< +1: turns unstable as the parameter rises; −1: turns stable; 0: not told
     bool converged = false;  ///< false: the bracket is wider than asked for
     int evaluations = 0;
+    LocationMethod method = LocationMethod::interpolation;
 
     double precision() const { return value != 0 ? (high - low) / (value < 0 ? -value : value) : high - low; }
 };
+
+/// One located point of a curve; its bracket lies along that axis which the curve crosses more steeply.
+struct CurvePoint {
+    double x = 0, y = 0;
+    bool along_y = true;
+    BoundaryPoint at;  ///< at.value is y if along_y, else x
+};
+
+/// Why a piece of a curve ends.
+enum class CurveEnd {
+    closed,     ///< it came back to its start
+    border,     ///< it leaves the chart
+    undecided,  ///< beyond lie points without a verdict
+    vanished,   ///< limit cycles shrink to nothing: the fold meets the linear boundary
+    lost        ///< could not be followed further
+};
+std::string_view name_of(CurveEnd end);
+
+/// One connected piece of a boundary.
+struct CurvePiece {
+    std::vector<CurvePoint> points;
+    CurveEnd first = CurveEnd::border, last = CurveEnd::border;
+};
+
+/// What watched over a chart while its curves were followed.
+struct CurveGuard {
+    int nodes = 0;        ///< points of the coarse grid
+    int undecided = 0;    ///< of them without a verdict
+    int changes = 0;      ///< edges of the grid whose ends lie on different sides
+    int unexplained = 0;  ///< of them crossed by no followed piece
+    int climbed = 0;      ///< nodes from which the nearest extremum was searched for islands between nodes
+    int islands = 0;      ///< found that way
+    double cell = 0;      ///< side of a cell as a share of an axis: closed pieces smaller than that can be missed
+    int evaluations = 0;
+};
+
+/// Every boundary of one kind along an axis.
+struct LocatedRay {
+    BoundaryKind kind = BoundaryKind::state_variable;
+    Axis axis;  ///< values: only the ends
+    std::vector<BoundaryPoint> points;
+    int nodes = 0;      ///< of the scan
+    int undecided = 0;  ///< of them without a verdict
+    int climbed = 0;    ///< extrema between nodes that were searched for a pair of boundaries
+    int evaluations = 0;
+    double stable_share = 0;  ///< of the scanned nodes: tells all stable from none where there is no boundary
+};
+
+/// A boundary followed over a chart.
+struct FollowedBoundary {
+    BoundaryKind kind = BoundaryKind::state_variable;
+    Axis x, y;  ///< values: only the ends
+    std::vector<CurvePiece> pieces;
+    CurveGuard guard;
+    int evaluations = 0;  ///< all, guard included
+
+    int points() const;
+    double precision() const;  ///< the coarsest of its points
+};
+
+/// The same as a chart draws it.
+Curve curve_of(const FollowedBoundary& boundary);
 
 /// How far one parameter of a design may move alone before the state-variable boundary is met.
 struct Margin {

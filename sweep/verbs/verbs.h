@@ -21,6 +21,7 @@ struct Invocation {
 void catch_interrupts(Invocation& invocation);
 
 void add_sweep(CLI::App& app, Invocation& invocation);
+void add_boundary(CLI::App& app, Invocation& invocation);
 void add_check(CLI::App& app, Invocation& invocation);
 void add_evaluate(CLI::App& app, Invocation& invocation);
 void add_list(CLI::App& app, Invocation& invocation);

@@ -1,0 +1,254 @@
+#include "analysis/boundary/boundary.h"
+
+#include "analysis/boundary/climb.h"
+#include "analysis/boundary/fold.h"
+#include "analysis/boundary/locate.h"
+#include "analysis/boundary/root.h"
+#include "analysis/joint/parameters.h"
+#include "analysis/simulation/nonlinear.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace stickslip {
+namespace {
+
+bool is_linear(BoundaryKind kind)
+{
+    return kind != BoundaryKind::fold && kind != BoundaryKind::outcome;
+}
+
+double& number_at(Joint& joint, const std::string& path)
+{
+    double* number = find_parameter(joint, path);
+    if (!number) throw std::invalid_argument("no number at " + path);
+    return *number;
+}
+
+double outcome_side(const Joint& joint, const Disturbance& disturbance)
+{
+    NonlinearOptions options;
+    options.disturbance = disturbance;
+    options.region = false;
+    switch (nonlinear_verdict(joint, options).outcome) {
+        case Outcome::stable_sliding:
+            return -1;
+        case Outcome::stick_slip:
+        case Outcome::limit_cycle:
+        case Outcome::reversal:
+        case Outcome::period_n:
+        case Outcome::irregular:
+            return 1;
+        default:
+            return missing;
+    }
+}
+
+/// The request as it stands after its defaults.
+BoundaryRequest completed(BoundaryRequest request)
+{
+    if (!is_set(request.precision)) request.precision = default_precision(request.kind);
+    if (request.scan == 0) request.scan = default_scan(request.kind);
+    if (!request.parallel)
+        request.parallel = [](std::size_t n, const std::function<void(std::size_t)>& task) {
+            for (std::size_t i = 0; i < n; ++i) task(i);
+        };
+    return request;
+}
+
+/// The least velocity is looked for with the velocity commanded as such.
+Joint prepared(Joint joint, BoundaryKind kind)
+{
+    if (kind == BoundaryKind::v_min) joint.control.force_rate = not_set;
+    return joint;
+}
+
+class Ray {
+  public:
+    Ray(const Joint& joint, const Axis& axis, const BoundaryRequest& request)
+        : joint_(joint), request_(request), unit_(axis)
+    {
+        ray_.kind = request.kind;
+        ray_.axis = axis;
+        ray_.axis.values = {axis.values.front(), axis.values.back()};
+    }
+
+    LocatedRay run()
+    {
+        scan();
+        const auto n = values_.size();
+        ray_.nodes = static_cast<int>(n);
+        ray_.evaluations = ray_.nodes;
+        int stable = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            ray_.undecided += std::isnan(sides_[i]);
+            stable += sides_[i] < 0;
+            if (i + 1 < n) bracket(values_[i], sides_[i], values_[i + 1], sides_[i + 1]);
+            if (i + 2 < n && is_linear(request_.kind)) climb(i);
+        }
+        ray_.stable_share = static_cast<double>(stable) / static_cast<double>(n);
+        std::sort(ray_.points.begin(), ray_.points.end(),
+                  [](const BoundaryPoint& a, const BoundaryPoint& b) { return a.value < b.value; });
+        return std::move(ray_);
+    }
+
+  private:
+    double side(double value)
+    {
+        Joint joint = joint_;
+        number_at(joint, ray_.axis.path) = value;
+        return side_of(joint, request_);
+    }
+
+    void scan()
+    {
+        const auto n = static_cast<std::size_t>(request_.scan) + 1;
+        values_.resize(n), sides_.resize(n);
+        for (std::size_t i = 0; i < n; ++i) values_[i] = unit_.value(static_cast<double>(i) / request_.scan);
+        request_.parallel(n, [&](std::size_t i) { sides_[i] = side(values_[i]); });
+    }
+
+    void bracket(double a, double fa, double b, double fb)
+    {
+        if (std::isnan(fa) || std::isnan(fb) || (fa < 0) == (fb < 0)) return;
+        const auto root =
+            bracketed_root([&](double v) { return side(v); }, a, fa, b, fb, request_.precision, unit_.least_width());
+        ray_.evaluations += root.evaluations;
+        ray_.points.push_back({root.value, root.low, root.high, fb > fa ? 1 : -1, root.converged, root.evaluations,
+                               is_linear(request_.kind) ? LocationMethod::interpolation : LocationMethod::bisection});
+    }
+
+    /// A pair of boundaries between three nodes of one side shows itself as an extremum towards zero.
+    void climb(std::size_t i)
+    {
+        const double a = sides_[i], b = sides_[i + 1], c = sides_[i + 2];
+        if (std::isnan(a + b + c) || (a < 0) != (b < 0) || (c < 0) != (b < 0)) return;
+        if (!(std::abs(b) < std::abs(a) && std::abs(b) < std::abs(c))) return;
+        ++ray_.climbed;
+        const double sign = b < 0 ? -1 : 1;
+        const double u = unit_.unit(values_[i + 1]);
+        double best = b, at = values_[i + 1];
+        climb_to_zero(
+            [&](double p) {
+                const double v = unit_.value(p), f = side(v);
+                ++ray_.evaluations;
+                if (sign * f < sign * best) best = f, at = v;
+                return sign * f;
+            },
+            u, unit_.unit(values_[i]), unit_.unit(values_[i + 2]));
+        if ((best < 0) == (b < 0)) return;
+        bracket(values_[i], a, at, best);
+        bracket(at, best, values_[i + 2], c);
+    }
+
+    const Joint& joint_;
+    const BoundaryRequest& request_;
+    UnitAxis unit_;
+    std::vector<double> values_, sides_;
+    LocatedRay ray_;
+};
+
+Sides sides_over(const Joint& joint, const Axis& x, const Axis& y, const BoundaryRequest& request)
+{
+    Sides sides;
+    sides.continuous = is_linear(request.kind);
+    sides.precision = request.precision;
+    sides.at = [&](double u, double v) {
+        Joint here = joint;
+        number_at(here, x.path) = u;
+        number_at(here, y.path) = v;
+        return side_of(here, request);
+    };
+    sides.many = [&, at = sides.at](const std::vector<double>& u, const std::vector<double>& v,
+                                    std::vector<double>& values) {
+        request.parallel(u.size(), [&](std::size_t i) { values[i] = at(u[i], v[i]); });
+    };
+    return sides;
+}
+
+/// Of a curve over (x, V_0) only what is the least stable velocity for its x: turning stable upwards, and no other such
+/// point below.
+void keep_least(FollowedBoundary& boundary)
+{
+    const auto lower_at = [&](const CurvePoint& p) {
+        for (const auto& piece : boundary.pieces)
+            for (std::size_t i = 1; i < piece.points.size(); ++i) {
+                const auto &a = piece.points[i - 1], &b = piece.points[i];
+                if ((a.x < p.x) == (b.x < p.x)) continue;
+                const double share = (p.x - a.x) / (b.x - a.x), y = a.y + share * (b.y - a.y);
+                if (y < p.y * (1 - 1e-6) && !(&a == &p) && !(&b == &p)) return true;
+            }
+        return false;
+    };
+    std::vector<CurvePiece> kept;
+    for (const auto& piece : boundary.pieces) {
+        bool open = false;
+        for (const auto& p : piece.points) {
+            const bool least = (!p.along_y || p.at.direction < 0) && !lower_at(p);
+            if (least && !open) kept.push_back({{}, piece.first, piece.last});
+            if (least) kept.back().points.push_back(p);
+            open = least;
+        }
+    }
+    boundary.pieces = std::move(kept);
+}
+
+}  // namespace
+
+double default_precision(BoundaryKind kind)
+{
+    return is_linear(kind) ? 1e-10 : kind == BoundaryKind::fold ? 1e-6 : 1e-4;
+}
+
+int default_scan(BoundaryKind kind)
+{
+    return is_linear(kind) ? 200 : 40;
+}
+
+double side_of(const Joint& joint, const BoundaryRequest& request)
+{
+    switch (request.kind) {
+        case BoundaryKind::velocity_only:
+            return instability(joint, Curve::Kind::velocity_only);
+        case BoundaryKind::state_variable:
+        case BoundaryKind::v_min:
+            return instability(joint, Curve::Kind::state_variable);
+        case BoundaryKind::outcome:
+            return outcome_side(joint, request.disturbance);
+        case BoundaryKind::fold:
+            break;
+    }
+    return missing;
+}
+
+LocatedRay locate_boundaries(const Joint& given, const Axis& axis, const BoundaryRequest& asked)
+{
+    const auto request = completed(asked);
+    const Joint joint = prepared(given, request.kind);
+    Joint probe = joint;
+    number_at(probe, axis.path);
+    if (request.kind == BoundaryKind::fold) return locate_folds(joint, axis, request);
+    auto ray = Ray(joint, axis, request).run();
+    if (request.kind == BoundaryKind::v_min) {
+        std::erase_if(ray.points, [](const BoundaryPoint& p) { return p.direction > 0; });
+        if (ray.points.size() > 1) ray.points.resize(1);
+    }
+    return ray;
+}
+
+FollowedBoundary follow_boundaries(const Joint& given, const Axis& x, const Axis& y, const BoundaryRequest& asked)
+{
+    const auto request = completed(asked);
+    const Joint joint = prepared(given, request.kind);
+    Joint probe = joint;
+    number_at(probe, x.path), number_at(probe, y.path);
+    if (request.kind == BoundaryKind::v_min && y.path != "control.V0")
+        throw std::invalid_argument("the least velocity is followed over control.V0 as the y axis, given is " + y.path);
+    if (request.kind == BoundaryKind::fold) return follow_folds(joint, x, y, request);
+    auto followed = follow_boundary(sides_over(joint, x, y, request), x, y, request.following);
+    followed.kind = request.kind;
+    if (request.kind == BoundaryKind::v_min) keep_least(followed);
+    return followed;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,53 @@
+// A chart in scaled coordinates: the unit square, logarithmic axes by their logarithm.
+#pragma once
+#include "analysis/results/stability_map.h"
+
+#include <cmath>
+
+namespace stickslip {
+
+/// One axis of a chart between its first and last value, as [0, 1].
+struct UnitAxis {
+    double low, high;
+    bool log;
+
+    explicit UnitAxis(const Axis& axis)
+        : low(axis.values.front()), high(axis.values.back()), log(axis.log && axis.values.front() > 0)
+    {
+    }
+    double value(double u) const
+    {
+        if (u == 0) return low;
+        if (u == 1) return high;
+        return log ? low * std::pow(high / low, u) : low + u * (high - low);
+    }
+    double unit(double v) const { return log ? std::log(v / low) / std::log(high / low) : (v - low) / (high - low); }
+    /// What a relative change `share` of the value at u is in units.
+    double unit_width(double u, double share) const
+    {
+        return log ? share / std::log(high / low) : share * std::abs(value(u)) / (high - low);
+    }
+    /// A width below which two values of the axis are the same number to a user: keeps zero from being special.
+    double least_width() const { return log ? 0 : 1e-12 * (high - low); }
+};
+
+/// A point or a direction in scaled coordinates.
+struct UnitPoint {
+    double u = 0, v = 0;
+
+    friend UnitPoint operator+(UnitPoint a, UnitPoint b) { return {a.u + b.u, a.v + b.v}; }
+    friend UnitPoint operator-(UnitPoint a, UnitPoint b) { return {a.u - b.u, a.v - b.v}; }
+    friend UnitPoint operator*(double s, UnitPoint a) { return {s * a.u, s * a.v}; }
+    double dot(UnitPoint b) const { return u * b.u + v * b.v; }
+    double cross(UnitPoint b) const { return u * b.v - v * b.u; }
+    double length() const { return std::hypot(u, v); }
+    UnitPoint normalized() const { return 1 / length() * *this; }
+    UnitPoint rotated(double angle) const
+    {
+        const double c = std::cos(angle), s = std::sin(angle);
+        return {c * u - s * v, s * u + c * v};
+    }
+    bool inside() const { return u >= 0 && u <= 1 && v >= 0 && v <= 1; }
+};
+
+}  // namespace stickslip

@@ -1,0 +1,145 @@
+// Boundaries of joints, along axes and over charts, against the closed form of (34)-(35) and against each other.
+#include "analysis/boundary/boundary.h"
+#include "analysis/joint/parameters.h"
+#include "tests/analysis/simulation/joints.h"
+
+#include <catch2/catch.hpp>
+
+using namespace stickslip;
+
+namespace {
+
+Axis axis(std::string path, double low, double high, bool log = true)
+{
+    Axis a;
+    a.path = std::move(path);
+    a.log = log;
+    a.values = {low, high};
+    return a;
+}
+
+BoundaryRequest of(BoundaryKind kind)
+{
+    BoundaryRequest request;
+    request.kind = kind;
+    return request;
+}
+
+/// A = 1, B = 1.5, L = 10 µm, m = 1.
+double closed_form(double k_v, double V0)
+{
+    return (0.5 - k_v * V0) / 1e-5 * (1 + V0 / (1e-5 * (k_v + 1 / V0)));
+}
+
+}  // namespace
+
+TEST_CASE("the linear boundary over V_0 = 1e-6 … 1e-2 is the closed form to 1e-9", "[boundary]")
+{
+    // 200 values, among them those around M = m V_0²/(L A) = 1e-4
+    for (int i = 0; i <= 200; ++i) {
+        const double V0 = 1e-6 * std::pow(1e4, i / 200.0);
+        const auto ray = locate_boundaries(example_joint(5e4, 0, V0), axis("control.k_p", 1e3, 1e7),
+                                           of(BoundaryKind::state_variable));
+        REQUIRE(ray.points.size() == 1);
+        CHECK(std::abs(ray.points[0].value / closed_form(0, V0) - 1) < 1e-9);
+        CHECK(ray.points[0].low <= closed_form(0, V0) * (1 + 1e-12));
+        CHECK(ray.points[0].high >= closed_form(0, V0) * (1 - 1e-12));
+    }
+}
+
+TEST_CASE("one followed curve covers V_0 = 1e-6 … 1e-2", "[boundary]")
+{
+    const auto curve = follow_boundaries(example_joint(5e4, 0, 1e-3), axis("control.V0", 1e-6, 1e-2),
+                                         axis("control.k_p", 1e4, 1e6), of(BoundaryKind::state_variable));
+    REQUIRE(curve.pieces.size() == 1);
+    for (const auto& p : curve.pieces[0].points) CHECK(std::abs(p.y / closed_form(0, p.x) - 1) < 1e-9);
+    CHECK(curve.pieces[0].points.size() > 20);
+}
+
+TEST_CASE("two states: the published critical stiffness", "[boundary]")
+{
+    // Gu, Rice, Ruina & Tse (1984): 0.0802755656 without inertia; the rest of it is the small mass
+    Joint joint = dimensionless_joint(0.1, 1e-9, 1, 0);
+    auto& law = std::get<RateAndState>(joint.friction.law);
+    law.B.push_back(0.84), law.L.push_back(1 / 0.048);
+    const auto ray = locate_boundaries(joint, axis("control.k_p", 1e-3, 10), of(BoundaryKind::state_variable));
+    REQUIRE(ray.points.size() == 1);
+    CHECK(ray.points[0].value == Approx(0.0802755656).epsilon(2e-8));
+}
+
+TEST_CASE("a time lag leaves windows of stable gains, all of whose ends are found", "[boundary]")
+{
+    // m = 1, slope −100, 5 ms: 130112 … 794017 and 2624481 … 4616195 N/m
+    Joint joint = example_joint(1e5, 0, 1e-3);
+    TimeLag law;
+    law.lag = 5e-3;
+    Stribeck curve;
+    curve.c0 = 1, curve.c1 = -100, curve.c2 = 0, curve.c3 = 1e-2;
+    law.curve.law = curve;
+    joint.friction.law = law;
+    auto request = of(BoundaryKind::state_variable);
+    request.scan = 60;
+    const auto ray = locate_boundaries(joint, axis("control.k_p", 5e4, 5e6), request);
+    REQUIRE(ray.points.size() == 4);
+    const double published[] = {130112, 794017, 2624481, 4616195};
+    for (int i = 0; i < 4; ++i) {
+        CHECK(ray.points[i].value == Approx(published[i]).epsilon(1e-5));
+        CHECK(ray.points[i].direction == (i % 2 == 0 ? -1 : 1));
+    }
+}
+
+TEST_CASE("a window between two nodes of the scan is found by climbing", "[boundary]")
+{
+    // stable for one narrow range of V_0: the steep flank of a Stribeck curve, just compensated
+    Joint joint = example_joint(1e3, 0, 1e-3);
+    Stribeck law;
+    law.c0 = 8, law.c1 = 0, law.c2 = 1, law.c3 = 1e-2;
+    joint.friction.law = law;
+    // hardest at V_cr = c3/√2 with √2 c2/c3 e^{-1/2} = 85.776
+    joint.control.k_v = std::sqrt(2.0) * 100 * std::exp(-0.5) * (1 - 1e-6);
+    auto request = of(BoundaryKind::velocity_only);
+    request.scan = 37;
+    const auto ray = locate_boundaries(joint, axis("control.V0", 1e-4, 1e-1), request);
+    REQUIRE(ray.points.size() == 2);
+    CHECK(ray.climbed > 0);
+    for (const auto& p : ray.points) CHECK(p.value == Approx(1e-2 / std::sqrt(2.0)).epsilon(2e-3));
+}
+
+TEST_CASE("the least velocity is the lowest of the crossings", "[boundary]")
+{
+    // k_p = 60 kN/m, k_v = 0: k_cr rises with V_0, so sliding is stable at the least velocity of all; above, not
+    CHECK(locate_boundaries(example_joint(6e4, 0, 1e-3), axis("control.V0", 1e-6, 1e-2), of(BoundaryKind::v_min))
+              .points.empty());
+    // k_p = 1 kN/m: stable where k_v V_0 exceeds nearly B − A = 0.5 N
+    const auto ray =
+        locate_boundaries(example_joint(1e3, 10, 1e-3), axis("control.V0", 1e-4, 1), of(BoundaryKind::v_min));
+    REQUIRE(ray.points.size() == 1);
+    CHECK(closed_form(10, ray.points[0].value) == Approx(1e3).epsilon(1e-6));
+    CHECK(ray.points[0].direction == -1);
+}
+
+TEST_CASE("outcomes: the boundary lies between the linear one and the fold, and depends on the disturbance",
+          "[boundary][outcome]")
+{
+    auto request = of(BoundaryKind::outcome);
+    request.scan = 8;
+    request.disturbance = {DisturbanceKind::position, 2e-5};
+    const auto near = locate_boundaries(example_joint(2.2e4, 47.5, 1e-2), axis("control.k_p", 1.5e4, 3e4), request);
+    request.disturbance.size = 2e-4;
+    const auto far = locate_boundaries(example_joint(2.2e4, 47.5, 1e-2), axis("control.k_p", 1.5e4, 3e4), request);
+    REQUIRE(near.points.size() == 1);
+    REQUIRE(far.points.size() == 1);
+    CHECK(near.points[0].precision() <= 1e-4);
+    CHECK(near.points[0].value > 19449);
+    CHECK(far.points[0].value > near.points[0].value);
+    CHECK(far.points[0].value < 24860);
+    CHECK(far.points[0].value > 24840);  // from 20 L: up to the fold
+    CHECK(near.points[0].method == LocationMethod::bisection);
+}
+
+TEST_CASE("a path that the joint lacks is refused", "[boundary]")
+{
+    CHECK_THROWS_AS(
+        locate_boundaries(example_joint(1, 0, 1), axis("control.q", 1, 2), of(BoundaryKind::state_variable)),
+        std::invalid_argument);
+}

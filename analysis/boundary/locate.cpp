@@ -24,7 +24,7 @@ double instability(const Joint& joint, Curve::Kind theory)
         const auto mass = linear_mass(joint, steady.velocity);
         return std::max(-(mass.k_v + steady_slope(mass.friction)), -mass.k_p);
     }
-    return linear_point(joint).spectral_abscissa;
+    return growth_rate(joint);
 }
 
 std::vector<BoundaryPoint> locate_on_ray(const Joint& given, std::string_view path, double low, double high, bool log,

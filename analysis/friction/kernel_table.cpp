@@ -17,7 +17,7 @@ UnitIntegrals unit_integrals(Complex z)
     if (std::abs(z) < 1) {
         UnitIntegrals sum{0, 0, 0};
         Complex term = 1;  // (−z)^k / k!
-        for (int k = 0; k < 22; ++k) {
+        for (int k = 0; k < 22 && std::abs(term.real()) + std::abs(term.imag()) > 1e-18; ++k) {
             sum.e0 += term / double(k + 1);
             sum.e1 += term / double(k + 2);
             sum.e2 += term / double(k + 3);
@@ -86,8 +86,9 @@ double KernelTable::moment(int n, double sigma) const
     double sum = 0;
     for (std::size_t k = 0; k + 1 < time.size(); ++k) {
         const double t0 = time[k], t1 = time[k + 1];
-        const double largest = std::exp(-sigma * (sigma > 0 ? t0 : t1));
-        sum += (t1 - t0) * std::pow(t1, n) * std::max(std::abs(value[k]), std::abs(value[k + 1])) * largest;
+        double largest = sigma == 0 ? 1 : std::exp(-sigma * (sigma > 0 ? t0 : t1));
+        for (int i = 0; i < n; ++i) largest *= t1;
+        sum += (t1 - t0) * std::max(std::abs(value[k]), std::abs(value[k + 1])) * largest;
     }
     return sum;
 }

@@ -215,8 +215,8 @@ SlidingOrReason sliding_flow(const Joint& joint)
     const auto sliding = steady_sliding(joint);
     result.reason = sliding.reason;
     if (result.reason != Reason::none) return result;
-    if (info(joint.friction.law).linear_only) result.reason = Reason::linear_only;
     if (info(joint.friction.law).needs_history) result.reason = Reason::unsupported;
+    if (info(joint.friction.law).linear_only) result.reason = Reason::linear_only;
     if (result.reason != Reason::none) return result;
     flow.inertia = joint.mechanism.inertia;
     flow.k_v = joint.control.k_v;

@@ -122,9 +122,9 @@ std::vector<Complex> rightmost_roots(const LinearJoint& j)
             const auto F = closed_loop(j, s);
             step = F.value / F.slope;
             s -= step;
-            if (!(std::abs(step) > 1e-15 * std::abs(s))) break;
+            // eigenvalues that the nodes do not resolve wander off: only what stays near is a root
+            if (!(std::abs(step) > 1e-15 * std::abs(s)) || !(std::abs(s - start) < 0.1 * std::abs(start))) break;
         }
-        // eigenvalues that the nodes do not resolve wander off: only what stays near is a root
         if (!(std::abs(step) < 1e-9 * std::abs(s)) || !(std::abs(s - start) < 0.1 * std::abs(start))) continue;
         const bool known = std::any_of(roots.begin(), roots.end(),
                                        [&](const Complex& r) { return std::abs(r - s) < 1e-8 * std::abs(s); });

@@ -64,24 +64,25 @@ struct GainLimit {
 GainLimit gain_limit(const LinearJoint& j)
 {
     double longest = 0, inertia = 0;
-    bool delays = false;
     for (int i = 0; i < j.bodies; ++i) {
         inertia += j.inertia[i];
         for (const auto& d : j.friction[i].delays) longest = std::max(longest, d.time);
-        delays = delays || j.friction[i].delays.size > 0;
         if (j.friction[i].table) longest = std::max(longest, j.friction[i].table->duration());
     }
     const double turns = 16 * std::numbers::pi / longest;
     const double usual = std::max(4 * std::abs(j.k_p), inertia * turns * turns);
-    // a single body without delays: |Re G(iω)| ≤ (Σ|w| + variation of the table)/ω, so (34) has no solution beyond
-    // that/C
+    // a single body: |Re G(iω)| ≤ Σ|w| of the delays + (Σ|w| of the states + variation of the table)/ω, so (34) has no
+    // solution beyond a last ω where C outweighs the delays
     const auto& f = j.friction[0];
     const double C = j.k_v * j.actuated[0] + f.f_v;
-    if (j.bodies > 1 || delays || !(C > 0)) return {usual, usual};
-    double variation = f.table ? std::abs(f.table_scale) * f.table->variation() : 0;
+    double late = 0, variation = f.table ? std::abs(f.table_scale) * f.table->variation() : 0;
+    for (const auto& d : f.delays) late += std::abs(d.weight);
     for (int k = 0; k < f.states; ++k) variation += std::abs(f.weight(k));
-    const double last = variation / C;
-    const double enough = (j.inertia[0] * last * last + variation * 2) / j.actuated[0];
+    if (j.bodies > 1 || !(C > late * (1 + 1e-9))) return {usual, usual};
+    const double last = variation / (C - late);
+    const double enough = 2 * (j.inertia[0] * last * last + variation + late * last) / j.actuated[0];
+    constexpr double dearest = 100;  // a C that hardly outweighs the delays asks for a search without sensible end
+    if (!(enough < dearest * usual)) return {usual, usual};
     return {std::max(enough, 4 * std::abs(j.k_p)), infinity};
 }
 

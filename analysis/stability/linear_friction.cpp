@@ -42,7 +42,9 @@ LinearFriction linearise(const Friction& friction, double V)
         linear.h[k] = r.by_state[i];
     }
     if (info(friction.law).needs_history) {
-        linear.delays = delays_of(friction.law, V);
+        // a flat piece of a delayed curve remembers nothing: no search has to find that out band by band
+        for (const auto& d : delays_of(friction.law, V))
+            if (d.weight != 0) linear.delays.push_back(d);
         linear.table = table_of(friction.law);
     }
     return linear;

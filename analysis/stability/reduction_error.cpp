@@ -52,7 +52,7 @@ ReductionError compare_reduction(const Joint& full, const std::function<Reductio
     if (!parameter) throw std::invalid_argument("the joint has no parameter " + std::string(path));
     const auto abscissa = [&](double value, bool reduced) {
         *parameter = value;
-        return linear_point(reduced ? reduce(joint).joint : joint).spectral_abscissa;
+        return growth_rate(reduced ? reduce(joint).joint : joint);
     };
     ReductionError result;
     const Joint small = reduce(full).joint;

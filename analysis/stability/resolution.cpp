@@ -16,7 +16,7 @@ namespace {
 /// max Re s at the joint's own velocity, by either theory; NaN where it cannot slide.
 double instability(const Joint& joint, Theory theory)
 {
-    if (theory == Theory::state_variable) return linear_point(joint).spectral_abscissa;
+    if (theory == Theory::state_variable) return growth_rate(joint);
     const auto steady = steady_sliding(joint);
     if (steady.reason != Reason::none) return missing;
     return spectral_abscissa(velocity_only(linear_joint(joint, steady.velocity)));

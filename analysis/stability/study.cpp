@@ -6,6 +6,14 @@
 
 namespace stickslip {
 
+bool known_at_one_velocity(const Joint& joint)
+{
+    const Chain chain = chain_of(joint);
+    for (int i = 0; i < chain.bodies; ++i)
+        if (info(chain.body[i].friction->law).linear_only) return true;
+    return false;
+}
+
 LinearStudy linear_study(const Joint& joint)
 {
     LinearStudy study;
@@ -16,18 +24,21 @@ LinearStudy linear_study(const Joint& joint)
     study.compliance = std::abs(disturbance_response(linear, 0));
     study.peak = response_peak(linear);
     study.margins = loop_margins(linear);
-    study.velocities = {V / reach, V * reach};
-    study.velocity_only = stable_velocities(joint, V / reach, V * reach, Theory::velocity_only);
-    study.state_variable = stable_velocities(joint, V / reach, V * reach, Theory::state_variable);
-    if (joint.mechanism.model == Model::single_mass)
-        study.range_gain = velocity_gain_for_range(joint, study.velocities.high);
+    if (!known_at_one_velocity(joint)) {
+        study.velocities = {V / reach, V * reach};
+        study.velocity_only = stable_velocities(joint, V / reach, V * reach, Theory::velocity_only);
+        study.state_variable = stable_velocities(joint, V / reach, V * reach, Theory::state_variable);
+        if (joint.mechanism.model == Model::single_mass)
+            study.range_gain = velocity_gain_for_range(joint, study.velocities.high);
+    }
     study.comparison = compare_theories(joint);
     if (is_set(joint.control.period)) {
         study.velocity_noise = std::sqrt(2.0) / joint.control.period;
         study.mix = optimal_mix(joint, study.velocity_noise);
     }
     const double stiffness = joint.control.k_p + joint.control.contact_stiffness;
-    if (joint.control.kind == ControlKind::force && stiffness * V > 0 && joint.control.k_p > 0) {
+    if (joint.control.kind == ControlKind::force && stiffness * V > 0 && joint.control.k_p > 0 &&
+        !known_at_one_velocity(joint)) {
         ForceRamp ramp;
         ramp.rate = stiffness * V;
         const double k_p = joint.control.k_p;

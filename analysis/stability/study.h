@@ -19,7 +19,7 @@ struct LinearStudy {
     double compliance = missing;  ///< |X/D|(0): lasting displacement per lasting force on the link
     ResponsePeak peak{missing, missing};
     LoopMargins margins{missing, missing, missing, missing};
-    Interval velocities{missing, missing};  ///< searched for stable_velocities
+    Interval velocities{missing, missing};  ///< searched for stable_velocities; NaN: known_at_one_velocity
     StableVelocities velocity_only, state_variable;
     std::optional<RangeGain> range_gain;  ///< single mass: k_v for every velocity up to the highest searched
     Comparison comparison;
@@ -28,6 +28,9 @@ struct LinearStudy {
     std::optional<ForceRamp> ramp;    ///< force control
     std::vector<ReductionStudy> reductions;
 };
+
+/// Whether a friction of the joint is a kernel: found at one velocity, it says nothing about others.
+bool known_at_one_velocity(const Joint& joint);
 
 /// How far velocities and springs are searched to either side of the joint's own.
 inline constexpr double study_decades = 3;

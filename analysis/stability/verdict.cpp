@@ -138,6 +138,17 @@ LinearVerdict linear_verdict(const Joint& joint)
     return verdict;
 }
 
+double growth_rate(const Joint& joint)
+{
+    const auto steady = steady_sliding(joint);
+    if (steady.reason != Reason::none) return missing;
+    if (is_plain_mass(joint)) {
+        const auto mass = linear_mass(joint, steady.velocity);
+        if (mass.friction.rational()) return spectral_abscissa(mass);
+    }
+    return spectral_abscissa(linear_joint(joint, steady.velocity));
+}
+
 PointResult linear_point(const Joint& joint)
 {
     PointResult point;

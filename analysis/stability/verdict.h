@@ -58,6 +58,10 @@ struct LinearVerdict {
 /// Everything the linear theory says about one joint. A joint without steady sliding gives NaN and the reason.
 LinearVerdict linear_verdict(const Joint& joint);
 
+/// max Re s with memory alone, without the search for critical gains, which costs much where memory is a delay or a
+/// table. NaN where there is no verdict.
+double growth_rate(const Joint& joint);
+
 /// The same verdicts as one row of a sweep; without allocation for a single mass with at most one state. Safe to call
 /// from many threads.
 PointResult linear_point(const Joint& joint);

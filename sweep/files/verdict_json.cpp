@@ -9,11 +9,12 @@ namespace {
 
 Json state_variable_json(const StateVariableVerdict& v)
 {
-    Json eigenvalues = Json::array(), crossings = Json::array(), intervals = Json::array();
+    Json eigenvalues = Json::array(), crossings = Json::array(), intervals = Json::array(), doubtful = Json::array();
     for (const auto& s : v.eigenvalues) eigenvalues.push_back({json_number(s.real()), json_number(s.imag())});
     for (const auto& c : v.crossings)
         crossings.push_back({{"k_p", json_number(c.k_p)}, {"omega", json_number(c.omega)}, {"direction", c.direction}});
     for (const auto& i : v.stable_intervals) intervals.push_back({json_number(i.low), json_number(i.high)});
+    for (const auto& i : v.doubtful) doubtful.push_back({json_number(i.low), json_number(i.high)});
     return {{"stable", v.stable},
             {"spectral_abscissa", json_number(v.spectral_abscissa)},
             {"eigenvalues", eigenvalues},
@@ -21,7 +22,9 @@ Json state_variable_json(const StateVariableVerdict& v)
             {"kernel_integral", json_number(v.kernel_integral)},
             {"crossings", crossings},
             {"stable_intervals", intervals},
-            {"k_cr", json_number(v.k_cr)}};
+            {"k_cr", json_number(v.k_cr)},
+            {"searched_to", json_number(v.searched_to)},
+            {"doubtful_omega", doubtful}};
 }
 
 }  // namespace

@@ -6,18 +6,22 @@
 #include "sweep/files/study_json.h"
 #include "sweep/files/verdict_json.h"
 #include "sweep/program.h"
+#include "sweep/report/linear_report.h"
 #include "sweep/report/verdict_text.h"
+#include "sweep/report/write_report.h"
 #include "sweep/verbs/verbs.h"
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace stickslip {
 namespace {
 
 struct Options {
-    std::string joint;
+    std::string joint, directory;
     std::vector<std::string> settings;
     bool json = false;
 };
@@ -30,9 +34,15 @@ int evaluate(const Options& options)
     NonlinearOptions nonlinear_options;
     nonlinear_options.bifurcation = true;
     const auto nonlinear = nonlinear_verdict(joint, nonlinear_options);
+    const bool decided = verdict.steady.reason == Reason::none;
+    std::optional<LinearStudy> study;
+    if (options.json || !options.directory.empty()) study = linear_study(joint);
+    std::filesystem::path page;
+    if (!options.directory.empty())
+        page = write_report(linear_report(joint, verdict, nonlinear, *study), options.directory);
     if (options.json) {
         auto json = verdict_json(verdict);
-        if (verdict.steady.reason == Reason::none) json["linear"].update(study_json(joint, linear_study(joint)));
+        if (decided) json["linear"].update(study_json(joint, *study));
         json["nonlinear"] = nonlinear_json(nonlinear);
         fmt::print("{}\n", json.dump(2));
     } else {
@@ -41,8 +51,9 @@ int evaluate(const Options& options)
             fmt::print("  {:<40} {}\n", plain_text(row[0]), plain_text(row[1]));
         for (const auto& row : nonlinear_table(joint, nonlinear).rows)
             fmt::print("  {:<40} {}\n", plain_text(row[0]), plain_text(row[1]));
+        if (!page.empty()) fmt::print("report:  {}\n", page.string());
     }
-    return verdict.steady.reason == Reason::none ? exit_done : exit_undecided;
+    return decided ? exit_done : exit_undecided;
 }
 
 }  // namespace
@@ -56,9 +67,12 @@ void add_evaluate(CLI::App& app, Invocation& invocation)
     verb->add_option(
         "--set", options->settings,
         "change a number first: path=value, with or without a unit (control.k_p=2e4, control.V0='1 mm/s')");
+    verb->add_option("-o,--output", options->directory,
+                     "also write a page with charts: both theories, disturbances, force ramps, reductions");
     verb->add_flag("--json", options->json, "machine-readable, stable names");
     verb->footer(
-        "Example: stickslip evaluate examples/02-ball-screw/joint-with-memory.toml --set control.k_p=2e4 --json");
+        "Example: stickslip evaluate examples/02-ball-screw/joint-with-memory.toml --set control.k_p=2e4 --json\n"
+        "Example: stickslip evaluate examples/02-ball-screw/joint-with-memory.toml -o joint");
     verb->callback([options, &invocation] { invocation.exit_code = evaluate(*options); });
 }
 

@@ -1,0 +1,19 @@
+// The heart of the paper on a page: what friction of velocity alone and friction with memory demand of one joint.
+#pragma once
+#include "analysis/joint/joint.h"
+#include "analysis/results/report.h"
+#include "analysis/stability/study.h"
+
+namespace stickslip {
+
+/// Both theories side by side: demanded k_v over velocity, stable gains, what one forbids and the other allows, the mix
+/// of gains. The joint slides steadily.
+Section comparison_section(const Joint& joint, const LinearStudy& study);
+
+/// |X/D|(iω) of (19) with its peak in both theories, and the margins of the loop.
+Section response_section(const Joint& joint, const LinearStudy& study);
+
+/// Armstrong's ramps (§5): critical stiffness and velocity over the rate of force. Force control only.
+Section ramp_section(const Joint& joint);
+
+}  // namespace stickslip

@@ -1,0 +1,42 @@
+#include "sweep/report/line_figure.h"
+
+#include "analysis/results/text.h"
+
+#include <cmath>
+
+namespace stickslip {
+
+std::string axis_label(std::string_view name, Quantity quantity, Motion motion)
+{
+    return std::string(name) + " [" + std::string(unit_of(quantity, motion)) + "]";
+}
+
+std::vector<double> log_steps(double low, double high, int count)
+{
+    std::vector<double> values;
+    for (int i = 0; i < count; ++i) values.push_back(low * std::pow(high / low, i / (count - 1.0)));
+    return values;
+}
+
+Figure line_figure(std::string id, LineChart chart, std::string finding, std::string reading)
+{
+    Figure figure;
+    figure.id = std::move(id);
+    figure.caption = finding + " " + std::move(reading);
+    figure.finding = std::move(finding);
+    figure.picture = std::move(chart);
+    return figure;
+}
+
+std::string intervals_text(const std::vector<Interval>& list, Quantity quantity, Motion motion)
+{
+    constexpr std::size_t most = 4;
+    std::string text;
+    for (std::size_t i = 0; i < list.size() && i < most; ++i)
+        text += (i ? ", " : "") + with_unit(list[i].low, quantity, motion, 4) + " … " +
+                with_unit(list[i].high, quantity, motion, 4);
+    if (list.size() > most) text += " and " + std::to_string(list.size() - most) + " more";
+    return list.empty() ? "none" : text;
+}
+
+}  // namespace stickslip

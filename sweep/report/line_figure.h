@@ -1,0 +1,24 @@
+// Line charts with their labels and words: what every chart of the linear theory is made with.
+#pragma once
+#include "analysis/results/report.h"
+#include "analysis/stability/verdict.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stickslip {
+
+/// "velocity V_{0} [m/s]"
+std::string axis_label(std::string_view name, Quantity quantity, Motion motion);
+
+/// `count` values from low to high, evenly in the logarithm.
+std::vector<double> log_steps(double low, double high, int count);
+
+/// A chart with its words; the finding is what a screen reader says and stands first in the caption.
+Figure line_figure(std::string id, LineChart chart, std::string finding, std::string reading);
+
+/// "55 kN/m … ∞, …" of open intervals; "none" of none.
+std::string intervals_text(const std::vector<Interval>& list, Quantity quantity, Motion motion);
+
+}  // namespace stickslip

@@ -1,0 +1,91 @@
+#include "sweep/report/linear_report.h"
+
+#include "analysis/results/text.h"
+#include "sweep/report/comparison_section.h"
+#include "sweep/report/reduction_section.h"
+#include "sweep/report/verdict_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace stickslip {
+namespace {
+
+using Tone = Headline::Tone;
+
+std::string model_name(Model model)
+{
+    for (const auto& m : models)
+        if (m.value == model) return std::string(m.name);
+    return "";
+}
+
+Headline demand(const char* theory, double k_v, double own, Motion motion)
+{
+    if (std::isnan(k_v)) return {Tone::bad, "none", std::string("velocity gain is enough, ") + theory};
+    return {own > k_v ? Tone::good : Tone::neutral, with_unit(k_v, Quantity::damping, motion),
+            std::string("velocity gain to exceed, ") + theory};
+}
+
+/// The worst reduction that still has the right number of boundaries, and how many have not.
+void reduction_alerts(Report& report, const std::vector<ReductionStudy>& studies)
+{
+    constexpr double poor = 0.1;
+    for (const auto& study : studies)
+        if (study.refused.empty() && study.own.error > poor)
+            report.alerts.push_back(
+                {Tone::warning,
+                 "The reduction \"" + study.name + "\" " +
+                     (std::isinf(study.own.error) ? std::string("changes the number of boundaries of this joint")
+                                                  : "moves the boundary by " + percent(study.own.error)) +
+                     ": its assumption does not hold here."});
+}
+
+}  // namespace
+
+std::vector<Section> linear_sections(const Joint& joint, const LinearStudy& study)
+{
+    std::vector<Section> sections;
+    if (std::isnan(study.compliance)) return sections;
+    sections.push_back(comparison_section(joint, study));
+    sections.push_back(response_section(joint, study));
+    if (study.ramp) sections.push_back(ramp_section(joint));
+    if (!study.reductions.empty()) sections.push_back(reduction_section(joint, study.reductions));
+    return sections;
+}
+
+Report linear_report(const Joint& joint, const LinearVerdict& linear, const NonlinearVerdict& nonlinear,
+                     const LinearStudy& study)
+{
+    const auto motion = joint.mechanism.motion;
+    const bool decided = linear.steady.reason == Reason::none;
+    Report report;
+    report.title = "One joint under the linear theory";
+    report.subtitle = std::string(joint.control.kind == ControlKind::position ? "position control" : "force control") +
+                      " · " + (motion == Motion::prismatic ? "prismatic" : "revolute") + " joint · " +
+                      model_name(joint.mechanism.model);
+    report.verdict = verdict_text(joint, linear);
+    report.tone = !decided ? Tone::warning : linear.state_variable.stable ? Tone::good : Tone::bad;
+    if (decided) {
+        const auto& c = study.comparison;
+        report.headlines = {demand("by velocity alone", c.k_v_demanded_velocity_only(), joint.control.k_v, motion),
+                            demand("with memory", c.k_v_demanded_memory(), joint.control.k_v, motion)};
+        if (std::isfinite(linear.state_variable.k_cr))
+            report.headlines.push_back({Tone::neutral,
+                                        with_unit(linear.state_variable.k_cr, Quantity::stiffness, motion),
+                                        "critical position gain k_{cr}, at this k_{v} and velocity"});
+        reduction_alerts(report, study.reductions);
+        report.sections = linear_sections(joint, study);
+    }
+    Section design{"numbers", "Numbers", "", {}, {}};
+    if (decided) design.tables.push_back(linear_table(joint, linear));
+    design.tables.push_back(nonlinear_table(joint, nonlinear));
+    report.sections.push_back(std::move(design));
+    report.not_checked = {
+        "Terms locked to position or time (ripple, cogging, drift, periodic forces) are no part of the linear theory.",
+        "Sampling, delay, saturation and quantisation of a digital loop."};
+    return report;
+}
+
+}  // namespace stickslip

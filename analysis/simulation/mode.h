@@ -7,6 +7,10 @@
 
 namespace stickslip {
 
+/// A change of ln|l·y| over the window of less than 1/clear_change is measured with finer tolerances: what a step adds
+/// or takes by its error must be small beside it.
+inline constexpr double clear_change = 5;
+
 /// The eigenvalue of largest real part and its left eigenvector: along a trajectory near steady sliding,
 /// l·(y − y_ss) = l·(y_0 − y_ss) e^{st} holds exactly, whatever the other modes do.
 struct SlowMode {

@@ -20,32 +20,52 @@ constexpr double slow_start = 1e-4;
 /// How much of |s| a growth rate must be before its sign is believed; below, the spectrum decides.
 constexpr double measurable_growth = 1e-6;
 
+/// Share of rtol that holds while growth is measured: multistep methods add up their errors over a turn.
+constexpr double growth_fineness = 1e-2;
+
 /// Tolerances below are lost in the rounding of states that are large beside the disturbance.
 constexpr double finest_tolerance = 1e-14;
 
 /// A first Lyapunov coefficient, per ω, that decides nothing.
 constexpr double degenerate_lyapunov = 1e-6;
 
+/// The disturbance whose growth is measured, in units of the flow's scale: large enough to stand above the rounding of
+/// states.
+constexpr double probe_size = 1e-3;
+
 constexpr double neutral_abscissa = 1e-12;  ///< per |s|
 
 struct Growth {
     double rate = missing;
-    double peak = missing;  ///< largest position excess on the way
     bool failed = false;
     bool used_fallback = false;
 };
 
+/// From differences of motions that start on opposite sides of steady sliding, so that even powers of the disturbance
+/// cancel, at two sizes, so that the third power does.
 Growth measure_growth(const SlidingFlow& flow, const SlowMode& mode, DisturbanceKind kind, const FollowOptions& options)
 {
     Growth growth;
-    const FlowVector y0 = disturbed(flow, kind, default_size(flow, mode, kind));
-    // tolerances relative to the disturbance, not to the motion that it may grow into
-    SlidingMotion motion(flow, options.solver, std::max(options.rtol * small_disturbance, finest_tolerance));
-    motion.start(y0);
+    FlowVector probe = disturbed(flow, kind, default_size(flow, mode, kind)) - mode.steady;
+    // a position that balances at V_0 starts without a change of speed and brings one about
+    const double size = std::max(small_disturbance, probe.cwiseQuotient(flow.scale()).lpNorm<Eigen::Infinity>());
+    probe *= probe_size / size;
     const double window = mode.window();
-    growth.failed = !motion.advance(window);
+    // tolerances relative to the disturbance, not to the motion that it may grow into, and to what it changes by
+    const double change = std::min(1.0, clear_change * std::abs(mode.s.real()) * window);
+    SlidingMotion motion(flow, options.solver,
+                         std::max(growth_fineness * options.rtol * probe_size * change, finest_tolerance));
+    const auto after = [&](const FlowVector& start) -> FlowVector {
+        motion.start(start);
+        growth.failed |= !motion.advance(window);
+        return motion.state();
+    };
+    const auto rate_of = [&](const FlowVector& offset) {
+        const FlowVector difference = after(mode.steady + offset) - after(mode.steady - offset);
+        return std::log(mode.size(mode.steady + difference / 2) / mode.size(mode.steady + offset)) / window;
+    };
+    growth.rate = (4 * rate_of(probe / 2) - rate_of(probe)) / 3;
     growth.used_fallback = motion.used_fallback();
-    growth.rate = std::log(mode.size(motion.state()) / mode.size(y0)) / window;
     return growth;
 }
 

@@ -6,12 +6,14 @@
 #include <numbers>
 #include <vector>
 
+#include "analysis/simulation/mode.h"
 #include "analysis/stability/polynomial.h"
 #include "analysis/stability/steady.h"
 
 namespace stickslip::lanes {
 namespace {
 
+constexpr double finest = 1e-5;      ///< share of rtol where growth is too small to be measured anyway
 constexpr double slow_start = 1e-4;  ///< as in the reference: the share of V_0 from which V_0 is commanded
 
 double rounded(double value)
@@ -79,7 +81,8 @@ Job job(const Groups& g, bool search)
     job.rate = s.real();
     job.magnitude = std::abs(s);
     job.window = std::min(2 * std::numbers::pi / std::abs(s.imag()), std::log(3.0) / std::abs(s.real()));
-    const double X = small_disturbance / job.magnitude;
+    job.fineness = std::clamp(clear_change * std::abs(s.real()) * job.window, finest, 1.0);
+    const double X = probe / job.magnitude;
     job.start[0] = X, job.start[1] = 0, job.start[2] = -g.K * X;
     job.search = search;
     const double w = std::log(slow_start), p = -g.beta * w;
@@ -92,7 +95,7 @@ bool write(const Answer& a, const Scaled& s, const Job& job, bool searched, Poin
     if (a.ending == Ending::left_over) return false;
     point.path = DecisionPath::lanes;
     point.growth_rate = a.growth * s.velocity / s.length;
-    point.overshoot = std::max(0.0, job.start[0]) * s.length / std::abs(s.deflection);
+    point.overshoot = small_disturbance / job.magnitude * s.length / std::abs(s.deflection);
     const bool decays = a.ending != Ending::cycle;
     const bool cycle = a.ending != Ending::decays;
     point.outcome = decays ? Outcome::stable_sliding : a.rest_time > 0 ? Outcome::stick_slip : Outcome::limit_cycle;
@@ -135,7 +138,6 @@ void answer(std::span<const Joint> joints, const NonlinearOptions& options, std:
     std::vector<Answer> answers(jobs.size());
     Settings settings;
     settings.rtol = options.rtol;
-    settings.floor = small_disturbance;
     run(jobs.data(), answers.data(), jobs.size(), settings, best_instructions());
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const auto& e = entries[i];

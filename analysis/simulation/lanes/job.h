@@ -16,12 +16,17 @@ struct Groups {
     bool operator==(const Groups&) const = default;
 };
 
+/// Size of the disturbance whose growth is measured. The lanes count from steady sliding, so that nothing is lost to
+/// rounding, and can afford one whose quadratic terms do not show.
+inline constexpr double probe = 1e-9;
+
 /// One motion to follow.
 struct Job {
     Groups groups;
     double start[3];       ///< X, w, p: small where `window` is set
     double left[3][2];     ///< left eigenvector of the slow mode, real and imaginary parts
     double window;         ///< time over which the growth of the small disturbance is measured
+    double fineness;       ///< share of rtol that holds in that time
     double rate;           ///< real part of the slow eigenvalue, decides where the measured growth is too small
     double magnitude;      ///< |s| of the slow eigenvalue
     bool search;           ///< where small disturbances decay, also follow a start from near rest
@@ -49,8 +54,8 @@ struct Answer {
 
 struct Settings {
     double rtol = 1e-8;
-    double floor = 1e-6;  ///< size of the small disturbance: its phase has tolerances relative to it
-    int turn_limit = 40;  ///< of the cycle search; beyond, the point is left over
+    double floor = probe;  ///< size of the small disturbance: its phase has tolerances relative to it
+    int turn_limit = 40;   ///< of the cycle search; beyond, the point is left over
     long step_limit = 100000;
 };
 

@@ -60,9 +60,8 @@ class Kernel {
 
     P scaled_error(const PackedStep<P>& s) const
     {
-        const P rtol(settings_.rtol);
         const auto ratio = [&](const P& e, const P& floor, const P& before, const P& after) {
-            return abs(e) / (rtol * (floor + max(abs(before), abs(after))));
+            return abs(e) / (rtol_ * (floor + max(abs(before), abs(after))));
         };
         const P x = ratio(s.error().X, floor_.X, y_.X, s.end.X), w = ratio(s.error().w, floor_.w, y_.w, s.end.w),
                 p = ratio(s.error().p, floor_.p, y_.p, s.end.p);
@@ -140,7 +139,7 @@ class Kernel {
         const bool more = next_ < job_count_;
         active_.set(i, more);
         steps_.set(i, 0);
-        static constexpr Job idle{{1, 1, 1, 0}, {0, 0, 0}, {{0, 0}, {1, 0}, {0, 0}}, 1e300, -1, 1, false, {0, 0, 0}};
+        static constexpr Job idle{{1, 1, 1, 0}, {0, 0, 0}, {{0, 0}, {1, 0}, {0, 0}}, 1e300, 1, -1, 1, false, {0, 0, 0}};
         const Job& job = more ? jobs_[next_] : idle;
         if (more) {
             number_[i] = next_++;
@@ -165,6 +164,7 @@ class Kernel {
         rate_before_.set(i, 0);
         h_before_.set(i, 1);
         end_time_.set(i, program.end_time());
+        rtol_.set(i, program.tolerance());
         double floor[3];
         program.floors(floor);
         floor_.X.set(i, floor[0]);
@@ -203,7 +203,7 @@ class Kernel {
     int busy_ = 0;
     PackedGroups<P> groups_;
     Triple<P> y_, floor_;
-    P t_, h_, end_time_, w_before_, rate_before_, h_before_, steps_;
+    P t_, h_, rtol_, end_time_, w_before_, rate_before_, h_before_, steps_;
     const M always_ = all_on();
     M active_ = always_, turning_phase_ = always_, searching_ = always_, moving_ = always_;
     Program programs_[lanes];

@@ -68,6 +68,10 @@ double Program::end_time() const
 {
     return phase_ == Phase::grow ? job_->window : 1e300;
 }
+double Program::tolerance() const
+{
+    return settings_->rtol * (phase_ == Phase::grow ? job_->fineness : 1);
+}
 const Answer& Program::answer() const
 {
     return answer_;

@@ -50,6 +50,7 @@ class Program {
 
     Phase phase() const;
     double end_time() const;
+    double tolerance() const;
     /// Size that errors are measured against, beside that of y itself.
     void floors(double floor[3]) const;
     const Answer& answer() const;

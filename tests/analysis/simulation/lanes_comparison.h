@@ -1,0 +1,83 @@
+// Random joints decided twice: by the rows of a sweep, that is by the lanes, and by CVODE at rtol 1e-11.
+#pragma once
+#include <cmath>
+#include <random>
+#include <span>
+#include <vector>
+
+#include "analysis/simulation/nonlinear.h"
+#include "analysis/stability/verdict.h"
+#include "tests/analysis/simulation/joints.h"
+
+namespace stickslip {
+
+/// Joints over the ranges of design: V_0, A, L and m over two to four decades, gains a decade around the critical one,
+/// k_v V_0 up to 1.3 (B − A).
+inline std::vector<Joint> random_joints(std::size_t count, unsigned seed)
+{
+    std::mt19937_64 random(seed);
+    const auto uniform = [&](double a, double b) {
+        return a + (b - a) * std::ldexp(static_cast<double>(random() >> 11), -53);
+    };
+    std::vector<Joint> joints;
+    while (joints.size() < count) {
+        const double V0 = std::pow(10, uniform(-6, -2)), beta = uniform(1.05, 3), c = uniform(0, 1.3) * (beta - 1);
+        const double L = std::pow(10, uniform(-6, -4)), A = std::pow(10, uniform(-1, 1)),
+                     m = std::pow(10, uniform(-1, 1));
+        const double M = m * V0 * V0 / (L * A);
+        const double K_cr = c < beta - 1 ? (beta - 1 - c) * (1 + M / (1 + c)) : beta - 1;
+        const double K = K_cr * std::pow(10, uniform(-1, 1));
+        Joint joint = example_joint(K * A / L, c * A / V0, V0);
+        joint.mechanism.inertia = m;
+        auto& law = std::get<RateAndState>(joint.friction.law);
+        law.A = A, law.B[0] = beta * A, law.L[0] = L;
+        joints.push_back(joint);
+    }
+    return joints;
+}
+
+/// One joint, both answers, and how far they are apart where both have a number (relative; 0 elsewhere).
+struct Compared {
+    PointResult row;
+    NonlinearVerdict truth;
+    double growth = 0, period = 0, amplitude = 0;
+    double row_spectrum = 0, truth_spectrum = 0;  ///< growth rates of both against the spectral abscissa
+
+    bool same_outcome() const
+    {
+        const bool bistable = row.region == Region::bistable;
+        return row.outcome == truth.outcome && bistable == (truth.region == NonlinearRegion::bistable);
+    }
+    bool undecided() const { return row.outcome == Outcome::undecided || row.outcome == Outcome::solver_failure; }
+};
+
+inline double relative_error(double a, double b)
+{
+    return std::isnan(a) || std::isnan(b) ? 0 : std::abs(a - b) / std::abs(b);
+}
+
+/// `region` asks for the search for a coexisting cycle, too.
+inline std::vector<Compared> compare_with_cvode(std::span<const Joint> joints, bool region)
+{
+    NonlinearOptions options, strict;
+    options.region = strict.region = region;
+    strict.rtol = 1e-11;
+    std::vector<PointResult> rows(joints.size());
+    nonlinear_points(joints, options, rows);
+    std::vector<Compared> compared;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        Compared c{rows[i], nonlinear_verdict(joints[i], strict)};
+        c.growth = relative_error(c.row.growth_rate, c.truth.growth_rate);
+        const double abscissa = linear_point(joints[i]).spectral_abscissa;
+        c.row_spectrum = relative_error(c.row.growth_rate, abscissa);
+        c.truth_spectrum = relative_error(c.truth.growth_rate, abscissa);
+        c.period = relative_error(c.row.period, c.truth.period);
+        const double swing = std::log(c.row.velocity_max / c.row.velocity_min);
+        c.amplitude = std::max(relative_error(c.row.amplitude, c.truth.amplitude),
+                               relative_error(swing, std::log(c.truth.velocity_max / c.truth.velocity_min)));
+        compared.push_back(c);
+    }
+    return compared;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,115 @@
+// How right the lanes are: thousands of random joints against CVODE at rtol 1e-11, on two threads.
+//   benchmark_simulation_accuracy [joints] [seed]
+// Half of the joints are asked for the outcome of one small disturbance, half for all three regions. Ends with 1 if an
+// outcome differs, more than 0.1 % are undecided, or an error exceeds its bound.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <thread>
+
+#include "analysis/stability/verdict.h"
+#include "tests/analysis/simulation/lanes_comparison.h"
+
+namespace {
+
+using namespace stickslip;
+
+constexpr double growth_bound = 1e-5, period_bound = 1e-5, amplitude_bound = 1e-3, undecided_bound = 1e-3;
+constexpr std::size_t block = 50;  // joints that share a call, so that lanes are full
+
+void describe(const char* what, std::size_t number, const Joint& joint, const Compared& c)
+{
+    const auto name = [](Outcome o) { return std::string(code_name("outcome", static_cast<std::uint8_t>(o))); };
+    std::printf("  %s: joint %zu, m %.17g, k_p %.17g, k_v %.17g, V0 %.17g, lanes %s/%d, CVODE %s/%d\n", what, number,
+                joint.mechanism.inertia, joint.control.k_p, joint.control.k_v, joint.control.V0,
+                name(c.row.outcome).c_str(), static_cast<int>(c.row.region), name(c.truth.outcome).c_str(),
+                static_cast<int>(c.truth.region));
+    const auto linear = linear_point(joint);
+    std::printf(
+        "    errors: growth %.3g, period %.3g, amplitude %.3g; growth rate %.10g, CVODE %.10g, spectrum %.10g 1/s\n",
+        c.growth, c.period, c.amplitude, c.row.growth_rate, c.truth.growth_rate, linear.spectral_abscissa);
+}
+
+bool print(const char* title, const std::vector<Joint>& joints, std::vector<Compared> compared)
+{
+    int mismatches = 0, undecided = 0, by_lanes = 0, cycles = 0, bistable = 0;
+    for (std::size_t i = 0; i < compared.size(); ++i) {
+        const auto& c = compared[i];
+        mismatches += !c.same_outcome();
+        undecided += c.undecided();
+        by_lanes += c.row.path == DecisionPath::lanes;
+        cycles += std::isfinite(c.row.period);
+        bistable += c.row.region == Region::bistable;
+        if (!c.same_outcome()) describe("mismatch", i, joints[i], c);
+    }
+    const auto worst = [&](double Compared::*error) {
+        return std::max_element(compared.begin(), compared.end(),
+                                [=](const Compared& a, const Compared& b) { return a.*error < b.*error; });
+    };
+    const auto show = [&](const char* what, double Compared::*error, double bound) {
+        std::vector<double> all;
+        for (const auto& c : compared)
+            if (c.*error > 0) all.push_back(c.*error);
+        std::sort(all.begin(), all.end());
+        const auto at = worst(error);
+        if (all.empty()) return true;
+        std::printf("  %-10s largest error %.3g, median %.3g (bound %.0g)\n", what, all.back(), all[all.size() / 2],
+                    bound);
+        const bool good = all.back() < bound;
+        if (!good)
+            describe(what, static_cast<std::size_t>(at - compared.begin()),
+                     joints[static_cast<std::size_t>(at - compared.begin())], *at);
+        return good;
+    };
+    std::printf("%s: %zu joints, %d cycles, %d bistable; %d decided by lanes, %d undecided, %d mismatches\n", title,
+                compared.size(), cycles, bistable, by_lanes, undecided, mismatches);
+    // where CVODE itself misses the spectrum (rounding of forces, as B − A − k_v V_0 vanishes) it is no reference
+    std::vector<Compared> comparable;
+    int beyond = 0;
+    for (const auto& c : compared) {
+        const bool reference = c.truth_spectrum < growth_bound / 2;
+        beyond += !reference;
+        comparable.push_back(c);
+        if (!reference) comparable.back().growth = 0;
+    }
+    show("growth", &Compared::growth, growth_bound);
+    std::printf("  %d joints where CVODE itself is more than %.0g from the spectrum\n", beyond, growth_bound / 2);
+    compared = std::move(comparable);
+    const bool growth =
+        show("of others", &Compared::growth, growth_bound) & show("spectrum", &Compared::row_spectrum, growth_bound);
+    const bool period = show("period", &Compared::period, period_bound);
+    const bool amplitude = show("amplitude", &Compared::amplitude, amplitude_bound);
+    return growth && period && amplitude && mismatches == 0 &&
+           undecided <= undecided_bound * static_cast<double>(compared.size());
+}
+
+std::vector<Compared> on_two_threads(const std::vector<Joint>& joints, bool region)
+{
+    std::vector<Compared> compared(joints.size());
+    const auto work = [&](std::size_t first) {
+        for (std::size_t i = first * block; i < joints.size(); i += 2 * block) {
+            const std::size_t count = std::min(block, joints.size() - i);
+            const auto part = compare_with_cvode(std::span(joints).subspan(i, count), region);
+            std::copy(part.begin(), part.end(), compared.begin() + static_cast<std::ptrdiff_t>(i));
+        }
+    };
+    std::thread other(work, 1);
+    work(0);
+    other.join();
+    return compared;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    const std::size_t count = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 2200;
+    const unsigned seed = argc > 2 ? static_cast<unsigned>(std::strtoul(argv[2], nullptr, 10)) : 31;
+    std::printf("seed %u\n", seed);
+    bool good = true;
+    for (const bool region : {false, true}) {
+        const auto joints = random_joints(count / 2, seed + region);
+        good &= print(region ? "three regions" : "one small disturbance", joints, on_two_threads(joints, region));
+    }
+    return good ? 0 : 1;
+}

@@ -68,6 +68,7 @@ int run_program(int argc, char** argv, Cluster* cluster)
     add_check(app, invocation);
     add_evaluate(app, invocation);
     add_list(app, invocation);
+    add_figures(app, invocation);
     add_merge(app, invocation);
     add_report(app, invocation);
     add_simulate(app, invocation);

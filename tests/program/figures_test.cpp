@@ -1,0 +1,34 @@
+// The paper's page and the page of a joint, as a user gets them.
+#include "tests/program/run.h"
+
+#include <catch2/catch.hpp>
+
+#include <nlohmann/json.hpp>
+
+using program::stickslip;
+
+TEST_CASE("figures writes the page, the charts and the drawings, and meets every number", "[program]")
+{
+    program::Folder folder;
+    const auto run = stickslip("figures --json -o '" + (folder / "paper") + "'");
+    CHECK(run.exit_code == 0);
+    const auto numbers = nlohmann::json::parse(run.output);
+    CHECK(numbers.size() >= 16);
+    for (const auto& n : numbers) CHECK(n.at("relative_difference").get<double>() < 1e-6);
+    for (const char* file : {"paper/report.html", "paper/charts/fig-3.svg", "paper/charts/regions.csv",
+                             "paper/models/fig-4.svg", "paper/models/fig-7b.svg"}) {
+        CAPTURE(file);
+        CHECK(program::read(folder / file).size() > 1000);
+    }
+}
+
+TEST_CASE("evaluate -o draws what the linear theory says of a joint", "[program]")
+{
+    program::Folder folder;
+    const auto run =
+        stickslip("evaluate examples/02-ball-screw/joint-with-memory.toml -o '" + (folder / "joint") + "'");
+    CHECK(run.exit_code == 0);
+    CHECK_THAT(run.output, Catch::Matchers::Contains("report.html"));
+    for (const char* id : {"k-v-demanded", "response-curve"})
+        CHECK_THAT(program::read(folder / "joint/report.html"), Catch::Matchers::Contains(id));
+}

@@ -13,8 +13,32 @@ constexpr double alike = 0.05;             ///< gap of two turns, per amplitude,
 constexpr double closed = 1e-7;            ///< gap of a closed orbit, per amplitude
 constexpr double longest_turn = 1e4;       ///< of which a turn is given up, in times of the slowest linear rate
 constexpr double watched = 1e-8;           ///< the same for a motion that is only watched, at the noise of its steps
+constexpr double no_rate = 1e-14;          ///< per largest rate
 constexpr int longest_repeat = 32;
-constexpr int settling_turns = 60;  ///< before a motion that neither closes nor settles is tested for repeats
+constexpr double slowest_closing = 0.999;    ///< ratio of successive gaps that is still believed
+constexpr double least_turn = 0.1;           ///< range of position, per largest, of a turn that counts in period-n
+constexpr double by_the_linear_rate = 0.02;  ///< relative difference to the spectral abscissa
+constexpr int linear_turns = 20;             ///< in succession at that rate: the rest of the decay is known
+constexpr int settling_turns = 60;           ///< before a motion that neither closes nor settles is tested for repeats
+
+/// The smallest |s| of a mode and the largest Re s; states that do not evolve are no modes.
+struct LinearRates {
+    double slowest = infinity, abscissa = -infinity;
+};
+LinearRates linear_rates(const Flow& flow)
+{
+    FlowMatrix J;
+    flow.jacobian(flow.steady(), J);
+    const Eigen::VectorXcd modes = J.eigenvalues();
+    const double largest = modes.cwiseAbs().maxCoeff();
+    LinearRates rates;
+    for (const auto& s : modes)
+        if (std::abs(s) > no_rate * largest) {
+            rates.slowest = std::min(rates.slowest, std::abs(s));
+            rates.abscissa = std::max(rates.abscissa, s.real());
+        }
+    return rates;
+}
 
 /// The bookkeeping of one motion.
 class Follower {
@@ -27,10 +51,9 @@ class Follower {
           steady_(flow.steady()),
           motion_(flow, options.solver, options.rtol)
     {
-        FlowMatrix J;
-        flow.jacobian(steady_, J);
-        const double slowest = J.eigenvalues().cwiseAbs().minCoeff();
-        turn_limit_ = longest_turn / slowest;
+        const auto rates = linear_rates(flow);
+        turn_limit_ = longest_turn / rates.slowest;
+        abscissa_ = rates.abscissa;
     }
 
     Attractor run(const FlowVector& y);
@@ -47,6 +70,7 @@ class Follower {
     double still_amplitude(double growth) const;
     double amplitude() const { return distance(points_.back(), steady_); }
     bool repeats();
+    bool wild() const;
     bool smooth(const Turn& turn) const { return turn.sticks == 0 && !turn.reversed; }
 
     const Flow& flow_;
@@ -58,6 +82,8 @@ class Follower {
     std::deque<FlowVector> points_;  ///< on the section, newest last
     std::deque<Turn> turns_;
     double turn_limit_ = 0;                        ///< s
+    double abscissa_ = 0;                          ///< 1/s
+    int linear_turns_ = 0;                         ///< in succession that decayed at the linear rate
     double last_growth_ = missing;                 ///< ln of the amplitude ratio of the last two turns
     double grows_at_ = 0, shrinks_at_ = infinity;  ///< amplitudes seen to grow and to shrink since the last wild turn
     int next_shot_ = 0, patience_ = 1;             ///< turns
@@ -144,8 +170,12 @@ bool Follower::repeats()
 {
     const int n = static_cast<int>(points_.size());
     const double size = amplitude();
-    for (int m = 2; m <= longest_repeat && 2 * m < n; ++m) {
-        if (distance(points_[n - 1], points_[n - 1 - m]) > closed * 100 * size) continue;
+    for (int m = 1; m <= longest_repeat && 2 * m < n; ++m) {
+        // what is still to come if the gap goes on shrinking as it did
+        const double gap = distance(points_[n - 1], points_[n - 1 - m]);
+        const double before = distance(points_[n - 1 - m], points_[n - 1 - 2 * m]);
+        const double rest = m > 1 ? gap : gap / (1 - std::min(gap / before, slowest_closing));
+        if (rest > closed * 100 * size) continue;
         Turn all = turns_.back();
         all.rest_time = 0;
         for (int i = 0; i < m; ++i) {
@@ -159,7 +189,10 @@ bool Follower::repeats()
             all.reversed = all.reversed || t.reversed;
         }
         from_turn(all);
-        result_.repeats = m;
+        // turns that ring within a phase of sticking are no turns of a longer period
+        const double least = least_turn * (all.position_max - all.position_min);
+        result_.repeats = static_cast<int>(std::count_if(
+            turns_.end() - m, turns_.end(), [&](const Turn& t) { return t.position_max - t.position_min > least; }));
         return true;
     }
     return false;
@@ -214,10 +247,23 @@ Attractor Follower::run(const FlowVector& y)
             if (gap < watched * size || gap / (1 - ratio) < closed * size) return from_turn(turn);
         }
         last_growth_ = growth;
-        if (result_.turns >= settling_turns && repeats()) return ended(Kind::period_n);
+        if (result_.turns >= settling_turns && repeats())
+            return ended(result_.repeats > 1 ? Kind::period_n : Kind::cycle);
+        const bool linear = abscissa_ < 0 && std::abs(growth / (abscissa_ * turn.period()) - 1) < by_the_linear_rate;
+        linear_turns_ = linear ? linear_turns_ + 1 : 0;
+        if (steady_attracts_ && linear_turns_ >= linear_turns) return ended(Kind::steady);
     }
-    const bool bounded_and_wild = flow_.size() > 3 && !points_.empty();
-    return bounded_and_wild ? ended(Kind::irregular) : ended(Kind::undecided, Reason::not_converged);
+    return wild() ? ended(Kind::irregular) : ended(Kind::undecided, Reason::not_converged);
+}
+
+/// Bounded, and neither creeping nor in a flow too small for chaos.
+bool Follower::wild() const
+{
+    if (flow_.size() <= 3 || points_.size() < 3) return false;
+    int grew = 0, shrank = 0;
+    for (std::size_t i = 1; i < points_.size(); ++i)
+        ++(distance(points_[i], steady_) > distance(points_[i - 1], steady_) ? grew : shrank);
+    return grew > 0 && shrank > 0;
 }
 
 }  // namespace

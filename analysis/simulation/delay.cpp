@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "analysis/stability/linear_joint.h"
 #include "analysis/stability/steady.h"
 
 namespace stickslip {
@@ -53,10 +54,13 @@ double DelayedJoint::friction(double delayed) const
 std::optional<DelayedJoint> delayed_joint(const Joint& joint)
 {
     const auto* law = std::get_if<TimeLag>(&joint.friction.law);
-    if (!law || joint.mechanism.model != Model::single_mass) return {};
+    const bool single = joint.mechanism.model == Model::single_mass;
+    if (!law || !single || has_unsteady_terms(joint.friction, joint.load) || !is_set(commanded_velocity(joint)))
+        return {};
     DelayedJoint d;
     d.inertia = joint.mechanism.inertia;
-    d.k_v = joint.control.k_v, d.k_p = joint.control.k_p;
+    const auto loop = linear_joint(joint, commanded_velocity(joint));
+    d.k_v = loop.k_v * loop.actuated[0], d.k_p = loop.k_p * loop.actuated[0] + loop.contact[0];
     d.V0 = std::abs(commanded_velocity(joint));
     d.lag = law->lag;
     d.curve = law->curve.law;
@@ -81,8 +85,8 @@ double DelayMotion::delayed_speed(double t) const
 DelayMotion::Rate DelayMotion::rate(double t, double x, double V) const
 {
     const double f = joint_.friction(delayed_speed(t));
-    return {V - joint_.V0,
-            (joint_.steady_friction - f - joint_.k_v * (V - joint_.V0) - joint_.k_p * x) / joint_.inertia};
+    return {V - joint_.V0, (joint_.steady_friction + joint_.force - f - joint_.k_v * (V - joint_.V0) - joint_.k_p * x) /
+                               joint_.inertia};
 }
 
 void DelayMotion::start(double x, double V)
@@ -91,6 +95,12 @@ void DelayMotion::start(double x, double V)
     stuck_ = false;
     history_.clear();
     h_ = std::min(joint_.lag, 0.01 * std::sqrt(joint_.inertia / std::abs(joint_.k_p)));
+}
+
+void DelayMotion::tell() const
+{
+    if (observer_)
+        observer_(t_, x_, V_, stuck_ ? joint_.holding_force(x_) : joint_.friction(delayed_speed(t_)), stuck_);
 }
 
 void DelayMotion::remember(Segment segment)
@@ -169,6 +179,7 @@ Turn DelayMotion::turn(double t_end, double settled_size)
     turn.velocity_min = turn.velocity_max = V_;
     turn.position_min = turn.position_max = x_;
     double quiet_since = t_;
+    tell();
     const auto finish = [&](Turn::End end) {
         turn.end = end;
         turn.t1 = t_;
@@ -179,6 +190,7 @@ Turn DelayMotion::turn(double t_end, double settled_size)
     while (t_ < t_end) {
         if (stuck_) {
             stick(t_end, turn);
+            tell();
             if (stuck_) return finish(std::isfinite(t_end) ? Turn::End::time : Turn::End::held);
             continue;
         }
@@ -194,6 +206,7 @@ Turn DelayMotion::turn(double t_end, double settled_size)
         }
         const bool falls = V_before_ > joint_.V0 && V_ <= joint_.V0;
         if (falls && !stuck_) land_on(joint_.V0);
+        tell();
         turn.velocity_min = std::min(turn.velocity_min, V_);
         turn.velocity_max = std::max(turn.velocity_max, V_);
         turn.position_min = std::min(turn.position_min, x_);

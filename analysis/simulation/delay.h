@@ -3,11 +3,13 @@
 // do that.
 #pragma once
 #include <deque>
+#include <functional>
 #include <optional>
 
 #include "analysis/friction/law.h"
 #include "analysis/joint/joint.h"
 #include "analysis/results/point.h"
+#include "analysis/simulation/disturbance.h"
 #include "analysis/simulation/motion.h"
 
 namespace stickslip {
@@ -17,15 +19,27 @@ namespace stickslip {
 struct DelayedJoint {
     double inertia = missing, k_v = 0, k_p = missing, V0 = missing, lag = missing, steady_friction = missing;
     CurveLaw curve;
+    double force = 0;  ///< d, constant from t = 0 on
 
     /// The curve at a delayed speed; at and below V = 0 its limit from above, since velocities keep their sign here.
     double friction(double delayed) const;
     double static_force() const { return stickslip::static_force(curve); }
-    double holding_force(double x) const { return steady_friction + k_v * V0 - k_p * x; }
+    double holding_force(double x) const { return steady_friction + force + k_v * V0 - k_p * x; }
 };
 
 /// The joint if its law is a time lag on a single mass; steady sliding was checked before.
 std::optional<DelayedJoint> delayed_joint(const Joint& joint);
+
+/// Time of the slowest motion, √(m/k_p).
+double natural_time(const DelayedJoint& joint);
+
+/// The size of a disturbance that is meant where none is given, and the state right after one. There are no states of
+/// the law to disturb.
+struct PositionAndSpeed {
+    double x, V;
+};
+double default_size(const DelayedJoint& joint, DisturbanceKind kind);
+PositionAndSpeed disturbed(const DelayedJoint& joint, DisturbanceKind kind, double size);
 
 /// Follows one delayed motion turn by turn. Explicit Runge-Kutta of order 5 (Dormand & Prince 1980) with its dense
 /// output of order 4 (Hairer, Nørsett & Wanner, Solving ODEs I, II.6).
@@ -39,6 +53,10 @@ class DelayMotion {
     /// V_0.
     Turn turn(double t_end, double settled_size);
     double time() const { return t_; }
+    /// Called at the start and at the end of every step, with the time, the excess position, V, friction, and whether
+    /// the mass sticks.
+    using Observer = std::function<void(double t, double x, double V, double friction, bool stuck)>;
+    void observe(Observer observer) { observer_ = std::move(observer); }
 
   private:
     struct Segment {  ///< of V over one step
@@ -54,6 +72,7 @@ class DelayMotion {
     void land_on(double level);
     void stick(double t_end, Turn& turn);
     void remember(Segment segment);
+    void tell() const;
 
     DelayedJoint joint_;
     double rtol_;
@@ -62,6 +81,7 @@ class DelayMotion {
     double x_dense_[5] = {};
     bool stuck_ = false;
     std::deque<Segment> history_;
+    Observer observer_;
 };
 
 }  // namespace stickslip

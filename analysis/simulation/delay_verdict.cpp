@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <deque>
 
 #include "analysis/simulation/delay.h"
 #include "analysis/simulation/nonlinear.h"
@@ -12,29 +14,42 @@ constexpr double linear_size = 1e-6;        ///< of V_0: the disturbance whose g
 constexpr double settled_size = 1e-5;       ///< of V_0: steady sliding again
 constexpr double still_linear = 1e-2;       ///< of V_0: where the measurement of growth ends at the latest
 constexpr double finest_tolerance = 1e-12;  ///< of V_0, beside forces of some N whose rounding enters
-constexpr int settling_turns = 4, measuring_turns = 10;
+constexpr double faded = 1e-9;              ///< of V_0: where it ends if the motion decays
+constexpr double sample_distance = 0.7;     ///< per √(m/k_p)
+constexpr int most_samples = 100;
 constexpr double closed = 1e-6;  ///< relative gap of a closed orbit
 constexpr double turn_limit_in_turns = 1e3;
 
-double natural_time(const DelayedJoint& joint)
+/// Re s of the slowest mode from four samples at equal distances: what one pair of modes does obeys
+/// x_{n+2} = a x_{n+1} + b x_n, whose characteristic roots are e^{sΔ} (Prony).
+double rate_of_samples(const std::deque<double>& x, double distance)
 {
-    return std::sqrt(joint.inertia / std::abs(joint.k_p));
+    const double det = x[1] * x[1] - x[0] * x[2];
+    const double a = (x[2] * x[1] - x[3] * x[0]) / det, b = (x[1] * x[3] - x[2] * x[2]) / det;
+    const auto root = std::sqrt(std::complex<double>(a * a / 4 + b));
+    return std::log(std::max(std::abs(a / 2 + root), std::abs(a / 2 - root))) / distance;
 }
 
-/// Growth per time of the slowest mode: largest positions of later turns, when faster modes are gone.
+/// Growth per time of the slowest mode, when faster ones are gone and before the motion is large.
 double measured_growth(const DelayedJoint& joint, double rtol)
 {
-    const double unit = joint.V0 * natural_time(joint);
+    const double unit = joint.V0 * natural_time(joint), distance = sample_distance * natural_time(joint);
     DelayMotion motion(joint, std::max(rtol * linear_size, finest_tolerance));
     motion.start(linear_size * unit, joint.V0);
-    double x0 = missing, t0 = 0, growth = missing;
-    for (int i = 0; i < settling_turns + measuring_turns; ++i) {
-        const auto turn = motion.turn(motion.time() + turn_limit_in_turns * natural_time(joint), 0);
-        if (turn.end != Turn::End::crossing || std::abs(turn.state[0]) > still_linear * unit) return growth;
-        if (i == settling_turns - 1) x0 = turn.state[0], t0 = turn.t1;
-        if (i >= settling_turns) growth = std::log(turn.state[0] / x0) / (turn.t1 - t0);
+    std::deque<double> samples;
+    for (int i = 1; i <= most_samples; ++i) {
+        Turn turn;
+        while (motion.time() < i * distance) {
+            turn = motion.turn(i * distance, 0);
+            if (turn.end == Turn::End::failure || turn.end == Turn::End::held) return missing;
+        }
+        const double size = std::abs(turn.state[0]) / unit;
+        if (size > still_linear || (samples.size() == 4 && size < faded && std::abs(samples.back()) < faded * unit))
+            break;
+        samples.push_back(turn.state[0]);
+        if (samples.size() > 4) samples.pop_front();
     }
-    return growth;
+    return samples.size() == 4 ? rate_of_samples(samples, distance) : missing;
 }
 
 struct End {
@@ -43,10 +58,10 @@ struct End {
     Turn turn;
 };
 
-End follow(const DelayedJoint& joint, double x, double V, const NonlinearOptions& options)
+End follow(const DelayedJoint& joint, PositionAndSpeed from, const NonlinearOptions& options)
 {
     DelayMotion motion(joint, options.rtol);
-    motion.start(x, V);
+    motion.start(from.x, from.V);
     End end;
     double last = missing, last_gap = missing;
     for (int i = 0; i < options.turn_limit; ++i) {
@@ -92,6 +107,39 @@ void describe(const DelayedJoint& joint, const Turn& turn, NonlinearVerdict& ver
 
 }  // namespace
 
+double natural_time(const DelayedJoint& joint)
+{
+    return std::sqrt(joint.inertia / std::abs(joint.k_p));
+}
+
+double default_size(const DelayedJoint& joint, DisturbanceKind kind)
+{
+    switch (kind) {
+        case DisturbanceKind::velocity:
+            return linear_size * joint.V0;
+        case DisturbanceKind::impulse:
+            return linear_size * joint.V0 * joint.inertia;
+        case DisturbanceKind::start:
+            return 1 - linear_size;
+        default:
+            return linear_size * joint.V0 * natural_time(joint);
+    }
+}
+
+PositionAndSpeed disturbed(const DelayedJoint& joint, DisturbanceKind kind, double size)
+{
+    switch (kind) {
+        case DisturbanceKind::velocity:
+            return {0, joint.V0 + size};
+        case DisturbanceKind::impulse:
+            return {0, joint.V0 + size / joint.inertia};
+        case DisturbanceKind::start:
+            return {(joint.holding_force(0) - joint.static_force()) / joint.k_p, 0};
+        default:
+            return {size, joint.V0};
+    }
+}
+
 NonlinearVerdict delayed_verdict(const Joint& joint, const DelayedJoint& delayed, const NonlinearOptions& options)
 {
     NonlinearVerdict verdict;
@@ -104,26 +152,17 @@ NonlinearVerdict delayed_verdict(const Joint& joint, const DelayedJoint& delayed
         return verdict;
     }
     const bool stated_small = !is_set(options.disturbance.size);
-    const bool of_speed = kind == DisturbanceKind::velocity || kind == DisturbanceKind::impulse;
-    if (stated_small) verdict.disturbance.size = linear_size * delayed.V0 * (of_speed ? 1 : natural_time(delayed));
+    if (stated_small) verdict.disturbance.size = default_size(delayed, kind);
     verdict.growth_rate = measured_growth(delayed, options.rtol);
     const bool stable = linear_verdict(joint).state_variable.stable;
     const bool decays = std::isnan(verdict.growth_rate) || verdict.growth_rate == 0 ? stable : verdict.growth_rate < 0;
 
-    const double at_rest = (delayed.holding_force(0) - delayed.static_force()) / delayed.k_p;
-    const double size = verdict.disturbance.size;
-    const double speed = kind == DisturbanceKind::impulse ? size / delayed.inertia : size;
     End stated;
     stated.outcome = Outcome::stable_sliding;
     if (!(stated_small && decays)) {
         // a small disturbance that grows is lifted to a tenth of V_0: its direction is known, its size is not
-        const double lift = stated_small ? 0.1 / linear_size : 1;
-        if (kind == DisturbanceKind::start)
-            stated = follow(delayed, at_rest, 0, options);
-        else if (of_speed)
-            stated = follow(delayed, 0, delayed.V0 + lift * speed, options);
-        else
-            stated = follow(delayed, lift * size, delayed.V0, options);
+        const double lift = stated_small && kind != DisturbanceKind::start ? 0.1 / linear_size : 1;
+        stated = follow(delayed, disturbed(delayed, kind, lift * verdict.disturbance.size), options);
     }
     verdict.outcome = stated.outcome;
     verdict.reason = stated.reason;
@@ -133,7 +172,7 @@ NonlinearVerdict delayed_verdict(const Joint& joint, const DelayedJoint& delayed
     } else if (oscillates(stated.outcome)) {
         verdict.region = NonlinearRegion::bistable;
     } else if (options.region) {
-        const auto large = follow(delayed, at_rest, 0, options);
+        const auto large = follow(delayed, disturbed(delayed, DisturbanceKind::start, 0), options);
         if (large.outcome == Outcome::stable_sliding)
             verdict.region = NonlinearRegion::stable;
         else if (oscillates(large.outcome))

@@ -1,6 +1,6 @@
 #include "analysis/simulation/flow.h"
 
-#include "analysis/stability/linear_friction.h"
+#include "analysis/stability/linear_joint.h"
 #include "analysis/stability/steady.h"
 
 #include <algorithm>
@@ -12,16 +12,28 @@ namespace {
 /// oversteps V = 0.
 constexpr double rest_speed = 1e-12;
 
-/// Terms that leave no steady sliding in the strict sense.
-bool has_unsteady_terms(const Joint& joint)
+}  // namespace
+
+bool has_unsteady_terms(const Friction& f, const Load& l)
 {
-    const auto& f = joint.friction;
-    const auto& l = joint.load;
     return f.load_coefficient != 0 || f.ripple.amplitude != 0 || f.drift.change != 0 || l.gravity_amplitude != 0 ||
            l.cogging.amplitude != 0 || l.disturbance.amplitude != 0;
 }
 
-}  // namespace
+bool can_rest(const Friction& friction)
+{
+    const bool contact = friction.has_memory() && friction.memory.A > 0;
+    return info(friction.law).set_valued_at_rest && !contact && !friction.has_bristle();
+}
+
+FrictionResponse respond_on(const Friction& friction, Branch branch, double V, double V0, const States& theta)
+{
+    const double edge = branch == Branch::forward ? rest_speed * V0 : -rest_speed * V0;
+    if ((V - edge) * edge > 0) return respond(friction, V, theta);
+    auto r = respond(friction, edge, theta);
+    r.force += r.by_velocity * (V - edge);
+    return r;
+}
 
 FlowVector SlidingFlow::steady() const
 {
@@ -54,13 +66,7 @@ FrictionResponse SlidingFlow::response(const FlowVector& y) const
     States theta{};
     for (int i = 0; i < states; ++i) theta[i] = y[2 + i];
     const double V = velocity(y);
-    if (!can_rest()) return respond(friction, V, theta);
-    // a branch continues smoothly through V = 0; the event that ends it lies there
-    const double edge = branch == Branch::forward ? rest_speed * V0 : -rest_speed * V0;
-    if ((V - edge) * edge > 0) return respond(friction, V, theta);
-    auto r = respond(friction, edge, theta);
-    r.force += r.by_velocity * (V - edge);
-    return r;
+    return can_rest() ? respond_on(friction, branch, V, V0, theta) : respond(friction, V, theta);
 }
 
 void SlidingFlow::rate(const FlowVector& y, FlowVector& out) const
@@ -109,12 +115,6 @@ double SlidingFlow::static_force() const
 {
     return stickslip::static_force(friction.law);
 }
-bool SlidingFlow::can_rest() const
-{
-    const bool contact = friction.has_memory() && friction.memory.A > 0;
-    return info(friction.law).set_valued_at_rest && !contact && !friction.has_bristle();
-}
-
 FlowVector QuasiStaticFlow::steady() const
 {
     const FlowVector y = full_.steady();
@@ -208,7 +208,7 @@ SlidingOrReason sliding_flow(const Joint& joint)
 {
     SlidingOrReason result;
     auto& flow = result.flow;
-    if (joint.mechanism.model != Model::single_mass || has_unsteady_terms(joint)) {
+    if (joint.mechanism.model != Model::single_mass || has_unsteady_terms(joint.friction, joint.load)) {
         result.reason = Reason::unsupported;
         return result;
     }
@@ -219,8 +219,9 @@ SlidingOrReason sliding_flow(const Joint& joint)
     if (info(joint.friction.law).linear_only) result.reason = Reason::linear_only;
     if (result.reason != Reason::none) return result;
     flow.inertia = joint.mechanism.inertia;
-    flow.k_v = joint.control.k_v;
-    flow.k_p = joint.control.k_p;
+    const auto loop = linear_joint(joint, sliding.velocity);
+    flow.k_v = loop.k_v * loop.actuated[0];
+    flow.k_p = loop.k_p * loop.actuated[0] + loop.contact[0];
     flow.friction = joint.friction;
     flow.V0 = std::abs(sliding.velocity);
     if (sliding.velocity < 0) {

@@ -9,7 +9,8 @@
 
 namespace stickslip {
 
-inline constexpr int max_flow_size = 2 + max_states;
+/// Three bodies, each with a law and its states.
+inline constexpr int max_flow_size = 3 * (2 + max_states);
 using FlowVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_flow_size, 1>;
 using FlowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_flow_size, max_flow_size>;
 
@@ -42,6 +43,26 @@ class Flow {
 /// In which branch of a friction law that is set-valued at rest the mass slides.
 enum class Branch { forward, reverse };
 
+/// Whether V = 0 is a set of forces: memory with a direct effect, or bristles, make it a function.
+bool can_rest(const Friction& friction);
+
+/// The response of one branch, continued smoothly through V = 0, where the event that ends the branch lies. V0 > 0 sets
+/// the scale.
+FrictionResponse respond_on(const Friction& friction, Branch branch, double V, double V0, const States& theta);
+
+/// A flow whose bodies may each come to rest: which equations hold changes at switches, each the zero of a function.
+class SwitchingFlow : public Flow {
+  public:
+    virtual int switches() const = 0;
+    virtual void switch_values(const FlowVector& y, double* values) const = 0;
+    /// Chooses the equations that hold at y.
+    virtual void enter(FlowVector& y) = 0;
+    /// Changes them at the zero of one function.
+    virtual void pass(int which, FlowVector& y) = 0;
+    virtual bool anything_rests() const = 0;
+    virtual std::unique_ptr<SwitchingFlow> copy() const = 0;
+};
+
 /// m ẍ + k_v ẋ + k_p x + f − f_ss(V_0) = d, V = V_0 + ẋ                                               (9)
 /// y = (x, ln(V/V_0), θ_i) for laws that need motion, since V then spans twelve decades, and (x, V, θ_i) for the
 /// others. Steady sliding at V_0 < 0 is mirrored: positions and velocities count along the commanded direction.
@@ -73,8 +94,7 @@ class SlidingFlow final : public Flow {
     double holding_force(double x) const { return steady_friction + force + k_v * V0 - k_p * x; }
     /// Largest friction at rest; 0 for a law that is a function at V = 0.
     double static_force() const;
-    /// Whether V = 0 is a set of forces: memory with a direct effect, or bristles, make it a function.
-    bool can_rest() const;
+    bool can_rest() const { return stickslip::can_rest(friction); }
 
   private:
     FrictionResponse response(const FlowVector& y) const;
@@ -109,5 +129,8 @@ struct SlidingOrReason {
     Reason reason = Reason::none;
 };
 SlidingOrReason sliding_flow(const Joint& joint);
+
+/// Terms that leave no steady sliding in the strict sense.
+bool has_unsteady_terms(const Friction& friction, const Load& load);
 
 }  // namespace stickslip

@@ -1,7 +1,7 @@
 // The slowest mode of steady sliding in the variables of a flow, and disturbances that excite it.
 #pragma once
+#include "analysis/simulation/chain_flow.h"
 #include "analysis/simulation/disturbance.h"
-#include "analysis/simulation/flow.h"
 
 #include <complex>
 
@@ -11,11 +11,12 @@ namespace stickslip {
 /// or takes by its error must be small beside it.
 inline constexpr double clear_change = 5;
 
-/// The eigenvalue of largest real part and its left eigenvector: along a trajectory near steady sliding,
-/// l·(y − y_ss) = l·(y_0 − y_ss) e^{st} holds exactly, whatever the other modes do.
+/// The eigenvalue of largest real part and its eigenvectors: along a trajectory near steady sliding,
+/// l·(y − y_ss) = l·(y_0 − y_ss) e^{st} holds exactly, whatever the other modes do. States that rest wherever they are
+/// left, like the yielded elements of a slip model, are no modes.
 struct SlowMode {
     std::complex<double> s{missing, missing};
-    Eigen::VectorXcd left;
+    Eigen::VectorXcd left, right;
     FlowVector steady;
 
     /// |l·(y − y_ss)|
@@ -28,10 +29,13 @@ struct SlowMode {
 };
 SlowMode slow_mode(const Flow& flow);
 
-/// The size that is meant where none is given; only for kinds `position`, `velocity`, `impulse` and `offset`.
+/// The size that is meant where none is given.
 double default_size(const SlidingFlow& flow, const SlowMode& mode, DisturbanceKind kind);
+double default_size(const ChainFlow& flow, const SlowMode& mode, DisturbanceKind kind);
 
-/// The state right after the disturbance.
-FlowVector disturbed(const SlidingFlow& flow, DisturbanceKind kind, double size);
+/// The state right after the disturbance, which acts on the link. Several bodies: `position` and `velocity` displace
+/// the joint along its slow mode, so far that the link has that position or velocity more; `offset` moves all bodies.
+FlowVector disturbed(const SlidingFlow& flow, const SlowMode& mode, DisturbanceKind kind, double size);
+FlowVector disturbed(const ChainFlow& flow, const SlowMode& mode, DisturbanceKind kind, double size);
 
 }  // namespace stickslip

@@ -11,6 +11,10 @@ namespace {
 /// Share of V_0 beyond which a negative velocity is reverse sliding rather than the error of a step that ends at rest.
 constexpr double reversal = 1e-6;
 
+constexpr double at_rest_speed = 1e-9;  ///< share of V_0 to which an event finds rest
+
+constexpr int most_idle_switches = 100;  ///< of bodies that stop and go without time moving on
+
 }  // namespace
 SlidingMotion::SlidingMotion(const Flow& flow, Solver solver, double rtol)
     : flow_(&flow), stepper_(stepper(solver, rtol)), solver_(solver), rtol_(rtol)
@@ -22,7 +26,13 @@ SlidingMotion::SlidingMotion(const Flow& flow, Solver solver, double rtol)
         own_ = std::move(copy);
         flow_ = own_.get();
     }
-    events_.count = mutable_flow_ ? 3 : 2;
+    if (const auto* switching = dynamic_cast<const SwitchingFlow*>(&flow)) {
+        auto copy = switching->copy();
+        switching_ = copy.get();
+        own_ = std::move(copy);
+        flow_ = own_.get();
+    }
+    events_.count = mutable_flow_ ? 3 : switching_ ? 2 + switching_->switches() : 2;
     if (mutable_flow_) {  // V may vanish and reverse: straight measures
         events_.values = [this](const FlowVector& y, double* values) {
             const double speed = flow_->velocity(y) / flow_->commanded_velocity();
@@ -31,10 +41,11 @@ SlidingMotion::SlidingMotion(const Flow& flow, Solver solver, double rtol)
             values[rest] = speed;
         };
     } else {
-        const double threshold = flow.logarithmic_speed() ? std::log(near_rest) : near_rest - 1;
+        const double threshold = flow_->logarithmic_speed() ? std::log(near_rest) : near_rest - 1;
         events_.values = [this, threshold](const FlowVector& y, double* values) {
             values[section] = flow_->speed_measure(y);
             values[slow] = values[section] - threshold;
+            if (switching_) switching_->switch_values(y, values + rest);
         };
     }
 }
@@ -48,6 +59,8 @@ void SlidingMotion::start(const FlowVector& y, double t)
     sticks_ = 0;
     stuck_ = false;
     stepper_ = stepper(solver_, rtol_);
+    idle_switches_ = 0;
+    if (switching_) switching_->enter(y_);
     if (mutable_flow_ && y_[1] == 0) {
         arrive_at_rest();
     } else {
@@ -100,6 +113,15 @@ bool SlidingMotion::stick(double t_end)
     return true;
 }
 
+/// False where bodies stop and go for ever at one instant.
+bool SlidingMotion::pass_switch(int which)
+{
+    switching_->pass(which, y_);
+    if (switching_->anything_rests()) ++sticks_;
+    restart();
+    return ++idle_switches_ < most_idle_switches;
+}
+
 bool SlidingMotion::step_failed()
 {
     if (solver_ != Solver::cvode || used_fallback_) return true;
@@ -112,7 +134,9 @@ bool SlidingMotion::step_failed()
 
 void SlidingMotion::measure_step(double t_before, const FlowVector& before, Turn& turn)
 {
-    const double V = flow_->velocity(y_), V0 = flow_->commanded_velocity();
+    const double V0 = flow_->commanded_velocity();
+    double V = flow_->velocity(y_);
+    if (switching_ && std::abs(V) < at_rest_speed * V0) V = 0;  // where the link's switch lies
     turn.velocity_min = std::min(turn.velocity_min, V);
     turn.velocity_max = std::max(turn.velocity_max, V);
     turn.position_min = std::min(turn.position_min, flow_->position(y_));
@@ -134,7 +158,7 @@ void SlidingMotion::measure_step(double t_before, const FlowVector& before, Turn
 
 void SlidingMotion::tell()
 {
-    if (observer_) observer_({t_, y_, stuck_ ? 0.0 : flow_->velocity(y_), stuck_});
+    if (observer_) observer_({t_, y_, stuck_ ? 0.0 : flow_->velocity(y_), stuck_, *flow_});
 }
 
 Turn SlidingMotion::turn(double t_end, const std::function<bool(const FlowVector&)>& settled)
@@ -145,7 +169,7 @@ Turn SlidingMotion::turn(double t_end, const std::function<bool(const FlowVector
     turn.velocity_min = turn.velocity_max = stuck_ ? 0 : flow_->velocity(y_);
     turn.position_min = turn.position_max = flow_->position(y_);
     rest_time_ = 0;
-    sticks_ = stuck_ ? 1 : 0;
+    sticks_ = stuck_ || (switching_ && switching_->anything_rests()) ? 1 : 0;
     release_position_ = missing;
     const auto finish = [&](Turn::End end) {
         turn.end = end;
@@ -174,10 +198,13 @@ Turn SlidingMotion::turn(double t_end, const std::function<bool(const FlowVector
         }
         t_ = stepper_->time();
         y_ = stepper_->state();
-        const bool at_rest = report.end == StepEnd::event && report.event == rest;
+        if (t_ > t_before) idle_switches_ = 0;
+        const bool at_rest = mutable_flow_ && report.end == StepEnd::event && report.event == rest;
         if (at_rest) y_[1] = 0;
         measure_step(t_before, before, turn);
         if (at_rest) arrive_at_rest();
+        if (switching_ && report.end == StepEnd::event && report.event >= rest)
+            if (!pass_switch(report.event - rest)) return finish(Turn::End::failure);
         tell();
         if (report.end == StepEnd::event && report.event == section && report.direction < 0)
             return finish(Turn::End::crossing);

@@ -18,7 +18,7 @@ struct Turn {
     double position_min = 0, position_max = 0;
     double rest_time = 0;               ///< at rest or below near_rest · V_0
     double release_position = missing;  ///< where true sticking last ended
-    int sticks = 0;                     ///< phases of true sticking
+    int sticks = 0;                     ///< phases of true sticking, of any body
     bool reversed = false;
     double period() const { return t1 - t0; }
 };
@@ -29,6 +29,7 @@ struct Instant {
     const FlowVector& y;
     double velocity;
     bool stuck;
+    const Flow& flow;  ///< with the branches that hold
 };
 
 /// Follows one flow. Laws that are set-valued at rest stick there while the force needed to hold the mass stays within
@@ -55,12 +56,14 @@ class SlidingMotion {
     void restart();
     void begin_slide(Branch branch);
     void arrive_at_rest();
+    bool pass_switch(int which);
     bool stick(double t_end);
     void measure_step(double t_before, const FlowVector& before, Turn& turn);
     void tell();
 
     const Flow* flow_;
     SlidingFlow* mutable_flow_ = nullptr;  ///< own copy, where branches are switched
+    SwitchingFlow* switching_ = nullptr;   ///< own copy, where several bodies may rest
     std::unique_ptr<Flow> own_;
     Events events_;
     std::unique_ptr<Stepper> stepper_;
@@ -71,6 +74,7 @@ class SlidingMotion {
     bool stuck_ = false, used_fallback_ = false;
     double rest_time_ = 0, release_position_ = missing;
     int sticks_ = 0;
+    int idle_switches_ = 0;  ///< since time last moved on
     std::function<void(const Instant&)> observer_;
 };
 

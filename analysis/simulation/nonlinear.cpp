@@ -4,6 +4,7 @@
 #include "analysis/simulation/bifurcation.h"
 #include "analysis/simulation/delay.h"
 #include "analysis/simulation/mode.h"
+#include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/spectrum.h"
 #include "analysis/stability/steady.h"
 #include "analysis/stability/verdict.h"
@@ -14,7 +15,8 @@
 namespace stickslip {
 namespace {
 
-/// A share of V_0 from which commanding V_0 is a large disturbance: the friction then differs by nine e-folds of V.
+/// A share of V_0 from which commanding V_0 is a large disturbance, the largest that operation brings about: the
+/// friction then differs by nine e-folds of V, or the joint is at rest with its spring wound up.
 constexpr double slow_start = 1e-4;
 
 /// How much of |s| a growth rate must be before its sign is believed; below, the spectrum decides.
@@ -43,10 +45,9 @@ struct Growth {
 
 /// From differences of motions that start on opposite sides of steady sliding, so that even powers of the disturbance
 /// cancel, at two sizes, so that the third power does.
-Growth measure_growth(const SlidingFlow& flow, const SlowMode& mode, DisturbanceKind kind, const FollowOptions& options)
+Growth measure_growth(const Flow& flow, const SlowMode& mode, FlowVector probe, const FollowOptions& options)
 {
     Growth growth;
-    FlowVector probe = disturbed(flow, kind, default_size(flow, mode, kind)) - mode.steady;
     // a position that balances at V_0 starts without a change of speed and brings one about
     const double size = std::max(small_disturbance, probe.cwiseQuotient(flow.scale()).lpNorm<Eigen::Infinity>());
     probe *= probe_size / size;
@@ -112,9 +113,10 @@ void describe_cycle(const Attractor& a, double deflection, NonlinearVerdict& ver
 }
 
 /// Criticality at k_cr, and the fold: from a subcritical Hopf point, or from the cycle that a bistable joint has.
-void add_bifurcation(const Joint& joint, const SlidingFlow& flow, const FlowVector& cycle_start,
-                     NonlinearVerdict& verdict)
+void add_bifurcation(const Joint& joint, const Flow& flow, const FlowVector& cycle_start, NonlinearVerdict& verdict)
 {
+    const auto* single = dynamic_cast<const SlidingFlow*>(&flow);  // the branch of cycles is followed for one body
+
     const double k_cr = linear_verdict(joint).state_variable.k_cr;
     const CycleOptions options;
     if (std::isfinite(k_cr) && k_cr > 0) {
@@ -125,34 +127,20 @@ void add_bifurcation(const Joint& joint, const SlidingFlow& flow, const FlowVect
         verdict.criticality = weak                ? Criticality::degenerate
                               : hopf.lyapunov > 0 ? Criticality::subcritical
                                                   : Criticality::supercritical;
+        if (!single) return;
         if (const auto fold = fold_of_cycles(*at_critical, hopf, options)) verdict.fold_k_p = fold->k_p;
     }
-    const bool smooth = cycle_start.size() > 0 && verdict.velocity_min > 0 && flow.states > 0;
+    const bool smooth = single && single->states > 0 && cycle_start.size() > 0 && verdict.velocity_min > 0;
     if (std::isnan(verdict.fold_k_p) && verdict.region == NonlinearRegion::bistable && smooth)
-        if (const auto fold = fold_of_cycles(flow, BranchPoint{flow.k_p, cycle_start}, options))
+        if (const auto fold = fold_of_cycles(flow, BranchPoint{single->k_p, cycle_start}, options))
             verdict.fold_k_p = fold->k_p;
 }
 
-/// From a start at rest, or nearly so, with the spring wound up: the largest disturbance that operation brings about.
-FlowVector from_rest(const SlidingFlow& flow)
+/// The verdict on equations of motion that exist, with the largest real part of the linear spectrum.
+template <class AnyFlow>
+void judge(const Joint& joint, const AnyFlow& flow, double abscissa, const NonlinearOptions& options,
+           NonlinearVerdict& verdict)
 {
-    return disturbed(flow, DisturbanceKind::start, slow_start);
-}
-
-}  // namespace
-
-NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& options)
-{
-    NonlinearVerdict verdict;
-    const auto [flow, reason] = sliding_flow(joint);
-    if (reason == Reason::unsupported)
-        if (const auto delayed = delayed_joint(joint)) return delayed_verdict(joint, *delayed, options);
-    verdict.reason = reason;
-    verdict.disturbance = options.disturbance;
-    if (reason != Reason::none) {
-        verdict.outcome = reason == Reason::linear_only ? Outcome::linear_only : Outcome::undecided;
-        return verdict;
-    }
     FollowOptions follow_options;
     follow_options.solver = options.fallback_only ? Solver::rodas5p : Solver::cvode;
     follow_options.rtol = options.rtol;
@@ -160,25 +148,26 @@ NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& o
     follow_options.accelerate = options.accelerate;
 
     const auto mode = slow_mode(flow);
-    const double abscissa = spectral_abscissa(linear_mass(joint, steady_sliding(joint).velocity));
-    const double deflection = flow.steady_friction / flow.k_p;
+    const double deflection = steady_sliding(joint).deflection;
+    const auto kind = options.disturbance.kind;
     const bool stated_small = !is_set(options.disturbance.size);
-    if (stated_small) verdict.disturbance.size = default_size(flow, mode, options.disturbance.kind);
+    if (stated_small) verdict.disturbance.size = default_size(flow, mode, kind);
 
-    const auto growth = measure_growth(flow, mode, options.disturbance.kind, follow_options);
+    const FlowVector small = disturbed(flow, mode, kind, default_size(flow, mode, kind));
+    const auto growth = measure_growth(flow, mode, small - mode.steady, follow_options);
     verdict.growth_rate = growth.rate;
     verdict.used_fallback = growth.used_fallback;
     if (growth.failed || !std::isfinite(growth.rate)) {
         verdict.outcome = Outcome::solver_failure;
         verdict.reason = Reason::solver_failed;
-        return verdict;
+        return;
     }
     const bool measurable = std::abs(growth.rate) > measurable_growth * std::abs(mode.s);
     // a neutral mode, as of an undamped spring, does not grow
     const bool decays = measurable ? growth.rate < 0 : abscissa <= neutral_abscissa * std::abs(mode.s);
 
     // the stated disturbance
-    const FlowVector y0 = disturbed(flow, options.disturbance.kind, verdict.disturbance.size);
+    const FlowVector y0 = disturbed(flow, mode, kind, verdict.disturbance.size);
     Attractor stated;
     if (stated_small && decays) {
         stated.kind = Attractor::Kind::steady;
@@ -204,7 +193,8 @@ NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& o
     } else if (oscillates(stated)) {
         verdict.region = NonlinearRegion::bistable;
     } else if (options.region) {
-        const auto large = follow(flow, from_rest(flow), decays, follow_options);
+        const auto large =
+            follow(flow, disturbed(flow, mode, DisturbanceKind::start, slow_start), decays, follow_options);
         verdict.used_fallback |= large.used_fallback;
         if (large.kind == Attractor::Kind::steady) verdict.region = NonlinearRegion::stable;
         if (oscillates(large)) {
@@ -215,6 +205,29 @@ NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& o
         if (verdict.region == NonlinearRegion::undecided) verdict.reason = large.reason;
     }
     if (options.bifurcation) add_bifurcation(joint, flow, cycle_start, verdict);
+}
+
+}  // namespace
+
+NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& options)
+{
+    if (const auto delayed = delayed_joint(joint); delayed && sliding_flow(joint).reason == Reason::unsupported)
+        return delayed_verdict(joint, *delayed, options);
+    NonlinearVerdict verdict;
+    verdict.disturbance = options.disturbance;
+    const auto judged = [&](const auto& found) {
+        verdict.reason = found.reason;
+        if (found.reason == Reason::none) {
+            const auto linear = linear_joint(joint, steady_sliding(joint).velocity);
+            judge(joint, found.flow, spectral_abscissa(linear), options, verdict);
+        } else {
+            verdict.outcome = found.reason == Reason::linear_only ? Outcome::linear_only : Outcome::undecided;
+        }
+    };
+    if (joint.mechanism.model == Model::single_mass)
+        judged(sliding_flow(joint));
+    else
+        judged(chain_flow(joint));
     return verdict;
 }
 

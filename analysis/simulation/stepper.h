@@ -9,7 +9,7 @@ namespace stickslip {
 
 enum class Solver { cvode, rodas5p };
 
-inline constexpr int max_events = 3;
+inline constexpr int max_events = 2 + 3;  ///< two of the speed, one a body
 
 /// Functions of the state whose zeros stop a step.
 struct Events {

@@ -43,7 +43,8 @@ bool less(const Groups& a, const Groups& b)
 std::optional<Scaled> scaled(const Joint& joint)
 {
     const auto* law = std::get_if<RateAndState>(&joint.friction.law);
-    const bool single = joint.mechanism.model == Model::single_mass;
+    const bool single = joint.mechanism.model == Model::single_mass && joint.control.contact_stiffness == 0 &&
+                        joint.control.force_gain == 0;
     if (!law || law->B.size != 1 || !single || !plain(joint.friction, joint.load)) return {};
     const auto sliding = steady_sliding(joint);
     if (sliding.reason != Reason::none) return {};

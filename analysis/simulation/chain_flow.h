@@ -1,0 +1,93 @@
+// Two or three bodies with springs between them, a friction law on each, about steady sliding.
+#pragma once
+#include "analysis/simulation/flow.h"
+#include "analysis/stability/linear_joint.h"
+
+#include <array>
+#include <complex>
+
+namespace stickslip {
+
+/// M_i v̇_i + Σ_k (K_ik ξ_k + D_ik (v_k − w_k)) + u_i (k_p ξ_m + k_v (v_m − w_m)) + N_i (f_i − f_ss,i) = d_i in joint
+/// coordinates, ξ_i the displacement from the steady path, w_i the steady velocity of body i, N_i v_i the velocity that
+/// its friction feels. y = (ξ_1 … ξ_n, s_1 … s_n, θ of body 1, …) with s_i = ln(v_i/w_i) for laws that need motion and
+/// v_i for the others. A body whose law is set-valued at rest sticks while the force needed to hold it stays within its
+/// static friction. Position, velocity and section are those of the link. Steady sliding at V_0 < 0 is mirrored.
+class ChainFlow final : public SwitchingFlow {
+  public:
+    enum class Mode { forward, reverse, stuck };
+    struct BodyFlow {
+        Friction friction;
+        double inertia, ratio, speed;  ///< M_i, N_i, w_i
+        double steady_friction;        ///< f_ss,i at the body's own side
+        bool logarithmic, rests;
+        int states, first_state;
+        Mode mode = Mode::forward;
+    };
+    int bodies = 0;
+    std::array<BodyFlow, max_bodies> body;
+    LinearJoint loop;  ///< springs, dampers, loop
+    double V0 = not_set;
+    double force = 0;  ///< d on the link, constant while one integration lasts
+
+    int size() const override { return 2 * bodies + total_states_; }
+    FlowVector steady() const override;
+    FlowVector scale() const override;
+    void rate(const FlowVector& y, FlowVector& rate) const override;
+    void jacobian(const FlowVector& y, FlowMatrix& jacobian) const override;
+    double velocity(const FlowVector& y) const override { return velocity(y, link()); }
+    double position(const FlowVector& y) const override { return y[link()]; }
+    double speed_measure(const FlowVector& y) const override;
+    FlowVector speed_gradient(const FlowVector& y) const override;
+    double commanded_velocity() const override { return V0; }
+    bool logarithmic_speed() const override { return body[link()].logarithmic; }
+    std::unique_ptr<Flow> with_gain(double k_p) const override;
+    double gain() const override { return loop.k_p; }
+
+    int switches() const override { return bodies; }
+    void switch_values(const FlowVector& y, double* values) const override;
+    void enter(FlowVector& y) override;
+    void pass(int which, FlowVector& y) override;
+    bool anything_rests() const override;
+    std::unique_ptr<SwitchingFlow> copy() const override { return std::make_unique<ChainFlow>(*this); }
+
+    int link() const { return bodies - 1; }
+    bool can_rest() const;
+    double velocity(const FlowVector& y, int i) const;  ///< of body i, joint coordinates
+    /// Friction on the link at y: of its law, or what holds it.
+    double link_friction(const FlowVector& y) const;
+    bool link_stuck() const { return body[link()].mode == Mode::stuck; }
+
+    /// All bodies moving steadily at a share of V_0, those that can rest at rest if it is 0, springs in balance.
+    FlowVector slow_start(double share) const;
+
+  private:
+    friend struct ChainOrReason chain_flow(const Joint& joint);
+    void set_velocity(FlowVector& y, int i, double v) const;
+    void settle(int i, FlowVector& y);
+    States states_of(const FlowVector& y, int i) const;
+    FrictionResponse response(const FlowVector& y, int i) const;
+    /// What friction must carry, in joint coordinates, for body i to keep its velocity.
+    double needed(const FlowVector& y, int i) const;
+    double limit(int i) const { return body[i].ratio * static_force(body[i].friction.law); }
+    double stiffness(int i, int k) const
+    {
+        return loop.stiffness_at(i, k) + (k == loop.measured ? loop.actuated[i] * loop.k_p : 0);
+    }
+    double damping(int i, int k) const
+    {
+        return loop.damping_at(i, k) + (k == loop.measured ? loop.actuated[i] * loop.k_v : 0);
+    }
+
+    int total_states_ = 0;
+};
+
+struct ChainOrReason {
+    ChainFlow flow;
+    Reason reason = Reason::none;
+};
+
+/// The equations of motion of a joint of several bodies, or the reason why there are none.
+ChainOrReason chain_flow(const Joint& joint);
+
+}  // namespace stickslip

@@ -14,6 +14,14 @@ std::string kind_name(DisturbanceKind kind)
     return "unknown";
 }
 
+/// [re, im] each, the largest first.
+nlohmann::ordered_json multipliers_json(const std::vector<std::complex<double>>& multipliers)
+{
+    auto list = nlohmann::ordered_json::array();
+    for (const auto& m : multipliers) list.push_back({m.real(), m.imag()});
+    return list;
+}
+
 nlohmann::ordered_json criticality_json(Criticality criticality)
 {
     switch (criticality) {
@@ -58,9 +66,14 @@ nlohmann::ordered_json nonlinear_json(const NonlinearVerdict& v)
             {"period", json_number(v.period)},
             {"stick_fraction", json_number(v.stick_fraction)},
             {"overshoot", json_number(v.overshoot)},
+            {"overshoot", json_number(v.overshoot)},
+            {"repeats", v.repeats},
+            {"multipliers", multipliers_json(v.multipliers)},
             {"criticality", criticality_json(v.criticality)},
+            {"lyapunov", json_number(v.lyapunov)},
             {"fold_k_p", json_number(v.fold_k_p)},
             {"path", code_name("path", static_cast<std::uint8_t>(v.path))},
+            {"used_fallback", v.used_fallback},
             {"reason", v.reason == Reason::none ? nlohmann::ordered_json(nullptr)
                                                 : nlohmann::ordered_json(reason_text(v.reason))}};
 }

@@ -70,6 +70,12 @@ Table nonlinear_table(const Joint& joint, const NonlinearVerdict& v)
     table.columns = {"quantity", "value"};
     table.rows.push_back({"outcome", std::string(code_name("outcome", static_cast<std::uint8_t>(v.outcome)))});
     if (v.reason != Reason::none) table.rows.push_back({"because", reason_text(v.reason)});
+    if (v.region == NonlinearRegion::bistable)
+        table.rows.push_back(v.outcome == Outcome::stable_sliding
+                                 ? std::vector<std::string>{"a larger disturbance", "ends in a limit cycle: bistable"}
+                                 : std::vector<std::string>{"a small disturbance", "decays: bistable"});
+    if (v.region == NonlinearRegion::stable) table.rows.push_back({"a start from rest", "ends in steady sliding, too"});
+    if (v.repeats > 1) table.rows.push_back({"turns after which the motion repeats", std::to_string(v.repeats)});
     const auto add = [&](const char* name, double value, Quantity q) {
         if (is_set(value)) table.rows.push_back({name, with_unit(value, q, motion, 6)});
     };
@@ -79,6 +85,12 @@ Table nonlinear_table(const Joint& joint, const NonlinearVerdict& v)
     add("peak velocity of the cycle", v.velocity_max, Quantity::velocity);
     add("period", v.period, Quantity::time);
     add("share of the period spent sticking", v.stick_fraction, Quantity::number);
+    add("overshoot, per steady deflection", v.overshoot, Quantity::number);
+    if (!v.multipliers.empty()) add("largest Floquet multiplier", std::abs(v.multipliers.front()), Quantity::number);
+    if (v.criticality == Criticality::subcritical)
+        table.rows.push_back({"at k_{cr}", "subcritical: cycles exist above it, too"});
+    if (v.criticality == Criticality::supercritical)
+        table.rows.push_back({"at k_{cr}", "supercritical: cycles grow from zero below it"});
     add("k_{p} at the fold of limit cycles", v.fold_k_p, Quantity::stiffness);
     return table;
 }

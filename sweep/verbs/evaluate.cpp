@@ -9,6 +9,7 @@
 #include "sweep/report/linear_report.h"
 #include "sweep/report/verdict_text.h"
 #include "sweep/report/write_report.h"
+#include "sweep/verbs/disturbance_option.h"
 #include "sweep/verbs/verbs.h"
 
 #include <fmt/format.h>
@@ -23,6 +24,7 @@ namespace {
 struct Options {
     std::string joint, directory;
     std::vector<std::string> settings;
+    DisturbanceOption disturbance;
     bool json = false;
 };
 
@@ -33,6 +35,7 @@ int evaluate(const Options& options)
     const auto verdict = linear_verdict(joint);
     NonlinearOptions nonlinear_options;
     nonlinear_options.bifurcation = true;
+    nonlinear_options.disturbance = options.disturbance.disturbance();
     const auto nonlinear = nonlinear_verdict(joint, nonlinear_options);
     const bool decided = verdict.steady.reason == Reason::none;
     std::optional<LinearStudy> study;
@@ -67,6 +70,7 @@ void add_evaluate(CLI::App& app, Invocation& invocation)
     verb->add_option(
         "--set", options->settings,
         "change a number first: path=value, with or without a unit (control.k_p=2e4, control.V0='1 mm/s')");
+    options->disturbance.add_to(*verb);
     verb->add_option("-o,--output", options->directory,
                      "also write a page with charts: both theories, disturbances, force ramps, reductions");
     verb->add_flag("--json", options->json, "machine-readable, stable names");

@@ -6,7 +6,7 @@
 #include "sweep/report/trajectory_report.h"
 #include "sweep/report/verdict_text.h"
 #include "sweep/report/write_report.h"
-#include "sweep/spec.h"
+#include "sweep/verbs/disturbance_option.h"
 #include "sweep/verbs/verbs.h"
 
 #include <fmt/format.h>
@@ -20,9 +20,10 @@ namespace stickslip {
 namespace {
 
 struct Options {
-    std::string joint, directory = "out", kind = "position";
+    std::string joint, directory = "out";
     std::vector<std::string> settings;
-    double size = missing, duration = missing, tolerance = 1e-8;
+    DisturbanceOption disturbance;
+    double duration = missing, tolerance = 1e-8;
 };
 
 /// trajectory.csv, one row a step of the solver.
@@ -45,9 +46,7 @@ int simulate_joint(const Options& options)
     Joint joint = read_joint(options.joint);
     apply_settings(joint, options.settings);
     SimulateOptions simulation;
-    for (const auto& k : DisturbanceSpec::kinds)
-        if (k.name == options.kind) simulation.disturbance.kind = k.value;
-    simulation.disturbance.size = options.size;
+    simulation.disturbance = options.disturbance.disturbance();
     simulation.duration = options.duration;
     simulation.rtol = options.tolerance;
     const auto trajectory = simulate(joint, simulation);
@@ -64,17 +63,12 @@ int simulate_joint(const Options& options)
 void add_simulate(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    std::vector<std::string> kinds;
-    for (const auto& k : DisturbanceSpec::kinds) kinds.emplace_back(k.name);
     auto* verb = app.add_subcommand(
         "simulate", "One motion of one joint: trajectory.csv, time series, phase portrait, friction-velocity loop");
     verb->add_option("JOINT", options->joint, "joint description, TOML")->required();
     verb->add_option("-o,--output", options->directory, "directory of the files")->capture_default_str();
     verb->add_option("--set", options->settings, "change a number first: path=value");
-    verb->add_option("--disturbance", options->kind, "what is disturbed")
-        ->check(CLI::IsMember(kinds))
-        ->capture_default_str();
-    verb->add_option("--size", options->size, "size of the disturbance in SI; default: small, in the slow mode");
+    options->disturbance.add_to(*verb);
     verb->add_option("--duration", options->duration, "s; default: fifty turns of the slowest mode");
     verb->add_option("--tolerance", options->tolerance, "relative tolerance")
         ->check(CLI::Range(1e-13, 1e-2))

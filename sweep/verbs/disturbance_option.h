@@ -1,0 +1,34 @@
+// The options --disturbance and --size, which simulate and evaluate share.
+#pragma once
+#include "sweep/spec.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace stickslip {
+
+struct DisturbanceOption {
+    std::string kind = "position";
+    double size = missing;
+
+    void add_to(CLI::App& verb)
+    {
+        std::vector<std::string> kinds;
+        for (const auto& k : DisturbanceSpec::kinds) kinds.emplace_back(k.name);
+        verb.add_option("--disturbance", kind, "what is disturbed")->check(CLI::IsMember(kinds))->capture_default_str();
+        verb.add_option("--size", size, "size of the disturbance in SI; default: small, in the slow mode");
+    }
+
+    Disturbance disturbance() const
+    {
+        Disturbance d;
+        for (const auto& k : DisturbanceSpec::kinds)
+            if (k.name == kind) d.kind = k.value;
+        d.size = size;
+        return d;
+    }
+};
+
+}  // namespace stickslip

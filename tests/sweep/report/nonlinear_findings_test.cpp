@@ -1,0 +1,56 @@
+// What a report says against the linear chart of the bistable strip.
+#include "sweep/report/nonlinear_findings.h"
+
+#include <catch2/catch.hpp>
+
+#include "analysis/simulation/nonlinear.h"
+#include "analysis/stability/verdict.h"
+#include "tests/analysis/simulation/joints.h"
+
+using namespace stickslip;
+
+namespace {
+
+Slice strip(double from, double to)
+{
+    Slice slice;
+    slice.x.path = "control.k_p", slice.x.symbol = "k_{p}", slice.x.name = "position gain";
+    slice.x.quantity = Quantity::stiffness;
+    slice.y.path = "control.k_v", slice.y.symbol = "k_{v}", slice.y.name = "velocity gain";
+    slice.y.quantity = Quantity::damping;
+    for (int i = 0; i <= 10; ++i) slice.x.values.push_back(from + i * (to - from) / 10);
+    slice.y.values = {47, 47.5, 48};
+    for (const double k_v : slice.y.values)
+        for (const double k_p : slice.x.values) {
+            const auto joint = example_joint(k_p, k_v, 1e-2);
+            auto row = linear_point(joint);
+            write_nonlinear(nonlinear_verdict(joint, {}), row);
+            slice.abscissa.push_back(row.spectral_abscissa);
+            slice.region.push_back(row.region);
+        }
+    return slice;
+}
+
+}  // namespace
+
+TEST_CASE("findings: share, place and reach of what the linear chart gets wrong", "[report]")
+{
+    // at k_v = 47.5: k_cr = 19449, fold at 24849 N/m; for the three rows k_cr = (0.5 − c)·1e5·(1 + 10/(1 + c)), c =
+    // k_v/100
+    const auto found = nonlinear_findings(example_joint(22000, 47.5, 1e-2), strip(15000, 35000));
+    CHECK(found.bistable > 0.1);
+    CHECK(found.bistable < found.of_linearly_stable);
+    REQUIRE(found.folds.size() == 1);
+    CHECK(found.reach > 24849 / 19449.15);  // the reach grows with k_v
+    const double k_cr_48 = 0.02e5 * (1 + 10 / 1.48);
+    CHECK(found.reach < 35000 / k_cr_48);
+    CHECK(found.text.find("k_{v} = 47 N·s/m … 48 N·s/m") != std::string::npos);
+}
+
+TEST_CASE("findings: nothing to say where both theories agree", "[report]")
+{
+    const auto found = nonlinear_findings(example_joint(40000, 47.5, 1e-2), strip(40000, 60000));
+    CHECK(found.bistable == 0);
+    CHECK(found.folds.empty());
+    CHECK(found.text.empty());
+}

@@ -105,7 +105,7 @@ FrictionResponse respond(const Friction& friction, double V, const States& theta
         remember(r, friction.memory, V, theta[next], next);
     }
     r.force += friction.asymmetry.coulomb + friction.asymmetry.viscous * std::abs(V);
-    r.by_velocity += std::copysign(friction.asymmetry.viscous, V);
+    r.by_velocity += V < 0 ? -friction.asymmetry.viscous : friction.asymmetry.viscous;
     return r;
 }
 

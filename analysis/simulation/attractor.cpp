@@ -1,5 +1,7 @@
 #include "analysis/simulation/attractor.h"
 
+#include "analysis/simulation/mode.h"
+
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -229,12 +231,15 @@ Attractor Follower::run(const FlowVector& y)
         const FlowVector& before = points_[points_.size() - 2];
         const double size = amplitude(), gap = distance(now, before);
         const double growth = std::log(size / distance(before, steady_));
-        // a motion that sticks forgets everything but the spring: two equal turns are a closed orbit
-        const bool both_stick = turn.sticks > 0 && turns_[turns_.size() - 2].sticks > 0;
-        if (both_stick && gap <= std::max(closed, 10 * options_.rtol) * std::max(size, 1.0)) return from_turn(turn);
+        // a motion that rests forgets everything but the spring: two equal turns are a closed orbit
+        const bool equal = gap <= std::max(closed, 10 * options_.rtol) * std::max(size, 1.0);
+        const Turn& last = turns_[turns_.size() - 2];
+        if (turn.sticks > 0 && last.sticks > 0 && equal) return from_turn(turn);
         if (options_.accelerate && smooth(turn)) {
             const bool due = gap < alike * size || quiet_turns_ % 12 == 11;
             if (due && shoot(now)) return ended(Kind::cycle);
+            // near rest, speeds span more decades than shooting through them resolves
+            if (turn.rest_time > 0 && last.rest_time > 0 && equal) return from_turn(turn);
             const bool creeping = std::abs(growth) < 0.3 && std::abs(growth - last_growth_) < 0.05;
             if (creeping && flow_.size() <= 3 && quiet_turns_ >= 3) {
                 if (steady_attracts_ && growth < 0 && size < 1e-3) return ended(Kind::steady);

@@ -111,6 +111,13 @@ std::unique_ptr<Flow> SlidingFlow::with_gain(double gain) const
     return copy;
 }
 
+double SlidingFlow::release_force(double x) const
+{
+    constexpr double excess = 1e-12;
+    const double forces = std::abs(steady_friction) + std::abs(force) + std::abs(k_v * V0) + std::abs(k_p * x);
+    return static_force() + excess * forces;
+}
+
 double SlidingFlow::static_force() const
 {
     return stickslip::static_force(friction.law);

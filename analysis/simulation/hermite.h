@@ -6,8 +6,9 @@
 
 namespace stickslip {
 
-/// Extremum of the cubic through m0, m1 with slopes s0, s1 over a step h, if the slope changes sign.
-inline std::optional<double> hermite_extremum(double m0, double m1, double s0, double s1, double h)
+/// Where in the step, 0 to 1, the cubic through m0, m1 with slopes s0, s1 over a step h turns; nothing if the slope
+/// keeps its sign.
+inline std::optional<double> hermite_turning(double m0, double m1, double s0, double s1, double h)
 {
     if (!(s0 * s1 < 0)) return {};
     // m0 + h s0 ξ + b ξ² + c ξ³
@@ -16,8 +17,17 @@ inline std::optional<double> hermite_extremum(double m0, double m1, double s0, d
     const double q = -(b + std::copysign(root, b));
     const double candidates[] = {q / (3 * c), h * s0 / q};
     for (const double xi : candidates)
-        if (xi >= 0 && xi <= 1) return m0 + xi * (h * s0 + xi * (b + xi * c));
+        if (xi >= 0 && xi <= 1) return xi;
     return {};
+}
+
+/// The cubic's value there.
+inline std::optional<double> hermite_extremum(double m0, double m1, double s0, double s1, double h)
+{
+    const auto xi = hermite_turning(m0, m1, s0, s1, h);
+    if (!xi) return {};
+    const double d = m1 - m0, b = 3 * d - h * (2 * s0 + s1), c = h * (s0 + s1) - 2 * d;
+    return m0 + *xi * (h * s0 + *xi * (b + *xi * c));
 }
 
 }  // namespace stickslip

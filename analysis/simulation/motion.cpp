@@ -1,5 +1,6 @@
 #include "analysis/simulation/motion.h"
 
+#include "analysis/simulation/break_away.h"
 #include "analysis/simulation/hermite.h"
 
 #include <algorithm>
@@ -14,6 +15,18 @@ constexpr double reversal = 1e-6;
 constexpr double at_rest_speed = 1e-9;  ///< share of V_0 to which an event finds rest
 
 constexpr int most_idle_switches = 100;  ///< of bodies that stop and go without time moving on
+
+/// Speed from which a solver resolves a singular friction, in units of V_0 times its tolerance, and at most of V_0.
+constexpr double resolved = 1e4, largest_launch = 1e-3;
+
+/// Steps shorter than this share of the solver's clock start it anew: a slip after hours of creep lasts microseconds.
+constexpr double resolved_step = 1e-9;
+
+/// Fresh starts after failures that one turn may take before the other solver has its try.
+constexpr int most_restarts = 20;
+
+/// Times that one turn may come to rest; a motion that rests more often than that chatters, and would for ever.
+constexpr int most_rests = 10'000;
 
 }  // namespace
 SlidingMotion::SlidingMotion(const Flow& flow, Solver solver, double rtol)
@@ -72,7 +85,8 @@ void SlidingMotion::start(const FlowVector& y, double t)
 
 void SlidingMotion::restart()
 {
-    stepper_->start(*flow_, t_, y_, events_);
+    clock_ = t_;
+    stepper_->start(*flow_, 0, y_, events_);
 }
 
 void SlidingMotion::begin_slide(Branch branch)
@@ -80,14 +94,22 @@ void SlidingMotion::begin_slide(Branch branch)
     stuck_ = false;
     mutable_flow_->branch = branch;
     y_[1] = 0;
+    const double speed = mutable_flow_->V0 * std::min(resolved * rtol_, largest_launch);
+    const double V = branch == Branch::forward ? speed : -speed;
+    if (const auto launch = break_away(*mutable_flow_, y_, V)) {
+        t_ += launch->time;
+        y_[0] = launch->x;
+        y_[1] = V;
+    }
     restart();
 }
 
 void SlidingMotion::arrive_at_rest()
 {
+    ++rests_;
     y_[1] = 0;
-    const double needed = mutable_flow_->holding_force(y_[0]), limit = mutable_flow_->static_force();
-    if (std::abs(needed) <= limit) {
+    const double needed = mutable_flow_->holding_force(y_[0]);
+    if (std::abs(needed) < mutable_flow_->release_force(y_[0])) {
         stuck_ = true;
         ++sticks_;
     } else {
@@ -95,10 +117,10 @@ void SlidingMotion::arrive_at_rest()
     }
 }
 
-/// Sticking: x falls at V_0, so the force needed changes at k_p V_0 until it reaches the static friction of one side.
+/// Sticking: x falls at V_0, so the force needed changes at k_p V_0 until it overcomes the static friction of one side.
 bool SlidingMotion::stick(double t_end)
 {
-    const double needed = mutable_flow_->holding_force(y_[0]), limit = mutable_flow_->static_force();
+    const double needed = mutable_flow_->holding_force(y_[0]), limit = mutable_flow_->release_force(y_[0]);
     const double rise = mutable_flow_->k_p * mutable_flow_->V0;
     const double wait = rise > 0 ? (limit - needed) / rise : rise < 0 ? (-limit - needed) / rise : infinity;
     if (!(std::isfinite(wait)) && !std::isfinite(t_end)) return false;
@@ -124,6 +146,10 @@ bool SlidingMotion::pass_switch(int which)
 
 bool SlidingMotion::step_failed()
 {
+    if (t_ > clock_ && ++restarts_ <= most_restarts) {
+        restart();
+        return false;
+    }
     if (solver_ != Solver::cvode || used_fallback_) return true;
     used_fallback_ = true;
     solver_ = Solver::rodas5p;
@@ -132,7 +158,7 @@ bool SlidingMotion::step_failed()
     return false;
 }
 
-void SlidingMotion::measure_step(double t_before, const FlowVector& before, Turn& turn)
+void SlidingMotion::measure_step(double from, const FlowVector& before, Turn& turn)
 {
     const double V0 = flow_->commanded_velocity();
     double V = flow_->velocity(y_);
@@ -144,11 +170,12 @@ void SlidingMotion::measure_step(double t_before, const FlowVector& before, Turn
     FlowVector r0, r1;
     flow_->rate(before, r0);
     flow_->rate(y_, r1);
-    const double h = t_ - t_before;
+    const double h = stepper_->time() - from;
     const double m0 = flow_->speed_measure(before), m1 = flow_->speed_measure(y_);
-    if (const auto m =
-            hermite_extremum(m0, m1, flow_->speed_gradient(before).dot(r0), flow_->speed_gradient(y_).dot(r1), h)) {
-        const double peak = flow_->logarithmic_speed() ? V0 * std::exp(*m) : V0 * (1 + *m);
+    const double s0 = flow_->speed_gradient(before).dot(r0), s1 = flow_->speed_gradient(y_).dot(r1);
+    // the slopes of a stiff motion are no better than its tolerance times its stiffness: good enough to say where
+    if (const auto xi = hermite_turning(m0, m1, s0, s1, h)) {
+        const double peak = flow_->velocity(stepper_->at(from + *xi * h));
         turn.velocity_min = std::min(turn.velocity_min, peak);
         turn.velocity_max = std::max(turn.velocity_max, peak);
     }
@@ -169,6 +196,7 @@ Turn SlidingMotion::turn(double t_end, const std::function<bool(const FlowVector
     turn.velocity_min = turn.velocity_max = stuck_ ? 0 : flow_->velocity(y_);
     turn.position_min = turn.position_max = flow_->position(y_);
     rest_time_ = 0;
+    rests_ = restarts_ = 0;
     sticks_ = stuck_ || (switching_ && switching_->anything_rests()) ? 1 : 0;
     release_position_ = missing;
     const auto finish = [&](Turn::End end) {
@@ -181,6 +209,7 @@ Turn SlidingMotion::turn(double t_end, const std::function<bool(const FlowVector
         return turn;
     };
     for (;;) {
+        if (rests_ > most_rests) return finish(Turn::End::failure);
         if (stuck_) {
             if (!stick(t_end)) return finish(Turn::End::held);
             turn.position_min = std::min(turn.position_min, y_[0]);
@@ -189,22 +218,26 @@ Turn SlidingMotion::turn(double t_end, const std::function<bool(const FlowVector
             if (t_ >= t_end) return finish(Turn::End::time);
             continue;
         }
-        const double t_before = t_;
+        const double from = stepper_->time();
         const FlowVector before = y_;
-        const auto report = stepper_->step(t_end);
+        const auto report = stepper_->step(t_end - clock_);
         if (report.end == StepEnd::failure) {
             if (step_failed()) return finish(Turn::End::failure);
             continue;
         }
-        t_ = stepper_->time();
+        t_ = report.end == StepEnd::time ? t_end : clock_ + stepper_->time();
         y_ = stepper_->state();
-        if (t_ > t_before) idle_switches_ = 0;
+        if (stepper_->time() > from) idle_switches_ = 0;
         const bool at_rest = mutable_flow_ && report.end == StepEnd::event && report.event == rest;
         if (at_rest) y_[1] = 0;
-        measure_step(t_before, before, turn);
-        if (at_rest) arrive_at_rest();
-        if (switching_ && report.end == StepEnd::event && report.event >= rest)
-            if (!pass_switch(report.event - rest)) return finish(Turn::End::failure);
+        measure_step(from, before, turn);
+        const bool switched = switching_ && report.end == StepEnd::event && report.event >= rest;
+        if (at_rest)
+            arrive_at_rest();
+        else if (switched && !pass_switch(report.event - rest))
+            return finish(Turn::End::failure);
+        else if (!switched && stepper_->time() - from < resolved_step * from)
+            restart();
         tell();
         if (report.end == StepEnd::event && report.event == section && report.direction < 0)
             return finish(Turn::End::crossing);

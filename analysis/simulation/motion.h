@@ -58,7 +58,7 @@ class SlidingMotion {
     void arrive_at_rest();
     bool pass_switch(int which);
     bool stick(double t_end);
-    void measure_step(double t_before, const FlowVector& before, Turn& turn);
+    void measure_step(double from, const FlowVector& before, Turn& turn);
     void tell();
 
     const Flow* flow_;
@@ -69,11 +69,11 @@ class SlidingMotion {
     std::unique_ptr<Stepper> stepper_;
     Solver solver_;
     double rtol_;
-    double t_ = 0;
+    double t_ = 0, clock_ = 0;  ///< now, and the instant that the solver counts from
     FlowVector y_;
     bool stuck_ = false, used_fallback_ = false;
     double rest_time_ = 0, release_position_ = missing;
-    int sticks_ = 0;
+    int sticks_ = 0, rests_ = 0, restarts_ = 0;
     int idle_switches_ = 0;  ///< since time last moved on
     std::function<void(const Instant&)> observer_;
 };

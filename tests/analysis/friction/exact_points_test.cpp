@@ -220,4 +220,8 @@ TEST_CASE("a direction dependence shifts the level and the slope of one directio
     CHECK(steady_force(friction, 3) == 10 + 1 + (5 + 2) * 3);
     CHECK(steady_force(friction, -3) == -(10 - 1 + (5 - 2) * 3));
     CHECK(respond(friction, -3, {}).by_velocity == 3);
+    friction.asymmetry = {1, -2};
+    CHECK(steady_force(friction, 3) == 10 + 1 + (5 - 2) * 3);
+    CHECK(respond(friction, 3, {}).by_velocity == 3);
+    CHECK(respond(friction, -3, {}).by_velocity == 7);
 }

@@ -1,0 +1,125 @@
+// Joints at which an integration once stood still, ran for ever, or lost its time in rounding.
+#include <catch2/catch.hpp>
+
+#include "analysis/simulation/break_away.h"
+#include "analysis/simulation/nonlinear.h"
+#include "analysis/stability/verdict.h"
+
+using namespace stickslip;
+
+namespace {
+
+Joint joint_with(decltype(Friction::law) law, double inertia, double k_p, double k_v, double V0)
+{
+    Joint joint;
+    joint.mechanism.inertia = inertia;
+    joint.control.k_p = k_p;
+    joint.control.k_v = k_v;
+    joint.control.V0 = V0;
+    joint.friction.law = std::move(law);
+    return joint;
+}
+
+Stribeck stribeck(double c0, double c1, double c2, double c3, double c4)
+{
+    Stribeck law;
+    law.c0 = c0;
+    law.c1 = c1;
+    law.c2 = c2;
+    law.c3 = c3;
+    law.c4 = c4;
+    return law;
+}
+
+RateAndState rate_and_state(double f0, double A, double B, double L)
+{
+    RateAndState law;
+    law.f0 = f0;
+    law.A = A;
+    law.B.push_back(B);
+    law.L.push_back(L);
+    law.V_star = 1e-3;
+    return law;
+}
+
+}  // namespace
+
+TEST_CASE("a mass that the spring just overcomes breaks away once, not for ever")
+{
+    const auto joint =
+        joint_with(stribeck(9.733562606182968, 5.354450832637536, 0.4674204531001499, 0.0002421339927799778, 2),
+                   0.023775181892194963, 199.5178034972012, 0, 0.008330926736576903);
+    const auto verdict = nonlinear_verdict(joint, {});
+    CHECK(verdict.region == NonlinearRegion::stable);
+    CHECK(verdict.growth_rate == Approx(linear_verdict(joint).state_variable.spectral_abscissa).epsilon(1e-4));
+}
+
+TEST_CASE("friction with a vertical tangent at rest throws the mass off as in closed form")
+{
+    // m dV/dt = c2 (V/c3)^(1/2), from rest at the static friction, for V << c3: V = (c2 t / (2 m))² / c3
+    const double m = 2, c2 = 0.5, c3 = 0.04, V = 1e-9;
+    auto joint = joint_with(stribeck(3, 0, c2, c3, 0.5), m, 1, 0, 1e-3);
+    auto flow = sliding_flow(joint).flow;
+    FlowVector y = flow.steady();
+    y[0] = (flow.steady_friction - flow.static_force()) / flow.k_p;
+    y[1] = 0;
+    const auto launch = break_away(flow, y, V);
+    REQUIRE(launch);
+    const double time = 2 * m * std::sqrt(V * c3) / c2;
+    CHECK(launch->time == Approx(time).epsilon(5e-3));  // the spring winds on and the drop bends, both less than that
+    CHECK(launch->x - y[0] == Approx(-1e-3 * launch->time).epsilon(1e-3));
+    SECTION("other exponents leave rest without help")
+    {
+        for (double exponent : {1.0, 2.0}) {
+            joint.friction.law = stribeck(3, 0, c2, c3, exponent);
+            CHECK_FALSE(break_away(sliding_flow(joint).flow, y, V));
+        }
+    }
+    SECTION("and the whole joint has an outcome")
+    {
+        joint.control.k_p = 1e4;
+        const auto verdict = nonlinear_verdict(joint, {});
+        CHECK(verdict.outcome == Outcome::stick_slip);
+        CHECK(verdict.stick_fraction > 0);
+    }
+}
+
+TEST_CASE("slips of microseconds after minutes of creep are the same to both solvers")
+{
+    const auto joint =
+        joint_with(rate_and_state(97.69110405902684, 1.6281850676504475, 3.5482282373731686, 1.027797486846732e-05),
+                   0.051423389240240126, 7840.640658823294, 0.2277114291823279, 1.059838447199099e-05);
+    NonlinearOptions options;
+    options.bifurcation = false;
+    const auto cvode = nonlinear_verdict(joint, options);
+    options.fallback_only = true;
+    const auto rodas = nonlinear_verdict(joint, options);
+    CHECK(cvode.outcome == Outcome::stick_slip);
+    CHECK(std::isfinite(cvode.velocity_max));
+    CHECK(cvode.period == Approx(rodas.period).epsilon(1e-5));
+    CHECK(cvode.amplitude == Approx(rodas.amplitude).epsilon(1e-5));
+    CHECK(cvode.velocity_max == Approx(rodas.velocity_max).epsilon(1e-3));
+}
+
+TEST_CASE("springs of the friction that are saturated in steady sliding take no part in its modes")
+{
+    MaxwellSlip law;
+    law.elements.push_back({6e4, 0.18});
+    law.elements.push_back({5.6e5, 0.89});
+    law.viscous = 5.5;
+    const auto joint = joint_with(law, 2.6, 4.3e5, 0, 4.7e-5);
+    const auto verdict = nonlinear_verdict(joint, {});
+    CHECK(verdict.region == NonlinearRegion::stable);
+    CHECK(verdict.growth_rate == Approx(-5.5 / (2 * 2.6)).epsilon(1e-2));
+}
+
+TEST_CASE("a kernel has no nonlinear outcome")
+{
+    Kernel law;
+    law.f_v = 20;
+    law.exponentials.push_back({1e3, 100});
+    law.V_star = 1e-3;
+    const auto verdict = nonlinear_verdict(joint_with(law, 1, 1e4, 10, 1e-3), {});
+    CHECK(verdict.outcome == Outcome::linear_only);
+    CHECK(verdict.reason == Reason::linear_only);
+}

@@ -1,0 +1,17 @@
+// Any bytes as a baseline: boundaries that can be described, or a refusal.
+#include "sweep/check/baseline_file.h"
+#include "sweep/files/bad_input.h"
+#include "tests/fuzz/input_file.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    using namespace stickslip;
+    try {
+        const fuzz::InputFile file({data, size});
+        for (const WatchedBoundary& watched : read_baseline(file.path()))
+            describe(Deviation{Deviation::Kind::moved, watched, watched, 0});
+    } catch (const BadInput& refusal) {
+        fuzz::promise(!refusal.messages().empty(), "a refusal without a reason");
+    }
+    return 0;
+}

@@ -4,6 +4,7 @@
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/steady.h"
 #include "sweep/report/line_figure.h"
+#include "sweep/report/vmin_figure.h"
 
 #include <algorithm>
 #include <cmath>
@@ -118,7 +119,11 @@ Section comparison_section(const Joint& joint, const LinearStudy& study)
     const Words words{joint.mechanism.motion};
     Section section{"comparison", "Velocity alone against memory", comparison_words(study.comparison, words), {}, {}};
     const bool rational = linear_joint(joint, commanded_velocity(joint)).rational();
-    if (!std::isnan(study.velocities.low)) section.figures.push_back(demand_figure(joint, study, rational));
+    if (!std::isnan(study.velocities.low)) {
+        section.figures.push_back(demand_figure(joint, study, rational));
+        auto slowest = vmin_figure(joint, study);
+        if (!std::get<LineChart>(slowest.picture).lines.empty()) section.figures.push_back(std::move(slowest));
+    }
     section.tables.push_back(comparison_table(joint, study));
     return section;
 }

@@ -4,6 +4,7 @@
 #include "analysis/results/text.h"
 #include "analysis/stability/verdict.h"
 #include "sweep/evaluate.h"
+#include "sweep/report/linear_report.h"
 #include "sweep/report/verdict_text.h"
 
 #include <cmath>
@@ -197,6 +198,8 @@ Report stability_report(const Spec& spec, const SweepSummary& summary)
         design.tables.push_back(nonlinear_table(joint, nonlinear_verdict(joint, options)));
     }
     report.sections.push_back(std::move(design));
+    if (linear.steady.reason == Reason::none)
+        for (auto& section : linear_sections(joint, linear_study(joint))) report.sections.push_back(std::move(section));
 
     if (!spec.nonlinear.enabled)
         report.not_checked.push_back(

@@ -1,11 +1,14 @@
 // stickslip evaluate: everything the theory says about one joint.
+#include "analysis/results/text.h"
 #include "analysis/simulation/nonlinear.h"
 #include "analysis/stability/verdict.h"
+#include "sweep/files/bad_input.h"
 #include "sweep/files/joint_file.h"
 #include "sweep/files/nonlinear_json.h"
 #include "sweep/files/study_json.h"
 #include "sweep/files/verdict_json.h"
 #include "sweep/program.h"
+#include "sweep/report/disturbance_figure.h"
 #include "sweep/report/linear_report.h"
 #include "sweep/report/verdict_text.h"
 #include "sweep/report/write_report.h"
@@ -17,6 +20,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 namespace stickslip {
 namespace {
@@ -25,8 +29,30 @@ struct Options {
     std::string joint, directory;
     std::vector<std::string> settings;
     DisturbanceOption disturbance;
+    AskedDisturbance force;
     bool json = false;
 };
+
+/// The motion under the asked disturbance, where one is asked and the joint slides.
+std::optional<DisturbedMotion> disturbed(const Joint& joint, const Options& options)
+{
+    if (options.force.kind.empty()) return std::nullopt;
+    try {
+        return disturbed_motion(joint, options.force);
+    } catch (const std::invalid_argument& e) {
+        throw BadInput(std::string("--force: ") + e.what());
+    }
+}
+
+nlohmann::ordered_json motion_json(const AskedDisturbance& asked, const DisturbedMotion& motion)
+{
+    return {{"kind", asked.kind},
+            {"size", asked.size},
+            {"duration", motion.memory.time.back()},
+            {"peak", motion.peak},
+            {"peak_time", motion.peak_time},
+            {"final", motion.memory.position.back()}};
+}
 
 int evaluate(const Options& options)
 {
@@ -40,12 +66,20 @@ int evaluate(const Options& options)
     const bool decided = verdict.steady.reason == Reason::none;
     std::optional<LinearStudy> study;
     if (options.json || !options.directory.empty()) study = linear_study(joint);
+    const auto motion = decided ? disturbed(joint, options) : std::nullopt;
     std::filesystem::path page;
-    if (!options.directory.empty())
-        page = write_report(linear_report(joint, verdict, nonlinear, *study), options.directory);
+    if (!options.directory.empty()) {
+        auto report = linear_report(joint, verdict, nonlinear, *study);
+        if (motion)
+            for (auto& section : report.sections)
+                if (section.id == "response")
+                    section.figures.push_back(disturbance_figure(joint, options.force, *motion));
+        page = write_report(report, options.directory);
+    }
     if (options.json) {
         auto json = verdict_json(verdict);
         if (decided) json["linear"].update(study_json(joint, *study));
+        if (motion) json["linear"]["forced"] = motion_json(options.force, *motion);
         json["nonlinear"] = nonlinear_json(nonlinear);
         fmt::print("{}\n", json.dump(2));
     } else {
@@ -54,6 +88,10 @@ int evaluate(const Options& options)
             fmt::print("  {:<40} {}\n", plain_text(row[0]), plain_text(row[1]));
         for (const auto& row : nonlinear_table(joint, nonlinear).rows)
             fmt::print("  {:<40} {}\n", plain_text(row[0]), plain_text(row[1]));
+        if (motion)
+            fmt::print("  {:<40} {} at {}\n", "largest linear answer to the force",
+                       with_unit(motion->peak, Quantity::position, joint.mechanism.motion),
+                       with_unit(motion->peak_time, Quantity::time, joint.mechanism.motion));
         if (!page.empty()) fmt::print("report:  {}\n", page.string());
     }
     return decided ? exit_done : exit_undecided;
@@ -73,6 +111,17 @@ void add_evaluate(CLI::App& app, Invocation& invocation)
     options->disturbance.add_to(*verb);
     verb->add_option("-o,--output", options->directory,
                      "also write a page with charts: both theories, disturbances, force ramps, reductions");
+    auto& d = options->force;
+    verb->add_option(
+        "--force", d.kind,
+        "answer of the linear joint to a disturbing force d(t) on the link: impulse | step | sine | noise | "
+        "a file with time and force");
+    verb->add_option("--force-size", d.size, "N·s of an impulse, N of others, a factor on a file")
+        ->capture_default_str();
+    verb->add_option("--omega", d.omega, "rad/s of a sine; default: the peak of |X/D|")->check(CLI::PositiveNumber);
+    verb->add_option("--duration", d.duration, "s; default: until the slowest mode has shown itself")
+        ->check(CLI::PositiveNumber);
+    verb->add_option("--seed", d.seed, "of noise")->capture_default_str();
     verb->add_flag("--json", options->json, "machine-readable, stable names");
     verb->footer(
         "Example: stickslip evaluate examples/02-ball-screw/joint-with-memory.toml --set control.k_p=2e4 --json\n"

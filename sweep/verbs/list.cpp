@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <memory>
 
 namespace stickslip {
@@ -14,24 +15,58 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// With the properties of §2 of the paper that each law declares, and what else chooses its solver.
 Json law_list()
 {
     Json json = Json::array();
     for (const auto& law : laws())
         json.push_back({{"name", law.name},
+                        {"steady_state_dependence", law.steady_state_dependence},
+                        {"direct_effect", law.direct_effect},
+                        {"slip_distance", law.slip_distance},
                         {"formula", law.formula},
                         {"source", law.source},
                         {"validity", law.validity},
-                        {"steady_state_dependence", law.steady_state_dependence},
-                        {"direct_effect", law.direct_effect},
-                        {"slip_distance", law.slip_distance}});
+                        {"set_valued_at_rest", law.set_valued_at_rest},
+                        {"needs_motion", law.needs_motion},
+                        {"linear_only", law.linear_only}});
     return json;
+}
+
+struct JointKind {
+    const char *figure, *bodies, *feedback, *reduces_to;
+};
+
+JointKind kind_of(Model model)
+{
+    switch (model) {
+        case Model::single_mass:
+            return {"Fig. 7a, 7b", "inertia", "the mass itself", "nothing"};
+        case Model::two_mass:
+            return {"Fig. 6", "motor_inertia, link_inertia", "motor or link",
+                    "single-mass: ideal motor (7a, 7b), or rigid transmission"};
+        case Model::three_mass:
+            return {"Fig. 5", "motor_inertia, transmission_inertia, link_inertia", "motor or link",
+                    "two-mass: transmission at the motor, or at the joint"};
+        case Model::lever:
+            return {"Fig. 4", "motor_inertia, transmission_inertia, lever_arm, link_inertia", "motor or link",
+                    "three-mass: reflected by the table of section 3"};
+    }
+    return {};
 }
 
 Json joint_list()
 {
     Json json = Json::array();
-    for (const auto& model : models) json.push_back({{"name", model.name}});
+    for (const auto& model : models) {
+        const auto kind = kind_of(model.value);
+        json.push_back({{"name", model.name},
+                        {"figure", kind.figure},
+                        {"bodies", kind.bodies},
+                        {"feedback", kind.feedback},
+                        {"control", "position or force"},
+                        {"reduces_to", kind.reduces_to}});
+    }
     return json;
 }
 
@@ -61,6 +96,23 @@ Json effect_list(bool with_parameters)
     return json;
 }
 
+/// A law with one row in each of its lists, so that the numbers of a row are listed, too.
+void set_law(Joint& joint, const std::string& law)
+{
+    apply_setting(joint, "friction.law=" + law);
+    const auto row = [&](const char* setting) { apply_setting(joint, setting); };
+    std::visit(
+        [&](const auto& l) {
+            if constexpr (requires { l.B; }) row("friction.B=[1]"), row("friction.L=[1]");
+            if constexpr (requires { l.elements; }) row("friction.elements=[{stiffness=1, yield=1}]");
+            if constexpr (requires { l.exponentials; }) {
+                row("friction.exponentials=[{weight=1, rate=1}]");
+                row("friction.delays=[{weight=1, time=1}]");
+            }
+        },
+        FrictionLaw(joint.friction.law));
+}
+
 /// Every number of a joint: of the given file, or of a single mass with the given law.
 Json parameter_list(const std::string& file, const std::string& law)
 {
@@ -68,7 +120,7 @@ Json parameter_list(const std::string& file, const std::string& law)
     if (!file.empty())
         joint = read_joint(file);
     else
-        apply_setting(joint, "friction.law=" + law);
+        set_law(joint, law);
     Json json = Json::array();
     for (const auto& p : parameters(joint))
         json.push_back({{"path", p.path},
@@ -79,9 +131,17 @@ Json parameter_list(const std::string& file, const std::string& law)
     return json;
 }
 
-/// One line an entry, columns as wide as their widest text.
-void print_columns(const Json& list)
+/// A heading and one line an entry, columns as wide as their widest text.
+void print_columns(Json list)
 {
+    if (list.empty()) return;
+    Json heading;
+    for (const auto& [key, value] : list[0].items()) {
+        std::string words = key;
+        std::replace(words.begin(), words.end(), '_', ' ');
+        heading[key] = words;
+    }
+    list.insert(list.begin(), heading);
     std::vector<std::size_t> widths;
     const auto cell = [](const Json& v) {
         return v.is_boolean() ? std::string(v.get<bool>() ? "yes" : "no") : v.get<std::string>();

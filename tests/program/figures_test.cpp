@@ -5,6 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <string>
+#include <vector>
+
 using program::stickslip;
 
 TEST_CASE("figures writes the page, the charts and the drawings, and meets every number", "[program]")
@@ -31,4 +34,21 @@ TEST_CASE("evaluate -o draws what the linear theory says of a joint", "[program]
     CHECK_THAT(run.output, Catch::Matchers::Contains("report.html"));
     for (const char* id : {"k-v-demanded", "response-curve"})
         CHECK_THAT(program::read(folder / "joint/report.html"), Catch::Matchers::Contains(id));
+}
+
+TEST_CASE("evaluate answers disturbances of every kind and refuses what it cannot follow", "[program]")
+{
+    program::Folder folder;
+    const std::string joint = "examples/02-ball-screw/joint-with-memory.toml";
+    const std::string file = folder.write("force.csv", "time,force\n0,1\n1,1\n");
+    for (const std::string& kind : std::vector<std::string>{"impulse", "step", "sine", "noise", file}) {
+        const auto run = stickslip("evaluate " + joint + " --json --force '" + kind + "'");
+        CAPTURE(kind);
+        CHECK(run.exit_code == 0);
+        CHECK(nlohmann::json::parse(run.output).at("linear").at("forced").at("peak").get<double>() > 0);
+    }
+    // a lasting force of 1 N is carried by k_p
+    const auto step = nlohmann::json::parse(stickslip("evaluate " + joint + " --json --force step").output);
+    CHECK(step.at("linear").at("forced").at("final").get<double>() == Approx(1 / 1.370727e6).epsilon(1e-3));
+    CHECK(stickslip("evaluate " + joint + " --force nothing.csv").exit_code == 2);
 }

@@ -1,0 +1,79 @@
+// Answers in time against closed forms of the damped oscillator and against |X/D|.
+#include <catch2/catch.hpp>
+
+#include "analysis/stability/forced_response.h"
+#include "analysis/stability/loop.h"
+#include "analysis/stability/steady.h"
+#include "tests/analysis/joint/sample_joints.h"
+
+using namespace stickslip;
+
+namespace {
+
+/// m = 2 kg, damping 10 N·s/m, stiffness 5000 N/m: ω_0 = 50 rad/s, decay 2.5 1/s.
+LinearJoint oscillator()
+{
+    LinearJoint j;
+    j.inertia[0] = 2;
+    j.actuated[0] = 1;
+    j.k_p = 5000;
+    j.k_v = 10;
+    return j;
+}
+const double decay = 2.5, damped = std::sqrt(2500 - 2.5 * 2.5);
+
+}  // namespace
+
+TEST_CASE("impulse and step responses are those of the damped oscillator", "[stability]")
+{
+    const auto impulse = forced_response(oscillator(), sampled_force(ForceKind::impulse, 3, 1, 0.01));
+    const auto step = forced_response(oscillator(), sampled_force(ForceKind::step, 7, 1, 0.01));
+    REQUIRE(impulse.time.size() == 101);
+    for (std::size_t i = 0; i <= 100; ++i) {
+        const double t = 0.01 * i, e = std::exp(-decay * t);
+        CHECK(impulse.time[i] == Approx(t));
+        CHECK(impulse.position[i] == Approx(1.5 / damped * e * std::sin(damped * t)).margin(1e-14));
+        const double free = e * (std::cos(damped * t) + decay / damped * std::sin(damped * t));
+        CHECK(step.position[i] == Approx(7.0 / 5000 * (1 - free)).margin(1e-14));
+    }
+    CHECK(impulse.velocity[0] == 1.5);
+}
+
+TEST_CASE("after its transient a sine is answered with |X/D|(iω), in every kind of joint", "[stability]")
+{
+    Joint stiff = samples::two_mass();
+    stiff.control.k_p = 2e5;
+    stiff.control.k_v = 800;
+    Joint one = samples::single_mass(1);
+    one.control.k_p = 8e4;
+    for (const auto& joint : {stiff, one}) {
+        const auto linear = linear_joint(joint, commanded_velocity(joint));
+        const double omega = 150;
+        const auto answer = forced_response(linear, sampled_force(ForceKind::sine, 1, 4, 2e-5, omega));
+        double largest = 0;
+        for (std::size_t i = answer.time.size() * 3 / 4; i < answer.time.size(); ++i)
+            largest = std::max(largest, std::abs(answer.position[i]));
+        CHECK(largest == Approx(std::abs(disturbance_response(linear, {0, omega}))).epsilon(1e-4));
+    }
+}
+
+TEST_CASE("noise has its standard deviation and is the same for the same seed", "[stability]")
+{
+    const auto a = sampled_force(ForceKind::noise, 2, 100, 0.01, 0, 7),
+               b = sampled_force(ForceKind::noise, 2, 100, 0.01, 0, 7),
+               c = sampled_force(ForceKind::noise, 2, 100, 0.01, 0, 8);
+    CHECK(a.value == b.value);
+    CHECK(a.value != c.value);
+    double sum = 0, squares = 0;
+    for (const double v : a.value) sum += v, squares += v * v;
+    CHECK(sum / 1e4 == Approx(0).margin(0.08));                  // 4 standard errors of the mean
+    CHECK(std::sqrt(squares / 1e4) == Approx(2).epsilon(0.03));  // and of the deviation
+    CHECK_THROWS_AS(sampled_force(ForceKind::step, 1, 1, 0), std::invalid_argument);
+}
+
+TEST_CASE("a joint with delays is refused", "[stability]")
+{
+    LinearJoint late = oscillator();
+    late.friction[0].delays.push_back({100, 5e-3});
+    CHECK_THROWS_AS(forced_response(late, sampled_force(ForceKind::step, 1, 1, 0.1)), std::invalid_argument);
+}

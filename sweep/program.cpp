@@ -65,6 +65,8 @@ int run_program(int argc, char** argv, Cluster* cluster)
         "Example: stickslip sweep -o out && xdg-open out/report.html");
     add_sweep(app, invocation);
     add_boundary(app, invocation);
+    add_design(app, invocation);
+    add_margins(app, invocation);
     add_check(app, invocation);
     add_evaluate(app, invocation);
     add_list(app, invocation);

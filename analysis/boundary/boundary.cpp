@@ -6,12 +6,15 @@
 #include "analysis/boundary/root.h"
 #include "analysis/joint/parameters.h"
 #include "analysis/simulation/nonlinear.h"
+#include "analysis/stability/verdict.h"
 
 #include <algorithm>
 #include <stdexcept>
 
 namespace stickslip {
 namespace {
+
+constexpr int patience = 10;  ///< times the usual limit of turns, for an outcome that is undecided within it
 
 bool is_linear(BoundaryKind kind)
 {
@@ -30,7 +33,14 @@ double outcome_side(const Joint& joint, const Disturbance& disturbance)
     NonlinearOptions options;
     options.disturbance = disturbance;
     options.region = false;
-    switch (nonlinear_verdict(joint, options).outcome) {
+    auto outcome = nonlinear_verdict(joint, options).outcome;
+    if (outcome == Outcome::undecided) {
+        // close to the linear boundary motions creep; where sliding is unstable nothing can end in it
+        if (linear_point(joint).spectral_abscissa > 0) return 1;
+        options.turn_limit *= patience;
+        outcome = nonlinear_verdict(joint, options).outcome;
+    }
+    switch (outcome) {
         case Outcome::stable_sliding:
             return -1;
         case Outcome::stick_slip:

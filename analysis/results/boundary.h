@@ -112,4 +112,21 @@ struct Margin {
     double low = 0, high = 0;  ///< the searched range
 };
 
+/// How one parameter moves on the way to the nearest boundary.
+struct NearestMove {
+    std::string path, less;  ///< less: the parameter is path − less
+    double from = 0, to = 0;
+};
+
+/// The nearest boundary when several parameters may move at once.
+struct NearestBoundary {
+    bool decided = false;  ///< the joint itself has a verdict
+    bool stable = false;   ///< which
+    bool found = false;
+    double distance = 0;  ///< in the scaled logarithms of the parameters; found or not, nothing lies nearer on the rays
+    std::vector<NearestMove> moves;
+    std::vector<double> direction;  ///< unit vector in the same coordinates
+    int evaluations = 0;
+};
+
 }  // namespace stickslip

@@ -119,6 +119,12 @@ std::string describe(const Deviation& d)
         case Deviation::Kind::moved:
             return fmt::format("moved by {:.1e} (allowed {:.1e}): {:.9g} → {:.9g} {}", d.relative, s.tolerance,
                                s.point.value, d.now.point.value, s.unit);
+        case Deviation::Kind::coarser:
+            return fmt::format("in place, but its bracket has grown to {:.1e} (allowed {:.1e})",
+                               d.now.point.precision(), s.tolerance);
+        case Deviation::Kind::refined:
+            return fmt::format("refined: bracket {:.1e} → {:.1e}, moved by {:.1e} of {:.1e} allowed",
+                               s.point.precision(), d.now.point.precision(), d.relative, s.tolerance);
         case Deviation::Kind::within:
             break;
     }
@@ -130,7 +136,7 @@ void write_junit(const std::filesystem::path& file, const std::string& title, co
     std::size_t failed = 0;
     std::string cases;
     for (const auto& d : deviations) {
-        const bool appeared = d.kind == Deviation::Kind::appeared, within = d.kind == Deviation::Kind::within;
+        const bool appeared = d.kind == Deviation::Kind::appeared, within = d.passes();
         failed += !within;
         cases += fmt::format("  <testcase classname=\"{}\" name=\"{}\"", escaped(title),
                              escaped((appeared ? d.now : d.stored).name()));

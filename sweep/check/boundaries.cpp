@@ -1,6 +1,6 @@
 #include "sweep/check/boundaries.h"
 
-#include "analysis/boundary/locate.h"
+#include "analysis/boundary/boundary.h"
 #include "analysis/joint/parameters.h"
 #include "sweep/report/maps.h"
 
@@ -15,6 +15,8 @@ namespace stickslip {
 namespace {
 
 constexpr int rays_per_chart = 9;
+constexpr double brackets_allowed = 4;  ///< least tolerance of a point, in widths of its own bracket
+constexpr double finer = 10;            ///< ratio of brackets from which a point counts as refined
 
 const Axis* axis_of(const Spec& spec, const std::string& path)
 {
@@ -23,25 +25,66 @@ const Axis* axis_of(const Spec& spec, const std::string& path)
     return nullptr;
 }
 
-void watch_ray(std::vector<WatchedBoundary>& watched, const Spec& spec, const Axis& along,
-               const std::vector<Held>& held)
+std::string theory_of(BoundaryKind kind)
 {
-    const Joint joint = joint_at(design_joint(spec), held);
-    for (const auto theory : {Curve::Kind::velocity_only, Curve::Kind::state_variable}) {
-        int number = 0;
-        for (const auto& point :
-             locate_on_ray(joint, along.path, along.values.front(), along.values.back(), along.log, theory)) {
-            WatchedBoundary w;
-            w.theory = theory == Curve::Kind::velocity_only ? "velocity_only" : "state_variable";
-            w.axis = along.path;
-            w.unit = unit_of(along.quantity, spec.joint.mechanism.motion);
-            for (const auto& h : held) w.at.emplace_back(h.axis.path, h.value);
-            w.number = number++;
-            w.point = point;
-            w.tolerance = std::max(spec.check.tolerance, 4 * point.precision());
-            watched.push_back(std::move(w));
-        }
+    switch (kind) {
+        case BoundaryKind::velocity_only:
+            return "velocity_only";
+        case BoundaryKind::state_variable:
+            return "state_variable";
+        case BoundaryKind::v_min:
+            return "v_min";
+        case BoundaryKind::fold:
+            return "fold";
+        case BoundaryKind::outcome:
+            break;
     }
+    return "outcome";
+}
+
+/// What a boundary of a kind is promised to, and what two machines therefore agree on.
+double promised(BoundaryKind kind)
+{
+    return kind == BoundaryKind::fold ? 1e-6 : kind == BoundaryKind::outcome ? 1e-4 : 1e-9;
+}
+
+/// One ray to be watched for one kind.
+struct Watch {
+    BoundaryKind kind;
+    const Axis* along;
+    std::vector<Held> held;
+};
+
+std::vector<WatchedBoundary> watch(const Spec& spec, const Watch& ray)
+{
+    // a tolerance that nobody stated is that of the kind
+    const bool stated = spec.check.tolerance != CheckSpec{}.tolerance;
+    const double floor = stated ? spec.check.tolerance : promised(ray.kind);
+    BoundaryRequest request;
+    request.kind = ray.kind;
+    request.disturbance = spec.nonlinear.disturbance.disturbance;
+    std::vector<WatchedBoundary> watched;
+    for (const auto& point : locate_boundaries(joint_at(design_joint(spec), ray.held), *ray.along, request).points) {
+        WatchedBoundary w;
+        w.theory = theory_of(ray.kind);
+        w.axis = ray.along->path;
+        w.unit = unit_of(ray.along->quantity, spec.joint.mechanism.motion);
+        for (const auto& h : ray.held) w.at.emplace_back(h.axis.path, h.value);
+        w.number = static_cast<int>(watched.size());
+        w.point = point;
+        w.tolerance = std::max(floor, brackets_allowed * point.precision());
+        watched.push_back(std::move(w));
+    }
+    return watched;
+}
+
+std::vector<BoundaryKind> kinds_of(const Spec& spec)
+{
+    std::vector<BoundaryKind> kinds{BoundaryKind::velocity_only, BoundaryKind::state_variable};
+    if (spec.nonlinear.enabled) kinds.push_back(BoundaryKind::fold);
+    if (spec.nonlinear.enabled && is_set(spec.nonlinear.disturbance.disturbance.size))
+        kinds.push_back(BoundaryKind::outcome);
+    return kinds;
 }
 
 }  // namespace
@@ -54,19 +97,29 @@ std::string WatchedBoundary::name() const
     return text;
 }
 
-std::vector<WatchedBoundary> watched_boundaries(const Spec& spec)
+std::vector<WatchedBoundary> watched_boundaries(const Spec& spec, const ParallelFor& parallel)
 {
-    std::vector<WatchedBoundary> watched;
-    for (const auto& axis : spec.axes) watch_ray(watched, spec, axis, {});
+    std::vector<Watch> rays;
+    for (const auto& axis : spec.axes)
+        if (axis.values.size() > 1)
+            for (const auto kind : kinds_of(spec)) rays.push_back({kind, &axis, {}});
+    if (const Axis* velocity = axis_of(spec, "control.V0"); velocity && velocity->values.size() > 1)
+        rays.push_back({BoundaryKind::v_min, velocity, {}});
     for (const auto& [x, y] : spec.report.charts) {
         const Axis *along = axis_of(spec, x), *across = axis_of(spec, y);
-        if (!along || !across) continue;
+        if (!along || !across || along->values.size() < 2) continue;
         const int last = static_cast<int>(across->values.size()) - 1;
         std::set<int> places;
         for (int i = 0; i < rays_per_chart; ++i) places.insert(i * last / (rays_per_chart - 1));
         for (const int i : places)
-            watch_ray(watched, spec, *along, {{*across, across->values[static_cast<std::size_t>(i)]}});
+            for (const auto kind : kinds_of(spec))
+                rays.push_back({kind, along, {{*across, across->values[static_cast<std::size_t>(i)]}}});
     }
+    // each ray into its own slot: the order of the baseline does not hang on the number of threads
+    std::vector<std::vector<WatchedBoundary>> found(rays.size());
+    parallel(rays.size(), [&](std::size_t i) { found[i] = watch(spec, rays[i]); });
+    std::vector<WatchedBoundary> watched;
+    for (auto& some : found) watched.insert(watched.end(), some.begin(), some.end());
     return watched;
 }
 
@@ -84,7 +137,13 @@ std::vector<Deviation> compare(const std::vector<WatchedBoundary>& stored, const
             d.now = *it->second;
             left.erase(it);
             d.relative = std::abs(d.now.point.value - s.point.value) / std::abs(s.point.value);
-            if (!(d.relative <= s.tolerance)) d.kind = Deviation::Kind::moved;
+            const double before = s.point.precision(), after = d.now.point.precision();
+            if (!(d.relative <= s.tolerance))
+                d.kind = Deviation::Kind::moved;
+            else if (after > s.tolerance)
+                d.kind = Deviation::Kind::coarser;
+            else if (finer * after < before && d.relative > after)
+                d.kind = Deviation::Kind::refined;
         }
         deviations.push_back(std::move(d));
     }

@@ -1,5 +1,6 @@
 // The boundary locations that a regression watches: rays through the charts and the design point of a spec.
 #pragma once
+#include "analysis/boundary/boundary.h"
 #include "analysis/results/boundary.h"
 #include "sweep/spec.h"
 
@@ -11,7 +12,7 @@ namespace stickslip {
 
 /// One boundary crossing of one ray, as it is stored in a baseline.
 struct WatchedBoundary {
-    std::string theory;  ///< "velocity_only" | "state_variable"
+    std::string theory;  ///< "velocity_only" | "state_variable" | "v_min" | "fold" | "outcome"
     std::string axis;    ///< path that moves along the ray
     std::string unit;
     std::vector<std::pair<std::string, double>> at;  ///< where the ray stands: path, value
@@ -23,16 +24,28 @@ struct WatchedBoundary {
     std::string name() const;
 };
 
-/// Locates both theories' boundaries on nine rays along x through each chart of the report, and along each axis through
-/// the design point. Tolerance of each: the spec's, but never less than what the point's own bracket allows.
-std::vector<WatchedBoundary> watched_boundaries(const Spec& spec);
+/// Locates boundaries on nine rays along x through each chart of the report, and along each axis through the design
+/// point: both linear theories; V_min where control.V0 is an axis; folds where the spec asks for nonlinear outcomes,
+/// and outcomes where it states the size of the disturbance. Tolerance of each: what the spec states, else the
+/// precision promised for its kind (1e-9 linear, 1e-6 fold, 1e-4 outcome), but never less than four times its own
+/// bracket.
+std::vector<WatchedBoundary> watched_boundaries(const Spec& spec, const ParallelFor& parallel);
 
 /// How one boundary of a baseline fares against the recomputed ones.
 struct Deviation {
-    enum class Kind { within, moved, vanished, appeared };
+    enum class Kind {
+        within,   ///< the same, to its tolerance
+        refined,  ///< within, and located at least ten times more finely than in the baseline: no regression
+        moved,    ///< beyond its tolerance
+        coarser,  ///< in place, but the bracket has grown beyond the tolerance: the method got worse
+        vanished,
+        appeared
+    };
     Kind kind = Kind::within;
     WatchedBoundary stored, now;  ///< `now` is empty for vanished, `stored` for appeared
     double relative = 0;          ///< |now − stored| / |stored|
+
+    bool passes() const { return kind == Kind::within || kind == Kind::refined; }
 };
 
 std::vector<Deviation> compare(const std::vector<WatchedBoundary>& stored, const std::vector<WatchedBoundary>& now);

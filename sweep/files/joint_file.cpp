@@ -74,7 +74,7 @@ Joint read_joint_text(std::string_view text, const std::string& name, const std:
 {
     const toml::table root = files::parse_toml(text, name);
     files::Complaints complaints(name);
-    Joint joint = files::joint_from(root, complaints, {"record"}, folder);
+    Joint joint = files::joint_from(root, complaints, {"record", "requirements"}, folder);
     complaints.throw_if_any();
     return joint;
 }

@@ -15,8 +15,8 @@ namespace stickslip {
 namespace files {
 namespace {
 
-const std::vector<std::string> spec_tables{"title",    "axes",   "design", "nonlinear",
-                                           "boundary", "report", "check",  "record"};
+const std::vector<std::string> spec_tables{"title",  "axes",  "design", "nonlinear",   "boundary",
+                                           "report", "check", "record", "requirements"};
 
 class SpecReader {
   public:

@@ -189,6 +189,12 @@ StabilityMap map_under(const Joint& design, Axis x, Axis y, const ParallelFor& p
             map.region[j * x.values.size() + i] = row.region;
         }
     });
+    const auto shares = area_shares(x, y);
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        if (map.region[i] == Region::memory_only || map.region[i] == Region::velocity_only)
+            map.disagreement += shares[i];
+        if (map.region[i] == Region::undecided) map.undecided += shares[i];
+    }
     Joint joint = design;
     const auto row = linear_point(design);
     map.design.x = *find_parameter(joint, x.path), map.design.y = *find_parameter(joint, y.path);

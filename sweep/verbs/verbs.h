@@ -22,6 +22,8 @@ void catch_interrupts(Invocation& invocation);
 
 void add_sweep(CLI::App& app, Invocation& invocation);
 void add_boundary(CLI::App& app, Invocation& invocation);
+void add_design(CLI::App& app, Invocation& invocation);
+void add_margins(CLI::App& app, Invocation& invocation);
 void add_check(CLI::App& app, Invocation& invocation);
 void add_evaluate(CLI::App& app, Invocation& invocation);
 void add_figures(CLI::App& app, Invocation& invocation);

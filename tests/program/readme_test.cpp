@@ -23,7 +23,7 @@ std::vector<Shown> shown_outputs(const std::string& text)
     for (std::string line; std::getline(in, line);) {
         if (!line.starts_with(announcement)) continue;
         Shown shown{line.substr(announcement.size(), line.find(" -->") - announcement.size()), {}};
-        std::getline(in, line);   // the fence
+        std::getline(in, line);  // the fence
         while (std::getline(in, line) && line != "```") shown.lines.push_back(line);
         blocks.push_back(std::move(shown));
     }

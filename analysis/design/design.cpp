@@ -1,0 +1,219 @@
+#include "analysis/design/design.h"
+
+#include "analysis/boundary/optimise.h"
+#include "analysis/design/judge.h"
+#include "analysis/stability/steady.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace stickslip {
+namespace {
+
+using Place = std::vector<double>;
+
+constexpr int global_evaluations = 250, local_evaluations = 100, rim_points = 24;
+constexpr double tolerance = 1e-6;        ///< of a demand, in its logarithm
+constexpr double offence = 1e3;           ///< what any violation costs the global search, far above ln(cost)
+constexpr double most_of_margin = 0.995;  ///< of the largest margin, where the front ends
+
+double worst_of(const Violations& v, int without = -1)
+{
+    double worst = -infinity;
+    for (int i = 0; i < demand_count; ++i)
+        if (i != without) worst = std::max(worst, v[static_cast<std::size_t>(i)]);
+    return worst;
+}
+
+/// Minimises `goal` of a choice while the demands hold (all but `without`).
+class Search {
+  public:
+    using Goal = std::function<double(const GainChoice&)>;
+
+    Search(Judge& judge, Goal goal, int without = -1) : judge_(judge), goal_(std::move(goal)), without_(without) {}
+
+    /// From the whole range, or from given places; nothing is promised but that the best place seen is returned.
+    Place run(std::vector<Place> starts, bool global)
+    {
+        const Bounds bounds = judge_.bounds();
+        const Objective penalised = [&](const Place& t) {
+            const auto& c = judge_.at(t);
+            const double worst = worst_of(judge_.violations(c), without_);
+            if (worst > 0 || std::isnan(worst)) return offence * (1 + (std::isnan(worst) ? 100 : worst));
+            const double goal = goal_(c);
+            return std::isfinite(goal) ? goal : offence;
+        };
+        if (global) starts.push_back(global_minimum(penalised, bounds, global_evaluations));
+        // feedback of one kind alone lies on the rim of the range, where no search inside ever looks
+        for (int i = 0; i <= rim_points; ++i)
+            for (const std::size_t held : {0, 1}) {
+                Place t = bounds.low;
+                t[1 - held] += (bounds.high[1 - held] - bounds.low[1 - held]) * i / rim_points;
+                starts.push_back(t);
+            }
+        Place best = starts.front();
+        for (const auto& s : starts)
+            if (penalised(s) < penalised(best)) best = s;
+        if (penalised(best) >= offence) best = local_minimum(penalised, bounds, best, 0.1, local_evaluations);
+        const Objective goal = [&](const Place& t) {
+            const double g = goal_(judge_.at(t));
+            return std::isfinite(g) ? g : offence;
+        };
+        std::vector<Objective> constraints;
+        for (int i = 0; i < demand_count; ++i)
+            if (i != without_)
+                constraints.push_back([this, i](const Place& t) {
+                    const double v = judge_.violations(judge_.at(t))[static_cast<std::size_t>(i)];
+                    return std::isnan(v) ? 10 : std::max(v, -10.0);
+                });
+        for (const double step : {0.05, 0.01}) {
+            const auto next = constrained_minimum(goal, constraints, bounds, best, step, local_evaluations);
+            if (penalised(next) <= penalised(best)) best = next;
+        }
+        // where the cost has a kink, as at a rim, the linear models of COBYLA stall
+        const auto next = local_minimum(penalised, bounds, best, 0.02, local_evaluations);
+        return penalised(next) < penalised(best) ? next : best;
+    }
+
+  private:
+    Judge& judge_;
+    Goal goal_;
+    int without_;
+};
+
+double log_cost(const GainChoice& c)
+{
+    return std::log(c.cost);
+}
+
+/// Choices of the search are judged once more with every direction in view.
+GainChoice judged_at(Judge& judge, const Place& place)
+{
+    const auto quick = judge.at(place);
+    return judge.thorough(quick.k_p, quick.k_v);
+}
+
+double demanded(const Requirements& r, int i)
+{
+    return i == 0 ? r.margin : i == 1 ? r.effort_limit : r.least_velocity;
+}
+
+double reached(const GainChoice& c, int i)
+{
+    return i == 0 ? c.margin : i == 1 ? c.peak_effort : c.least_velocity;
+}
+
+bool is_demanded(const Requirements& r, int i)
+{
+    return i == 0 || (i == 1 ? std::isfinite(r.effort_limit) : is_set(r.least_velocity));
+}
+
+DemandReport report_on(Judge& judge, const GainChoice& best, const Place& place, int i, bool feasible)
+{
+    const auto& r = judge.requirements();
+    const auto index = static_cast<std::size_t>(i);
+    DemandReport report;
+    report.name = demand_names[index];
+    report.demanded = demanded(r, i);
+    report.reached = reached(best, i);
+    report.met = judge.violations(best)[index] <= tolerance;
+    const auto offends = [&judge, index](const GainChoice& c) { return judge.violations(c)[index]; };
+    auto at = Search(judge, offends, i).run({place}, !feasible);
+    report.others_met = worst_of(judge.violations(judge.at(at)), i) <= tolerance;
+    if (!report.others_met) {
+        at = local_minimum([&](const Place& t) { return offends(judge.at(t)); }, judge.bounds(), place, 0.2,
+                           local_evaluations);
+    }
+    report.attainable = reached(judged_at(judge, at), i);
+    return report;
+}
+
+void check_sense(const Joint& joint, const Requirements& r)
+{
+    const auto refuse = [](const std::string& text) { throw std::invalid_argument(text); };
+    if (!(r.noise.position > 0) && !(r.noise.velocity > 0))
+        refuse("position_noise: neither it nor velocity_noise is set, and without noise every gain is as quiet as any");
+    if (!(r.noise.period > 0)) refuse("sample_time: is not set; noise of samples needs the time between them");
+    const auto range = gain_range(joint, r);
+    if (!(range.k_p.low > 0 && range.k_p.low < range.k_p.high)) refuse("k_p: needs 0 < from < to");
+    if (!(range.k_v.low >= 0 && range.k_v.low < range.k_v.high)) refuse("k_v: needs 0 ≤ from < to");
+}
+
+}  // namespace
+
+GainRange gain_range(const Joint& joint, const Requirements& r)
+{
+    constexpr double decades = 1e3, damping_reach = 30;
+    const auto steady = steady_sliding(joint);
+    double damping = std::abs(joint.control.k_v), inertia = 0;
+    if (steady.reason == Reason::none) {
+        const auto linear = linear_joint(joint, steady.velocity);
+        for (int i = 0; i < linear.bodies; ++i) {
+            damping += std::abs(linear.friction[i].f_v) + std::abs(kernel_integral(linear.friction[i]));
+            inertia += linear.inertia[i];
+        }
+    }
+    GainRange range;
+    range.k_p = {is_set(r.k_p_low) ? r.k_p_low : joint.control.k_p / decades,
+                 is_set(r.k_p_high) ? r.k_p_high : joint.control.k_p * decades};
+    damping += std::sqrt(std::abs(joint.control.k_p) * inertia);
+    range.k_v = {r.k_v_low, is_set(r.k_v_high) ? r.k_v_high : damping_reach * damping};
+    return range;
+}
+
+GainChoice judge_gains(const Joint& joint, const Requirements& requirements, double k_p, double k_v)
+{
+    return Judge(joint, requirements, Curve::Kind::state_variable).thorough(k_p, k_v);
+}
+
+GainDesign design_gains(const Joint& joint, const Requirements& r, const ParallelFor& parallel)
+{
+    check_sense(joint, r);
+    GainDesign design;
+    if (steady_sliding(joint).reason != Reason::none) return design;
+    design.decided = true;
+    Judge judge(joint, r, Curve::Kind::state_variable);
+    const auto range = gain_range(joint, r);
+    const auto own = judge.place_of(std::clamp(joint.control.k_p, range.k_p.low, range.k_p.high),
+                                    std::clamp(joint.control.k_v, range.k_v.low, range.k_v.high));
+    design.as_joint = judge.thorough(joint.control.k_p, joint.control.k_v);
+    const auto best = Search(judge, log_cost).run({own}, true);
+    design.best = judged_at(judge, best);
+    design.feasible = worst_of(judge.violations(design.best)) <= tolerance;
+    for (int i = 0; i < demand_count; ++i)
+        if (is_demanded(r, i)) design.demands.push_back(report_on(judge, design.best, best, i, design.feasible));
+    design.evaluations = judge.evaluations();
+
+    // the front: from the margin that the least cost has by itself, each margin demanded in turn up to the largest
+    const double largest = design.demands[0].others_met ? most_of_margin * design.demands[0].attainable : 0;
+    const double free = judged_at(judge, Search(judge, log_cost, 0).run({best}, true)).margin;
+    const double least = std::clamp(std::isnan(free) ? 0 : free, 1e-3 * largest, largest);
+    std::vector<GainChoice> front(static_cast<std::size_t>(r.front_points));
+    std::vector<int> counts(front.size());
+    if (largest > 0)
+        parallel(front.size(), [&](std::size_t i) {
+            Requirements step = r;
+            step.margin = least + (largest - least) * static_cast<double>(i) / (static_cast<double>(front.size()) - 1);
+            Judge own_judge(joint, step, Curve::Kind::state_variable);
+            const auto at = Search(own_judge, log_cost).run({best, own}, false);
+            const auto choice = judged_at(own_judge, at);
+            if (worst_of(own_judge.violations(choice)) <= 1e-3) front[i] = choice;
+            counts[i] = own_judge.evaluations();
+        });
+    for (std::size_t i = 0; i < front.size(); ++i) {
+        if (is_set(front[i].cost)) design.front.push_back(front[i]);
+        design.evaluations += counts[i];
+    }
+    std::sort(design.front.begin(), design.front.end(),
+              [](const GainChoice& a, const GainChoice& b) { return a.margin < b.margin; });
+
+    Judge simple(joint, r, Curve::Kind::velocity_only);
+    const auto thought = Search(simple, log_cost).run({own}, true);
+    design.velocity_only_found = worst_of(simple.violations(simple.at(thought))) <= tolerance;
+    design.velocity_only = judge.thorough(simple.at(thought).k_p, simple.at(thought).k_v);
+    design.evaluations += simple.evaluations();
+    return design;
+}
+
+}  // namespace stickslip

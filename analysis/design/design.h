@@ -1,0 +1,42 @@
+// The best pair of gains under requirements, as §5 of the paper asks for: position and velocity feedback weighed by the
+// quality of their sensors.
+#pragma once
+#include "analysis/boundary/boundary.h"
+#include "analysis/boundary/coordinates.h"
+#include "analysis/design/noise.h"
+#include "analysis/results/design.h"
+#include "analysis/stability/verdict.h"
+
+namespace stickslip {
+
+enum class DesignObjective { motion, effort };
+
+struct Requirements {
+    SensorNoise noise;
+    DesignObjective objective = DesignObjective::motion;  ///< which noise is made least
+    double stiffness_scale = infinity;  ///< the k_p that doubles the cost: cost = noise · (1 + k_p/stiffness_scale)
+    double margin = 0.05;               ///< least distance to the nearest boundary, in ln of the uncertain parameters
+    double least_velocity = not_set;    ///< sliding is to be stable at every velocity from here up to V_0
+    double effort_limit = infinity;
+    double noise_multiple = 3;          ///< of the effort noise that counts towards the limit
+    std::vector<Coordinate> uncertain;  ///< whose distance the margin is; empty: the friction's
+    double k_p_low = not_set, k_p_high = not_set, k_v_low = 0, k_v_high = not_set;  ///< not set: three decades around
+    double front_points = 12;  ///< points of the Pareto front
+};
+
+/// Minimises the cost over (k_p, k_v): NLopt's DIRECT-L over the whole range, then COBYLA under the constraints. The
+/// front asks for each margin in turn. Velocity-only thinking solves the same problem with steady-state friction, and
+/// is then judged with memory. Throws std::invalid_argument for requirements that mean nothing (no noise, no sample
+/// time, empty ranges).
+GainDesign design_gains(const Joint& joint, const Requirements& requirements, const ParallelFor& parallel);
+
+/// One pair of gains against the requirements.
+GainChoice judge_gains(const Joint& joint, const Requirements& requirements, double k_p, double k_v);
+
+/// The range of gains that is searched.
+struct GainRange {
+    Interval k_p, k_v;
+};
+GainRange gain_range(const Joint& joint, const Requirements& requirements);
+
+}  // namespace stickslip

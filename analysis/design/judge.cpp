@@ -1,0 +1,116 @@
+#include "analysis/design/judge.h"
+
+#include "analysis/boundary/locate.h"
+#include "analysis/boundary/root.h"
+#include "analysis/stability/steady.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+constexpr int velocity_steps = 12;      ///< a decade, when the least velocity is looked for
+constexpr double velocity_decades = 4;  ///< below V_0, as far as it is looked for without a demand
+constexpr double no_noise = 1e9;        ///< cost, per noise of a joint at rest, of gains that have none
+
+}  // namespace
+
+Judge::Judge(const Joint& joint, const Requirements& requirements, Curve::Kind theory)
+    : joint_(joint), requirements_(requirements), theory_(theory)
+{
+    coordinates_ = requirements.uncertain.empty() ? friction_coordinates(joint) : requirements.uncertain;
+    reach_ = default_reach(coordinates_);
+    range_ = gain_range(joint, requirements);
+    damping_unit_ = 1e-4 * range_.k_v.high;
+    const auto steady = steady_sliding(joint);
+    velocity_ = steady.velocity;
+    steady_effort_ = std::abs(steady.friction) + std::abs(joint.load.constant);
+}
+
+Bounds Judge::bounds() const
+{
+    return {place_of(range_.k_p.low, range_.k_v.low), place_of(range_.k_p.high, range_.k_v.high)};
+}
+
+std::vector<double> Judge::place_of(double k_p, double k_v) const
+{
+    return {std::log(k_p), std::asinh(k_v / damping_unit_)};
+}
+
+const GainChoice& Judge::at(const std::vector<double>& t)
+{
+    // objective and constraints are asked one after the other at the same place
+    if (t == last_place_) return last_;
+    last_ = judged(std::exp(t[0]), damping_unit_ * std::sinh(t[1]), false);
+    last_place_ = t;
+    return last_;
+}
+
+GainChoice Judge::thorough(double k_p, double k_v)
+{
+    return judged(k_p, k_v, true);
+}
+
+double Judge::least_velocity(Joint joint) const
+{
+    joint.control.force_rate = not_set;
+    const double lowest = is_set(requirements_.least_velocity) ? 0.1 * requirements_.least_velocity
+                                                               : velocity_ * std::pow(10, -velocity_decades);
+    const auto measure = [&](double V) {
+        joint.control.V0 = V;
+        return instability(joint, theory_);
+    };
+    double a = velocity_, fa = measure(a);
+    if (!(fa < 0)) return a;
+    const int steps = std::max(4, static_cast<int>(std::ceil(velocity_steps * std::log10(velocity_ / lowest))));
+    for (int i = 1; i <= steps; ++i) {
+        const double b = velocity_ * std::pow(lowest / velocity_, static_cast<double>(i) / steps), fb = measure(b);
+        if (std::isnan(fb)) return a;
+        if (fb >= 0) return bracketed_root(measure, a, fa, b, fb, 1e-9).value;
+        a = b, fa = fb;
+    }
+    return lowest;
+}
+
+GainChoice Judge::judged(double k_p, double k_v, bool thoroughly)
+{
+    ++evaluations_;
+    GainChoice choice;
+    choice.k_p = k_p, choice.k_v = k_v;
+    Joint joint = joint_;
+    joint.control.k_p = k_p, joint.control.k_v = k_v;
+    auto linear = linear_joint(joint, velocity_);
+    if (theory_ == Curve::Kind::velocity_only) linear = velocity_only(linear);
+    NearestOptions options;
+    options.theory = theory_;
+    options.reach = reach_;
+    options.global = thoroughly;
+    if (!thoroughly) options.rays = 12, options.local = 12, options.start = direction_;
+    const auto nearest = nearest_boundary(joint, coordinates_, options);
+    if (nearest.found) direction_ = nearest.direction;
+    choice.margin = signed_margin(nearest);
+    choice.effort_noise = effort_noise(linear, requirements_.noise);
+    const bool asked = thoroughly || requirements_.objective == DesignObjective::motion;
+    choice.motion_noise = asked && choice.margin > 0 ? motion_noise(linear, requirements_.noise) : missing;
+    choice.peak_effort = steady_effort_ + requirements_.noise_multiple * choice.effort_noise;
+    if (!joint.control.reference_velocity) choice.peak_effort += k_v * std::abs(velocity_);
+    if (thoroughly || is_set(requirements_.least_velocity)) choice.least_velocity = least_velocity(joint);
+    const double noise = requirements_.objective == DesignObjective::motion ? choice.motion_noise : choice.effort_noise;
+    choice.cost = noise * (1 + k_p / requirements_.stiffness_scale);
+    return choice;
+}
+
+Violations Judge::violations(const GainChoice& c) const
+{
+    Violations v;
+    v[0] = std::isnan(c.margin) ? 2 * reach_ : requirements_.margin - c.margin;
+    v[1] = std::isfinite(requirements_.effort_limit) ? std::log(c.peak_effort / requirements_.effort_limit) : -infinity;
+    v[2] = is_set(requirements_.least_velocity) ? std::log(c.least_velocity / requirements_.least_velocity) : -infinity;
+    // stable throughout: the search for the least velocity ends below the demand
+    if (c.margin < 0 && is_set(requirements_.least_velocity))
+        v[2] = std::log(velocity_ / requirements_.least_velocity) - c.margin;
+    return v;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,127 @@
+#include "analysis/design/noise.h"
+
+#include "analysis/stability/characteristic.h"
+#include "analysis/stability/joint_spectrum.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace stickslip {
+namespace {
+
+constexpr double integral_precision = 1e-6;
+constexpr int deepest = 18;     ///< halvings of an interval of the integral
+constexpr double highest = 20;  ///< times the Nyquist frequency, beyond which the held noise moves nothing
+
+/// X_link/U(s) of the closed loop: where the command's noise enters is where the controller acts.
+Complex command_response(const LinearJoint& j, Complex s)
+{
+    std::array<Complex, max_bodies> resistance, scale;
+    for (int i = 0; i < j.bodies; ++i) resistance[i] = j.friction[i].f_v - transfer(j.friction[i], s), scale[i] = 1;
+    const auto open = open_loop_matrix<Complex>(j, s, resistance, scale);
+    Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, 0, max_bodies, max_bodies> Z(j.bodies, j.bodies);
+    Eigen::Matrix<Complex, Eigen::Dynamic, 1, 0, max_bodies, 1> u(j.bodies);
+    for (int i = 0; i < j.bodies; ++i) {
+        u[i] = j.actuated[i];
+        for (int k = 0; k < j.bodies; ++k) Z(i, k) = open[i][k];
+        Z(i, j.measured) += (j.k_p + j.k_v * s) * j.actuated[i];
+    }
+    if (j.bodies == 1) return u[0] / Z(0, 0);
+    return Z.partialPivLu().solve(u)[j.link()];
+}
+
+/// Transfer of one sampled velocity estimate: its filter, and the difference of averaged positions before it.
+struct Estimate {
+    Complex filter, difference;
+
+    Estimate(const SensorNoise& n, double phase)
+    {
+        const Complex back = std::exp(Complex(0, -phase));  // z⁻¹
+        const double a = n.period / (n.filter + n.period);
+        filter = a / (1.0 - (1 - a) * back);
+        Complex mean = 0, shifted = 1;
+        for (int i = 0; i < static_cast<int>(n.average); ++i, shifted *= back) mean += shifted / n.average;
+        difference = (1.0 - back) / n.period * mean;
+    }
+};
+
+/// Variance of a sample of the command per radian of phase.
+double command_spectrum(const LinearJoint& j, const SensorNoise& n, double phase)
+{
+    const Estimate e(n, phase);
+    const double x = n.position * n.position;
+    if (is_set(n.velocity)) return x * j.k_p * j.k_p + n.velocity * n.velocity * j.k_v * j.k_v * std::norm(e.filter);
+    return x * std::norm(j.k_p + j.k_v * e.filter * e.difference);
+}
+
+using Function = std::function<double(double)>;
+
+double simpson(const Function& f, double a, double fa, double m, double fm, double b, double fb, double tolerance,
+               int depth)
+{
+    const double l = (a + m) / 2, r = (m + b) / 2, fl = f(l), fr = f(r);
+    const double whole = (b - a) / 6 * (fa + 4 * fm + fb);
+    const double halves = (b - a) / 12 * (fa + 4 * fl + 2 * fm + 4 * fr + fb);
+    if (depth == 0 || std::abs(halves - whole) <= 15 * tolerance) return halves + (halves - whole) / 15;
+    return simpson(f, a, fa, l, fl, m, fm, tolerance / 2, depth - 1) +
+           simpson(f, m, fm, r, fr, b, fb, tolerance / 2, depth - 1);
+}
+
+double integral(const Function& f, const std::vector<double>& breaks)
+{
+    double estimate = 0;
+    for (std::size_t i = 1; i < breaks.size(); ++i)
+        estimate += (breaks[i] - breaks[i - 1]) / 6 *
+                    (f(breaks[i - 1]) + 4 * f((breaks[i - 1] + breaks[i]) / 2) + f(breaks[i]));
+    double sum = 0;
+    for (std::size_t i = 1; i < breaks.size(); ++i) {
+        const double a = breaks[i - 1], b = breaks[i], m = (a + b) / 2;
+        sum += simpson(f, a, f(a), m, f(m), b, f(b), integral_precision * estimate / breaks.size(), deepest);
+    }
+    return sum;
+}
+
+}  // namespace
+
+double motion_noise(const LinearJoint& j, const SensorNoise& n)
+{
+    const auto roots = spectrum(j);
+    double slowest = infinity;
+    for (const auto& s : roots) {
+        if (!(s.real() < 0)) return missing;
+        slowest = std::min(slowest, std::abs(s));
+    }
+    const double nyquist = std::numbers::pi / n.period;
+    const double low = std::min(1e-3 * slowest, 1e-3 * nyquist), high = highest * nyquist;
+    const auto density = [&](double omega) {
+        const double half = omega * n.period / 2, held = half > 1e-8 ? std::sin(half) / half : 1;
+        return std::norm(command_response(j, Complex(0, omega))) * n.period * held * held *
+               command_spectrum(j, n, omega * n.period);
+    };
+    // over ln ω, cut at every resonance and its flanks
+    std::vector<double> breaks{std::log(low), std::log(high)};
+    const auto cut = [&](double omega) {
+        if (omega > low && omega < high) breaks.push_back(std::log(omega));
+    };
+    for (const auto& s : roots) {
+        const double omega = std::abs(s.imag()), width = std::abs(s.real());
+        cut(std::abs(s));
+        for (const double k : {-8.0, -2.0, 0.0, 2.0, 8.0}) cut(omega + k * width);
+    }
+    for (int k = 1; k < highest; ++k) cut(k * nyquist);
+    std::sort(breaks.begin(), breaks.end());
+    const double above = integral([&](double l) { return std::exp(l) * density(std::exp(l)); }, breaks);
+    return std::sqrt((density(low) * low + above) / std::numbers::pi);
+}
+
+double effort_noise(const LinearJoint& j, const SensorNoise& n)
+{
+    constexpr double pi = std::numbers::pi;
+    std::vector<double> breaks{1e-9, pi / 64, pi / 16, pi / 4, pi / 2, pi};
+    return std::sqrt(integral([&](double phase) { return command_spectrum(j, n, phase); }, breaks) / pi);
+}
+
+}  // namespace stickslip

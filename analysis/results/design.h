@@ -1,0 +1,43 @@
+// The best gains of a joint under requirements: what a design run found.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "analysis/results/point.h"
+
+namespace stickslip {
+
+/// One pair of gains and what it brings.
+struct GainChoice {
+    double k_p = missing, k_v = missing;
+    double motion_noise = missing;    ///< rms motion of the link that sensor noise causes
+    double effort_noise = missing;    ///< rms command that sensor noise causes
+    double peak_effort = missing;     ///< |steady effort| and the stated multiple of effort_noise
+    double margin = missing;          ///< distance to the nearest boundary; negative: unstable
+    double least_velocity = missing;  ///< from here up to V_0 sliding is stable
+    double cost = missing;            ///< what was minimised
+};
+
+/// A demand and how it fared.
+struct DemandReport {
+    std::string name;  ///< "margin" | "effort_limit" | "least_velocity"
+    double demanded = missing;
+    double reached = missing;     ///< by the best gains
+    double attainable = missing;  ///< the most that gains can do for it while every other demand is met
+    bool others_met = true;       ///< false: the others contradict one another; attainable is then of this one alone
+    bool met = false;
+};
+
+struct GainDesign {
+    bool decided = false;  ///< the joint slides and can be judged
+    bool feasible = false;
+    GainChoice best;  ///< infeasible: the gains that violate the demands least
+    std::vector<DemandReport> demands;
+    std::vector<GainChoice> front;     ///< least cost for each margin, ascending; the other demands met
+    bool velocity_only_found = false;  ///< whether velocity-only thinking finds gains at all
+    GainChoice velocity_only;          ///< its choice, judged with memory
+    GainChoice as_joint;               ///< the joint's own gains
+    int evaluations = 0;               ///< pairs of gains that were judged
+};
+
+}  // namespace stickslip

@@ -1,0 +1,116 @@
+#include "sweep/report/check_report.h"
+
+#include "sweep/check/baseline_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <tuple>
+
+namespace stickslip {
+namespace {
+
+using Tone = Headline::Tone;
+
+const Axis* axis_of(const Spec& spec, const std::string& path)
+{
+    for (const auto& axis : spec.axes)
+        if (axis.path == path) return &axis;
+    return nullptr;
+}
+
+/// One crossing over the rays of a chart: theory and number.
+struct Line {
+    LineChart::Line old_line, new_line;
+};
+
+std::string label(const Axis& axis, Motion motion)
+{
+    return axis.name + " " + axis.symbol + " [" + std::string(unit_of(axis.quantity, motion)) + "]";
+}
+
+Figure figure_of(const Spec& spec, const Axis& x, const Axis& y, const std::vector<Deviation>& deviations)
+{
+    std::map<std::pair<std::string, int>, Line> lines;
+    for (const auto& d : deviations) {
+        const auto& shown = d.kind == Deviation::Kind::appeared ? d.now : d.stored;
+        if (shown.axis != x.path || shown.at.size() != 1 || shown.at[0].first != y.path) continue;
+        auto& line = lines[{shown.theory, shown.number}];
+        if (d.kind != Deviation::Kind::appeared)
+            line.old_line.x.push_back(d.stored.point.value), line.old_line.y.push_back(shown.at[0].second);
+        if (d.kind != Deviation::Kind::vanished)
+            line.new_line.x.push_back(d.now.point.value), line.new_line.y.push_back(shown.at[0].second);
+    }
+    LineChart chart;
+    chart.title = "Boundaries before (dashed) and now, over (" + x.symbol + ", " + y.symbol + ")";
+    const auto motion = spec.joint.mechanism.motion;
+    chart.x_label = label(x, motion), chart.y_label = label(y, motion);
+    chart.x_log = x.log, chart.y_log = y.log;
+    for (auto& [key, line] : lines) {
+        const std::string name = key.first + (key.second > 0 ? " " + std::to_string(key.second + 1) : "");
+        line.new_line.name = name + ", now";
+        line.old_line.name = name + ", baseline";
+        line.old_line.dashed = true;
+        for (auto* l : {&line.new_line, &line.old_line})
+            if (!l->x.empty()) chart.lines.push_back(std::move(*l));
+    }
+    Figure figure;
+    figure.id = "check";
+    for (const auto* axis : {&x, &y}) {
+        figure.id += '-';
+        for (const char c : axis->path.substr(axis->path.rfind('.') + 1))
+            figure.id += std::isalnum(static_cast<unsigned char>(c)) ? static_cast<char>(std::tolower(c)) : '-';
+    }
+    figure.caption =
+        "Each line joins the crossings of nine rays. Where dashed and solid lie on one another nothing moved.";
+    figure.finding = chart.title;
+    figure.picture = std::move(chart);
+    return figure;
+}
+
+}  // namespace
+
+Report check_report(const Spec& spec, const std::vector<Deviation>& deviations, const std::string& command)
+{
+    std::size_t failed = 0, refined = 0;
+    for (const auto& d : deviations) {
+        failed += !d.passes();
+        refined += d.kind == Deviation::Kind::refined;
+    }
+    Report report;
+    report.title = spec.title;
+    report.subtitle = "boundaries against their baseline";
+    report.verdict = failed ? std::to_string(failed) + " of " + std::to_string(deviations.size()) +
+                                  " boundaries are out of tolerance."
+                            : "All " + std::to_string(deviations.size()) + " boundaries are where they were.";
+    if (refined) report.verdict += " " + std::to_string(refined) + " are located more finely than before.";
+    report.tone = failed ? Tone::bad : Tone::good;
+    Section curves{"curves", "Before and now", "", {}, {}};
+    for (const auto& [x, y] : spec.report.charts)
+        if (const Axis* a = axis_of(spec, x), *b = axis_of(spec, y); a && b) {
+            auto figure = figure_of(spec, *a, *b, deviations);
+            if (!std::get<LineChart>(figure.picture).lines.empty()) curves.figures.push_back(std::move(figure));
+        }
+    if (!curves.figures.empty()) report.sections.push_back(std::move(curves));
+    Table table;
+    table.title = failed ? "Out of tolerance" : "The largest moves";
+    table.columns = {"boundary", "outcome"};
+    std::vector<const Deviation*> shown;
+    for (const auto& d : deviations)
+        if (!failed || !d.passes()) shown.push_back(&d);
+    std::stable_sort(shown.begin(), shown.end(), [](const Deviation* a, const Deviation* b) {
+        return a->relative * b->stored.tolerance > b->relative * a->stored.tolerance;
+    });
+    for (std::size_t i = 0; i < shown.size() && (failed || i < 10); ++i) {
+        const auto& d = *shown[i];
+        std::string name = (d.kind == Deviation::Kind::appeared ? d.now : d.stored).name();
+        table.rows.push_back({name, describe(d)});
+    }
+    Section list{"list", table.title, "", {}, {}};
+    list.tables.push_back(std::move(table));
+    report.sections.push_back(std::move(list));
+    report.provenance = {{"command", command}};
+    return report;
+}
+
+}  // namespace stickslip

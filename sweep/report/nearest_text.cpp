@@ -1,0 +1,60 @@
+// The nearest boundary in words and numbers.
+#include "analysis/results/text.h"
+#include "sweep/files/symbols.h"
+#include "sweep/report/design_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+constexpr double idle = 0.1;  ///< of the largest move: below, a parameter hardly takes part
+
+std::string symbol(const NearestMove& move)
+{
+    return symbol_of(move.path) + (move.less.empty() ? "" : " − " + symbol_of(move.less));
+}
+
+std::string move_text(const NearestMove& move)
+{
+    const double ratio = move.to / move.from;
+    if (ratio > 2) return symbol(move) + " grows to " + plain_number(ratio) + " times its value";
+    if (ratio < 0.5) return symbol(move) + " falls to 1/" + plain_number(1 / ratio) + " of its value";
+    const double change = ratio - 1;
+    return symbol(move) + (change < 0 ? " falls by " : " grows by ") + plain_number(100 * std::abs(change), 2) + " %";
+}
+
+}  // namespace
+
+std::string nearest_text(const NearestBoundary& n)
+{
+    if (!n.decided) return "The joint has no linear verdict, hence no margin.";
+    const std::string event = n.stable ? "Stick-slip appears" : "Sliding becomes stable";
+    if (!n.found) return event + " for no change of the uncertain numbers by up to a factor of ten.";
+    auto moves = n.moves;
+    const auto size = [](const NearestMove& m) { return std::abs(std::log(m.to / m.from)); };
+    std::sort(moves.begin(), moves.end(), [&](const auto& a, const auto& b) { return size(a) > size(b); });
+    const double largest = size(moves.front());
+    std::erase_if(moves, [&](const auto& m) { return size(m) < idle * largest; });
+    std::string text = event + " if ";
+    for (std::size_t i = 0; i < moves.size(); ++i)
+        text += (i == 0 ? "" : i == 1 ? " while " : i + 1 == moves.size() ? " and " : ", ") + move_text(moves[i]);
+    return text + ".";
+}
+
+nlohmann::ordered_json nearest_json(const NearestBoundary& n)
+{
+    nlohmann::ordered_json json = {{"decided", n.decided}, {"stable", n.stable}, {"found", n.found}};
+    json["distance"] = n.distance;
+    json["moves"] = nlohmann::ordered_json::array();
+    for (const auto& m : n.moves)
+        json["moves"].push_back({{"path", m.less.empty() ? m.path : m.path + " - " + m.less},
+                                 {"from", m.from},
+                                 {"to", m.to},
+                                 {"change", m.to / m.from - 1}});
+    json["evaluations"] = n.evaluations;
+    return json;
+}
+
+}  // namespace stickslip

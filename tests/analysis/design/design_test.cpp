@@ -1,0 +1,147 @@
+// Noise against closed forms of white noise, and designs whose optimum is known.
+#include "analysis/design/design.h"
+#include "tests/analysis/simulation/joints.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace stickslip;
+
+namespace {
+
+const ParallelFor one_by_one = [](std::size_t n, const std::function<void(std::size_t)>& task) {
+    for (std::size_t i = 0; i < n; ++i) task(i);
+};
+
+/// A mass on a spring and a damper, no memory.
+LinearJoint plain(double m, double c, double k)
+{
+    LinearJoint j;
+    j.inertia[0] = m;
+    j.actuated[0] = 1;
+    j.k_p = k;
+    j.friction[0].f_v = c;
+    return j;
+}
+
+Requirements noisy(double position = 1e-6)
+{
+    Requirements r;
+    r.noise.position = position;
+    r.noise.period = 1e-4;
+    r.front_points = 5;
+    return r;
+}
+
+}  // namespace
+
+TEST_CASE("white position noise moves a damped mass as the fluctuation formula says", "[design]")
+{
+    // force noise of density S = σ² T k² moves m ẍ + c ẋ + k x by √(S/(2 c k)), samples short against the motion
+    SensorNoise n;
+    n.position = 2e-6, n.period = 1e-7;
+    for (const double c : {3.0, 300.0}) {
+        const auto j = plain(1, c, 1e4);
+        CHECK(motion_noise(j, n) == Approx(2e-6 * std::sqrt(1e-7 * 1e4 / (2 * c))).epsilon(2e-4));
+    }
+    CHECK(std::isnan(motion_noise(plain(1, -1, 1e4), n)));
+}
+
+TEST_CASE("an own velocity sensor adds S_v = sigma_v^2 T k_v^2", "[design]")
+{
+    SensorNoise n;
+    n.position = 0, n.velocity = 1e-3, n.period = 1e-7;
+    auto j = plain(2, 50, 4e3);
+    j.k_v = 30;
+    CHECK(motion_noise(j, n) == Approx(1e-3 * 30 * std::sqrt(1e-7 / (2 * 80 * 4e3))).epsilon(2e-4));
+}
+
+TEST_CASE("effort noise of a differenced and filtered position is the sum over its impulse response", "[design]")
+{
+    SensorNoise n;
+    n.position = 1e-6, n.period = 1e-3, n.filter = 4e-3;
+    auto j = plain(1, 10, 2e4);
+    j.k_v = 70;
+    const double a = 1.0 / 5;
+    double first = j.k_p, sum = 0, h = 0;
+    // h_k of H = a (1 − z⁻¹)/T /(1 − (1 − a) z⁻¹)
+    for (int k = 0; k < 400; ++k) {
+        const double input = k == 0 ? 1 : k == 1 ? -1 : 0;
+        h = (1 - a) * h + a * input / n.period;
+        sum += std::pow((k == 0 ? first : 0) + j.k_v * h, 2);
+    }
+    CHECK(effort_noise(j, n) == Approx(1e-6 * std::sqrt(sum)).epsilon(1e-5));
+    // own sensor: k_p² σ_x² + k_v² σ_v² a/(2 − a)
+    n.velocity = 2e-4;
+    CHECK(effort_noise(j, n) == Approx(std::hypot(2e4 * 1e-6, 70 * 2e-4 * std::sqrt(a / (2 - a)))).epsilon(1e-5));
+}
+
+TEST_CASE("a quiet velocity and a noisy position choose velocity feedback, and the other way round", "[design]")
+{
+    const Joint joint = example_joint(6e4, 10, 1e-3);
+    auto r = noisy();
+    r.objective = DesignObjective::effort;
+    r.margin = 0.2;
+    r.noise.position = 1e-9, r.noise.velocity = 1e-3;
+    const auto by_position = design_gains(joint, r, one_by_one);
+    REQUIRE(by_position.feasible);
+    r.noise.position = 1e-3, r.noise.velocity = 1e-9;
+    const auto by_velocity = design_gains(joint, r, one_by_one);
+    REQUIRE(by_velocity.feasible);
+    CHECK(by_position.best.k_v < 1);
+    CHECK(by_position.best.k_p > 5e4);
+    CHECK(by_velocity.best.k_v > 500);
+    CHECK(by_velocity.best.k_p < 1e3);
+    CHECK(by_position.best.margin >= 0.2 - 1e-5);
+    // velocity-only thinking never finds the first: it asks for k_v > 500 N·s/m whatever the sensors
+    CHECK(by_position.velocity_only_found);
+    CHECK(by_position.velocity_only.k_v > 500);
+    CHECK(by_position.velocity_only.cost > 100 * by_position.best.cost);
+}
+
+TEST_CASE("with position feedback alone the optimum stands on the demanded margin", "[design]")
+{
+    // almost no inertia: margin = ln(k_p L/(B − A))/√2, effort noise σ_x k_p is least on the constraint
+    Joint joint = example_joint(6e4, 0, 1e-3);
+    joint.mechanism.inertia = 1e-9;
+    auto r = noisy();
+    r.objective = DesignObjective::effort;
+    r.margin = 0.2;
+    r.noise.velocity = 1e3;  // a useless sensor
+    const auto d = design_gains(joint, r, one_by_one);
+    REQUIRE(d.feasible);
+    CHECK(d.best.k_p == Approx(5e4 * std::exp(0.2 * std::sqrt(2.0))).epsilon(2e-3));
+    CHECK(d.best.cost == Approx(1e-6 * d.best.k_p).epsilon(1e-2));
+    REQUIRE(d.front.size() >= 4);
+    for (const auto& c : d.front) CHECK(c.k_p == Approx(5e4 * std::exp(c.margin * std::sqrt(2.0))).epsilon(1e-2));
+}
+
+TEST_CASE("a demand that cannot be met is named with what could be", "[design]")
+{
+    Joint joint = example_joint(6e4, 0, 1e-3);
+    joint.mechanism.inertia = 1e-9;
+    auto r = noisy(1e-6);
+    r.objective = DesignObjective::effort;
+    r.margin = 0.2;
+    r.noise.velocity = 1e3;
+    // f_ss = 60 N and 3 σ_x k_p ≥ 3·1e-6·5e4·e^{0.2√2} = 0.199 N
+    r.effort_limit = 60.1;
+    const auto d = design_gains(joint, r, one_by_one);
+    CHECK_FALSE(d.feasible);
+    REQUIRE(d.demands.size() == 2);
+    CHECK(d.demands[1].name == "effort_limit");
+    CHECK(d.demands[1].others_met);
+    CHECK(d.demands[1].attainable == Approx(60 + 3e-6 * 5e4 * std::exp(0.2 * std::sqrt(2.0))).epsilon(1e-4));
+    // and the margin that 60.1 N allow: 3e-6 k_p = 0.1
+    CHECK(d.demands[0].attainable == Approx(std::log(0.1 / 3e-6 / 5e4) / std::sqrt(2.0)).margin(2e-2));
+}
+
+TEST_CASE("requirements that mean nothing are refused", "[design]")
+{
+    const Joint joint = example_joint(6e4, 0, 1e-3);
+    CHECK_THROWS_AS(design_gains(joint, Requirements{}, one_by_one), std::invalid_argument);
+    auto r = noisy();
+    r.k_p_low = 2, r.k_p_high = 1;
+    CHECK_THROWS_AS(design_gains(joint, r, one_by_one), std::invalid_argument);
+}

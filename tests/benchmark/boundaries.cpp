@@ -1,0 +1,129 @@
+// What a located boundary point costs, against plain bisection on the rows of a grid: every node of a row is evaluated,
+// and each change of side is halved until its bracket is as narrow. Prints, asserts nothing about time.
+#include "analysis/boundary/boundary.h"
+#include "analysis/joint/parameters.h"
+#include "analysis/simulation/nonlinear.h"
+#include "tests/analysis/simulation/joints.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+using namespace stickslip;
+
+namespace {
+
+constexpr int columns = 121;  // of the grid that a sweep would have along x
+
+Axis axis(std::string path, double low, double high, bool log = true)
+{
+    Axis a;
+    a.path = std::move(path);
+    a.log = log;
+    a.values = {low, high};
+    return a;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start)
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+struct Cost {
+    int points = 0;
+    long evaluations = 0;
+    double wall = 0;
+};
+
+/// Evaluates a row of the grid along x and halves each change.
+template <class Side>
+void bisect_row(Side&& side, const Axis& x, double precision, Cost& cost)
+{
+    const auto start = std::chrono::steady_clock::now();
+    const double low = x.values[0], ratio = x.values[1] / low;
+    double a = low, fa = side(a);
+    ++cost.evaluations;
+    for (int i = 1; i < columns; ++i) {
+        const double b = low * std::pow(ratio, static_cast<double>(i) / (columns - 1)), fb = side(b);
+        ++cost.evaluations;
+        if ((fa < 0) != (fb < 0) && !std::isnan(fa) && !std::isnan(fb)) {
+            double l = a, h = b;
+            while (h - l > precision * l) {
+                const double middle = (l + h) / 2;
+                ++cost.evaluations;
+                if (middle <= l || middle >= h) break;
+                ((side(middle) < 0) == (fa < 0) ? l : h) = middle;
+            }
+            ++cost.points;
+        }
+        a = b, fa = fb;
+    }
+    cost.wall += seconds_since(start);
+}
+
+void print(const char* name, const Cost& followed, const Cost& bisected, double precision)
+{
+    const auto per = [](const Cost& c) { return static_cast<double>(c.evaluations) / c.points; };
+    const double a = per(followed), b = per(bisected);
+    std::printf(
+        "%-16s %7.0e | %6d points %8.1f evaluations, %9.1f µs a point | %4d points %8.1f evaluations, %9.1f µs "
+        "a point | %5.1f times fewer, %5.1f times faster\n",
+        name, precision, followed.points, a, 1e6 * followed.wall / followed.points, bisected.points, b,
+        1e6 * bisected.wall / bisected.points, b / a,
+        bisected.wall / bisected.points / (followed.wall / followed.points));
+}
+
+void compare(const char* name, BoundaryRequest request, const Joint& joint, const Axis& x, const Axis& y, int rows)
+{
+    const auto start = std::chrono::steady_clock::now();
+    const auto curve = follow_boundaries(joint, x, y, request);
+    const Cost followed{curve.points(), curve.evaluations, seconds_since(start)};
+    const double precision = default_precision(request.kind);
+    // what bisection asks of a fold: whether any cycle is reached from near rest
+    BoundaryRequest side = request;
+    if (request.kind == BoundaryKind::fold) {
+        side.kind = BoundaryKind::outcome;
+        side.disturbance = {DisturbanceKind::start, 1e-4};
+    }
+    Cost bisected;
+    Joint copy = joint;
+    double &u = *find_parameter(copy, x.path), &v = *find_parameter(copy, y.path);
+    for (int j = 0; j < rows; ++j) {
+        const double share = (j + 0.5) / rows;
+        v = y.log ? y.values[0] * std::pow(y.values[1] / y.values[0], share)
+                  : y.values[0] + share * (y.values[1] - y.values[0]);
+        bisect_row(
+            [&](double value) {
+                u = value;
+                return side_of(copy, side);
+            },
+            x, precision, bisected);
+    }
+    print(name, followed, bisected, precision);
+}
+
+}  // namespace
+
+int main()
+{
+    std::printf("%-16s %7s | followed, guard and starts included | grid of %d columns and bisection\n", "kind",
+                "bracket", columns);
+    BoundaryRequest request;
+    request.kind = BoundaryKind::state_variable;
+    compare("linear", request, example_joint(6e4, 10, 1e-3), axis("control.k_p", 1e3, 1e6), axis("control.k_v", 1, 1e3),
+            81);
+    compare("linear over V_0", request, example_joint(6e4, 0, 1e-3), axis("control.k_p", 1e3, 1e6),
+            axis("control.V0", 1e-6, 1e-2), 81);
+    auto fine = request;
+    fine.following.longest_step = 1.0 / 81;
+    compare("linear, 81 steps", fine, example_joint(6e4, 10, 1e-3), axis("control.k_p", 1e3, 1e6),
+            axis("control.k_v", 1, 1e3), 81);
+    request.kind = BoundaryKind::fold;
+    request.following.guard = 4;
+    compare("fold", request, example_joint(2.2e4, 47.5, 1e-2), axis("control.k_p", 1e4, 6e4),
+            axis("control.k_v", 44.6, 50.5, false), 2);
+    request.kind = BoundaryKind::outcome;
+    request.disturbance = {DisturbanceKind::position, 5e-5};
+    compare("outcome", request, example_joint(2.2e4, 47.5, 1e-2), axis("control.k_p", 1e4, 6e4),
+            axis("control.k_v", 44.6, 49.5, false), 2);
+}

@@ -12,8 +12,8 @@
 //   std::string problem() const;         what ranges of single numbers cannot say
 //   double static_force() const;         set-valued at rest: the largest force at V = 0
 //   Level level(double speed) const;     static laws: the resistance without its viscous part
-//   DelayList delays(double V) const;    memory that is no state: the impulses of its kernel g about steady sliding at
-//   V KernelTablePtr table() const;        memory that is no state: the sampled part of g
+//   DelayList delays(double V) const;    memory that is no state: the impulses of its kernel g about sliding at V
+//   KernelTablePtr table() const;        memory that is no state: the sampled part of g
 //
 // V is the sliding velocity; friction opposes it, so a positive force acts against positive V.
 #pragma once

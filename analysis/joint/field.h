@@ -2,7 +2,7 @@
 // Reading TOML, checking, dotted paths, axes, `list parameters` and the canonical text all walk this one description.
 //
 // A struct offers   template <class Self, class Visitor> static void fields(Self& self, Visitor& visit)
-// and a visitor offers number, numbers, flag, choice, text, table, rows (see visitors.h).
+// and a visitor offers number, numbers, flag, choice, text, table, rows (parameters.cpp has one).
 #pragma once
 #include <array>
 #include <cmath>

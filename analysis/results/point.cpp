@@ -37,9 +37,9 @@ constexpr Column table[] = {
     coded<&PointResult::region>("region", "verdicts of both theories",
                                 "stable memory_only velocity_only unstable bistable undecided"),
     coded<&PointResult::velocity_only_stable>("velocity_only_stable",
-                                              "stable by friction that depends on velocity alone", "unstable stable"),
+                                              "stable by friction that depends on velocity alone", "unstable stable undecided"),
     coded<&PointResult::state_variable_stable>("state_variable_stable", "stable by friction with memory",
-                                               "unstable stable"),
+                                               "unstable stable undecided"),
     coded<&PointResult::reason>(
         "reason", "why a value is missing",
         "none no_velocity law_needs_motion no_steady_state not_finite linear_only not_converged "

@@ -42,6 +42,9 @@ enum class DecisionPath : std::uint8_t { none, lanes, cvode, shooting };
 
 inline constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
+/// The third value of a yes or no: a row with a reason has no verdict.
+inline constexpr std::uint8_t verdict_missing = 2;
+
 struct PointResult {
     // linear theory
     double k_v_min = missing;            ///< least velocity gain that the velocity-only theory asks for
@@ -49,8 +52,8 @@ struct PointResult {
     double k_cr = missing;               ///< critical position gain; NaN where no single one exists
     double omega = missing;              ///< frequency at the critical gain
     Region region = Region::undecided;
-    std::uint8_t velocity_only_stable = 0;
-    std::uint8_t state_variable_stable = 0;
+    std::uint8_t velocity_only_stable = verdict_missing;  ///< 0, 1, or verdict_missing where nothing could be decided
+    std::uint8_t state_variable_stable = verdict_missing;
     Reason reason = Reason::none;
     // nonlinear joint
     Outcome outcome = Outcome::not_asked;

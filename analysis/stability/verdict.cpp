@@ -59,7 +59,7 @@ LinearVerdict joint_verdict(const Joint& joint, LinearVerdict verdict)
     simple.stable = is_stable(velocity_only(linear));
     memory.eigenvalues = spectrum(linear);
     memory.spectral_abscissa = spectral_abscissa(linear);
-    if (std::isnan(memory.spectral_abscissa)) {
+    if (!std::isfinite(memory.spectral_abscissa)) {
         verdict.steady.reason = Reason::not_finite;
         return verdict;
     }
@@ -78,7 +78,7 @@ PointResult joint_point(const Joint& joint, double V)
     PointResult point;
     const auto linear = linear_joint(joint, V);
     point.spectral_abscissa = spectral_abscissa(linear);
-    if (std::isnan(point.spectral_abscissa)) {
+    if (!std::isfinite(point.spectral_abscissa)) {
         point.reason = Reason::not_finite;
         return point;
     }
@@ -127,7 +127,7 @@ LinearVerdict linear_verdict(const Joint& joint)
     memory.kernel_integral = kernel_integral(mass.friction);
     memory.eigenvalues = spectrum(mass);
     memory.spectral_abscissa = spectral_abscissa(mass);
-    if (std::isnan(memory.spectral_abscissa)) {
+    if (!std::isfinite(memory.spectral_abscissa)) {
         verdict.steady.reason = Reason::not_finite;
         return verdict;
     }
@@ -160,7 +160,7 @@ PointResult linear_point(const Joint& joint)
     if (!mass.friction.rational()) return joint_point(joint, steady.velocity);
     const double slope = steady_slope(mass.friction);
     point.spectral_abscissa = spectral_abscissa(mass);
-    if (std::isnan(point.spectral_abscissa) || !std::isfinite(slope)) {
+    if (!std::isfinite(point.spectral_abscissa) || !std::isfinite(slope)) {
         point.reason = Reason::not_finite;
         return point;
     }

@@ -121,4 +121,30 @@ CriticalGainSurface critical_gain_surface(const Joint& design, const Axis& x, co
     return surface;
 }
 
+std::string where_no_critical_gain(Joint joint, const CriticalGainSurface& surface)
+{
+    int always = 0, never = 0, windows = 0;
+    double &u = number_at(joint, surface.x.path), &v = number_at(joint, surface.y.path);
+    std::size_t place = 0;
+    for (const double b : surface.y.values)
+        for (const double a : surface.x.values) {
+            if (std::isfinite(surface.z[place++])) continue;
+            u = a, v = b;
+            const auto verdict = linear_verdict(joint);
+            if (verdict.steady.reason != Reason::none) continue;
+            const auto& stable = verdict.state_variable.stable_intervals;
+            if (stable.empty())
+                ++never;
+            else if (stable.size() == 1 && stable[0].low <= 0 && stable[0].high == infinity)
+                ++always;
+            else
+                ++windows;
+        }
+    std::string text;
+    if (always) text += " Every positive gain is stable at " + percent(double(always) / place) + " of the places.";
+    if (never) text += " No gain is stable at " + percent(double(never) / place) + ".";
+    if (windows) text += " Windows of gains are stable at " + percent(double(windows) / place) + ".";
+    return text.empty() ? text : " Where the surface is missing:" + text;
+}
+
 }  // namespace stickslip

@@ -44,6 +44,9 @@ StabilityMap stability_map(const Joint& design, const Slice& slice);
 /// k_cr over two parameters, the others as in the design.
 CriticalGainSurface critical_gain_surface(const Joint& design, const Axis& x, const Axis& y);
 
+/// What the surface's missing places mean, in a sentence: no single critical gain has three causes.
+std::string where_no_critical_gain(Joint joint, const CriticalGainSurface& surface);
+
 /// The share of a chart that each node stands for, axes as drawn; sums to 1. Row-major like a slice.
 std::vector<double> area_shares(const Axis& x, const Axis& y);
 

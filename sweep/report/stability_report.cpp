@@ -126,9 +126,7 @@ Figure surface_figure(const Joint& joint, const Axis& x, const Axis& y)
     const std::string range =
         low <= high ? "from " + stiffness(low, motion) + " to " + stiffness(high, motion) : "nowhere on this range";
     figure.finding = "Surface of the critical position gain over " + x.name + " and " + y.name + ", " + range;
-    figure.caption = "Least position gain for stable sliding, " + range +
-                     ". Where the surface ends, every positive gain is stable: "
-                     "velocity feedback alone suffices there.";
+    figure.caption = "Least position gain for stable sliding, " + range + "." + where_no_critical_gain(joint, surface);
     figure.picture = std::move(surface);
     return figure;
 }

@@ -216,3 +216,19 @@ TEST_CASE("row and verdict agree", "[stability]")
         CHECK(point.k_cr == Approx(verdict.state_variable.k_cr));
     }
 }
+
+TEST_CASE("a point without sliding or with numbers out of range has a reason and no verdict", "[stability]")
+{
+    auto joint = samples::single_mass(1);
+    joint.control.V0 = 0;
+    const auto at_rest = linear_point(joint);
+    CHECK(at_rest.reason != Reason::none);
+    CHECK(at_rest.velocity_only_stable == verdict_missing);
+    CHECK(at_rest.state_variable_stable == verdict_missing);
+    joint.control.V0 = 1e-3;
+    joint.mechanism.inertia = 1e-308;
+    joint.control.k_v = 1e300;
+    const auto beyond = linear_point(joint);
+    CHECK(beyond.reason == Reason::not_finite);
+    CHECK(beyond.state_variable_stable == verdict_missing);
+}

@@ -36,7 +36,7 @@ Figure demand_figure(Joint joint, const LinearStudy& study, bool rational)
     chart.y_label = axis_label("least k_{v}", Quantity::damping, words.motion);
     chart.x_log = true;
     LineChart::Line simple{"velocity alone", {}, {}, true}, memory{"with memory", {}, {}};
-    const double own = joint.control.V0;
+    const double own = commanded_velocity(joint);
     joint.control.force_rate = not_set;
     for (const double V : log_steps(study.velocities.low, study.velocities.high, rational ? 121 : 25)) {
         joint.control.V0 = std::copysign(V, own);
@@ -44,8 +44,17 @@ Figure demand_figure(Joint joint, const LinearStudy& study, bool rational)
         simple.x.push_back(V), simple.y.push_back(both.k_v_demanded_velocity_only());
         memory.x.push_back(V), memory.y.push_back(both.k_v_demanded_memory());
     }
+    // demands span decades, and none is no number on a logarithmic axis: it lies on the lower edge
+    constexpr double span = 1e-4;
+    double largest = 0;
+    for (const auto* line : {&memory, &simple})
+        for (const double y : line->y) largest = std::max(largest, y);
+    chart.y_log = largest > 0;
+    for (auto* line : {&memory, &simple})
+        for (double& y : line->y)
+            if (largest > 0 && !std::isnan(y)) y = std::max(y, span * largest);
     chart.lines = {std::move(memory), std::move(simple)};
-    chart.x_marks.emplace_back("here", std::abs(commanded_velocity(joint)));
+    chart.x_marks.emplace_back("here", std::abs(own));
     const auto& here = study.comparison;
     return line_figure(
         "k-v-demanded", std::move(chart),
@@ -53,7 +62,7 @@ Figure demand_figure(Joint joint, const LinearStudy& study, bool rational)
             "; with memory: " + demand(here.k_v_demanded_memory(), words) + ".",
         "Least velocity gain for stable sliding at the joint's own position gain, over the velocity. For a Stribeck "
         "curve the demand falls as velocity goes to zero, for the logarithmic curve of state-variable friction it "
-        "grows as 1/V_{0}; a gap in a line: no k_{v} is enough there.");
+        "grows as 1/V_{0}. On the lower edge none is needed; in a gap none is enough.");
 }
 
 Table comparison_table(const Joint& joint, const LinearStudy& study)

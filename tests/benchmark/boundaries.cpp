@@ -13,7 +13,7 @@ using namespace stickslip;
 
 namespace {
 
-constexpr int columns = 121;  // of the grid that a sweep would have along x
+constexpr int grid_columns = 121;  // of the grid that a sweep would have along x
 
 Axis axis(std::string path, double low, double high, bool log = true)
 {
@@ -43,8 +43,8 @@ void bisect_row(Side&& side, const Axis& x, double precision, Cost& cost)
     const double low = x.values[0], ratio = x.values[1] / low;
     double a = low, fa = side(a);
     ++cost.evaluations;
-    for (int i = 1; i < columns; ++i) {
-        const double b = low * std::pow(ratio, static_cast<double>(i) / (columns - 1)), fb = side(b);
+    for (int i = 1; i < grid_columns; ++i) {
+        const double b = low * std::pow(ratio, static_cast<double>(i) / (grid_columns - 1)), fb = side(b);
         ++cost.evaluations;
         if ((fa < 0) != (fb < 0) && !std::isnan(fa) && !std::isnan(fb)) {
             double l = a, h = b;
@@ -107,7 +107,7 @@ void compare(const char* name, BoundaryRequest request, const Joint& joint, cons
 int main()
 {
     std::printf("%-16s %7s | followed, guard and starts included | grid of %d columns and bisection\n", "kind",
-                "bracket", columns);
+                "bracket", grid_columns);
     BoundaryRequest request;
     request.kind = BoundaryKind::state_variable;
     compare("linear", request, example_joint(6e4, 10, 1e-3), axis("control.k_p", 1e3, 1e6), axis("control.k_v", 1, 1e3),

@@ -29,7 +29,7 @@ struct Table {
     std::vector<std::vector<std::string>> rows;  ///< mark-up
 };
 
-using Picture = std::variant<StabilityMap, CriticalGainSurface, LineChart>;
+using Picture = std::variant<StabilityMap, CriticalGainSurface, LineChart, FieldMap>;
 
 /// A chart with the words under it.
 struct Figure {

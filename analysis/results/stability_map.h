@@ -44,6 +44,28 @@ struct DesignPoint {
     double spectral_abscissa = 0;  ///< 1/s, negative decays
 };
 
+/// Numbers beside the field of a map, for the reader under the pointer and the CSV file.
+struct MapReading {
+    std::string name;  ///< "limit-cycle amplitude"
+    Quantity quantity = Quantity::number;
+    std::vector<double> values;  ///< row-major like StabilityMap::abscissa; NaN where there is none
+    std::string column;          ///< its name in results.nc
+};
+
+/// A stability map at another value of a third axis.
+struct MapLayer {
+    double value = 0;
+    std::vector<double> abscissa;
+    std::vector<Region> region;
+    std::vector<Curve> curves;
+};
+
+/// The start of a motion at one node of a chart, shown when a reader chooses a place near it.
+struct MapMotion {
+    double x = 0, y = 0;
+    std::vector<double> time, velocity;
+};
+
 struct StabilityMap {
     std::string title;  ///< "Stability of sliding over (k_p, k_v)"
     std::string fixed;  ///< what is held, mark-up: "V_{0} = 1 mm/s, force control, …"
@@ -57,6 +79,36 @@ struct StabilityMap {
     bool has_design = false;
     double disagreement = 0;  ///< share of the chart's area (axes as drawn) where the two theories differ
     double undecided = 0;     ///< share of undecided points
+    std::vector<MapReading> readings;
+    Axis depth;                      ///< a third axis that a page moves along; its name is empty where there is none
+    double depth_value = 0;          ///< where this map lies on it
+    std::vector<MapLayer> layers;    ///< ascending in value, this map's own among them; empty: no third axis
+    std::vector<MapMotion> motions;  ///< with the other axes as in `fixed`
+    /// Shell command that reproduces one place; {x}, {y} and {depth} stand for numbers in SI. Empty: none.
+    std::string command;
+};
+
+/// A number, or a class, over two axes: amplitude, period, what changed between two runs.
+struct FieldMap {
+    enum class Scale { linear, log, diverging };
+    struct Line {
+        std::string name;
+        std::vector<double> x, y;  ///< SI; NaN separates pieces
+        bool dashed = false;
+    };
+    std::string title, fixed, statement;
+    Motion motion = Motion::prismatic;
+    Axis x, y;
+    std::string name, symbol;  ///< "limit-cycle amplitude", "x_{a}"
+    Quantity quantity = Quantity::number;
+    Scale scale = Scale::linear;
+    std::vector<double> values;        ///< row-major like StabilityMap::abscissa; NaN where there is none
+    std::string none;                  ///< what NaN means, "slides smoothly"
+    std::vector<std::string> classes;  ///< not empty: values are indices into this list of at most six
+    std::vector<Line> lines;
+    DesignPoint design;
+    bool has_design = false;
+    std::string command;  ///< as in StabilityMap
 };
 
 /// k_cr over two axes, for the 3-D picture; NaN where no critical gain exists.

@@ -116,8 +116,10 @@ double draw_heading(Canvas& canvas, double left, double width, const std::string
         }
     };
     write(title, title_style, 22);
+    canvas.begin_class();
     write(fixed, fixed_style, 19);
     write(statement, statement_style, 19);
+    canvas.end_class("held");  // the page hides it while its slider shows other values
     return y + 14;
 }
 

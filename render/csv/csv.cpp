@@ -37,12 +37,32 @@ std::string field(std::string_view text)
 std::string csv(const StabilityMap& map)
 {
     std::string text = column(map.x.path, map.x.quantity, map.motion) + "," +
-                       column(map.y.path, map.y.quantity, map.motion) + ",spectral abscissa [1/s],region\n";
+                       column(map.y.path, map.y.quantity, map.motion) + ",spectral abscissa [1/s],";
+    for (const auto& reading : map.readings) text += column(reading.name, reading.quantity, map.motion) + ",";
+    text += "region\n";
     std::size_t i = 0;
     for (const double y : map.y.values)
         for (const double x : map.x.values) {
             text += number(x) + "," + number(y) + "," + number(map.abscissa[i]) + ",";
+            for (const auto& reading : map.readings) text += number(reading.values[i]) + ",";
             text += region_name(map.region[i++]);
+            text += '\n';
+        }
+    return text;
+}
+
+std::string csv(const FieldMap& map)
+{
+    std::string text = column(map.x.path, map.x.quantity, map.motion) + "," +
+                       column(map.y.path, map.y.quantity, map.motion) + "," +
+                       (map.classes.empty() ? column(map.name, map.quantity, map.motion) : field(map.name)) + "\n";
+    std::size_t i = 0;
+    for (const double y : map.y.values)
+        for (const double x : map.x.values) {
+            const double value = map.values[i++];
+            text += number(x) + "," + number(y) + ",";
+            text +=
+                map.classes.empty() ? number(value) : field(plain_text(map.classes[static_cast<std::size_t>(value)]));
             text += '\n';
         }
     return text;

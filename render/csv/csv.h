@@ -7,7 +7,8 @@
 
 namespace stickslip::drawing {
 
-std::string csv(const StabilityMap& map);             ///< x, y, abscissa, region; one line a grid point
+std::string csv(const StabilityMap& map);             ///< x, y, abscissa, readings, region; one line a grid point
+std::string csv(const FieldMap& map);                 ///< x, y, value or class
 std::string csv(const CriticalGainSurface& surface);  ///< x, y, z
 std::string csv(const LineChart& chart);              ///< line, x, y
 

@@ -118,6 +118,8 @@ struct Canvas::Device {
         return (with[2] - without[2]) / units;
     }
 
+    int classed_from = 0;
+
     void last_element_as_halo(double width_in_units)
     {
         auto* element = drawing->GetNestedElement(drawing->GetNumberOfNestedElements() - 1);
@@ -197,6 +199,17 @@ void Canvas::image(const Rectangle& box, const Raster& raster)
     element->SetAttribute("preserveAspectRatio", "none");
     element->SetAttribute("href", ("data:image/png;base64," + base64(png(raster))).c_str());
     device_->drawing->AddNestedElement(element);
+}
+
+void Canvas::begin_class()
+{
+    device_->classed_from = device_->drawing->GetNumberOfNestedElements();
+}
+
+void Canvas::end_class(const char* name)
+{
+    for (int i = device_->classed_from; i < device_->drawing->GetNumberOfNestedElements(); ++i)
+        device_->drawing->GetNestedElement(i)->SetAttribute("class", name);
 }
 
 double Canvas::text_width(std::string_view markup, const TextStyle& style)

@@ -61,6 +61,10 @@ class Canvas {
     /// Breaks mark-up at spaces into lines no wider than `width`.
     std::vector<std::string> wrap(std::string_view markup, const TextStyle& style, double width);
 
+    /// What is drawn from here on, until `end_class`, carries a class by which the page finds it.
+    void begin_class();
+    void end_class(const char* name);
+
     /// The finished picture, cut at `height`; `title` and `description` are spoken by screen readers. Call it once.
     std::string svg(int height, std::string_view title, std::string_view description);
 

@@ -18,4 +18,14 @@ Colour sample(const ColourTable& table, double position)
     return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue)};
 }
 
+Raster bar_colours(const ColourTable& table)
+{
+    Raster bar{1, static_cast<int>(table.size()), 3, {}};
+    for (auto entry = table.rbegin(); entry != table.rend(); ++entry) {
+        const Colour c = from_hex(*entry);
+        bar.pixels.insert(bar.pixels.end(), {c.red, c.green, c.blue});
+    }
+    return bar;
+}
+
 }  // namespace stickslip::drawing

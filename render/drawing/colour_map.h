@@ -1,6 +1,7 @@
 // Published colour maps, entry by entry.
 #pragma once
 #include "render/drawing/colour.h"
+#include "render/drawing/encode.h"
 
 #include <array>
 #include <cstdint>
@@ -19,5 +20,8 @@ extern const ColourTable viridis_table;
 
 /// The colour at `position` in [0, 1], interpolated between entries; outside, the nearest end.
 Colour sample(const ColourTable& table, double position);
+
+/// The table as one column of pixels, its last entry on top.
+Raster bar_colours(const ColourTable& table);
 
 }  // namespace stickslip::drawing

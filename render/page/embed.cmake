@@ -2,7 +2,16 @@
 # policy names. Run as: cmake -DSOURCE_DIR=… -DOUTPUT=… -P embed.cmake
 set(text "// Made from render/page by embed.cmake.\n#include \"render/page/sources.h\"\n\nnamespace stickslip::drawing {\n\n")
 foreach(name page.html figure.html page.css page.js)
-  file(READ ${SOURCE_DIR}/${name} content)
+  if(name STREQUAL "page.js")
+    # one script, in this order: what a part uses stands before it
+    set(content "")
+    foreach(part numbers data reader place layers main)
+      file(READ ${SOURCE_DIR}/script/${part}.js text_of_part)
+      string(APPEND content "${text_of_part}")
+    endforeach()
+  else()
+    file(READ ${SOURCE_DIR}/${name} content)
+  endif()
   string(FIND "${content}" ")~\"" clash)
   if(NOT clash EQUAL -1)
     message(FATAL_ERROR "${name} holds the end mark of the raw literal")

@@ -2,74 +2,21 @@
 
 #include "analysis/results/text.h"
 #include "render/axes/scale.h"
-#include "render/csv/csv.h"
-#include "render/drawing/encode.h"
 #include "render/drawing/markup.h"
-#include "render/page/html.h"
+#include "render/page/json.h"
+#include "render/page/layer_data.h"
+#include "render/page/pack.h"
 #include "render/pictures/regions.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace stickslip::drawing {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "the page's data blocks are little-endian");
-
-template <class Number>
-std::string block(const std::vector<Number>& numbers)
+bool takes_prefix(Quantity quantity, Motion motion)
 {
-    return base64({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number)});
-}
-
-std::string floats(const std::vector<double>& field)
-{
-    return block(std::vector<float>(field.begin(), field.end()));
-}
-
-/// One JSON object, member by member.
-class Object {
-  public:
-    Object& text(std::string_view name, std::string_view value) { return raw(name, json_string(value)); }
-    Object& flag(std::string_view name, bool value) { return raw(name, value ? "true" : "false"); }
-    Object& numbers(std::string_view name, const std::vector<double>& values)
-    {
-        std::string list;
-        for (const double v : values) list.append(list.empty() ? "" : ",").append(number(v));
-        return raw(name, "[" + list + "]");
-    }
-    Object& raw(std::string_view name, std::string_view json)
-    {
-        text_.append(text_.empty() ? "{" : ",").append(json_string(name)).append(":").append(json);
-        return *this;
-    }
-    std::string close() const { return text_ + "}"; }
-
-  private:
-    std::string text_;
-};
-
-std::string array(const std::vector<std::string>& items)
-{
-    std::string list;
-    for (const std::string& item : items) list.append(list.empty() ? "" : ",").append(item);
-    return "[" + list + "]";
-}
-
-std::string axis_data(const Axis& axis, Motion motion)
-{
-    const Scale scale = spanning(axis.values, axis.log);
-    const std::string unit(unit_of(axis.quantity, motion));
-    return Object()
-        .text("symbol", axis.symbol.empty() ? axis.name : axis.symbol)
-        .text("unit", unit)
-        .flag("prefix", scaled_unit(1e3, axis.quantity, motion).text != unit)
-        .flag("log", axis.log)
-        .raw("low", number(scale.low))
-        .raw("high", number(scale.high))
-        .text("values", block(axis.values))
-        .close();
+    return scaled_unit(1e3, quantity, motion).text != unit_of(quantity, motion);
 }
 
 /// The header line of the figure's CSV file, so that both tables carry the same names.
@@ -89,39 +36,86 @@ std::size_t nearest(const Axis& axis, double value)
     return best;
 }
 
-std::string data(const StabilityMap& map, const RenderedFigure& rendered)
+std::string reading(std::string_view name, Quantity quantity, Motion motion, const std::vector<double>& values)
+{
+    return JsonObject()
+        .text("name", name)
+        .text("unit", unit_of(quantity, motion))
+        .flag("prefix", takes_prefix(quantity, motion))
+        .text("values", pack_floats(values))
+        .close();
+}
+
+struct GridPicture {
+    const Axis &x, &y;
+    Motion motion;
+    const DesignPoint* design;  ///< null: none, or beyond the chart
+};
+
+/// What every picture over a rectangular grid shares: where the data area lies, the axes, where a reader starts.
+JsonObject grid_data(const GridPicture& grid, const RenderedFigure& rendered)
 {
     const double width = std::max(1, rendered.width), height = std::max(1, rendered.height);
-    std::vector<std::string> regions;
-    for (int i = 0; i <= static_cast<int>(Region::undecided); ++i) {
-        const auto region = static_cast<Region>(i);
-        regions.push_back(Object().text("name", region_name(region)).text("text", region_text(region)).close());
-    }
-    const bool design = map.has_design && map.design.inside;
-    const std::size_t column = design ? nearest(map.x, map.design.x) : map.x.values.size() / 2;
-    const std::size_t row = design ? nearest(map.y, map.design.y) : map.y.values.size() / 2;
-    return Object()
-        .text("kind", "map")
+    const std::size_t column = grid.design ? nearest(grid.x, grid.design->x) : grid.x.values.size() / 2;
+    const std::size_t row = grid.design ? nearest(grid.y, grid.design->y) : grid.y.values.size() / 2;
+    JsonObject json;
+    json.text("kind", "grid")
         .text("header", header(rendered))
-        .numbers("area", {rendered.plot_left / width, rendered.plot_top / height, rendered.plot_width / width,
-                          rendered.plot_height / height})
         .numbers("start", {static_cast<double>(column), static_cast<double>(row)})
-        .raw("x", axis_data(map.x, map.motion))
-        .raw("y", axis_data(map.y, map.motion))
-        .raw("regions", array(regions))
-        .text("field", floats(map.abscissa))
-        .text("region", block(map.region))
-        .close();
+        .raw("x", axis_data(grid.x, grid.motion))
+        .raw("y", axis_data(grid.y, grid.motion));
+    if (rendered.plot_width > 0)
+        json.numbers("area", {rendered.plot_left / width, rendered.plot_top / height, rendered.plot_width / width,
+                              rendered.plot_height / height});
+    return json;
+}
+
+std::string class_name(std::string_view name, std::string_view text)
+{
+    return JsonObject().text("name", name).text("text", text).close();
+}
+
+std::string data(const StabilityMap& map, const RenderedFigure& rendered)
+{
+    const DesignPoint* design = map.has_design && map.design.inside ? &map.design : nullptr;
+    JsonObject json = grid_data({map.x, map.y, map.motion, design}, rendered);
+    std::vector<std::string> regions, readings{reading("max Re s", Quantity::rate, map.motion, map.abscissa)};
+    for (int i = 0; i <= static_cast<int>(Region::undecided); ++i)
+        regions.push_back(class_name(region_name(static_cast<Region>(i)), region_text(static_cast<Region>(i))));
+    for (const auto& r : map.readings) readings.push_back(reading(r.name, r.quantity, map.motion, r.values));
+    json.raw("readings", json_array(readings))
+        .raw("classes", json_array(regions))
+        .text("class", pack(region_codes(map.region)));
+    if (design) json.numbers("design", {map.design.x, map.design.y});
+    if (!map.command.empty()) json.text("command", map.command);
+    if (!map.layers.empty()) json.raw("depth", depth_data(map));
+    if (!map.motions.empty()) json.raw("motions", motion_data(map));
+    return json.close();
+}
+
+std::string data(const FieldMap& map, const RenderedFigure& rendered)
+{
+    const DesignPoint* design = map.has_design && map.design.inside ? &map.design : nullptr;
+    JsonObject json = grid_data({map.x, map.y, map.motion, design}, rendered);
+    if (map.classes.empty()) {
+        json.raw("readings", json_array({reading(plain_text(map.name), map.quantity, map.motion, map.values)}));
+        if (!map.none.empty()) json.text("none", map.none);
+    } else {
+        std::vector<std::string> names;
+        for (const auto& name : map.classes) names.push_back(class_name(plain_text(name), plain_text(name)));
+        std::vector<std::uint8_t> codes(map.values.begin(), map.values.end());
+        json.raw("readings", "[]").raw("classes", json_array(names)).text("class", pack(codes));
+    }
+    if (!map.command.empty()) json.text("command", map.command);
+    return json.close();
 }
 
 std::string data(const CriticalGainSurface& surface, const RenderedFigure& rendered)
 {
-    return Object()
-        .text("kind", "surface")
-        .text("header", header(rendered))
-        .raw("x", axis_data(surface.x, surface.motion))
-        .raw("y", axis_data(surface.y, surface.motion))
-        .text("field", floats(surface.z))
+    RenderedFigure seen_from_aside = rendered;
+    seen_from_aside.plot_width = 0;  // no place of the picture is a place of the grid
+    return grid_data({surface.x, surface.y, surface.motion, nullptr}, seen_from_aside)
+        .raw("readings", json_array({reading(surface.z_name, surface.z_quantity, surface.motion, surface.z)}))
         .close();
 }
 
@@ -130,11 +124,42 @@ std::string data(const LineChart& chart, const RenderedFigure& rendered)
     std::vector<std::string> lines;
     for (const auto& line : chart.lines)
         lines.push_back(
-            Object().text("name", plain_text(line.name)).text("x", block(line.x)).text("y", block(line.y)).close());
-    return Object().text("kind", "lines").text("header", header(rendered)).raw("lines", array(lines)).close();
+            JsonObject().text("name", plain_text(line.name)).text("x", pack(line.x)).text("y", pack(line.y)).close());
+    return JsonObject()
+        .text("kind", "lines")
+        .text("header", header(rendered))
+        .text("xLabel", plain_text(chart.x_label))
+        .text("yLabel", plain_text(chart.y_label))
+        .flag("xLog", chart.x_log)
+        .flag("yLog", chart.y_log)
+        .raw("lines", json_array(lines))
+        .close();
 }
 
 }  // namespace
+
+std::string axis_data(const Axis& axis, Motion motion)
+{
+    const Scale scale = spanning(axis.values, axis.log);
+    return JsonObject()
+        .text("symbol", axis.symbol.empty() ? axis.name : axis.symbol)
+        .text("name", axis.name)
+        .text("unit", unit_of(axis.quantity, motion))
+        .flag("prefix", takes_prefix(axis.quantity, motion))
+        .flag("log", axis.log)
+        .number("low", scale.low)
+        .number("high", scale.high)
+        .text("values", pack(axis.values))
+        .close();
+}
+
+std::vector<std::uint8_t> region_codes(const std::vector<Region>& regions)
+{
+    std::vector<std::uint8_t> codes;
+    codes.reserve(regions.size());
+    for (const Region region : regions) codes.push_back(static_cast<std::uint8_t>(region));
+    return codes;
+}
 
 std::string figure_data(const Figure& figure, const RenderedFigure& rendered)
 {

@@ -1,12 +1,19 @@
-// The numbers behind a figure, as they travel inside the page: JSON with base64 blocks, little-endian.
+// The numbers behind a figure, as they travel inside the page: JSON whose arrays are packed.
 #pragma once
 #include "render/render.h"
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace stickslip::drawing {
 
-/// For page.js. A map's field is Float32, its regions bytes, axes and lines Float64.
+/// For the page's script.
 std::string figure_data(const Figure& figure, const RenderedFigure& rendered);
+
+/// One axis: symbol, unit, range, values.
+std::string axis_data(const Axis& axis, Motion motion);
+
+std::vector<std::uint8_t> region_codes(const std::vector<Region>& regions);
 
 }  // namespace stickslip::drawing

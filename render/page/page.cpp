@@ -86,19 +86,30 @@ std::string table(const Table& t)
     return html + "</tbody></table></div>\n";
 }
 
+/// What a reader can do with a picture on the page.
+std::string how_to_read(const Picture& picture)
+{
+    const auto* map = std::get_if<StabilityMap>(&picture);
+    const auto* field = std::get_if<FieldMap>(&picture);
+    if (!map && !field) return "";
+    std::string text = "Point at the chart, or focus it and use the arrow keys, to read its values.";
+    if (!(map ? map->command : field->command).empty())
+        text += " Click, or press Enter, for the command that reproduces a place" +
+                std::string(map && !map->motions.empty() ? " and a motion near it." : ".");
+    if (map && !map->layers.empty()) text += " The slider moves along the third axis.";
+    return text;
+}
+
 std::string figure(const Figure& f, const RenderedFigure& rendered, int number)
 {
-    const bool map = std::holds_alternative<StabilityMap>(f.picture);
     const std::string data =
         "<script type=\"application/json\">" + figure_data(f, rendered) + "</script>\n<div class=\"tools\"></div>\n";
     const std::string picture = rendered.missing.empty()
                                     ? "<div class=\"stage\"><div class=\"sheet\">" + rendered.svg + "</div></div>"
                                     : "<p class=\"left-out\">This picture was left out: " + escape(rendered.missing) +
                                           ". Its numbers are here.</p>";
-    const std::string how_to =
-        map && rendered.missing.empty()
-            ? " <span class=\"how-to\">Point at the map, or focus it and use the arrow keys, to read its values.</span>"
-            : "";
+    const std::string help = rendered.missing.empty() ? how_to_read(f.picture) : "";
+    const std::string how_to = help.empty() ? "" : " <span class=\"how-to\">" + help + "</span>";
     return fill(figure_html.text, {{"id", f.id},
                                    {"picture", picture},
                                    {"number", std::to_string(number)},

@@ -1,7 +1,6 @@
 #include "render/pictures/field.h"
 
 #include "analysis/results/text.h"
-#include "render/drawing/colour_map.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,6 +53,12 @@ Raster field_raster(const Grid& grid, const std::vector<double>& field, const Fi
 {
     std::vector<double> positions(field.size());
     std::transform(field.begin(), field.end(), positions.begin(), [&](double v) { return scale.at(v); });
+    return table_raster(grid, positions, vik_table, width, height);
+}
+
+Raster table_raster(const Grid& grid, const std::vector<double>& positions, const ColourTable& table, int width,
+                    int height)
+{
     Raster raster{width, height, 3, {}};
     raster.pixels.reserve(static_cast<std::size_t>(width) * height * 3);
     for (int row = 0; row < height; ++row)
@@ -69,7 +74,7 @@ Raster field_raster(const Grid& grid, const std::vector<double>& field, const Fi
             if (std::isfinite(positions[place.nearest()])) {
                 // Whole entries of the table: neighbouring pixels repeat, and the PNG shrinks to a third.
                 const auto entry = std::lround(255 * std::clamp(position / weight, 0.0, 1.0));
-                colour = from_hex(vik_table[static_cast<std::size_t>(entry)]);
+                colour = from_hex(table[static_cast<std::size_t>(entry)]);
             }
             raster.pixels.insert(raster.pixels.end(), {colour.red, colour.green, colour.blue});
         }

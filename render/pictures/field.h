@@ -1,6 +1,7 @@
 // The signed field under a stability map: linear near zero, logarithmic far from it, blue where motions decay.
 #pragma once
 #include "render/axes/frame.h"
+#include "render/drawing/colour_map.h"
 #include "render/pictures/grid.h"
 
 #include <vector>
@@ -24,6 +25,10 @@ std::vector<ColourBar::Mark> field_marks(const FieldScale& scale, double height)
 
 /// The field as pixels; nodes without a value stay grey.
 Raster field_raster(const Grid& grid, const std::vector<double>& field, const FieldScale& scale, int width, int height);
+
+/// The same for positions in [0, 1] of a colour table; NaN is grey.
+Raster table_raster(const Grid& grid, const std::vector<double>& positions, const ColourTable& table, int width,
+                    int height);
 
 constexpr Colour no_value = from_hex(0xb8bcc2);
 

@@ -1,4 +1,4 @@
-// What every picture hands back, and the three pictures.
+// What every picture hands back, and the four pictures.
 #pragma once
 #include "analysis/results/stability_map.h"
 #include "render/drawing/canvas.h"
@@ -18,6 +18,7 @@ struct Drawn {
 /// match. `description` is what a screen reader says.
 Drawn draw(const StabilityMap& map, const std::string& description, const Fonts& fonts);
 Drawn draw(const CriticalGainSurface& surface, const std::string& description, const Fonts& fonts);
+Drawn draw(const FieldMap& map, const std::string& description, const Fonts& fonts);
 Drawn draw(const LineChart& chart, const std::string& description, const Fonts& fonts);
 
 }  // namespace stickslip::drawing

@@ -4,6 +4,7 @@
 #include "render/axes/frame.h"
 #include "render/drawing/colour_map.h"
 #include "render/drawing/markup.h"
+#include "render/pictures/design_mark.h"
 #include "render/pictures/field.h"
 #include "render/pictures/picture.h"
 #include "render/pictures/placement.h"
@@ -65,40 +66,6 @@ std::string statement(const StabilityMap& map)
         text.assign("The two theories disagree on ").append(percent(map.disagreement)) += " of this chart.";
     if (map.undecided > 0) text.append(" ").append(percent(map.undecided)) += " of its points are undecided.";
     return text;
-}
-
-std::vector<Polyline> visible(const Curve& curve, const Frame& frame)
-{
-    Polyline line;
-    for (std::size_t i = 0; i < curve.x.size(); ++i) line.push_back(frame.at(curve.x[i], curve.y[i]));
-    std::vector<Polyline> pieces = clip(line, frame.box);
-    for (Polyline& piece : pieces) piece = thin(piece, 0.08);
-    return pieces;
-}
-
-void draw_cross(Canvas& canvas, Point at)
-{
-    const std::vector<Point> arms{{at.x - 8, at.y}, {at.x + 8, at.y}, {at.x, at.y - 8}, {at.x, at.y + 8}};
-    const std::vector<Point> rim{{at.x - 10, at.y}, {at.x + 10, at.y}, {at.x, at.y - 10}, {at.x, at.y + 10}};
-    canvas.stretches(rim, {field_halo, 6.5});
-    canvas.stretches(arms, {field_ink, 2.8});
-}
-
-constexpr double label_height = 14;
-
-/// The design, drawn at the edge when it lies beyond. Returns what later labels must keep away from.
-std::vector<Rectangle> draw_design(Canvas& canvas, const Frame& frame, const DesignPoint& design,
-                                   const Obstacles& obstacles)
-{
-    const Point true_place = frame.at(design.x, design.y);
-    const Point at{std::clamp(true_place.x, frame.box.left + 11, frame.box.right() - 11),
-                   std::clamp(true_place.y, frame.box.top + 11, frame.box.bottom() - 11)};
-    const TextStyle style{13.5, field_ink, true, 0, true};
-    const std::string text = design.inside ? "design" : "design, beyond the chart";
-    const Rectangle place = place_beside(at, canvas.text_width(text, style), label_height, frame.box, obstacles);
-    draw_cross(canvas, at);
-    canvas.text({place.left, place.top + label_height / 2}, text, style, Across::left, Along::middle);
-    return {{at.x - 11, at.y - 11, 22, 22}, place};
 }
 
 std::string_view region_label(Region region)
@@ -185,16 +152,6 @@ ColourBar colour_bar(const Rectangle& plot, const FieldScale& scale)
             "spectral abscissa max Re s [1/s], asinh scale"};
 }
 
-Raster bar_colours()
-{
-    Raster bar{1, 256, 3, {}};
-    for (int row = 255; row >= 0; --row) {
-        const Colour c = from_hex(vik_table[static_cast<std::size_t>(row)]);
-        bar.pixels.insert(bar.pixels.end(), {c.red, c.green, c.blue});
-    }
-    return bar;
-}
-
 }  // namespace
 
 Drawn draw(const StabilityMap& map, const std::string& description, const Fonts& fonts)
@@ -220,7 +177,7 @@ Drawn draw(const StabilityMap& map, const std::string& description, const Fonts&
     Obstacles obstacles;
     std::vector<CurveStyle> styles;
     for (const Curve& curve : map.curves)
-        for (const Polyline& piece : visible(curve, frame)) {
+        for (const Polyline& piece : visible(curve.x, curve.y, frame)) {
             obstacles.lines.push_back(piece);
             styles.push_back(curve_style(curve.kind));
             canvas.line(piece, halo_of(styles.back()));
@@ -229,7 +186,7 @@ Drawn draw(const StabilityMap& map, const std::string& description, const Fonts&
     if (map.has_design) obstacles.boxes = draw_design(canvas, frame, map.design, obstacles);
     draw_region_labels(canvas, frame, covered, obstacles);
     draw_axes(canvas, frame);
-    draw_colour_bar(canvas, colour_bar(frame.box, scale), bar_colours());
+    draw_colour_bar(canvas, colour_bar(frame.box, scale), bar_colours(vik_table));
     const double bottom = draw_legend(canvas, legend(canvas, map), frame.box.left, frame.box.bottom() + axis_depth + 16,
                                       picture_width - frame.box.left - 16);
     const int height = static_cast<int>(std::ceil(bottom)) + 6;

@@ -5,6 +5,8 @@
 #include "analysis/results/text.h"
 #include "analysis/stability/verdict.h"
 
+#include <tbb/parallel_for.h>
+
 #include <cmath>
 #include <stdexcept>
 
@@ -38,16 +40,16 @@ bool within(const Axis& axis, double value)
     return value >= axis.values.front() && value <= axis.values.back();
 }
 
-DesignPoint design_point(Joint design, const Slice& slice)
+constexpr int fine_mesh = 96, layer_mesh = 32;
+
+std::vector<Curve> boundaries(const Joint& joint, const Axis& x, const Axis& y, int mesh)
 {
-    DesignPoint point;
-    point.x = number_at(design, slice.x.path);
-    point.y = number_at(design, slice.y.path);
-    point.inside = within(slice.x, point.x) && within(slice.y, point.y);
-    const auto row = linear_point(joint_at(design, slice.held));
-    point.region = row.region;
-    point.spectral_abscissa = row.spectral_abscissa;
-    return point;
+    std::vector<Curve> curves;
+    for (const auto theory : {Curve::Kind::velocity_only, Curve::Kind::state_variable}) {
+        auto curve = locate_over_chart(joint, x, y, theory, mesh);
+        if (!curve.x.empty()) curves.push_back(std::move(curve));
+    }
+    return curves;
 }
 
 }  // namespace
@@ -76,6 +78,19 @@ std::vector<double> area_shares(const Axis& x, const Axis& y)
     return shares;
 }
 
+DesignPoint design_point(const Joint& given, const Slice& slice)
+{
+    Joint design = given;
+    DesignPoint point;
+    point.x = number_at(design, slice.x.path);
+    point.y = number_at(design, slice.y.path);
+    point.inside = within(slice.x, point.x) && within(slice.y, point.y);
+    const auto row = linear_point(joint_at(design, slice.held));
+    point.region = row.region;
+    point.spectral_abscissa = row.spectral_abscissa;
+    return point;
+}
+
 StabilityMap stability_map(const Joint& design, const Slice& slice)
 {
     StabilityMap map;
@@ -93,10 +108,17 @@ StabilityMap stability_map(const Joint& design, const Slice& slice)
         if (map.region[i] == Region::undecided) map.undecided += shares[i];
     }
     const Joint held = joint_at(design, slice.held);
-    for (const auto theory : {Curve::Kind::velocity_only, Curve::Kind::state_variable}) {
-        auto curve = locate_over_chart(held, slice.x, slice.y, theory);
-        if (!curve.x.empty()) map.curves.push_back(std::move(curve));
-    }
+    map.curves = boundaries(held, slice.x, slice.y, fine_mesh);
+    map.readings = slice.readings;
+    map.depth = slice.depth;
+    map.layers = slice.layers;
+    for (const auto& h : slice.held)
+        if (h.axis.path == slice.depth.path) map.depth_value = h.value;
+    tbb::parallel_for(std::size_t{0}, map.layers.size(), [&](std::size_t i) {
+        Joint joint = held;
+        number_at(joint, slice.depth.path) = map.layers[i].value;
+        map.layers[i].curves = boundaries(joint, slice.x, slice.y, layer_mesh);
+    });
     map.has_design = true;
     map.design = design_point(design, slice);
     return map;

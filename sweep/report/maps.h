@@ -22,6 +22,9 @@ struct Slice {
     std::vector<Held> held;
     std::vector<double> abscissa;  ///< 1/s
     std::vector<Region> region;
+    std::vector<MapReading> readings;  ///< what the nonlinear joint does, where the sweep asked
+    Axis depth;                        ///< a third axis to move along; its name is empty where there is none
+    std::vector<MapLayer> layers;      ///< this slice among them
 };
 
 /// The spectral abscissa along the only axis of a sweep.
@@ -40,6 +43,9 @@ Joint joint_at(Joint joint, const std::vector<Held>& held);
 /// The chart of a slice: the field as swept, both boundaries located anew, the design point marked, and the share of
 /// the chart's area (axes as drawn) in which the theories differ.
 StabilityMap stability_map(const Joint& design, const Slice& slice);
+
+/// The design as a slice shows it: the slice's axes at their design values, the others as held.
+DesignPoint design_point(const Joint& design, const Slice& slice);
 
 /// k_cr over two parameters, the others as in the design.
 CriticalGainSurface critical_gain_surface(const Joint& design, const Axis& x, const Axis& y);

@@ -36,6 +36,54 @@ void choose_charts(Spec& spec)
         report.surfaces.push_back({"control.k_v", "control.V0"});
 }
 
+namespace {
+
+std::vector<Region> regions_of(const std::vector<std::uint8_t>& codes)
+{
+    std::vector<Region> regions;
+    for (const auto code : codes) regions.push_back(static_cast<Region>(code));
+    return regions;
+}
+
+/// A chart of a large sweep gets fewer layers, so that a page stays a page.
+constexpr std::size_t most_layers = 21, most_layer_points = 250'000;
+
+/// The third axis of a chart: the velocity if it is one, otherwise the first that is left. axes.size() if none is.
+std::size_t depth_axis(const std::vector<Axis>& axes, std::size_t x, std::size_t y)
+{
+    std::size_t found = axes.size();
+    for (std::size_t i = axes.size(); i-- > 0;)
+        if (i != x && i != y && (found == axes.size() || axes[found].path != "control.V0")) found = i;
+    return found;
+}
+
+/// Evenly spread places on an axis, `own` among them.
+std::vector<std::size_t> spread(std::size_t size, std::size_t own, std::size_t most)
+{
+    const std::size_t step = (size + most - 1) / most;
+    std::vector<std::size_t> places;
+    for (std::size_t i = own % step; i < size; i += step) places.push_back(i);
+    return places;
+}
+
+void add_layers(Slice& slice, const std::vector<Axis>& axes, const ResultsFile& results, std::size_t x, std::size_t y,
+                std::vector<std::size_t> at)
+{
+    const std::size_t z = depth_axis(axes, x, y);
+    const std::size_t most = std::min(most_layers, most_layer_points / std::max<std::size_t>(1, slice.abscissa.size()));
+    if (z == axes.size() || most < 3 || axes[z].values.size() < 2) return;
+    slice.depth = axes[z];
+    for (const auto place : spread(axes[z].values.size(), at[z], most)) {
+        at[z] = place;
+        slice.layers.push_back({axes[z].values[place],
+                                results.plane("spectral_abscissa", x, y, at),
+                                regions_of(results.code_plane("region", x, y, at)),
+                                {}});
+    }
+}
+
+}  // namespace
+
 SweepSummary summarise(const Spec& spec, const ResultsFile& results)
 {
     SweepSummary summary;
@@ -52,9 +100,13 @@ SweepSummary summarise(const Spec& spec, const ResultsFile& results)
     };
     for (const auto& [x_path, y_path] : spec.report.charts) {
         const std::size_t x = index_of(axes, x_path), y = index_of(axes, y_path);
-        Slice slice{axes[x], axes[y], held_besides(x, y), results.plane("spectral_abscissa", x, y, at), {}};
-        for (const auto code : results.code_plane("region", x, y, at))
-            slice.region.push_back(static_cast<Region>(code));
+        Slice slice{axes[x], axes[y], held_besides(x, y), results.plane("spectral_abscissa", x, y, at),
+                    regions_of(results.code_plane("region", x, y, at))};
+        for (const auto& column : columns())
+            if (column.nonlinear && column.number && results.has(column.name))
+                slice.readings.push_back({std::string(column.long_name), column.quantity,
+                                          results.plane(column.name, x, y, at), std::string(column.name)});
+        add_layers(slice, axes, results, x, y, at);
         summary.slices.push_back(std::move(slice));
     }
     if (axes.size() == 1) {

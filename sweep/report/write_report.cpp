@@ -1,6 +1,11 @@
 #include "sweep/report/write_report.h"
 
 #include "render/render.h"
+#include "sweep/files/joint_file.h"
+#include "sweep/report/stability_report.h"
+#include "sweep/report/summary.h"
+
+#include <tbb/parallel_for.h>
 
 #include <fstream>
 #include <system_error>
@@ -24,18 +29,30 @@ void write_whole(const std::filesystem::path& file, const std::string& bytes)
 std::filesystem::path write_report(const Report& report, const std::filesystem::path& directory)
 {
     const auto figures = render(report);
+    std::vector<std::string> pixels(figures.size());
+    tbb::parallel_for(std::size_t{0}, figures.size(), [&](std::size_t i) { pixels[i] = png(figures[i]); });
     const auto charts = directory / "charts";
     std::filesystem::create_directories(charts);
     std::size_t i = 0;
     for (const auto& section : report.sections)
         for (const auto& figure : section.figures) {
-            const auto& rendered = figures[i++];
+            const auto& rendered = figures[i];
+            if (!pixels[i].empty()) write_whole(charts / (figure.id + ".png"), pixels[i]);
+            ++i;
             if (!rendered.svg.empty()) write_whole(charts / (figure.id + ".svg"), rendered.svg);
             if (!rendered.csv.empty()) write_whole(charts / (figure.id + ".csv"), rendered.csv);
         }
     const auto file = directory / "report.html";
     write_whole(file, page(report, figures));
     return file;
+}
+
+std::filesystem::path write_sweep_report(const Spec& spec, const SweepSummary& summary,
+                                         const std::filesystem::path& directory)
+{
+    const auto page = write_report(stability_report(spec, summary), directory);
+    write_whole(directory / "joint.toml", joint_text(design_joint(spec)));
+    return page;
 }
 
 }  // namespace stickslip

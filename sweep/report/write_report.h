@@ -1,6 +1,8 @@
 // A report as files: report.html, and beside it the pictures and data of each chart.
 #pragma once
 #include "analysis/results/report.h"
+#include "sweep/report/stability_report.h"
+#include "sweep/spec.h"
 
 #include <filesystem>
 
@@ -9,5 +11,9 @@ namespace stickslip {
 /// Renders the report into the directory, each file whole or not at all, and returns the path of the page.
 /// Throws std::system_error if it cannot be written.
 std::filesystem::path write_report(const Report& report, const std::filesystem::path& directory);
+
+/// The report of a sweep, and beside it joint.toml: the design, on which the page's commands run.
+std::filesystem::path write_sweep_report(const Spec& spec, const SweepSummary& summary,
+                                         const std::filesystem::path& directory);
 
 }  // namespace stickslip

@@ -24,7 +24,7 @@ int report(const std::string& directory)
     // the spec travels with its results, with its joint written out, so that the page needs no other file
     Spec spec = read_spec_text(results.attribute("spec"), directory + " (spec of results.nc)");
     choose_charts(spec);
-    fmt::print("report:  {}\n", write_report(stability_report(spec, summarise(spec, results)), directory).string());
+    fmt::print("report:  {}\n", write_sweep_report(spec, summarise(spec, results), directory).string());
     return exit_done;
 }
 

@@ -94,7 +94,7 @@ int sweep(const Options& options, Invocation& invocation)
     const auto verdict = linear_verdict(design);
     const double undecided = static_cast<double>(summary.undecided) / static_cast<double>(summary.points);
     std::filesystem::path page;
-    if (!options.no_report) page = write_report(stability_report(spec, summary), options.directory);
+    if (!options.no_report) page = write_sweep_report(spec, summary, options.directory);
     if (options.json) {
         nlohmann::ordered_json json{{"points", summary.points},
                                     {"computed", run.computed.points},

@@ -1,0 +1,70 @@
+// Every figure gets its buttons and, over a grid, its reader. The page is complete without this script.
+const pngOf = (picture) => new Promise((resolve, reject) => {
+  const image = new Image(), width = Number(picture.getAttribute("width")), height = Number(picture.getAttribute("height"));
+  image.onload = () => {
+    const canvas = newCanvas(2 * width, 2 * height);
+    canvas.getContext("2d").drawImage(image, 0, 0, 2 * width, 2 * height);
+    canvas.toBlob(resolve, "image/png");
+  };
+  image.onerror = reject;
+  image.src = "data:image/svg+xml;charset=utf-8," + encodeURIComponent(new XMLSerializer().serializeToString(picture));
+});
+
+const prepareGrid = async (figure, data) => {
+  const chart = { figure, data, layer: null, column: data.start[0], row: data.start[1], choose: () => {} };
+  chart.xs = data.x.values.map((v) => position(data.x, v));
+  chart.ys = data.y.values.map((v) => position(data.y, v));
+  addReader(chart);
+  if (data.motions) {
+    const { motions } = data, places = await doubles(motions.places);
+    motions.places = motions.lengths.map((_, n) => [places[2 * n], places[2 * n + 1]]);
+    motions.time = await floats(motions.time);
+    motions.velocity = await floats(motions.velocity);
+  }
+  if (data.depth) {
+    const { depth } = data;
+    await unpackAxis(depth.axis);
+    depth.field = await floats(depth.field);
+    depth.class = await codes(depth.class);
+    depth.colours = await codes(depth.colours);
+    for (const layer of depth.curves) for (const curve of layer) curve.points = await floats(curve.points);
+    addSlider(chart);
+  }
+  if (data.command) addPlace(chart);
+};
+
+const prepare = async (figure) => {
+  const source = figure.querySelector('script[type="application/json"]');
+  const tools = figure.querySelector(".tools"), picture = figure.querySelector(".sheet > svg");
+  const button = (label, action) => {
+    const made = tools.appendChild(element("button", { type: "button" }, label));
+    made.addEventListener("click", action);
+  };
+  if (source) {
+    const data = await unpack(JSON.parse(source.textContent));
+    if (data.area && picture) await prepareGrid(figure, data);
+    button("Data (CSV)", () => save(figure.id + ".csv", "text/csv", csv(data)));
+  }
+  if (!picture) return;
+  button("Picture (SVG)", () => save(figure.id + ".svg", "image/svg+xml", new XMLSerializer().serializeToString(picture)));
+  button("Picture (PNG)", async () => save(figure.id + ".png", "image/png", await pngOf(picture)));
+};
+
+const prepareContents = () => {
+  // The contents show where the reader is.
+  const links = new Map([...document.querySelectorAll("nav a")].map((a) => [a.getAttribute("href").slice(1), a]));
+  const seen = new IntersectionObserver((entries) => {
+    for (const entry of entries)
+      if (entry.isIntersecting) {
+        for (const link of links.values()) link.removeAttribute("aria-current");
+        links.get(entry.target.id).setAttribute("aria-current", "true");
+      }
+  }, { rootMargin: "0px 0px -70% 0px" });
+  for (const id of links.keys()) {
+    const target = document.getElementById(id);
+    if (target) seen.observe(target);
+  }
+};
+
+prepareContents();
+Promise.all([...document.querySelectorAll("figure[id]")].map(prepare)).then(() => { document.documentElement.dataset.ready = "true"; });

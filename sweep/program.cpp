@@ -76,6 +76,8 @@ int run_program(int argc, char** argv, Cluster* cluster)
     add_simulate(app, invocation);
     add_diagnose(app, invocation);
     add_blind(app, invocation);
+    add_completion(app, invocation);
+    add_man_page(app, invocation);
 
     try {
         app.parse(argc, argv);

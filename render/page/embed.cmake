@@ -1,14 +1,16 @@
 # Turns the page's source files into a C++ file of raw string literals, with the hashes that the content security
-# policy names. Run as: cmake -DSOURCE_DIR=… -DOUTPUT=… -P embed.cmake
+# policy names. Run as: cmake -DSOURCE_DIR=… -DDYGRAPHS=… -DOUTPUT=… -P embed.cmake
 set(text "// Made from render/page by embed.cmake.\n#include \"render/page/sources.h\"\n\nnamespace stickslip::drawing {\n\n")
-foreach(name page.html figure.html page.css page.js)
+foreach(name page.html figure.html page.css page.js dygraph.min.js dygraph.min.css)
   if(name STREQUAL "page.js")
     # one script, in this order: what a part uses stands before it
     set(content "")
-    foreach(part numbers data reader place layers main)
+    foreach(part numbers data reader place layers zoom main)
       file(READ ${SOURCE_DIR}/script/${part}.js text_of_part)
       string(APPEND content "${text_of_part}")
     endforeach()
+  elseif(name MATCHES "dygraph")
+    file(READ ${DYGRAPHS}/${name} content)
   else()
     file(READ ${SOURCE_DIR}/${name} content)
   endif()

@@ -132,11 +132,25 @@ std::string data(const LineChart& chart, const RenderedFigure& rendered)
         .text("yLabel", plain_text(chart.y_label))
         .flag("xLog", chart.x_log)
         .flag("yLog", chart.y_log)
+        .flag("zoom", zoomable(chart))
         .raw("lines", json_array(lines))
         .close();
 }
 
 }  // namespace
+
+bool zoomable(const Picture& picture)
+{
+    constexpr std::size_t long_series = 500;
+    const auto* chart = std::get_if<LineChart>(&picture);
+    if (!chart || chart->x_log) return false;
+    std::size_t points = 0;
+    for (const auto& line : chart->lines) {
+        if (!std::is_sorted(line.x.begin(), line.x.end())) return false;
+        points += line.x.size();
+    }
+    return points >= long_series;
+}
 
 std::string axis_data(const Axis& axis, Motion motion)
 {

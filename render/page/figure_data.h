@@ -11,6 +11,9 @@ namespace stickslip::drawing {
 /// For the page's script.
 std::string figure_data(const Figure& figure, const RenderedFigure& rendered);
 
+/// Whether a picture is a time series too long to be read as it is printed.
+bool zoomable(const Picture& picture);
+
 /// One axis: symbol, unit, range, values.
 std::string axis_data(const Axis& axis, Motion motion);
 

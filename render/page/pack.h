@@ -9,7 +9,7 @@ namespace stickslip::drawing {
 
 std::string pack(const std::vector<double>& values);         ///< 8 bytes each
 std::string pack_floats(const std::vector<double>& values);  ///< 4 bytes each, relative error 6e-8
-/// 4 bytes each of which the last carries nothing: relative error 4e-6, two thirds of the room.
+/// 4 bytes each of which the last carries nothing: relative error 2^-16, two thirds of the room.
 std::string pack_coarse(const std::vector<double>& values);
 std::string pack(const std::vector<std::uint8_t>& values);
 

@@ -175,7 +175,20 @@ std::string page(const Report& report, const std::vector<RenderedFigure>& figure
     if (!report.not_checked.empty()) contents += contents_line("not-checked", "What was not checked");
     if (!report.provenance.empty()) contents += contents_line("provenance", "Provenance");
 
-    return fill(page_html.text, {{"style-hash", policy_hash(page_css.sha256)},
+    bool zoom = false;
+    for (const Section& section : report.sections)
+        for (const Figure& f : section.figures) zoom = zoom || zoomable(f.picture);
+    const auto hash = [zoom](const Source& source) {
+        return zoom ? " '" + policy_hash(source.sha256) + "'" : std::string();
+    };
+    const auto inlined = [zoom](const char* tag, const Source& source) {
+        return zoom ? "<" + std::string(tag) + ">" + std::string(source.text) + "</" + tag + ">\n" : std::string();
+    };
+    return fill(page_html.text, {{"zoom-style-hash", hash(dygraph_min_css)},
+                                 {"zoom-script-hash", hash(dygraph_min_js)},
+                                 {"zoom-style", inlined("style", dygraph_min_css)},
+                                 {"zoom-script", inlined("script", dygraph_min_js)},
+                                 {"style-hash", policy_hash(page_css.sha256)},
                                  {"script-hash", policy_hash(page_js.sha256)},
                                  {"style", std::string(page_css.text)},
                                  {"script", std::string(page_js.text)},

@@ -10,5 +10,6 @@ struct Source {
 };
 
 extern const Source page_html, figure_html, page_css, page_js;
+extern const Source dygraph_min_js, dygraph_min_css;  ///< D. Vanderkam and others, MIT licence; for long time series
 
 }  // namespace stickslip::drawing

@@ -14,17 +14,25 @@ std::string label(const char* name, Quantity quantity, Motion motion)
     return std::string(name) + " [" + std::string(unit_of(quantity, motion)) + "]";
 }
 
-/// The last third of a motion: what it has settled to.
-std::vector<double> settled(const std::vector<double>& values)
+/// The last third of a motion's time: what it has settled to.
+std::vector<double> settled(const Trajectory& t, const std::vector<double>& values)
 {
-    return {values.begin() + static_cast<std::ptrdiff_t>(2 * values.size() / 3), values.end()};
+    const auto from = std::lower_bound(t.time.begin(), t.time.end(), 2 * t.time.back() / 3) - t.time.begin();
+    return {values.begin() + from, values.end()};
 }
 
-Figure line_figure(const char* id, LineChart chart, std::string caption)
+/// "between −1 µm and 3 µm": what a chart's last line spans.
+std::string range(const std::vector<double>& values, Quantity quantity, Motion motion)
+{
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    return "between " + with_unit(*low, quantity, motion) + " and " + with_unit(*high, quantity, motion);
+}
+
+Figure line_figure(const char* id, LineChart chart, std::string caption, std::string finding)
 {
     Figure figure;
     figure.id = id;
-    figure.finding = chart.title;
+    figure.finding = chart.title + ". " + std::move(finding);
     figure.caption = std::move(caption);
     figure.picture = std::move(chart);
     return figure;
@@ -58,11 +66,9 @@ Report trajectory_report(const Joint& joint, const Trajectory& t)
         report.tone = Headline::Tone::warning;
         return report;
     }
-    const auto [low, high] = std::minmax_element(
-        t.velocity.begin() + static_cast<std::ptrdiff_t>(2 * t.velocity.size() / 3), t.velocity.end());
+    const auto last_third = range(settled(t, t.velocity), Quantity::velocity, motion);
     report.verdict = "In the last third of " + with_unit(t.time.back(), Quantity::time, motion) +
-                     " the velocity stays between " + with_unit(*low, Quantity::velocity, motion) + " and " +
-                     with_unit(*high, Quantity::velocity, motion) + ".";
+                     " the velocity stays " + last_third + ".";
     if (t.reason != Reason::none)
         report.alerts.push_back({Headline::Tone::warning, "The motion stops early: " + reason_text(t.reason) + "."});
     if (t.used_fallback)
@@ -70,19 +76,24 @@ Report trajectory_report(const Joint& joint, const Trajectory& t)
     Section section{"motion", "Motion", "", {}, {}};
     section.figures.push_back(line_figure("velocity",
                                           chart_of("Velocity in time", time, velocity, {{"V", t.time, t.velocity}}),
-                                          "Velocity of the link after the disturbance."));
+                                          "Velocity of the link after the disturbance.", report.verdict));
     section.figures.push_back(
         line_figure("position", chart_of("Excess position in time", time, position, {{"x", t.time, t.position}}),
-                    "Position of the link beyond its steady path."));
-    section.figures.push_back(line_figure("phase",
-                                          chart_of("Phase portrait", position, velocity,
-                                                   {{"whole motion", t.position, t.velocity, true},
-                                                    {"last third", settled(t.position), settled(t.velocity)}}),
-                                          "Velocity over excess position; solid is what the motion has settled to."));
-    section.figures.push_back(line_figure("loop",
-                                          chart_of("Friction over velocity", velocity, friction,
-                                                   {{"last third", settled(t.velocity), settled(t.friction)}}),
-                                          "Friction against velocity: a loop shows that friction remembers."));
+                    "Position of the link beyond its steady path.",
+                    "In the last third it stays " + range(settled(t, t.position), Quantity::position, motion) + "."));
+    section.figures.push_back(
+        line_figure("phase",
+                    chart_of("Phase portrait", position, velocity,
+                             {{"whole motion", t.position, t.velocity, true},
+                              {"last third", settled(t, t.position), settled(t, t.velocity)}}),
+                    "Velocity over excess position; solid is what the motion has settled to.",
+                    "Velocity over excess position; the last third encloses velocities " + last_third + "."));
+    section.figures.push_back(line_figure(
+        "loop",
+        chart_of("Friction over velocity", velocity, friction,
+                 {{"last third", settled(t, t.velocity), settled(t, t.friction)}}),
+        "Friction against velocity: a loop shows that friction remembers.",
+        "In the last third friction stays " + range(settled(t, t.friction), Quantity::effort, motion) + "."));
     report.sections.push_back(std::move(section));
     return report;
 }

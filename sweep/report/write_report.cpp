@@ -2,8 +2,6 @@
 
 #include "render/render.h"
 #include "sweep/files/joint_file.h"
-#include "sweep/report/stability_report.h"
-#include "sweep/report/summary.h"
 
 #include <tbb/parallel_for.h>
 
@@ -47,10 +45,9 @@ std::filesystem::path write_report(const Report& report, const std::filesystem::
     return file;
 }
 
-std::filesystem::path write_sweep_report(const Spec& spec, const SweepSummary& summary,
-                                         const std::filesystem::path& directory)
+std::filesystem::path write_sweep_report(const Report& report, const Spec& spec, const std::filesystem::path& directory)
 {
-    const auto page = write_report(stability_report(spec, summary), directory);
+    const auto page = write_report(report, directory);
     write_whole(directory / "joint.toml", joint_text(design_joint(spec)));
     return page;
 }

@@ -1,7 +1,6 @@
 // A report as files: report.html, and beside it the pictures and data of each chart.
 #pragma once
 #include "analysis/results/report.h"
-#include "sweep/report/stability_report.h"
 #include "sweep/spec.h"
 
 #include <filesystem>
@@ -13,7 +12,7 @@ namespace stickslip {
 std::filesystem::path write_report(const Report& report, const std::filesystem::path& directory);
 
 /// The report of a sweep, and beside it joint.toml: the design, on which the page's commands run.
-std::filesystem::path write_sweep_report(const Spec& spec, const SweepSummary& summary,
+std::filesystem::path write_sweep_report(const Report& report, const Spec& spec,
                                          const std::filesystem::path& directory);
 
 }  // namespace stickslip

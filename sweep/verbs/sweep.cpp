@@ -9,9 +9,11 @@
 #include "sweep/files/spec_file.h"
 #include "sweep/program.h"
 #include "sweep/report/summary.h"
+#include "sweep/report/timestamp.h"
 #include "sweep/report/verdict_text.h"
 #include "sweep/report/write_report.h"
 #include "sweep/verbs/progress_line.h"
+#include "sweep/verbs/terminal.h"
 #include "sweep/verbs/verbs.h"
 
 #include <fmt/format.h>
@@ -23,7 +25,7 @@ namespace stickslip {
 namespace {
 
 struct Options {
-    std::string spec, directory = "out", shard;
+    std::string spec, directory = "out", shard, timestamp;
     int threads = 0;
     double max_undecided = 0.05;
     bool fresh = false, json = false, no_report = false;
@@ -55,6 +57,7 @@ int end_early(const RunReport& run, const std::string& directory)
 
 int sweep(const Options& options, Invocation& invocation)
 {
+    const auto date = timestamp(options.timestamp);
     const bool embedded = options.spec.empty();
     Spec spec = embedded ? read_spec_text(embedded_spec(), "(embedded example)") : read_spec(options.spec);
     choose_charts(spec);
@@ -89,12 +92,18 @@ int sweep(const Options& options, Invocation& invocation)
     }
 
     const ResultsFile results(run.results);
-    const auto summary = summarise(spec, results);
+    auto summary = summarise(spec, results);
+    if (!date.empty()) summary.provenance.emplace_back("drawn", date);
     const Joint design = design_joint(spec);
     const auto verdict = linear_verdict(design);
     const double undecided = static_cast<double>(summary.undecided) / static_cast<double>(summary.points);
     std::filesystem::path page;
-    if (!options.no_report) page = write_sweep_report(spec, summary, options.directory);
+    std::string answer = plain_text(verdict_text(design, verdict)) + "\n";
+    if (!options.no_report) {
+        const auto report = stability_report(spec, summary);
+        answer = terminal_summary(report);
+        page = write_sweep_report(report, spec, options.directory);
+    }
     if (options.json) {
         nlohmann::ordered_json json{{"points", summary.points},
                                     {"computed", run.computed.points},
@@ -104,7 +113,7 @@ int sweep(const Options& options, Invocation& invocation)
         if (!page.empty()) json["report"] = absolute(page).string();
         fmt::print("{}\n", json.dump(2));
     } else {
-        fmt::print("{}\n", plain_text(verdict_text(design, verdict)));
+        fmt::print("{}", answer);
         fmt::print("{}, {} of them computed now in {:.2f} s, {} undecided\n", counted(summary.points, "point"),
                    run.computed.points, run.computed.seconds, summary.undecided);
         for (const auto& [reason, count] : summary.reasons) fmt::print("  {}: {}\n", counted(count, "point"), reason);
@@ -132,6 +141,8 @@ void add_sweep(CLI::App& app, Invocation& invocation)
         ->capture_default_str();
     verb->add_flag("--fresh", options->fresh, "discard what an earlier sweep left in the directory");
     verb->add_flag("--no-report", options->no_report, "write results.nc only");
+    verb->add_option("--timestamp", options->timestamp,
+                     "date on the page: now, or seconds since 1970; default: SOURCE_DATE_EPOCH, else none");
     verb->add_flag("--json", options->json, "machine-readable summary");
     verb->footer("Example: stickslip sweep examples/02-ball-screw/spec-with-memory.toml -o out");
     verb->callback([options, &invocation] { invocation.exit_code = sweep(*options, invocation); });

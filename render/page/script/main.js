@@ -39,10 +39,12 @@ const prepare = async (figure) => {
   const button = (label, action) => {
     const made = tools.appendChild(element("button", { type: "button" }, label));
     made.addEventListener("click", action);
+    return made;
   };
   if (source) {
     const data = await unpack(JSON.parse(source.textContent));
     if (data.area && picture) await prepareGrid(figure, data);
+    if (data.kind === "lines" && picture) addZoom(figure, data, button);
     button("Data (CSV)", () => save(figure.id + ".csv", "text/csv", csv(data)));
   }
   if (!picture) return;

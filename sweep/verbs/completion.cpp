@@ -1,0 +1,117 @@
+// stickslip completion: what a shell needs to finish words, made from the verbs and options themselves.
+#include "sweep/program.h"
+#include "sweep/verbs/verbs.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace stickslip {
+namespace {
+
+std::vector<const CLI::App*> verbs_of(const CLI::App& app)
+{
+    return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+/// One description, safe within single quotes and brackets of zsh.
+std::string safe(const std::string& text)
+{
+    std::string kept;
+    for (const char c : text.substr(0, text.find('\n')))
+        if (c == '\'')
+            kept += "’";
+        else if (c == '[' || c == ']' || c == ':')
+            kept += ' ';
+        else
+            kept += c;
+    return kept;
+}
+
+std::vector<std::string> options_of(const CLI::App& verb)
+{
+    std::vector<std::string> names;
+    for (const auto* option : verb.get_options()) {
+        for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+        for (const auto& name : option->get_snames()) names.push_back("-" + name);
+    }
+    return names;
+}
+
+std::string bash(const CLI::App& app)
+{
+    std::string verbs, cases;
+    for (const auto* verb : verbs_of(app)) {
+        verbs += (verbs.empty() ? "" : " ") + verb->get_name();
+        std::string options;
+        for (const auto& name : options_of(*verb)) options += (options.empty() ? "" : " ") + name;
+        cases += fmt::format("        {}) options='{}' ;;\n", verb->get_name(), options);
+    }
+    return fmt::format(
+        "# bash completion for stickslip\n"
+        "_stickslip() {{\n"
+        "    local word=${{COMP_WORDS[COMP_CWORD]}} options\n"
+        "    if [ \"$COMP_CWORD\" = 1 ]; then\n"
+        "        COMPREPLY=($(compgen -W '{} --help --version' -- \"$word\"))\n"
+        "        return\n"
+        "    fi\n"
+        "    case ${{COMP_WORDS[1]}} in\n"
+        "{}"
+        "    esac\n"
+        "    case $word in\n"
+        "        -*) COMPREPLY=($(compgen -W \"$options\" -- \"$word\")) ;;\n"
+        "        *) COMPREPLY=($(compgen -f -- \"$word\")); compopt -o filenames 2>/dev/null ;;\n"
+        "    esac\n"
+        "}}\n"
+        "complete -F _stickslip stickslip\n",
+        verbs, cases);
+}
+
+std::string zsh(const CLI::App& app)
+{
+    std::string verbs, cases;
+    for (const auto* verb : verbs_of(app)) {
+        verbs += fmt::format("        '{}:{}'\n", verb->get_name(), safe(verb->get_description()));
+        std::string options;
+        for (const auto* option : verb->get_options())
+            for (const auto& name : option->get_lnames())
+                options += fmt::format(" '--{}[{}]'", name, safe(option->get_description()));
+        cases += fmt::format("        {}) _arguments{} '*:file:_files' ;;\n", verb->get_name(), options);
+    }
+    return fmt::format(
+        "#compdef stickslip\n"
+        "_stickslip() {{\n"
+        "    local -a verbs\n"
+        "    verbs=(\n"
+        "{}"
+        "    )\n"
+        "    if (( CURRENT == 2 )); then\n"
+        "        _describe verb verbs\n"
+        "        return\n"
+        "    fi\n"
+        "    local verb=$words[2]\n"
+        "    shift words\n"
+        "    (( CURRENT-- ))\n"
+        "    case $verb in\n"
+        "{}"
+        "    esac\n"
+        "}}\n"
+        "_stickslip \"$@\"\n",
+        verbs, cases);
+}
+
+}  // namespace
+
+void add_completion(CLI::App& app, Invocation& invocation)
+{
+    auto shell = std::make_shared<std::string>();
+    auto* verb = app.add_subcommand("completion", "Print what bash or zsh needs to complete verbs and options");
+    verb->add_option("SHELL", *shell, "bash or zsh")->required()->check(CLI::IsMember({"bash", "zsh"}));
+    verb->footer("Example: source <(stickslip completion bash)");
+    verb->callback([shell, &app, &invocation] {
+        fmt::print("{}", *shell == "bash" ? bash(app) : zsh(app));
+        invocation.exit_code = exit_done;
+    });
+}
+
+}  // namespace stickslip

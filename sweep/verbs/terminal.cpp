@@ -1,0 +1,63 @@
+#include "sweep/verbs/terminal.h"
+
+#include "sweep/report/verdict_text.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace stickslip {
+namespace {
+
+const char* code_of(Headline::Tone tone)
+{
+    switch (tone) {
+        case Headline::Tone::good:
+            return "\033[32m";
+        case Headline::Tone::warning:
+            return "\033[33m";
+        case Headline::Tone::bad:
+            return "\033[31m";
+        case Headline::Tone::neutral:
+            break;
+    }
+    return "";
+}
+
+bool colours()
+{
+    static const bool wanted = isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
+    return wanted;
+}
+
+/// Letters, not bytes: for columns.
+std::size_t letters(const std::string& text)
+{
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+}
+
+}  // namespace
+
+std::string toned(const std::string& text, Headline::Tone tone)
+{
+    const std::string code = colours() ? code_of(tone) : "";
+    return code.empty() ? text : code + text + "\033[0m";
+}
+
+std::string terminal_summary(const Report& report)
+{
+    std::string text = toned(plain_text(report.verdict), report.tone) + "\n";
+    for (const auto& alert : report.alerts) text += toned("! " + plain_text(alert.text), alert.tone) + "\n";
+    for (const auto& headline : report.headlines) {
+        const auto value = plain_text(headline.value);
+        text += "  " + toned(value, headline.tone) +
+                std::string(value.size() ? 13 - std::min<std::size_t>(12, letters(value)) : 1, ' ') +
+                plain_text(headline.meaning) + "\n";
+    }
+    return text;
+}
+
+}  // namespace stickslip

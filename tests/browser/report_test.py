@@ -1,0 +1,219 @@
+"""The pages in a real browser: complete without a network, readable by everybody, and equal to the results they show.
+
+    report_test.py STICKSLIP [--update]     --update stores the screenshots anew
+"""
+import pathlib
+import random
+import shlex
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import netCDF4
+import numpy
+from PIL import Image
+
+from browser import Browser
+
+HERE = pathlib.Path(__file__).parent
+ROOT = HERE.parent.parent
+PROGRAM = pathlib.Path(sys.argv[1]).resolve()
+UPDATE = "--update" in sys.argv
+LARGEST_PAGE = 3_000_000
+FLOAT = 1.2e-7  # relative step of a float
+COARSE = 1.6e-5   # of the layers behind the slider: 15 bits of mantissa
+
+
+def stickslip(*arguments, cwd=ROOT):
+    done = subprocess.run([PROGRAM, *arguments], cwd=cwd, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+class Report(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.out = pathlib.Path(cls.folder.name)
+        stickslip("sweep", "-o", cls.out / "linear")
+        stickslip("sweep", "examples/03-bistable-strip/spec.toml", "-o", cls.out / "nonlinear")
+        stickslip("simulate", cls.out / "linear/joint.toml", "--set", "control.k_p=2e4", "-o", cls.out / "motion")
+        softer = (ROOT / "examples/03-bistable-strip/spec.toml").read_text().replace("L = 1.0e-5", "L = 1.1e-5")
+        (cls.out / "softer.toml").write_text(softer)
+        stickslip("sweep", cls.out / "softer.toml", "-o", cls.out / "softer")
+        stickslip("report", cls.out / "nonlinear", cls.out / "softer", "-o", cls.out / "comparison")
+        cls.pages = {name: cls.out / name / "report.html" for name in ("linear", "nonlinear", "motion", "comparison")}
+        cls.results = netCDF4.Dataset(cls.out / "linear/results.nc")
+        cls.browser = Browser()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.close()
+        cls.folder.cleanup()
+
+    def test_nothing_is_logged_and_nothing_is_asked_for(self):
+        for name, page in self.pages.items():
+            with self.subTest(page=name):
+                self.browser.open(page)
+                strangers = [url for url in self.browser.requests() if not url.startswith(("file:", "data:", "blob:"))]
+                self.assertEqual(strangers, [])
+                self.assertEqual(self.browser.complaints(), [])
+
+    def test_a_policy_forbids_what_the_page_did_not_bring(self):
+        self.browser.open(self.pages["linear"])
+        policy = self.browser.run("return document.querySelector('meta[http-equiv=Content-Security-Policy]').content")
+        self.assertTrue(policy.startswith("default-src 'none'"))
+        self.assertNotIn("unsafe", policy)
+        ran = self.browser.run("const s = document.createElement('script'); s.textContent = 'window.intruder = 1';"
+                               "document.body.append(s); return window.intruder")
+        self.assertIsNone(ran)
+
+    def test_the_page_is_small(self):
+        self.assertLess(self.pages["linear"].stat().st_size, LARGEST_PAGE)
+
+    def test_the_first_screen_answers(self):
+        self.browser.open(self.pages["linear"])
+        self.assertTrue(self.browser.run("return document.querySelector('.verdict').innerText").startswith("Stable"))
+        cards = self.browser.run("return document.querySelectorAll('.card').length")
+        self.assertTrue(3 <= cards <= 5)
+        bottom = self.browser.run("return Math.max(...[...document.querySelectorAll('.card')].map(c => c.getBoundingClientRect().bottom))")
+        self.assertLess(bottom, 900)
+
+    def test_data_behind_a_chart_are_those_of_the_file(self):
+        self.browser.open(self.pages["linear"])
+        field = self.browser.run_async(
+            "Array.from((await unpack(JSON.parse(document.querySelector('#map-k-p-k-v script').textContent))).readings[0].values)")
+        k_p, k_v, V0 = (self.results[name][:] for name in ("k_p", "k_v", "V0"))
+        plane = self.results["spectral_abscissa"][:, :, numpy.argmin(abs(V0 - 1e-3))].T.ravel()
+        self.assertEqual(len(field), len(k_p) * len(k_v))
+        numpy.testing.assert_allclose(field, plane, rtol=FLOAT)
+
+    def test_layers_behind_the_slider_are_those_of_the_file(self):
+        self.browser.open(self.pages["linear"])
+        field, velocities = self.browser.run_async(
+            "{ const d = JSON.parse(document.querySelector('#map-k-p-k-v script').textContent).depth;"
+            "  return [Array.from(await floats(d.field)), await doubles(d.axis.values)]; }")
+        V0 = self.results["V0"][:]
+        planes = [self.results["spectral_abscissa"][:, :, numpy.argmin(abs(V0 - v))].T.ravel() for v in velocities]
+        self.assertGreater(len(planes), 10)
+        numpy.testing.assert_allclose(field, numpy.concatenate(planes), rtol=COARSE)
+
+    def area(self, figure):
+        return self.browser.run("const e = document.querySelector(arguments[0] + ' .reader'); e.scrollIntoView({block: 'center'});"
+                                "const r = e.getBoundingClientRect(); return [r.left, r.top, r.width, r.height]", figure)
+
+    def tip(self, figure):
+        return self.browser.run("return document.querySelector(arguments[0] + ' .tip').innerText", figure)
+
+    def test_the_pointer_reads_the_values_of_the_file(self):
+        self.browser.open(self.pages["linear"])
+        left, top, width, height = self.area("#map-k-p-k-v")
+        shape = [self.results.dimensions[n].size for n in ("k_p", "k_v")]
+        V0 = numpy.argmin(abs(self.results["V0"][:] - 1e-3))
+        chance = random.Random(7)
+        for _ in range(20):
+            i, j = (chance.randrange(n) for n in shape)
+            self.browser.move(left + width * min(0.999, i / (shape[0] - 1)), top + height * max(0.001, 1 - j / (shape[1] - 1)))
+            lines = self.tip("#map-k-p-k-v").split("\n")
+            said = float(lines[-1].split("=")[1].split(" 1/s")[0].replace("−", "-").replace("×10", "e").translate(
+                str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")))
+            true = float(self.results["spectral_abscissa"][i, j, V0])
+            self.assertAlmostEqual(said / true, 1, delta=6e-3, msg=f"node {i}, {j}: {lines}")
+
+    def test_arrow_keys_read_and_enter_gives_a_command_that_runs(self):
+        self.browser.open(self.pages["linear"])
+        self.browser.run("document.querySelector('#map-k-p-k-v .reader').focus({focusVisible: true})")
+        self.browser.key("ArrowLeft")
+        before = self.tip("#map-k-p-k-v")
+        self.browser.key("ArrowLeft", shift=True)
+        after = self.tip("#map-k-p-k-v")
+        self.assertNotEqual(before, after)
+        self.browser.key("Enter")
+        command = self.browser.run("return document.querySelector('#map-k-p-k-v .place code').textContent")
+        words = shlex.split(command)
+        self.assertEqual(words[:3], ["stickslip", "simulate", "joint.toml"])
+        self.assertIn("trajectory", stickslip(*words[1:], cwd=self.out / "linear"))
+        self.assertEqual(self.browser.run("return document.querySelectorAll('#map-k-p-k-v .place canvas').length"), 1)
+        self.browser.key("Escape")
+        self.assertFalse(self.browser.run("return document.querySelector('#map-k-p-k-v .sheet').classList.contains('on')"))
+
+    def test_the_slider_moves_the_chart(self):
+        self.browser.open(self.pages["linear"])
+        self.browser.run("const s = document.querySelector('#map-k-p-k-v input'); s.value = s.max; s.dispatchEvent(new Event('input'))")
+        self.assertEqual(self.browser.run("return document.querySelector('#map-k-p-k-v output').textContent"), "100 mm/s")
+        left, top, width, height = self.area("#map-k-p-k-v")
+        self.browser.move(left + width / 2, top + height / 2)
+        self.assertIn("V0 = 100 mm/s", self.tip("#map-k-p-k-v"))
+        self.assertEqual(self.browser.complaints(), [])
+
+    def test_a_time_series_can_be_looked_into(self):
+        self.browser.open(self.pages["motion"])
+        self.browser.run("[...document.querySelectorAll('#velocity button')].find(b => b.textContent === 'Zoom in time').click()")
+        self.assertGreater(self.browser.run("return document.querySelectorAll('#velocity .zoom canvas').length"), 1)
+        self.assertFalse(self.browser.run("return document.querySelector('#velocity svg').getClientRects().length > 0"))
+        box = self.browser.run("const e = document.querySelector('#velocity .zoom'); e.scrollIntoView({block: 'center'});"
+                               "const r = e.getBoundingClientRect(); return [r.left, r.top, r.width, r.height]")
+        self.browser.move(box[0] + box[2] / 2, box[1] + box[3] / 3)
+        self.assertIn("V =", self.browser.run("return document.querySelector('#velocity .zoom-values').textContent"))
+        self.assertEqual(self.browser.complaints(), [])
+
+    def test_data_can_be_taken_home(self):
+        self.browser.open(self.pages["linear"])
+        for figure in self.browser.run("return [...document.querySelectorAll('figure')].map(f => f.id)"):
+            text = self.browser.run_async(f"csv(await unpack(JSON.parse(document.querySelector('#{figure} script').textContent)))")
+            kept = (self.out / "linear/charts" / (figure + ".csv")).read_text()
+            self.assertEqual(text.splitlines()[0], kept.splitlines()[0])
+            self.assertEqual(len(text.splitlines()), len(kept.splitlines()), figure)
+            for kind in ("svg", "png"):
+                self.assertGreater((self.out / "linear/charts" / f"{figure}.{kind}").stat().st_size, 10_000)
+
+    def test_two_sweeps_are_compared_on_a_page(self):
+        self.browser.open(self.pages["comparison"])
+        self.assertEqual(self.browser.complaints(), [])
+        figures = self.browser.run("return [...document.querySelectorAll('figure')].map(f => f.id)")
+        self.assertIn("change-k-p-k-v", figures)
+        self.browser.run("document.querySelector('#change-k-p-k-v .reader').focus({focusVisible: true})")
+        self.browser.key("ArrowLeft")
+        self.assertRegex(self.tip("#change-k-p-k-v"), "^(smooth|stick-slip|became|changed)")
+
+    def test_the_page_reads_for_everybody(self):
+        rules = (HERE / "accessibility.js").read_text()
+        for name, page in self.pages.items():
+            for scheme in ("light", "dark"):
+                with self.subTest(page=name, scheme=scheme):
+                    self.browser.open(page, scheme=scheme)
+                    self.assertEqual(self.browser.run(rules), [])
+
+    def test_it_fits_a_phone_and_paper(self):
+        for name, page in self.pages.items():
+            with self.subTest(page=name):
+                self.browser.open(page, width=400)
+                self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"), 400)
+                self.browser.open(page, media="print")
+                seen = self.browser.run("return [...document.querySelectorAll('.reader, .tip, .slider, .tools, nav, button')]"
+                                        ".filter(e => e.getClientRects().length > 0).length")
+                self.assertEqual(seen, 0)
+
+    def test_it_looks_as_it_did(self):
+        """Reduced to a quarter, so that letters of another version of the typeface do not matter."""
+        for name in self.pages:
+            for kind, settings in (("light", {}), ("dark", {"scheme": "dark"}), ("narrow", {"width": 400})):
+                self.browser.open(self.pages[name], **settings)
+                self.browser.run("document.querySelector('.provenance')?.remove()")
+                shot = Image.fromarray(self.browser.picture())
+                small = shot.resize((shot.width // 4, shot.height // 4), Image.LANCZOS).convert("P", palette=Image.ADAPTIVE, colors=64)
+                kept = HERE / "reference" / f"{name}-{kind}.png"
+                if UPDATE:
+                    kept.parent.mkdir(exist_ok=True)
+                    small.save(kept, optimize=True)
+                with self.subTest(page=name, kind=kind):
+                    then, now = Image.open(kept).convert("RGB"), small.convert("RGB")
+                    self.assertLess(abs(then.height - now.height), 0.03 * then.height + 8)
+                    size = (min(then.width, now.width), min(then.height, now.height))
+                    a, b = (numpy.asarray(i.crop((0, 0, *size)).resize((size[0] // 4, size[1] // 4), Image.BOX), dtype=float) for i in (then, now))
+                    self.assertLess(numpy.mean(abs(a - b)), 6, "mean difference of 255")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0]] + [a for a in sys.argv[2:] if a != "--update"], verbosity=1)

@@ -1,0 +1,111 @@
+// What becomes of a page: compared with another, dated, equal byte for byte; and what a shell is told of the verbs.
+#include "tests/program/run.h"
+
+#include <catch2/catch.hpp>
+
+using Catch::Matchers::Contains;
+using program::Folder;
+using program::stickslip;
+
+namespace {
+
+/// A small sweep of the reference contact with the given critical slip distance.
+std::string spec(const char* slip_distance)
+{
+    return std::string(
+               "[joint]\nmotion = \"prismatic\"\nmodel = \"single-mass\"\ninertia = 1.0\n"
+               "[control]\nk_p = 6e4\nk_v = 0.0\nV0 = 1e-3\n"
+               "[friction]\nlaw = \"rate-and-state\"\nf0 = 60.0\nA = 1.0\nB = 1.5\nL = ") +
+           slip_distance +
+           "\nV_star = 1e-3\n"
+           "[axes]\n\"control.k_p\" = { from = 1e4, to = 1e5, points = 31, scale = \"log\" }\n"
+           "\"control.k_v\" = { from = 0.0, to = 1e3, points = 9 }\n";
+}
+
+void sweep(const Folder& folder, const std::string& name, const char* slip_distance)
+{
+    const auto file = folder.write(name + ".toml", spec(slip_distance));
+    const auto run = stickslip("sweep '" + file + "' -o '" + (folder / name) + "'");
+    INFO(run.output);
+    REQUIRE(run.exit_code == 0);
+}
+
+}  // namespace
+
+TEST_CASE("two sweeps are compared: boundaries, regions, numbers", "[program]")
+{
+    Folder folder;
+    sweep(folder, "a", "1e-5");
+    sweep(folder, "b", "2e-5");
+    const auto changed =
+        stickslip("report '" + (folder / "a") + "' '" + (folder / "b") + "' -o '" + (folder / "ab") + "'");
+    INFO(changed.output);
+    REQUIRE(changed.exit_code == 0);
+    // k_cr = ((B − A)/L)(1 + m V_0²/(L A)): 55 kN/m for L = 10 µm and 26.25 kN/m for 20 µm, −52.3 %
+    CHECK_THAT(changed.output, Contains("stable, as before"));
+    CHECK_THAT(changed.output, Contains("−52.3 %"));
+    const auto page = program::read(folder / "ab/report.html");
+    for (const char* said :
+         {"id=\"change-k-p-k-v\"", "id=\"difference-k-p-k-v\"", "55 kN/m", "26.25 kN/m", "friction.L"})
+        CHECK_THAT(page, Contains(said));
+    for (const char* file :
+         {"ab/charts/change-k-p-k-v.svg", "ab/charts/change-k-p-k-v.png", "ab/charts/change-k-p-k-v.csv"})
+        CHECK(std::filesystem::file_size(folder / file) > 1000);
+
+    const auto same =
+        stickslip("report '" + (folder / "a") + "' '" + (folder / "a") + "' -o '" + (folder / "aa") + "'");
+    CHECK_THAT(same.output, Contains("Nothing changed"));
+}
+
+TEST_CASE("a page carries a date only when asked, and is the same every time", "[program]")
+{
+    Folder folder;
+    sweep(folder, "a", "1e-5");
+    const auto page = folder / "a/report.html";
+    const auto first = program::read(page);
+    CHECK_THAT(first, !Contains("<dt>drawn</dt>"));
+    const std::string again = "report '" + (folder / "a") + "'";
+    REQUIRE(stickslip(again + " --timestamp 0").exit_code == 0);
+    const auto dated = program::read(page);
+    CHECK_THAT(dated, Contains("<dt>drawn</dt><dd>1970-01-01T00:00:00Z</dd>"));
+    REQUIRE(stickslip(again + " --timestamp 0").exit_code == 0);
+    CHECK(program::read(page) == dated);
+    setenv("SOURCE_DATE_EPOCH", "86400", 1);
+    const auto by_variable = stickslip(again);
+    unsetenv("SOURCE_DATE_EPOCH");
+    REQUIRE(by_variable.exit_code == 0);
+    CHECK_THAT(program::read(page), Contains("1970-01-02T00:00:00Z"));
+    REQUIRE(stickslip(again).exit_code == 0);
+    CHECK(program::read(page) == first);
+    CHECK(stickslip(again + " --timestamp yesterday").exit_code == 2);
+}
+
+TEST_CASE("piped output has no colours and no progress", "[program]")
+{
+    Folder folder;
+    const auto run = stickslip("sweep '" + folder.write("spec.toml", spec("1e-5")) + "' -o '" + (folder / "out") + "'");
+    CHECK(run.output.find('\033') == std::string::npos);
+    CHECK(run.output.find('\r') == std::string::npos);
+    CHECK_THAT(run.output, Contains("nearest way into stick-slip"));
+}
+
+TEST_CASE("completions and manual know every verb", "[program]")
+{
+    Folder folder;
+    const auto bash = stickslip("completion bash"), zsh = stickslip("completion zsh"), manual = stickslip("man-page");
+    for (const char* verb :
+         {"sweep", "boundary", "check", "evaluate", "simulate", "diagnose", "blind", "report", "merge", "list"}) {
+        CHECK_THAT(bash.output, Contains(std::string("        ") + verb + ") options='"));
+        CHECK_THAT(zsh.output, Contains(std::string("'") + verb + ":"));
+        CHECK_THAT(manual.output, Contains(std::string(".SS ") + verb + "\n"));
+    }
+    CHECK_THAT(bash.output, Contains("--max-undecided"));
+    CHECK_THAT(manual.output, Contains("\\-\\-max\\-undecided"));
+    const auto script = folder.write("stickslip.bash", bash.output);
+    const std::string asks =
+        "bash -c 'source \"" + script +
+        "\"; COMP_WORDS=(stickslip sw); COMP_CWORD=1; _stickslip; test \"${COMPREPLY[*]}\" = sweep; a=$?; "
+        "COMP_WORDS=(stickslip sweep --ti); COMP_CWORD=2; _stickslip; "
+        "test \"${COMPREPLY[*]}\" = --timestamp && exit $a'";
+    CHECK(std::system(asks.c_str()) == 0);
+}

@@ -44,12 +44,8 @@ Figure class_figure(const Joint& before, const Slice& a, const Joint& after, con
     FieldMap map = field_over(before, a, after, b);
     map.title = "What each point became, over (" + b.x.symbol + ", " + b.y.symbol + ")";
     map.name = "change";
-    map.classes = {"smooth, as before",
-                   "stick-slip, as before",
-                   "became smooth",
-                   "became stick-slip",
-                   "changed in other ways (bistable)",
-                   "undecided in one of them"};
+    map.classes = {"smooth, as before", "stick-slip, as before",          "became smooth",
+                   "became stick-slip", "bistable in one run or in both", "undecided in one of them"};
     for (std::size_t i = 0; i < a.region.size(); ++i)
         map.values.push_back(static_cast<double>(change_of(a.region[i], b.region[i])));
     const auto shares = change_shares(a, b);
@@ -101,7 +97,7 @@ Change change_of(Region before, Region after)
     if (sticks(before) && sticks(after)) return Change::stick_slip;
     if (sticks(before) && smooth(after)) return Change::became_smooth;
     if (smooth(before) && sticks(after)) return Change::became_stick_slip;
-    return Change::other;
+    return Change::bistable;  // before, after or both times
 }
 
 std::array<double, changes> change_shares(const Slice& before, const Slice& after)

@@ -10,7 +10,7 @@
 namespace stickslip {
 
 /// How a point changed, in the order of the legend.
-enum class Change { smooth, stick_slip, became_smooth, became_stick_slip, other, undecided };
+enum class Change { smooth, stick_slip, became_smooth, became_stick_slip, bistable, undecided };
 inline constexpr std::size_t changes = 6;
 
 Change change_of(Region before, Region after);

@@ -32,6 +32,13 @@ struct ComparedNumber {
     Quantity quantity;
 };
 
+/// A rate may change its sign, and a share of it would mislead: its difference is said.
+std::string change_words(const ComparedNumber& n, Motion motion)
+{
+    if (n.quantity != Quantity::rate || n.before == n.after) return relative_change(n.before, n.after);
+    return std::string(n.after > n.before ? "+" : "") + with_unit(n.after - n.before, n.quantity, motion);
+}
+
 Table table_of(std::string title, const std::vector<ComparedNumber>& numbers, Motion motion)
 {
     Table table;

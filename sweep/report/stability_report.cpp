@@ -63,8 +63,7 @@ void add_alerts(Report& report, const SweepSummary& summary, const std::vector<c
                                                         " and " + map->y.name + "."});
     for (const auto& headline : report.headlines)
         if (headline.tone == Tone::warning && headline.meaning.find("nearest way") != std::string::npos)
-            report.alerts.push_back({Tone::warning, "The design lies close to its boundary: " + headline.value + " " +
-                                                        headline.meaning + "."});
+            report.alerts.push_back({Tone::warning, "The design lies within a factor of 1.2 of its boundary."});
     for (const auto& [reason, count] : summary.reasons)
         report.alerts.push_back({Tone::warning, grouped(count) + (count == 1 ? " point has" : " points have") +
                                                     " no verdict: " + reason + "."});

@@ -1,4 +1,4 @@
-// What the loop of the design does as its gain changes: root locus and slowest smooth velocity.
+// What the loop of the design does as its gain changes: its root locus.
 #pragma once
 #include "analysis/joint/joint.h"
 #include "analysis/results/report.h"
@@ -7,8 +7,7 @@
 
 namespace stickslip {
 
-/// The roots over a range of k_p, and V_min over the same range in both theories. Empty where the joint has
-/// infinitely many roots (delays, tables) or no steady sliding.
+/// The roots over a range of k_p. Empty where the joint has infinitely many (delays, tables) or no steady sliding.
 std::vector<Figure> loop_figures(const Joint& joint, double low, double high);
 
 }  // namespace stickslip

@@ -1,9 +1,11 @@
 #include "sweep/evaluate.h"
 
+#include "analysis/joint/parameters.h"
 #include "analysis/stability/verdict.h"
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <vector>
 
 namespace stickslip {
@@ -40,6 +42,28 @@ EvaluateChunk evaluator(const NonlinearSpec& spec)
     return [options = nonlinear_options(spec)](PointCursor& cursor, std::span<PointResult> rows) {
         evaluate_nonlinear(cursor, rows, options);
     };
+}
+
+std::vector<std::string> idle_axes(const Joint& joint, const std::vector<Axis>& axes)
+{
+    std::vector<std::string> idle;
+    for (const auto& axis : axes) {
+        const auto answer = [&](double value) {
+            Joint varied = joint;
+            *find_parameter(varied, axis.path) = value;
+            return linear_point(varied);
+        };
+        const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+        const auto first = answer(axis.values.front());
+        const auto unchanged = [&](double value) {
+            const auto now = answer(value);
+            return now.reason == first.reason && same(now.spectral_abscissa, first.spectral_abscissa) &&
+                   same(now.k_v_min, first.k_v_min) && same(now.k_cr, first.k_cr);
+        };
+        if (axis.values.size() > 1 && unchanged(axis.values[axis.values.size() / 2]) && unchanged(axis.values.back()))
+            idle.push_back(axis.path);
+    }
+    return idle;
 }
 
 std::string evaluation_text(const NonlinearSpec& spec)

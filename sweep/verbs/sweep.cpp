@@ -62,6 +62,10 @@ int sweep(const Options& options, Invocation& invocation)
     Spec spec = embedded ? read_spec_text(embedded_spec(), "(embedded example)") : read_spec(options.spec);
     choose_charts(spec);
 
+    for (const auto& path : idle_axes(design_joint(spec), spec.axes))
+        fmt::print(stderr, "note: {} changes no linear answer at the design point; the maps' theory may leave it out\n",
+                   path);
+
     PlanOptions plan_options;
     plan_options.evaluation = evaluation_text(spec.nonlinear);
     plan_options.nonlinear = spec.nonlinear.enabled;

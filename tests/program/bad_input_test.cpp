@@ -136,3 +136,15 @@ TEST_CASE("what stands wrong in a file is said in the words of its writer", "[pr
     CHECK_THAT(says("[friction]", "[control]\n[friction]"), Contains("[control] stands twice"));
     CHECK_THAT(says("V0 = 1e-3", "V0 = 1 mm/s"), Contains("a number with a unit stands in quotes"));
 }
+
+TEST_CASE("an axis that the maps leave out is named before it is swept", "[program]")
+{
+    Folder folder;
+    const auto spec = folder.write(
+        "spec.toml", with("\"control.k_v\" = {", "\"control.delay\" = [0, 0.01, 0.1]\n\"control.k_v\" = {"));
+    const auto run = stickslip("sweep '" + spec + "' --no-report -o '" + (folder / "out") + "'");
+    CHECK(run.exit_code == 0);
+    CHECK_THAT(run.output, Contains("note: control.delay changes no linear answer"));
+    CHECK_THAT(run.output, !Contains("note: control.k_p"));
+    CHECK_THAT(run.output, !Contains("note: control.k_v"));
+}

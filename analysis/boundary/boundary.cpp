@@ -9,6 +9,7 @@
 #include "analysis/stability/verdict.h"
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 
 namespace stickslip {
@@ -158,20 +159,41 @@ class Ray {
     LocatedRay ray_;
 };
 
+/// A joint of its own at a place of the chart: the walk to a number by its path costs more than a linear verdict.
+class JointOnChart {
+  public:
+    JointOnChart(const Joint& joint, const Axis& x, const Axis& y)
+        : joint_(joint), x_(&number_at(joint_, x.path)), y_(&number_at(joint_, y.path))
+    {
+    }
+    JointOnChart(const JointOnChart&) = delete;  // the numbers point into the joint
+
+    double side(double x, double y, const BoundaryRequest& request)
+    {
+        *x_ = x, *y_ = y;
+        return side_of(joint_, request);
+    }
+
+  private:
+    Joint joint_;
+    double *x_, *y_;
+};
+
 Sides sides_over(const Joint& joint, const Axis& x, const Axis& y, const BoundaryRequest& request)
 {
+    constexpr std::size_t together = 16;
     Sides sides;
     sides.continuous = is_linear(request.kind);
     sides.precision = request.precision;
-    sides.at = [&](double u, double v) {
-        Joint here = joint;
-        number_at(here, x.path) = u;
-        number_at(here, y.path) = v;
-        return side_of(here, request);
+    sides.at = [&, own = std::make_shared<JointOnChart>(joint, x, y)](double u, double v) {
+        return own->side(u, v, request);
     };
-    sides.many = [&, at = sides.at](const std::vector<double>& u, const std::vector<double>& v,
-                                    std::vector<double>& values) {
-        request.parallel(u.size(), [&](std::size_t i) { values[i] = at(u[i], v[i]); });
+    sides.many = [&](const std::vector<double>& u, const std::vector<double>& v, std::vector<double>& values) {
+        request.parallel((u.size() + together - 1) / together, [&](std::size_t block) {
+            JointOnChart own(joint, x, y);
+            for (std::size_t i = block * together; i < std::min(u.size(), (block + 1) * together); ++i)
+                values[i] = own.side(u[i], v[i], request);
+        });
     };
     return sides;
 }

@@ -1,0 +1,24 @@
+#!/bin/bash
+# Every heavy check by one command, each printing its figures. Run: run.sh BUILD [scale], e.g. tests/reliability/run.sh build 10
+set -u
+here=$(realpath "$(dirname "$0")") build=$(realpath "$1") scale=${2:-1}
+program=$build/sweep/stickslip mpi_program=$build/sweep/stickslip-mpi failed=0
+check() {
+    echo "== $1"
+    shift
+    "$@"
+    code=$?
+    [ $code -eq 0 ] || [ $code -eq 77 ] || failed=$((failed + 1))
+}
+check "faults" "$here/faults.sh" "$program" $((20 * scale))
+check "points" "$build/tests/reliability/reliability_points" --points $((100000 * scale)) --nonlinear $((1000 * scale)) \
+    "$here"/../fuzz/corpus/joint/*.toml
+for target in joint spec record baseline journal plan; do
+    check "inputs: $target" "$build/tests/fuzz/fuzz_$target" --inputs $((100000 * scale)) "$here/../fuzz/corpus/$target"
+done
+if [ -x "$mpi_program" ]; then
+    check "engines" "$here/../cluster/engines.sh" "$program" "$mpi_program"
+    check "slurm" "$here/slurm.sh" "$program" "$mpi_program"
+fi
+[ $failed -eq 0 ] && echo "all sound" || echo "$failed checks failed"
+exit $failed

@@ -68,6 +68,6 @@ class Browser:
                      modifiers=8 if shift else 0)
 
     def picture(self):
-        """The whole page as an array of RGB bytes."""
-        shot = self.cdp("Page.captureScreenshot", format="png", captureBeyondViewport=True)
+        """What a reader sees first, as an array of RGB bytes."""
+        shot = self.cdp("Page.captureScreenshot", format="png")
         return numpy.asarray(Image.open(io.BytesIO(base64.b64decode(shot["data"]))).convert("RGB"))

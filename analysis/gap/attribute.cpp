@@ -27,8 +27,10 @@ LevelFit best_of(const std::vector<Case>& cases, const Scales& scales, const Can
                  const std::vector<Eigen::VectorXd>& from, double omega)
 {
     std::vector<std::pair<double, std::size_t>> order;
-    const bool rough =
-        std::any_of(candidate.forms.begin(), candidate.forms.end(), [](const auto* f) { return f->rough; });
+    // many starts, or a jagged misfit: a look at all of them first
+    constexpr std::size_t few = 3;
+    const bool rough = from.size() > few || std::any_of(candidate.forms.begin(), candidate.forms.end(),
+                                                        [](const auto* f) { return f->rough; });
     for (std::size_t i = 0; i < from.size(); ++i)
         order.emplace_back(rough ? evaluate(cases, candidate, in_si(candidate, from[i], scales), omega).objective : 0,
                            i);
@@ -160,7 +162,8 @@ std::vector<Candidate> single_candidates(const std::vector<Case>& cases, const A
         const bool of_controller = e.name == "gain-k_p" || e.name == "gain-k_v" || e.name == "velocity-filter";
         if (of_controller && (logged || audit.possible)) continue;
         for (const auto& f : e.forms) {
-            Candidate c{{&e}, {&f}};
+            if (f.own > 0 && cases.size() < 2) continue;
+            Candidate c{{&e}, {&f}, cases.size()};
             if (c.applies(cases[0].joint)) all.push_back(c);
         }
     }
@@ -175,7 +178,7 @@ std::vector<Attribution> fit_singles(const std::vector<Case>& cases, const Scale
     const auto screen = [&](const std::vector<Candidate>& some) {
         std::vector<Attribution> forms(some.size());
         parallel(some.size(), [&](std::size_t i) {
-            const auto from = starts(cases, scales, *some[i].forms[0], {}, {});
+            const auto from = starts(cases, scales, some[i], {}, {});
             if (from.empty()) return;
             forms[i] = as_screened(cases, scales, nominal, some[i], best_of(cases, scales, some[i], from, omega));
         });
@@ -240,7 +243,8 @@ std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales&
         const auto& first = swap ? b : a;
         const auto& second = swap ? a : b;
         Candidate both{{first.candidate.effects[0], second.candidate.effects[0]},
-                       {first.candidate.forms[0], second.candidate.forms[0]}};
+                       {first.candidate.forms[0], second.candidate.forms[0]},
+                       cases.size()};
         std::vector<Eigen::VectorXd> from;
         const auto join = [&](const Eigen::VectorXd& p, const Eigen::VectorXd& q) {
             Eigen::VectorXd x(p.size() + q.size());
@@ -250,7 +254,7 @@ std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales&
         join(first.x[0], second.x[0]);
         // the second of the two, started afresh on what the better one leaves
         const std::vector<double> held = in_si(a.candidate, a.x[0], scales);
-        const auto fresh = starts(cases, scales, *b.candidate.forms[0], a.candidate, held);
+        const auto fresh = starts(cases, scales, b.candidate, a.candidate, held);
         double least = infinity;
         Eigen::VectorXd chosen;
         for (const auto& x : fresh) {

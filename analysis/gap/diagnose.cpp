@@ -1,10 +1,13 @@
 #include "analysis/gap/diagnose.h"
 
+#include "analysis/gap/contest.h"
 #include "analysis/gap/experiment.h"
 #include "analysis/gap/heldout.h"
 #include "analysis/gap/inspect.h"
+#include "analysis/gap/jumps.h"
 #include "analysis/gap/locate.h"
 #include "analysis/gap/prepare.h"
+#include "analysis/gap/rig.h"
 #include "analysis/gap/verdict.h"
 
 #include <algorithm>
@@ -51,13 +54,23 @@ Cause cause_of(const Work& w, const Attribution& a, double probability)
         c.tell_tale += (c.tell_tale.empty() ? "" : "; ") + std::string(e.signature);
         if (!a.candidate.forms[n]->name.empty())
             c.form += (c.form.empty() ? "" : " + ") + std::string(a.candidate.forms[n]->name);
-        for (const auto& p : a.candidate.forms[n]->parameters) {
-            c.parameters.push_back({std::string(e.name) + "." + std::string(p.name), si[i], quality.standard_error[i],
-                                    std::string(unit_of(p.quantity, motion))});
-            ++i;
+        const EffectForm& form = *a.candidate.forms[n];
+        const std::size_t shared = form.parameters.size() - form.own;
+        for (std::size_t k = 0; k < a.candidate.count_of(form); ++k, ++i) {
+            const auto& p = a.candidate.parameter_of(form, k);
+            std::string name = std::string(e.name) + "." + std::string(p.name);
+            if (k >= shared) name += " in " + w.cases[(k - shared) / form.own].ticks.name;
+            c.parameters.push_back({name, si[i], quality.standard_error[i], std::string(unit_of(p.quantity, motion))});
         }
     }
     return c;
+}
+
+std::string percent(double part)
+{
+    const double rounded = std::round(1000 * part) / 10;
+    std::string text = std::to_string(rounded);
+    return text.substr(0, text.find('.') + 2) + " %";
 }
 
 void describe_data(const std::vector<Case>& cases, Diagnosis& d)
@@ -85,6 +98,7 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
     Diagnosis& d = result.diagnosis;
     d.motion = joint.mechanism.motion;
     if (records.empty()) throw std::invalid_argument("no record was given");
+    if (records.size() == 1 && is_rig(records[0])) return diagnose_rig(joint, records[0], parallel);
     const auto progress = [&](const char* stage, double done) {
         if (options.progress) options.progress(stage, done);
     };
@@ -102,12 +116,16 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
     if (usable.empty()) return result;
 
     Work w;
-    for (const Record* r : usable) w.cases.push_back(prepare(*r, joint, d.notes));
+    for (const Record* r : usable) {
+        w.cases.push_back(prepare(*r, joint, d.notes));
+        w.cases.back().number = w.cases.size() - 1;
+    }
     for (const auto& c : w.cases) w.documented.push_back(c.joint);
     describe_data(w.cases, d);
     progress("auditing the controller", 0.02);
     w.audit = audit(w.cases);
     d.notes.insert(d.notes.end(), w.audit.notes.begin(), w.audit.notes.end());
+    settle_jumps(w.cases, {}, {});
     w.scales = scales_of(w.cases);
     d.usual_speed = w.scales.velocity;
     w.nominal = judge_nominal(w.cases);
@@ -122,9 +140,18 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
     if (quiet) none.accepted = true;
     std::vector<Attribution> singles, pairs;
     Decision decision;
+    Contest contest;
     if (!quiet) {
         progress("fitting single effects", 0.1);
-        singles = fit_singles(w.cases, w.scales, w.nominal, single_candidates(w.cases, w.audit), parallel);
+        const auto fit = [&] {
+            return fit_singles(w.cases, w.scales, w.nominal, single_candidates(w.cases, w.audit), parallel);
+        };
+        singles = fit();
+        if (!singles.empty() && !singles[0].accepted &&
+            settle_jumps(w.cases, singles[0].candidate, in_si(singles[0].candidate, singles[0].x[1], w.scales))) {
+            w.nominal = judge_nominal(w.cases);
+            singles = fit();
+        }
         confirm(w.cases, singles, w.nominal, w.scales, parallel);
         if (singles.empty() || !singles[0].accepted) {
             progress("fitting pairs", 0.5);
@@ -133,7 +160,15 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
         }
         const bool floor_documented =
             std::all_of(w.cases.begin(), w.cases.end(), [](const auto& c) { return c.noise_documented; });
-        decision = decide(singles, pairs, w.nominal, floor_documented);
+        decision = decide(singles, pairs);
+        if (!decision.named && !floor_documented && !singles.empty()) {
+            progress("which cause predicts unseen data best", 0.8);
+            contest = hold_contest(w.cases, w.scales, singles, parallel);
+            if (contest.decided)
+                for (const auto& s : singles)
+                    if (s.candidate.effects[0] == contest.ranked[0].candidate.effects.back())
+                        decision.winner = &s, decision.named = true;
+        }
     }
     progress("predicting held-out data", 0.9);
     const bool named = quiet ? !w.audit.findings.empty() : decision.named;
@@ -170,6 +205,17 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
         d.effects[0].heldout_gain = held.gain;
         d.effects[0].heldout_gain_interval = held.gain_interval;
     }
+    if (contest.decided && shown && !d.effects.empty()) {
+        d.effects[0].heldout_gain = contest.ranked[0].gain;
+        d.effects[0].heldout_gain_interval = contest.ranked[0].spread;
+        const double second = contest.ranked.size() > 1 ? contest.ranked[1].gain : 0;
+        d.reasons.push_back(
+            "no cause reaches the noise; with the joint's own numbers refitted for everybody, this one predicts unseen "
+            "data " +
+            percent(contest.ranked[0].gain) + " better, the next best (" +
+            (contest.ranked.size() > 1 ? std::string(contest.ranked[1].candidate.effects.back()->name) : "none") +
+            ") " + percent(second));
+    }
     if (d.verdict == Verdict::unknown)
         d.reasons.push_back(
             "there is a gap, and no effect of the catalogue, nor two together, explain it: the best leaves " +
@@ -184,7 +230,7 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
             d.next_experiment = design_experiment(w.cases[0], w.scales, winner, *rival);
         Joint after = w.cases[0].joint;
         if (!winner.candidate.effects.empty())
-            after = edited(after, winner.candidate, in_si(winner.candidate, winner.x[1], w.scales));
+            after = edited(after, winner.candidate, in_si(winner.candidate, winner.x[1], w.scales), 0);
         result.after = after;
     }
     progress("done", 1);

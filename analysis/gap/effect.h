@@ -66,7 +66,8 @@ struct EffectForm {
     void (*apply)(Joint& joint, const double* p) = nullptr;  ///< p in SI
     std::vector<std::vector<double>> seeds;                  ///< in units of each parameter's scale
     bool (*applies)(const Joint& nominal) = nullptr;         ///< null: always
-    bool rough = false;  ///< the misfit is jagged in its parameters: search before descending
+    std::size_t own = 0;  ///< the last so many parameters have a value of their own in every record
+    bool rough = false;   ///< the misfit is jagged in its parameters: search before descending
 };
 
 struct Effect {

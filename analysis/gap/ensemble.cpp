@@ -23,7 +23,7 @@ NoiseSpread spread_of(const std::vector<Case>& cases, const Candidate& candidate
     std::vector<Run> all(cases.size() * n);
     parallel(all.size(), [&](std::size_t task) {
         Case c = cases[task / n];
-        c.joint = edited(c.joint, candidate, si);
+        c.joint = edited(c.joint, candidate, si, c.number);
         const Trace trace = closed_loop(flatten(c.joint), c.ticks, 101 + task);
         // through the log and back: between the rows of a slow log nothing is known of a simulated run either
         const Ticks& t = c.ticks;
@@ -135,6 +135,23 @@ std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, 
         if (s.signal == "position") s.floor = std::max(s.floor, 2 * c.sigma * c.sigma * 0.25);
     if (first && !traces.empty()) *first = std::move(traces[0]);
     return squares;
+}
+
+bool closed_loop_at_floor(const std::vector<Case>& cases, const Candidate& candidate, const std::vector<double>& si,
+                          const ParallelFor& parallel)
+{
+    constexpr int runs = 4;
+    constexpr double slack = 1.25;  // of the mean square, for what four runs do not know of their spread
+    for (const auto& c : cases)
+        if (!c.ticks.has_reference) return false;
+    std::vector<int> fine(cases.size(), 0);
+    parallel(cases.size(), [&](std::size_t i) {
+        const auto signals =
+            compare(cases[i], edited(cases[i].joint, candidate, si, cases[i].number), runs, -infinity, infinity);
+        fine[i] =
+            std::all_of(signals.begin(), signals.end(), [](const auto& s) { return s.difference <= slack * s.floor; });
+    });
+    return std::all_of(fine.begin(), fine.end(), [](int yes) { return yes != 0; });
 }
 
 }  // namespace stickslip::gap

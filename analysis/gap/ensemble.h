@@ -19,6 +19,11 @@ NoiseSpread spread_of(const std::vector<Case>& cases, const Candidate& candidate
 bool within(const NoiseSpread& spread, const std::array<Evaluation, levels.size()>& evaluation,
             std::size_t levels_used);
 
+/// Whether noisy closed-loop runs of the joint differ from every record, in every signal, by no more than among
+/// themselves: then nothing is left to explain, however badly a fed-back prediction does.
+bool closed_loop_at_floor(const std::vector<Case>& cases, const Candidate& candidate, const std::vector<double>& si,
+                          const ParallelFor& parallel);
+
 /// Mean squares over a record's rows of the difference between the record and noisy runs of a joint, and between the
 /// runs.
 struct SignalSquares {

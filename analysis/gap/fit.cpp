@@ -88,13 +88,18 @@ Eigen::VectorXd to_fit(const Candidate& candidate, const std::vector<double>& sc
     return x;
 }
 
-Joint edited(const Joint& joint, const Candidate& candidate, const std::vector<double>& si)
+Joint edited(const Joint& joint, const Candidate& candidate, const std::vector<double>& si, std::size_t record)
 {
     Joint j = joint;
-    std::size_t first = 0;
+    auto first = si.begin();
     for (const auto* form : candidate.forms) {
-        form->apply(j, si.data() + first);
-        first += form->parameters.size();
+        const auto shared = static_cast<std::ptrdiff_t>(form->parameters.size() - form->own);
+        const auto own =
+            first + shared + static_cast<std::ptrdiff_t>(form->own * std::min(record, candidate.records - 1));
+        std::vector<double> p(first, first + shared);
+        p.insert(p.end(), own, own + static_cast<std::ptrdiff_t>(form->own));
+        form->apply(j, p.data());
+        first += static_cast<std::ptrdiff_t>(candidate.count_of(*form));
     }
     return j;
 }
@@ -108,7 +113,7 @@ Evaluation evaluate(const std::vector<Case>& cases, const Candidate& candidate, 
     scaled.clear();
     Innovation innovation;
     for (const auto& c : cases) {
-        const Plant plant = flatten(edited(c.joint, candidate, si));
+        const Plant plant = flatten(edited(c.joint, candidate, si, c.number));
         const auto command = known_command(plant, c.ticks);
         predict(plant, c.ticks, command, omega, innovation);
         const double per_floor = 1 / (c.sigma * std::sqrt(noise_amplification(omega, c.row_step)));

@@ -15,6 +15,7 @@ struct Case {
     Joint joint;              ///< nominal, after what the controller audit has settled
     double sigma = 1;         ///< standard deviation of a reading, quantisation included
     double effort_sigma = 0;  ///< of a measured effort; 0: effort is not judged
+    std::size_t number = 0;   ///< of the record among all: which own parameters are its
     double row_step = 1e-3;   ///< s between two readings
     bool supply_logged = false;
     bool noise_documented = true;                      ///< the sensor's own numbers set the floor
@@ -28,17 +29,25 @@ inline constexpr std::array<double, 3> levels{110, 50, 20};
 struct Candidate {
     std::vector<const Effect*> effects;
     std::vector<const EffectForm*> forms;
+    std::size_t records = 1;  ///< how many records have parameters of their own
+    /// Parameters of one form: shared ones, own ones of record 0, of record 1, …
+    std::size_t count_of(const EffectForm& f) const { return f.parameters.size() + f.own * (records - 1); }
     std::size_t parameter_count() const
     {
         std::size_t n = 0;
-        for (const auto* f : forms) n += f->parameters.size();
+        for (const auto* f : forms) n += count_of(*f);
         return n;
+    }
+    static const EffectParameter& parameter_of(const EffectForm& f, std::size_t i)
+    {
+        const std::size_t shared = f.parameters.size() - f.own;
+        return f.parameters[i < shared ? i : shared + (i - shared) % f.own];
     }
     const EffectParameter& parameter(std::size_t i) const
     {
         for (const auto* f : forms) {
-            if (i < f->parameters.size()) return f->parameters[i];
-            i -= f->parameters.size();
+            if (i < count_of(*f)) return parameter_of(*f, i);
+            i -= count_of(*f);
         }
         return forms.back()->parameters.back();
     }
@@ -54,8 +63,8 @@ struct Candidate {
 std::vector<double> in_si(const Candidate& candidate, const Eigen::VectorXd& x, const Scales& scales);
 /// From units of each parameter's scale to what the fit works with.
 Eigen::VectorXd to_fit(const Candidate& candidate, const std::vector<double>& scaled);
-/// The joint with the candidate's edits.
-Joint edited(const Joint& joint, const Candidate& candidate, const std::vector<double>& si);
+/// The joint with the candidate's edits, as they hold in the record of this number.
+Joint edited(const Joint& joint, const Candidate& candidate, const std::vector<double>& si, std::size_t record);
 
 /// How far predictions are from one record at one level: mean squares over their floors, 1 where only noise is left.
 struct Misfit {

@@ -19,7 +19,7 @@ struct Surroundings {
     double position = 0, time = 0, transmitted = 0;
 };
 
-/// Lowest speed inside the logarithms of the memory, as a part of V*.
+/// Added to the speed inside the logarithms of the memory, as a part of V*: what keeps them finite at rest.
 inline constexpr double memory_floor = 1e-3;
 
 /// The resisting force apart from viscous friction and asymmetric_viscous, never negative, for motion in `direction`.
@@ -35,7 +35,7 @@ inline double resistance(const Rubbing& r, const RubState& s, double speed, doub
     level += direction * r.asymmetric_coulomb + r.load_coefficient * std::abs(at.transmitted);
     if (r.ripple != 0) level += r.ripple * std::sin(r.ripple_periods * at.position + r.ripple_phase);
     if (r.drift != 0) level += r.drift * -std::expm1(-at.time / r.drift_time);
-    if (r.remembers()) level += r.A * std::log(std::max(speed / r.V_star, memory_floor)) + s.theta;
+    if (r.remembers()) level += r.A * std::log(speed / r.V_star + memory_floor) + s.theta;
     return std::max(level, 0.0);
 }
 
@@ -57,17 +57,18 @@ inline void remember(const Rubbing& r, RubState& s, double speed, double h)
         const double next = slip > 1e-12 ? r.L / speed + (age - r.L / speed) * std::exp(-slip) : age + h;
         s.theta = r.B * std::log(next * r.V_star / r.L);
     } else {
-        const double steady = -r.B * std::log(std::max(speed / r.V_star, memory_floor));
+        const double steady = -r.B * std::log(speed / r.V_star + memory_floor);
         s.theta = steady + (s.theta - steady) * std::exp(-slip);
     }
 }
 
-/// The state of a body that has slid at this speed for long.
+/// The state of a body that has slid at this speed for long; at rest it is that of sliding at V*, which is what the
+/// law's level means.
 inline RubState settled(const Rubbing& r, double speed)
 {
     RubState s;
     s.speed = speed;
-    if (r.remembers()) s.theta = -r.B * std::log(std::max(speed / r.V_star, memory_floor));
+    if (r.remembers()) s.theta = speed > 0 ? -r.B * std::log(speed / r.V_star + memory_floor) : 0;
     return s;
 }
 

@@ -69,7 +69,7 @@ HeldOut hold_out(const std::vector<Case>& cases, const std::vector<Joint>& docum
             for (const auto* f : found.candidate.forms) rough = rough || f->rough;
             const auto refit = rough ? search_rough(rest, found.candidate, scales, found.x[level], levels[level], 30)
                                      : descend(rest, found.candidate, scales, found.x[level], levels[level], few);
-            after = edited(after, found.candidate, in_si(found.candidate, refit.x, scales));
+            after = edited(after, found.candidate, in_si(found.candidate, refit.x, scales), c.number);
         }
         results[i].before =
             compare(c, documented[folds[i].record], runs, folds[i].from, folds[i].to, &results[i].trace_before);

@@ -87,7 +87,7 @@ std::vector<Share> locate_signals(const std::vector<Case>& cases, const std::vec
                 floors[stage] += floor;
                 counts[stage] += 1;
             };
-            if (audited) count(0, per_command * (t.command[k] - wanted[k]), 0);
+            if (audited && t.enabled[k]) count(0, per_command * (t.command[k] - wanted[k]), 0);
             if (c.effort_sigma > 0) count(1, innovation.effort[k], effort_floor);
             count(2, to_force * innovation.position[k], motion_floor);
         }

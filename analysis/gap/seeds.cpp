@@ -22,7 +22,7 @@ std::vector<Residual> residuals(const std::vector<Case>& cases, const Candidate&
     std::vector<Residual> all;
     Innovation innovation;
     for (const auto& c : cases) {
-        const Plant plant = flatten(edited(c.joint, base, si));
+        const Plant plant = flatten(edited(c.joint, base, si, c.number));
         const auto command = known_command(plant, c.ticks);
         predict(plant, c.ticks, command, levels[0], innovation);
         Residual r;
@@ -105,22 +105,26 @@ std::vector<double> comb_peaks(const std::vector<Case>& cases, const Scales& sca
     return found;
 }
 
-std::vector<Eigen::VectorXd> starts(const std::vector<Case>& cases, const Scales& scales, const EffectForm& form,
+std::vector<Eigen::VectorXd> starts(const std::vector<Case>& cases, const Scales& scales, const Candidate& single,
                                     const Candidate& base, const std::vector<double>& si)
 {
-    Candidate own;
-    own.forms = {&form};
+    const EffectForm& form = *single.forms.front();
+    const auto in_every_record = [&](std::vector<double> seed) {
+        const std::vector<double> own(seed.end() - static_cast<std::ptrdiff_t>(form.own), seed.end());
+        for (std::size_t r = 1; r < single.records; ++r) seed.insert(seed.end(), own.begin(), own.end());
+        return to_fit(single, seed);
+    };
     std::vector<Eigen::VectorXd> all;
     for (std::size_t i = 0; i < form.parameters.size(); ++i)
         if (const auto& p = form.parameters[i]; p.comb != Comb::none) {
             for (double f : comb_peaks(cases, scales, base, si, p.comb, 3)) {
                 auto seed = form.seeds.front();
                 seed[i] = f / unit_of(p.scale, scales);
-                all.push_back(to_fit(own, seed));
+                all.push_back(in_every_record(seed));
             }
             return all;
         }
-    for (const auto& seed : form.seeds) all.push_back(to_fit(own, seed));
+    for (const auto& seed : form.seeds) all.push_back(in_every_record(seed));
     return all;
 }
 

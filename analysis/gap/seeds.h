@@ -11,8 +11,8 @@ namespace stickslip::gap {
 std::vector<double> comb_peaks(const std::vector<Case>& cases, const Scales& scales, const Candidate& base,
                                const std::vector<double>& si, Comb comb, std::size_t count);
 
-/// Starting points of a candidate in the fit's own units. Combs are evaluated on the residual of `base` at `si`.
-std::vector<Eigen::VectorXd> starts(const std::vector<Case>& cases, const Scales& scales, const EffectForm& form,
+/// Starting points of a single effect in the fit's own units. Combs are evaluated on the residual of `base` at `si`.
+std::vector<Eigen::VectorXd> starts(const std::vector<Case>& cases, const Scales& scales, const Candidate& single,
                                     const Candidate& base, const std::vector<double>& si);
 
 }  // namespace stickslip::gap

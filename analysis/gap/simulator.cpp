@@ -145,6 +145,9 @@ class Mechanics {
                      to_link = plant_.feedback_link ? 1 : 1 / plant_.ratio;
         state.motor_position += to_motor * dq;
         state.motor_velocity += to_motor * dv;
+        // inside the play the link flies on its own: an encoder on the motor says nothing about it, and its noise would
+        // be fed into a body that nothing calms
+        if (plant_.backlash > 0 && !plant_.feedback_link) return;
         state.link_position += to_link * dq;
         state.link_velocity += to_link * dv;
     }

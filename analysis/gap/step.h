@@ -33,7 +33,8 @@ inline Push push_of(const Actuator& a, double command, double supply, double v)
         p.drag = a.effort_gain * a.k_t * a.k_e / resistance;
     } else {
         p.push = a.effort_gain * command;
-        if (a.sag_effort < infinity) p.push *= std::max(0.0, 1 - std::abs(p.push) / a.sag_effort);
+        if (a.sag_effort < infinity)
+            p.push /= 1 + std::abs(p.push) / a.sag_effort;  // the supply falls with the effort that remains
     }
     if (std::abs(p.at(v)) > a.limit) p = {std::copysign(a.limit, p.at(v)), 0};
     return p;

@@ -35,6 +35,21 @@ double between(const std::vector<double>& x, std::size_t k, double s)
     return b + 0.5 * s * (c - a + s * (2 * a - 5 * b + 4 * c - d + s * (3 * (b - c) + d - a)));
 }
 
+/// Rows after which a smooth reference jumps: a difference that stands alone.
+std::vector<std::size_t> jumps_of(const std::vector<double>& reference)
+{
+    std::vector<std::size_t> found;
+    if (reference.size() < 4) return found;
+    const auto [low, high] = std::minmax_element(reference.begin(), reference.end());
+    constexpr double least = 2e-3, alone = 4;  // of the span; of the neighbours
+    const auto difference = [&](std::size_t k) { return std::abs(reference[k + 1] - reference[k]); };
+    for (std::size_t k = 0; k + 1 < reference.size(); ++k) {
+        const double before = k > 0 ? difference(k - 1) : 0, after = k + 2 < reference.size() ? difference(k + 1) : 0;
+        if (difference(k) > std::max(least * (*high - *low), alone * std::max(before, after))) found.push_back(k);
+    }
+    return found;
+}
+
 /// The position of the tick between two rows: v_k = v_{k−2}(1−g)² + g(1−g) d_{k−1} + g d_k and d_{k−1} + d_k is known.
 void rebuild_halves(const Record& r, const Joint& joint, Ticks& t)
 {
@@ -62,7 +77,15 @@ void fill_reference_rate(const Record& r, Ticks& t)
                                       ? r.reference_velocity[row]
                                       : between(r.reference_velocity, row, static_cast<double>(rest) / t.ticks_per_row);
         } else {
-            const std::size_t a = k == 0 ? 0 : k - 1, b = std::min(k + 1, n - 1);
+            // no controller differentiates a step
+            const auto jumps = [&](std::size_t from, std::size_t to) {
+                return std::any_of(t.jumps.begin(), t.jumps.end(), [&](std::size_t j) {
+                    return j < to && from < j + static_cast<std::size_t>(t.ticks_per_row);
+                });
+            };
+            std::size_t a = k == 0 ? 0 : k - 1, b = std::min(k + 1, n - 1);
+            if (jumps(a, k)) a = k;
+            if (jumps(k, b)) b = k;
             t.reference_rate[k] = b > a ? (t.reference[b] - t.reference[a]) / (t.time[b] - t.time[a]) : 0;
         }
     }
@@ -102,6 +125,13 @@ Ticks on_clock(const Record& r, const Joint& joint)
     t.supply.assign(n, joint.actuator.supply_voltage);
     t.enabled.assign(n, 1);
     t.logged.assign(n, 0);
+    std::vector<std::size_t> jump_rows;
+    if (t.has_reference) jump_rows = jumps_of(r.reference_position);
+    const auto near_jump = [&](std::size_t row) {
+        return std::any_of(jump_rows.begin(), jump_rows.end(),
+                           [&](std::size_t j) { return j + 1 >= row && row + 1 >= j; });
+    };
+    for (std::size_t row : jump_rows) t.jumps.push_back(row * static_cast<std::size_t>(m));
     for (std::size_t k = 0; k < n; ++k) {
         const std::size_t row = k / m, rest = k % m;
         if (rest == 0) {
@@ -117,6 +147,8 @@ Ticks on_clock(const Record& r, const Joint& joint)
             t.time[k] = r.time[row] + s * (r.time[row + 1] - r.time[row]);
             t.position[k] = between(r.position, row, s);
             if (t.has_reference) t.reference[k] = between(r.reference_position, row, s);
+            // next to a jump a polynomial would ring
+            if (t.has_reference && near_jump(row)) t.reference[k] = r.reference_position[row];
         }
         if (!r.supply_voltage.empty()) t.supply[k] = r.supply_voltage[row];
         if (!r.torque_enable.empty()) t.enabled[k] = r.torque_enable[row] > 0.5;
@@ -128,6 +160,13 @@ Ticks on_clock(const Record& r, const Joint& joint)
     if (t.has_reference) fill_reference_rate(r, t);
     if (!t.at_rest && n > 8) t.initial_velocity = (t.position[8] - t.position[0]) / (t.time[8] - t.time[0]);
     return t;
+}
+
+void place_jump(Ticks& t, std::size_t which, int after)
+{
+    const std::size_t from = t.jumps[which], m = static_cast<std::size_t>(t.ticks_per_row);
+    for (std::size_t i = 1; i < m && from + m < t.size(); ++i)
+        t.reference[from + i] = i < static_cast<std::size_t>(after) ? t.reference[from] : t.reference[from + m];
 }
 
 }  // namespace stickslip::gap

@@ -27,6 +27,7 @@ struct Ticks {
     std::vector<double> effort;                     ///< measured, NaN where it was not
     std::vector<double> supply;                     ///< V, NaN unknown
     std::vector<std::uint8_t> enabled, logged;
+    std::vector<std::size_t> jumps;  ///< ticks with a row after which the reference jumps before the next row
     CommandSource source = CommandSource::none;
     int ticks_per_row = 1;
     bool regular = true;   ///< equal steps
@@ -42,5 +43,8 @@ struct Ticks {
 /// Puts a record on the joint's clock (control.period where it is set and divides the log's step, else the rows
 /// themselves). Rows must be sorted and finite in time and position: see inspect() for what is refused and why.
 Ticks on_clock(const Record& record, const Joint& joint);
+
+/// Lets the reference jump at the given tick (1 … ticks_per_row) after the row of `jumps[which]`.
+void place_jump(Ticks& ticks, std::size_t which, int after);
 
 }  // namespace stickslip::gap

@@ -34,9 +34,12 @@ bool at_floor(const std::vector<Case>& cases, const Attribution& a, const Nomina
               const ParallelFor& parallel)
 {
     if (a.candidate.effects.empty() && nominal.worst <= 1.06) return true;
+    const auto si = a.candidate.effects.empty() ? std::vector<double>{} : in_si(a.candidate, a.x[1], scales);
+    constexpr double mostly = 0.9;
+    if (!a.candidate.effects.empty() && a.explained > mostly && closed_loop_at_floor(cases, a.candidate, si, parallel))
+        return true;
     constexpr double hopeless = 3;  // no joint's own noise does this at the fastest level
     if (worst_at(a, 0) > hopeless) return false;
-    const auto si = a.candidate.effects.empty() ? std::vector<double>{} : in_si(a.candidate, a.x[1], scales);
     return within(spread_of(cases, a.candidate, si, runs, parallel), a.evaluation, levels.size());
 }
 
@@ -50,8 +53,7 @@ void confirm(const std::vector<Case>& cases, std::vector<Attribution>& ranked, c
     std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.score < b.score; });
 }
 
-Decision decide(const std::vector<Attribution>& singles, const std::vector<Attribution>& pairs, const Nominal& nominal,
-                bool floor_documented)
+Decision decide(const std::vector<Attribution>& singles, const std::vector<Attribution>& pairs)
 {
     Decision d;
     const std::vector<Attribution>* from = nullptr;
@@ -73,15 +75,6 @@ Decision decide(const std::vector<Attribution>& singles, const std::vector<Attri
     } else if (best_single && best_single->explained > (divided(*best_single) ? 0.75 : explained_single)) {
         d.winner = best_single;
         from = &singles;
-    }
-    const auto gain = [&](const Attribution& a) { return nominal.score - a.score; };
-    constexpr double worth_naming = 0.2;  // of mean log misfit: a tenth of the RMS
-    if (!d.winner && !floor_documented && best_single && gain(*best_single) > worth_naming) {
-        d.winner = best_single;
-        d.named = true;
-        for (const auto& rival : singles)
-            if (&rival != best_single && gain(rival) > 0.5 * gain(*best_single)) d.ambiguous.push_back(&rival);
-        return d;
     }
     d.named = d.winner != nullptr;
     if (d.named)
@@ -151,7 +144,7 @@ Quality quality_of(const std::vector<Case>& cases, const Attribution& a, const S
     int acts = 0, found = 0;
     Innovation before, after;
     for (const auto& c : cases) {
-        const Plant one = flatten(c.joint), two = flatten(edited(c.joint, a.candidate, si));
+        const Plant one = flatten(c.joint), two = flatten(edited(c.joint, a.candidate, si, c.number));
         predict(one, c.ticks, known_command(one, c.ticks), levels[1], before);
         predict(two, c.ticks, known_command(two, c.ticks), levels[1], after);
         const auto block = static_cast<std::size_t>(std::max(10.0, 1 / c.row_step));
@@ -180,7 +173,7 @@ bool could_have_shown(const std::vector<Case>& cases, const Scales& scales, cons
     std::vector<Candidate> all;
     for (const auto& e : effects())
         for (const auto& f : e.forms) {
-            Candidate c{{&e}, {&f}};
+            Candidate c{{&e}, {&f}, cases.size()};
             if (c.applies(cases[0].joint) && e.name != "backlash" && e.name != "compliance" && e.name != "quantisation")
                 all.push_back(c);
         }

@@ -20,10 +20,7 @@ struct Decision {
 };
 
 /// The named cause, if any, and what this excitation cannot tell from it. Pairs count only where no single is accepted.
-/// Without a documented floor nothing can be told to be noise: a single effect is then named when it takes a good part
-/// of the misfit away and no other takes half as much.
-Decision decide(const std::vector<Attribution>& singles, const std::vector<Attribution>& pairs, const Nominal& nominal,
-                bool floor_documented);
+Decision decide(const std::vector<Attribution>& singles, const std::vector<Attribution>& pairs);
 
 struct Ranked {
     const Attribution* attribution = nullptr;

@@ -13,11 +13,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <memory>
 #include <sstream>
+#include <thread>
 
 namespace stickslip {
 namespace {
@@ -29,6 +32,13 @@ struct Options {
     std::string directory, truth, answers, score;
     int jobs = 1;
     int threads = 0;
+    double timeout = 600;  ///< s a case
+};
+
+struct Running {
+    std::size_t number = 0;
+    std::chrono::steady_clock::time_point since = std::chrono::steady_clock::now();
+    bool stopped = false;
 };
 
 std::string read_text(const fs::path& file)
@@ -79,12 +89,31 @@ pid_t start(const fs::path& sealed, const fs::path& scratch, int threads)
     _exit(127);
 }
 
+Json failed(const std::string& log)
+{
+    return {{"verdict", "failed"}, {"effects", Json::array()}, {"log", log}};
+}
+
+/// Waits for a case to end and gives its process; stops those that take too long.
+pid_t next_done(std::map<pid_t, Running>& running, double timeout)
+{
+    for (;;) {
+        int status = 0;
+        const pid_t done = waitpid(-1, &status, WNOHANG);
+        if (done != 0) return done;
+        const auto now = std::chrono::steady_clock::now();
+        for (auto& [pid, one] : running)
+            if (!one.stopped && std::chrono::duration<double>(now - one.since).count() > timeout)
+                one.stopped = true, kill(pid, SIGKILL);
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+}
+
 /// What answers.json says of one case, from its diagnosis.json.
 Json answer_of(const fs::path& scratch)
 {
     const fs::path file = scratch / "answer" / "diagnosis.json";
-    if (!fs::exists(file))
-        return {{"verdict", "failed"}, {"effects", Json::array()}, {"log", read_text(scratch / "log.txt")}};
+    if (!fs::exists(file)) return failed(fs::exists(scratch / "log.txt") ? read_text(scratch / "log.txt") : "");
     const Json d = Json::parse(read_text(file));
     Json answer{{"verdict", d["verdict"]}, {"effects", Json::array()}, {"probabilities", Json::array()}};
     for (const auto& effect : d["effects"]) {
@@ -101,22 +130,30 @@ int run_cases(const Options& options, Invocation& invocation)
 {
     const auto cases = cases_of(options.directory);
     const fs::path root = fs::temp_directory_path() / fmt::format("stickslip-blind-{}", getpid());
-    std::map<pid_t, std::size_t> running;
+    std::map<pid_t, Running> running;
     std::map<std::string, Json> answers;
     std::size_t next = 0;
     while (next < cases.size() || !running.empty()) {
         while (next < cases.size() && static_cast<int>(running.size()) < std::max(1, options.jobs) &&
                !invocation.interrupted) {
             const auto name = cases[next].filename().string();
-            running[start(cases[next], root / name, options.threads)] = next;
+            try {
+                running[start(cases[next], root / name, options.threads)] = {next};
+            } catch (const std::exception& e) {  // the others are still answered
+                answers[name] = failed(e.what());
+                fmt::print(stderr, "{:>4}/{}  {}  failed  {}\n", answers.size(), cases.size(), name, e.what());
+            }
             ++next;
         }
-        int status = 0;
-        const pid_t done = wait(&status);
+        if (running.empty() && invocation.interrupted) break;
+        if (running.empty()) continue;
+        const pid_t done = next_done(running, options.timeout);
         if (done < 0) break;
-        const auto name = cases[running.at(done)].filename().string();
+        const Running one = running.at(done);
+        const auto name = cases[one.number].filename().string();
         running.erase(done);
-        answers[name] = answer_of(root / name);
+        answers[name] =
+            one.stopped ? failed(fmt::format("stopped after {} s", options.timeout)) : answer_of(root / name);
         fmt::print(stderr, "{:>4}/{}  {}  {}  {}\n", answers.size(), cases.size(), name,
                    answers[name]["verdict"].get<std::string>(),
                    answers[name]["effects"].empty() ? "" : answers[name]["effects"][0].dump());
@@ -129,6 +166,9 @@ int run_cases(const Options& options, Invocation& invocation)
     const fs::path file =
         options.answers.empty() ? fs::path(options.directory) / "answers.json" : fs::path(options.answers);
     std::ofstream(file) << all.dump(2) << "\n";
+    for (const auto& [name, answer] : answers)
+        if (answer["verdict"] == "failed")
+            fmt::print(stderr, "{} failed: {}\n", name, answer.value("log", std::string("no log")));
     fmt::print("answers: {}\n", file.string());
     if (answers.size() < cases.size()) return exit_interrupted;
     if (options.truth.empty()) return exit_done;
@@ -150,6 +190,8 @@ void add_blind(CLI::App& app, Invocation& invocation)
     verb->add_option("--answers", options->answers, "where to write the answers (DIR/answers.json)");
     verb->add_option("--score", options->score, "where to write the score as JSON");
     verb->add_option("--jobs", options->jobs, "cases at once");
+    verb->add_option("--timeout", options->timeout, "seconds after which a case is given up")
+        ->check(CLI::PositiveNumber);
     verb->add_option("--threads", options->threads, "threads of each diagnosis, 0 for all");
     verb->footer("Example: stickslip blind sealed --truth sealed.truth.json");
     verb->callback([options, &invocation] {

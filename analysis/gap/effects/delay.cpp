@@ -1,7 +1,6 @@
 #include "analysis/gap/effects/catalogue.h"
 
-namespace stickslip::gap
-{
+namespace stickslip::gap {
 
 Effect delay()
 {
@@ -18,7 +17,7 @@ Effect delay()
             {"time", Quantity::time, Scale::tick, false, 0, 60, 2, "additional dead time between command and effort"},
         };
         f.apply = [](Joint& j, const double* p) { j.control.delay += p[0]; };
-        f.seeds = {{1.5}, {5.5}};
+        for (int ticks = 0; ticks < 25; ++ticks) f.seeds.push_back({ticks + 0.5});
         e.forms.push_back(f);
     }
     return e;

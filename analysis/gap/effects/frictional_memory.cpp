@@ -1,9 +1,7 @@
 #include "analysis/gap/effects/catalogue.h"
 
-namespace stickslip::gap
-{
-namespace
-{
+namespace stickslip::gap {
+namespace {
 
 void remember(Joint& joint, const double* p, MemoryForm form)
 {

@@ -1,6 +1,5 @@
 #include "analysis/gap/diagnose.h"
 
-#include "analysis/gap/contest.h"
 #include "analysis/gap/experiment.h"
 #include "analysis/gap/heldout.h"
 #include "analysis/gap/inspect.h"
@@ -64,13 +63,6 @@ Cause cause_of(const Work& w, const Attribution& a, double probability)
         }
     }
     return c;
-}
-
-std::string percent(double part)
-{
-    const double rounded = std::round(1000 * part) / 10;
-    std::string text = std::to_string(rounded);
-    return text.substr(0, text.find('.') + 2) + " %";
 }
 
 void describe_data(const std::vector<Case>& cases, Diagnosis& d)
@@ -140,7 +132,6 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
     if (quiet) none.accepted = true;
     std::vector<Attribution> singles, pairs;
     Decision decision;
-    Contest contest;
     if (!quiet) {
         progress("fitting single effects", 0.1);
         const auto fit = [&] {
@@ -161,13 +152,16 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
         const bool floor_documented =
             std::all_of(w.cases.begin(), w.cases.end(), [](const auto& c) { return c.noise_documented; });
         decision = decide(singles, pairs);
-        if (!decision.named && !floor_documented && !singles.empty()) {
-            progress("which cause predicts unseen data best", 0.8);
-            contest = hold_contest(w.cases, w.scales, singles, parallel);
-            if (contest.decided)
-                for (const auto& s : singles)
-                    if (s.candidate.effects[0] == contest.ranked[0].candidate.effects.back())
-                        decision.winner = &s, decision.named = true;
+        // without a documented floor nothing can be told to be noise: what takes a good part of the misfit away is
+        // named, and whatever takes half as much is said to be a rival
+        constexpr double worth_naming = 0.2;  // of mean log misfit: a tenth of the RMS
+        const auto gain = [&](const Attribution& a) { return w.nominal.score - a.score; };
+        if (!decision.named && !floor_documented && !singles.empty() && gain(singles[0]) > worth_naming) {
+            decision.winner = &singles[0];
+            decision.named = true;
+            for (const auto& rival : singles)
+                if (&rival != decision.winner && gain(rival) > 0.5 * gain(singles[0]))
+                    decision.ambiguous.push_back(&rival);
         }
     }
     progress("predicting held-out data", 0.9);
@@ -204,17 +198,6 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
     if (!d.effects.empty() && shown) {
         d.effects[0].heldout_gain = held.gain;
         d.effects[0].heldout_gain_interval = held.gain_interval;
-    }
-    if (contest.decided && shown && !d.effects.empty()) {
-        d.effects[0].heldout_gain = contest.ranked[0].gain;
-        d.effects[0].heldout_gain_interval = contest.ranked[0].spread;
-        const double second = contest.ranked.size() > 1 ? contest.ranked[1].gain : 0;
-        d.reasons.push_back(
-            "no cause reaches the noise; with the joint's own numbers refitted for everybody, this one predicts unseen "
-            "data " +
-            percent(contest.ranked[0].gain) + " better, the next best (" +
-            (contest.ranked.size() > 1 ? std::string(contest.ranked[1].candidate.effects.back()->name) : "none") +
-            ") " + percent(second));
     }
     if (d.verdict == Verdict::unknown)
         d.reasons.push_back(

@@ -15,4 +15,11 @@ Joint design_joint(const Spec& spec)
     return joint;
 }
 
+const Axis* axis_of(const Spec& spec, const std::string& path)
+{
+    for (const auto& axis : spec.axes)
+        if (axis.path == path) return &axis;
+    return nullptr;
+}
+
 }  // namespace stickslip

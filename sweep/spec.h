@@ -114,4 +114,7 @@ struct Spec {
 /// at its middle value.
 Joint design_joint(const Spec& spec);
 
+/// The axis of that path, or nullptr.
+const Axis* axis_of(const Spec& spec, const std::string& path);
+
 }  // namespace stickslip

@@ -18,13 +18,6 @@ constexpr int rays_per_chart = 9;
 constexpr double brackets_allowed = 4;  ///< least tolerance of a point, in widths of its own bracket
 constexpr double finer = 10;            ///< ratio of brackets from which a point counts as refined
 
-const Axis* axis_of(const Spec& spec, const std::string& path)
-{
-    for (const auto& axis : spec.axes)
-        if (axis.path == path) return &axis;
-    return nullptr;
-}
-
 std::string theory_of(BoundaryKind kind)
 {
     switch (kind) {

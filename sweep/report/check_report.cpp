@@ -12,13 +12,6 @@ namespace {
 
 using Tone = Headline::Tone;
 
-const Axis* axis_of(const Spec& spec, const std::string& path)
-{
-    for (const auto& axis : spec.axes)
-        if (axis.path == path) return &axis;
-    return nullptr;
-}
-
 /// One crossing over the rays of a chart: theory and number.
 struct Line {
     LineChart::Line old_line, new_line;

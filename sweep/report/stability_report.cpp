@@ -17,13 +17,6 @@ namespace {
 
 using Tone = Headline::Tone;
 
-const Axis* axis_of(const Spec& spec, const std::string& path)
-{
-    for (const auto& axis : spec.axes)
-        if (axis.path == path) return &axis;
-    return nullptr;
-}
-
 std::string grid_words(const Spec& spec, std::uint64_t points)
 {
     std::string text = grouped(points) + (points == 1 ? " point" : " points");

@@ -3,6 +3,7 @@
 #include "analysis/boundary/boundary.h"
 #include "analysis/joint/parameters.h"
 #include "analysis/simulation/nonlinear.h"
+#include "tests/analysis/boundary/axis.h"
 #include "tests/analysis/simulation/joints.h"
 
 #include <chrono>
@@ -14,15 +15,6 @@ using namespace stickslip;
 namespace {
 
 constexpr int grid_columns = 121;  // of the grid that a sweep would have along x
-
-Axis axis(std::string path, double low, double high, bool log = true)
-{
-    Axis a;
-    a.path = std::move(path);
-    a.log = log;
-    a.values = {low, high};
-    return a;
-}
 
 double seconds_since(std::chrono::steady_clock::time_point start)
 {

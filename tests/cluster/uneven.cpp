@@ -80,9 +80,10 @@ int main(int argc, char** argv)
     std::string where;
     if (cluster.rank() == 0) {
         std::string pattern = (fs::temp_directory_path() / "stickslip-XXXXXX").string();
-        where = mkdtemp(pattern.data());
+        if (mkdtemp(pattern.data())) where = pattern;
     }
     cluster.broadcast(where);
+    if (where.empty()) return 2;
     RunOptions options;
     options.directory = where;
     options.engine.threads = c.threads;

@@ -1,6 +1,7 @@
 // Boundaries of joints, along axes and over charts, against the closed form of (34)-(35) and against each other.
 #include "analysis/boundary/boundary.h"
 #include "analysis/joint/parameters.h"
+#include "tests/analysis/boundary/axis.h"
 #include "tests/analysis/simulation/joints.h"
 
 #include <catch2/catch.hpp>
@@ -8,15 +9,6 @@
 using namespace stickslip;
 
 namespace {
-
-Axis axis(std::string path, double low, double high, bool log = true)
-{
-    Axis a;
-    a.path = std::move(path);
-    a.log = log;
-    a.values = {low, high};
-    return a;
-}
 
 BoundaryRequest of(BoundaryKind kind)
 {

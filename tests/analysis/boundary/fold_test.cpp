@@ -1,6 +1,7 @@
 // Folds of limit cycles against published continuation results, and against plain simulation.
 #include "analysis/boundary/boundary.h"
 #include "analysis/simulation/nonlinear.h"
+#include "tests/analysis/boundary/axis.h"
 #include "tests/analysis/simulation/joints.h"
 
 #include <catch2/catch.hpp>
@@ -8,15 +9,6 @@
 using namespace stickslip;
 
 namespace {
-
-Axis axis(std::string path, double low, double high, bool log = true)
-{
-    Axis a;
-    a.path = std::move(path);
-    a.log = log;
-    a.values = {low, high};
-    return a;
-}
 
 BoundaryRequest folds()
 {

@@ -15,6 +15,7 @@
 
 #include "analysis/stability/verdict.h"
 #include "sweep/engine/run_sweep.h"
+#include "tests/analysis/simulation/joints.h"
 
 using namespace stickslip;
 namespace fs = std::filesystem;
@@ -34,24 +35,6 @@ double peak_memory_mib()
     return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
-/// The reference joint of Dupont (1994), one-state rate-and-state friction.
-Joint reference_joint()
-{
-    Joint joint;
-    joint.mechanism.inertia = 1;
-    joint.control.k_p = 2e4;
-    joint.control.k_v = 10;
-    joint.control.V0 = 1e-3;
-    RateAndState law;
-    law.f0 = 60;
-    law.A = 1;
-    law.B.push_back(1.5);
-    law.L.push_back(1e-5);
-    law.V_star = 1e-3;
-    joint.friction.law = law;
-    return joint;
-}
-
 Axis log_axis(const char* path, Quantity quantity, std::size_t points, double from, double to)
 {
     Axis axis{path, path, path, quantity, true, {}};
@@ -67,7 +50,7 @@ Plan plan_of(double points)
 {
     const auto velocities = static_cast<std::size_t>(points >= 1e6 ? 100 : 10);
     const auto side = static_cast<std::size_t>(std::lround(std::sqrt(points / static_cast<double>(velocities))));
-    return make_plan(reference_joint(),
+    return make_plan(example_joint(2e4, 10, 1e-3),
                      {log_axis("control.V0", Quantity::velocity, velocities, 1e-5, 1e-1),
                       log_axis("control.k_v", Quantity::damping, side, 1e-1, 1e4),
                       log_axis("control.k_p", Quantity::stiffness, side, 1e2, 1e6)},
@@ -79,7 +62,7 @@ template <class PointFunction>
 double bare(const Plan& plan, PointFunction f)
 {
     const EvaluateChunk evaluate = point_by_point(f);
-    PointCursor cursor(reference_joint(), plan.axes);
+    PointCursor cursor(example_joint(2e4, 10, 1e-3), plan.axes);
     std::vector<PointResult> rows(plan.chunk_size);
     const std::uint64_t chunks = std::min<std::uint64_t>(plan.chunks(), 200);
     std::uint64_t points = 0;
@@ -110,7 +93,7 @@ void measure(const char* name, double wanted, PointFunction f, const fs::path& d
     RunOptions options{.directory = directory, .fresh = true};
     options.engine.threads = 1;
     const auto start = Clock::now();
-    const RunReport report = run_sweep(plan, reference_joint(), point_by_point(f), options);
+    const RunReport report = run_sweep(plan, example_joint(2e4, 10, 1e-3), point_by_point(f), options);
     const double whole = since(start);
     const double per_point = 1e9 / static_cast<double>(plan.points);
     std::printf("%-8s %10.0f %6.0f %9.1f %9.1f %9.1f %9.1f %9.1f %10.3f %8.0f\n", name,

@@ -1,6 +1,7 @@
 // Located boundaries against the closed form of (34)-(35).
 #include "analysis/boundary/locate.h"
 #include "analysis/boundary/root.h"
+#include "tests/analysis/simulation/joints.h"
 
 #include <catch2/catch.hpp>
 
@@ -10,21 +11,7 @@ using namespace stickslip;
 
 namespace {
 
-Joint reference_joint()
-{
-    Joint joint;
-    joint.mechanism.inertia = 1;
-    joint.control.k_p = 6e4;
-    joint.control.V0 = 1e-3;
-    RateAndState law;
-    law.f0 = 60;
-    law.A = 1;
-    law.B.push_back(1.5);
-    law.L.push_back(1e-5);
-    law.V_star = 1e-3;
-    joint.friction.law = law;
-    return joint;
-}
+const Joint reference = example_joint(6e4, 0, 1e-3);
 
 /// ((B − A − k_v V_0)/L)(1 + m V_0/(L C)), C = k_v + A/V_0, written out for the reference joint.
 double closed_form(double k_v, double V0)
@@ -45,7 +32,7 @@ Axis axis(std::string path, double low, double high, int points)
 /// The reference contact on the link of two masses.
 Joint two_masses()
 {
-    Joint joint = reference_joint();
+    Joint joint = reference;
     joint.mechanism.model = Model::two_mass;
     joint.mechanism.motor_inertia = 0.5;
     joint.mechanism.link_inertia = 1;
@@ -72,7 +59,7 @@ TEST_CASE("a bracketed root is found to its precision", "[boundary]")
 TEST_CASE("the gain boundary on a ray is the closed form over twelve orders of V_0", "[boundary]")
 {
     for (double V0 = 1e-9; V0 < 2e-2; V0 *= 3.7) {
-        Joint joint = reference_joint();
+        Joint joint = reference;
         joint.control.V0 = V0;
         const auto found = locate_on_ray(joint, "control.k_p", 1, 1e9, true, Curve::Kind::state_variable);
         REQUIRE(found.size() == 1);
@@ -84,15 +71,15 @@ TEST_CASE("the gain boundary on a ray is the closed form over twelve orders of V
 
 TEST_CASE("the velocity-only boundary on a ray is (B - A)/V_0", "[boundary]")
 {
-    const auto found = locate_on_ray(reference_joint(), "control.k_v", 1, 1e5, true, Curve::Kind::velocity_only);
+    const auto found = locate_on_ray(reference, "control.k_v", 1, 1e5, true, Curve::Kind::velocity_only);
     REQUIRE(found.size() == 1);
     CHECK(found[0].value == Approx(500).epsilon(1e-11));
 }
 
 TEST_CASE("every point of a chart's curve lies on the closed form, in one piece", "[boundary]")
 {
-    const auto curve = locate_over_chart(reference_joint(), axis("control.k_p", 1e3, 1e6, 20),
-                                         axis("control.k_v", 1, 1e3, 20), Curve::Kind::state_variable);
+    const auto curve = locate_over_chart(reference, axis("control.k_p", 1e3, 1e6, 20), axis("control.k_v", 1, 1e3, 20),
+                                         Curve::Kind::state_variable);
     REQUIRE(curve.x.size() > 100);
     std::set<double> gains;
     for (std::size_t i = 0; i < curve.x.size(); ++i) {
@@ -108,7 +95,7 @@ TEST_CASE("every point of a chart's curve lies on the closed form, in one piece"
 TEST_CASE("a closed boundary comes back to its start", "[boundary]")
 {
     // f_ss falls only around the Stribeck velocity: over (V_0, c2) the unstable set is a tongue, over (V_0, k_v) a bump
-    Joint joint = reference_joint();
+    Joint joint = reference;
     joint.friction.law = Stribeck{10, 5, 4, 1e-2, 2};
     const auto bump = locate_over_chart(joint, axis("control.V0", 1e-4, 1e-1, 30), axis("control.k_v", 1, 1e3, 30),
                                         Curve::Kind::velocity_only);
@@ -121,11 +108,10 @@ TEST_CASE("a closed boundary comes back to its start", "[boundary]")
 
 TEST_CASE("a margin is the distance to the nearest boundary", "[boundary]")
 {
-    const auto k_p = margin_along(reference_joint(), axis("control.k_p", 1e3, 1e6, 20));
+    const auto k_p = margin_along(reference, axis("control.k_p", 1e3, 1e6, 20));
     REQUIRE(k_p.found);
     CHECK(k_p.boundary == Approx(55000).epsilon(1e-9));
-    const auto f0 =
-        margin_along(reference_joint(), axis("friction.f0", 1, 100, 20));  // f_0 drops out of the linear theory
+    const auto f0 = margin_along(reference, axis("friction.f0", 1, 100, 20));  // f_0 drops out of the linear theory
     CHECK_FALSE(f0.found);
 }
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/joint/joint.h"
 #include "sweep/engine/plan.h"
 #include "sweep/engine/run_sweep.h"
+#include "tests/analysis/simulation/joints.h"
 
 namespace sample {
 
@@ -35,19 +35,7 @@ class TemporaryDirectory {
 
 inline Joint joint()
 {
-    Joint joint;
-    joint.mechanism.inertia = 1;
-    joint.control.k_p = 2e4;
-    joint.control.k_v = 10;
-    joint.control.V0 = 1e-3;
-    RateAndState law;
-    law.f0 = 60;
-    law.A = 1;
-    law.B.push_back(1.5);
-    law.L.push_back(1e-5);
-    law.V_star = 1e-3;
-    joint.friction.law = law;
-    return joint;
+    return example_joint(2e4, 10, 1e-3);
 }
 
 inline Axis axis(const std::string& path, std::size_t points, double from, double to,

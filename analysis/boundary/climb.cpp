@@ -1,7 +1,9 @@
 #include "analysis/boundary/climb.h"
 
+#include "analysis/boundary/optimise.h"
+
 #include <algorithm>
-#include <nlopt.hpp>
+#include <limits>
 
 namespace stickslip {
 namespace {
@@ -9,27 +11,14 @@ namespace {
 constexpr int climb_evaluations = 60;
 constexpr double climb_precision = 1e-3;  ///< of the reach, where the search ends if it stays positive
 
-using Measure = std::function<double(const std::vector<double>&)>;
-
-double call(const std::vector<double>& x, std::vector<double>&, void* data)
+std::vector<double> lowest(const Objective& measure, std::vector<double> start, const Bounds& bounds)
 {
-    const double value = (*static_cast<const Measure*>(data))(x);
-    return std::isnan(value) ? HUGE_VAL : value;
-}
-
-std::vector<double> lowest(const Measure& measure, std::vector<double> x, const std::vector<double>& low,
-                           const std::vector<double>& high, double& value)
-{
-    nlopt::opt search(nlopt::LN_SBPLX, static_cast<unsigned>(x.size()));
-    search.set_min_objective(call, const_cast<Measure*>(&measure));
-    search.set_lower_bounds(low);
-    search.set_upper_bounds(high);
-    search.set_initial_step(0.25 * (high[0] - low[0]));
-    search.set_xtol_abs(climb_precision * (high[0] - low[0]));
-    search.set_stopval(-1e-300);
-    search.set_maxeval(climb_evaluations);
-    search.optimize(x, value);
-    return x;
+    const double width = bounds.high[0] - bounds.low[0];
+    Minimisation search{SearchMethod::subplex, bounds, std::vector<double>(start.size(), 0.25 * width),
+                        climb_evaluations};
+    search.xtol_abs = climb_precision * width;
+    search.stop_below = -1e-300;
+    return minimum(search, measure, std::move(start));
 }
 
 }  // namespace
@@ -38,20 +27,21 @@ Climb climb_to_zero(const std::function<double(UnitPoint)>& measure, UnitPoint s
 {
     const auto low = [&](double u) { return std::max(0.0, u - reach); };
     const auto high = [&](double u) { return std::min(1.0, u + reach); };
-    Climb best;
-    const auto x = lowest(
-        [&](const std::vector<double>& p) {
-            return measure({p[0], p[1]});
+    Climb best{start, std::numeric_limits<double>::infinity()};
+    lowest(
+        [&](const std::vector<double>& x) {
+            const UnitPoint p{x[0], x[1]};
+            const double value = measure(p);
+            if (value < best.value) best = {p, value};
+            return value;
         },
-        {start.u, start.v}, {low(start.u), low(start.v)}, {high(start.u), high(start.v)}, best.value);
-    best.p = {x[0], x[1]};
+        {start.u, start.v}, {{low(start.u), low(start.v)}, {high(start.u), high(start.v)}});
     return best;
 }
 
 double climb_to_zero(const std::function<double(double)>& measure, double start, double low, double high)
 {
-    double value = 0;
-    return lowest([&](const std::vector<double>& p) { return measure(p[0]); }, {start}, {low}, {high}, value)[0];
+    return lowest([&](const std::vector<double>& x) { return measure(x[0]); }, {start}, {{low}, {high}})[0];
 }
 
 }  // namespace stickslip

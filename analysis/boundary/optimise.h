@@ -1,5 +1,6 @@
 // NLopt behind plain functions: where a function of several variables is least. Deterministic methods only.
 #pragma once
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -11,6 +12,22 @@ struct Bounds {
 
 /// NaN counts as infinitely large.
 using Objective = std::function<double(const std::vector<double>&)>;
+
+enum class SearchMethod { direct, subplex, simplex, constrained };  ///< DIRECT-L, SBPLX, Nelder-Mead, COBYLA
+
+/// One run of one method, and where it ends. A tolerance of 0 does not end it.
+struct Minimisation {
+    SearchMethod method = SearchMethod::subplex;
+    Bounds bounds;
+    std::vector<double> first_step;  ///< of each variable; empty: the method's own
+    int evaluations = 0;
+    double xtol_rel = 0, xtol_abs = 0, ftol_rel = 0, ftol_abs = 0;
+    double stop_below = -HUGE_VAL;
+    std::vector<Objective> constraints;  ///< g ≤ 0, of the constrained method
+};
+
+/// The best point that a run finds from `start`; one that ends by rounding or at its limit of work has found one too.
+std::vector<double> minimum(const Minimisation& search, const Objective& objective, std::vector<double> start);
 
 /// DIRECT-L over the whole box, without derivatives.
 std::vector<double> global_minimum(const Objective& objective, const Bounds& bounds, int evaluations);

@@ -1,8 +1,9 @@
 #include "analysis/gap/fit.h"
 
+#include "analysis/boundary/optimise.h"
+
 #include <algorithm>
 #include <cmath>
-#include <nlopt.hpp>
 
 namespace stickslip::gap {
 namespace {
@@ -208,45 +209,28 @@ LevelFit search_rough(const std::vector<Case>& cases, const Candidate& candidate
 {
     LevelFit fit;
     const auto n = static_cast<Eigen::Index>(candidate.parameter_count());
-    struct Problem {
-        const std::vector<Case>& cases;
-        const Candidate& candidate;
-        const Scales& scales;
-        double omega;
-        int count;
-    } problem{cases, candidate, scales, omega, 0};
-    const auto objective = [](unsigned dimension, const double* values, double*, void* data) {
-        auto& p = *static_cast<Problem*>(data);
-        ++p.count;
-        const Eigen::VectorXd at = Eigen::Map<const Eigen::VectorXd>(values, dimension);
-        return evaluate(p.cases, p.candidate, in_si(p.candidate, at, p.scales), p.omega).objective;
+    int count = 0;
+    const auto objective = [&](const std::vector<double>& values) {
+        ++count;
+        const Eigen::VectorXd at = Eigen::Map<const Eigen::VectorXd>(values.data(), n);
+        return evaluate(cases, candidate, in_si(candidate, at, scales), omega).objective;
     };
-    nlopt::opt optimiser(nlopt::LN_NELDERMEAD, static_cast<unsigned>(n));
-    std::vector<double> low, high, first, start;
+    Minimisation rough{SearchMethod::simplex, {}, {}, evaluations};
+    rough.ftol_rel = 1e-4;
+    std::vector<double> start;
     x = bounded(candidate, std::move(x));
     for (Eigen::Index i = 0; i < n; ++i) {
         const auto& p = candidate.parameter(static_cast<std::size_t>(i));
-        low.push_back(p.logarithmic ? std::log(p.low) : p.low);
-        high.push_back(p.logarithmic ? std::log(p.high) : p.high);
-        first.push_back(p.logarithmic ? 0.3 : 0.3 * std::max(0.1, std::abs(p.prior)));
+        rough.bounds.low.push_back(p.logarithmic ? std::log(p.low) : p.low);
+        rough.bounds.high.push_back(p.logarithmic ? std::log(p.high) : p.high);
+        rough.first_step.push_back(p.logarithmic ? 0.3 : 0.3 * std::max(0.1, std::abs(p.prior)));
         start.push_back(x[i]);
     }
-    optimiser.set_min_objective(objective, &problem);
-    optimiser.set_lower_bounds(low);
-    optimiser.set_upper_bounds(high);
-    optimiser.set_initial_step(first);
-    optimiser.set_maxeval(evaluations);
-    optimiser.set_ftol_rel(1e-4);
-    double best = 0;
-    try {
-        optimiser.optimize(start, best);
-    } catch (const nlopt::roundoff_limited&) {
-        // the point reached so far is in `start`
-    }
+    start = minimum(rough, objective, std::move(start));
     fit.x = Eigen::Map<const Eigen::VectorXd>(start.data(), n);
     fit.evaluation = evaluate(cases, candidate, in_si(candidate, fit.x, scales), omega);
     fit.information = Eigen::MatrixXd::Zero(n, n);
-    fit.evaluations = problem.count + 1;
+    fit.evaluations = count + 1;
     return fit;
 }
 

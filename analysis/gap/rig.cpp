@@ -1,10 +1,10 @@
 #include "analysis/gap/rig.h"
 
+#include "analysis/boundary/optimise.h"
 #include "analysis/gap/prepare.h"
 
 #include <algorithm>
 #include <cmath>
-#include <nlopt.hpp>
 #include <stdexcept>
 
 namespace stickslip::gap {
@@ -166,11 +166,6 @@ struct Fit {
 
 Fit search(const Rig& rig, const Rival& rival, int fold, std::vector<double> from, int evaluations)
 {
-    struct Problem {
-        const Rig& rig;
-        Law law;
-        int fold;
-    } problem{rig, rival.law, fold};
     Fit fit;
     if (rival.law == Law::level) {
         fit.x = from;
@@ -178,26 +173,14 @@ Fit search(const Rig& rig, const Rival& rival, int fold, std::vector<double> fro
         fit.square = square_of(rig, force_of(rig, rival.law, fit.p), fold, false);
         return fit;
     }
-    nlopt::opt optimiser(nlopt::LN_NELDERMEAD, static_cast<unsigned>(from.size()));
-    optimiser.set_min_objective(
-        [](unsigned n, const double* x, double*, void* data) {
-            const auto& p = *static_cast<Problem*>(data);
-            const auto numbers = numbers_of(p.rig, p.law, std::vector<double>(x, x + n));
-            return std::log(square_of(p.rig, force_of(p.rig, p.law, numbers), p.fold, false));
-        },
-        &problem);
     constexpr double widest = 12;
-    optimiser.set_lower_bounds(-widest);
-    optimiser.set_upper_bounds(widest);
-    optimiser.set_initial_step(0.4);
-    optimiser.set_maxeval(evaluations);
-    optimiser.set_ftol_abs(1e-5);
-    double least = 0;
-    try {
-        optimiser.optimize(from, least);
-    } catch (const nlopt::roundoff_limited&) {
-        // the point reached so far is in `from`
-    }
+    const auto all = [&](double value) { return std::vector<double>(from.size(), value); };
+    Minimisation simplex{SearchMethod::simplex, {all(-widest), all(widest)}, all(0.4), evaluations};
+    simplex.ftol_abs = 1e-5;
+    const auto objective = [&](const std::vector<double>& x) {
+        return std::log(square_of(rig, force_of(rig, rival.law, numbers_of(rig, rival.law, x)), fold, false));
+    };
+    from = minimum(simplex, objective, std::move(from));
     fit.x = from;
     fit.p = numbers_of(rig, rival.law, from);
     fit.square = square_of(rig, force_of(rig, rival.law, fit.p), fold, false);

@@ -13,7 +13,9 @@
 #include <vtkXMLDataElement.h>
 
 #include <cmath>
+#include <map>
 #include <sstream>
+#include <tuple>
 
 namespace stickslip::drawing {
 namespace {
@@ -108,15 +110,22 @@ struct Canvas::Device {
         context->ApplyTextProp(letters);
     }
 
+    double measured(const std::string& text, double size, bool bold)
+    {
+        use(size, bold, {}, 0);
+        float box[4];
+        context->ComputeStringBounds(text.c_str(), box);
+        return box[2] / units;
+    }
+
     /// How far the pen moves. Measured between two letters, because the box of a text leaves out spaces at its ends.
     double advance(const std::string& text, double size, bool bold)
     {
-        use(size, bold, {}, 0);
-        float with[4], without[4];
-        context->ComputeStringBounds(("x" + text + "x").c_str(), with);
-        context->ComputeStringBounds("xx", without);
-        return (with[2] - without[2]) / units;
+        const auto [known, fresh] = advances.try_emplace({text, size, bold}, 0.0);
+        if (fresh) known->second = measured("x" + text + "x", size, bold) - measured("xx", size, bold);
+        return known->second;
     }
+    std::map<std::tuple<std::string, double, bool>, double> advances;  // layouts ask for the same words many times
 
     int classed_from = 0;
 

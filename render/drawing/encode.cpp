@@ -1,30 +1,26 @@
 #include "render/drawing/encode.h"
 
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGWriter.h>
-#include <vtkUnsignedCharArray.h>
+#include <png.h>
 
-#include <algorithm>
+#include <stdexcept>
 
 namespace stickslip::drawing {
 
 std::string png(const Raster& raster)
 {
-    vtkNew<vtkImageData> image;
-    image->SetDimensions(raster.width, raster.height, 1);
-    image->AllocateScalars(VTK_UNSIGNED_CHAR, raster.channels);
-    auto* target = static_cast<std::uint8_t*>(image->GetScalarPointer());
-    const auto row = static_cast<std::size_t>(raster.width) * raster.channels;
-    for (int y = 0; y < raster.height; ++y)  // VTK's first row is the lowest
-        std::copy_n(raster.pixels.begin() + y * row, row, target + (raster.height - 1 - y) * row);
-    vtkNew<vtkPNGWriter> writer;
-    writer->SetCompressionLevel(6);
-    writer->WriteToMemoryOn();
-    writer->SetInputData(image);
-    writer->Write();
-    auto* bytes = writer->GetResult();
-    return {reinterpret_cast<const char*>(bytes->GetPointer(0)), static_cast<std::size_t>(bytes->GetNumberOfValues())};
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = static_cast<png_uint_32>(raster.width);
+    image.height = static_cast<png_uint_32>(raster.height);
+    image.format = raster.channels == 4 ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
+    // Neither filters nor a long search: areas of one colour shrink as well, in a fifth of the time.
+    image.flags = PNG_IMAGE_FLAG_FAST;
+    std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(image), '\0');
+    png_alloc_size_t size = bytes.size();
+    if (!png_image_write_to_memory(&image, bytes.data(), &size, 0, raster.pixels.data(), 0, nullptr))
+        throw std::runtime_error(std::string("a picture could not be encoded: ") + image.message);
+    bytes.resize(size);
+    return bytes;
 }
 
 std::string base64(std::string_view bytes)

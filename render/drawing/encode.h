@@ -13,7 +13,7 @@ struct Raster {
     std::vector<std::uint8_t> pixels;
 };
 
-/// Compressed PNG bytes of a raster. Draws on VTK: call it under the drawing lock.
+/// Compressed PNG bytes of a raster. Throws std::runtime_error where the encoder fails.
 std::string png(const Raster& raster);
 
 /// RFC 4648 base64 with padding.

@@ -1,4 +1,5 @@
 // SVG to PNG, by librsvg: the same picture as pixels, for slides and papers that take no SVG.
+#include "render/drawing/encode.h"
 #include "render/render.h"
 
 #include <cairo.h>
@@ -17,10 +18,22 @@ struct Freed {
     void operator()(Thing* thing) const { Free(thing); }
 };
 
-cairo_status_t append(void* bytes, const unsigned char* data, unsigned int size)
+/// Cairo's pixels are blue, green, red and nothing, from the top.
+drawing::Raster raster_of(cairo_surface_t* surface)
 {
-    static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), size);
-    return CAIRO_STATUS_SUCCESS;
+    cairo_surface_flush(surface);
+    drawing::Raster raster{cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), 3, {}};
+    const auto pixels = static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height);
+    raster.pixels.resize(3 * pixels);
+    const unsigned char* from = cairo_image_surface_get_data(surface);
+    const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface));
+    std::uint8_t* to = raster.pixels.data();
+    for (int y = 0; y < raster.height; ++y, from += stride)
+        for (int x = 0; x < raster.width; ++x, to += 3) {
+            const unsigned char* p = from + 4 * x;
+            to[0] = p[2], to[1] = p[1], to[2] = p[0];
+        }
+    return raster;
 }
 
 void release(RsvgHandle* handle)
@@ -46,11 +59,10 @@ std::string png(const RenderedFigure& figure)
         cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width), static_cast<int>(height)));
     const std::unique_ptr<cairo_t, Freed<cairo_t, cairo_destroy>> pen(cairo_create(surface.get()));
     const RsvgRectangle page{0, 0, width, height};
-    std::string bytes;
     if (!rsvg_handle_render_document(handle.get(), pen.get(), &page, nullptr) ||
-        cairo_surface_write_to_png_stream(surface.get(), append, &bytes) != CAIRO_STATUS_SUCCESS)
+        cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
         throw std::runtime_error("a picture could not be turned into pixels");
-    return bytes;
+    return drawing::png(raster_of(surface.get()));
 }
 
 }  // namespace stickslip

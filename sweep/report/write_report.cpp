@@ -3,7 +3,7 @@
 #include "render/render.h"
 #include "sweep/files/joint_file.h"
 
-#include <tbb/parallel_for.h>
+#include <tbb/task_group.h>
 
 #include <fstream>
 #include <system_error>
@@ -26,20 +26,25 @@ void write_whole(const std::filesystem::path& file, const std::string& bytes)
 
 std::filesystem::path write_report(const Report& report, const std::filesystem::path& directory)
 {
-    const auto figures = render(report);
-    std::vector<std::string> pixels(figures.size());
-    tbb::parallel_for(std::size_t{0}, figures.size(), [&](std::size_t i) { pixels[i] = png(figures[i]); });
     const auto charts = directory / "charts";
     std::filesystem::create_directories(charts);
+    std::size_t count = 0;
+    for (const auto& section : report.sections) count += section.figures.size();
+    std::vector<RenderedFigure> figures(count);  // of fixed size: the tasks below hold references into it
+    tbb::task_group files;
     std::size_t i = 0;
+    // Drawing takes turns; pixels and files of a drawn picture are made while the next one is drawn.
     for (const auto& section : report.sections)
         for (const auto& figure : section.figures) {
-            const auto& rendered = figures[i];
-            if (!pixels[i].empty()) write_whole(charts / (figure.id + ".png"), pixels[i]);
+            figures[i] = render(figure);
+            files.run([&charts, &rendered = figures[i], &id = figure.id] {
+                if (!rendered.svg.empty()) write_whole(charts / (id + ".png"), png(rendered));
+                if (!rendered.svg.empty()) write_whole(charts / (id + ".svg"), rendered.svg);
+                if (!rendered.csv.empty()) write_whole(charts / (id + ".csv"), rendered.csv);
+            });
             ++i;
-            if (!rendered.svg.empty()) write_whole(charts / (figure.id + ".svg"), rendered.svg);
-            if (!rendered.csv.empty()) write_whole(charts / (figure.id + ".csv"), rendered.csv);
         }
+    files.wait();
     const auto file = directory / "report.html";
     write_whole(file, page(report, figures));
     return file;

@@ -1,9 +1,6 @@
 #include "render/drawing/encode.h"
-#include "render/drawing/canvas.h"
 
 #include <catch2/catch.hpp>
-
-#include <mutex>
 
 using namespace stickslip::drawing;
 
@@ -22,7 +19,6 @@ TEST_CASE("base64 gives the test vectors of RFC 4648", "[encode]")
 
 TEST_CASE("a raster becomes a PNG of its size and kind", "[encode]")
 {
-    const std::scoped_lock turn(drawing_mutex());
     for (const int channels : {3, 4}) {
         const Raster raster{300, 2, channels, std::vector<std::uint8_t>(static_cast<std::size_t>(600 * channels), 77)};
         const std::string bytes = png(raster);

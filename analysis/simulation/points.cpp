@@ -22,7 +22,12 @@ void nonlinear_points(std::span<const Joint> joints, const NonlinearOptions& opt
 {
     std::vector<std::size_t> left_over;
     lanes::answer(joints, options, points, left_over);
-    for (const auto i : left_over) write_nonlinear(nonlinear_verdict(joints[i], options), points[i]);
+    for (const auto i : left_over) {
+        // lanes count from steady sliding and measure small growth better, even where they do not find the end
+        const double measured = points[i].growth_rate;
+        write_nonlinear(nonlinear_verdict(joints[i], options), points[i]);
+        if (is_set(measured)) points[i].growth_rate = measured;
+    }
 }
 
 }  // namespace stickslip

@@ -93,9 +93,9 @@ Job job(const Groups& g, bool search)
 
 bool write(const Answer& a, const Scaled& s, const Job& job, bool searched, PointResult& point)
 {
+    point.growth_rate = a.growth * s.velocity / s.length;
     if (a.ending == Ending::left_over) return false;
     point.path = DecisionPath::lanes;
-    point.growth_rate = a.growth * s.velocity / s.length;
     point.overshoot = small_disturbance / job.magnitude * s.length / std::abs(s.deflection);
     const bool decays = a.ending != Ending::cycle;
     const bool cycle = a.ending != Ending::decays;

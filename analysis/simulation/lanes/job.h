@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "analysis/results/point.h"
+
 namespace stickslip::lanes {
 
 /// The one-state slip law on a single mass depends on four numbers only. With X = x/L, w = ln(V/V_0),
@@ -42,7 +44,7 @@ enum class Ending : std::uint8_t {
 
 struct Answer {
     Ending ending = Ending::left_over;
-    double growth = 0;            ///< per unit of time
+    double growth = missing;      ///< per unit of time
     double w_min = 0, w_max = 0;  ///< of the cycle, like all that follows
     double x_min = 0, x_max = 0;
     double period = 0;

@@ -123,6 +123,6 @@ TEST_CASE("what lanes do not cover falls to the reference and says so", "[lanes]
 // more of them, with figures: benchmark_simulation_accuracy
 TEST_CASE("lanes against CVODE at rtol 1e-11: random joints", "[lanes]")
 {
-    check_against_cvode(50, 21, false);
-    check_against_cvode(40, 22, true);
+    check_against_cvode(30, 21, false);
+    check_against_cvode(15, 22, true);
 }

@@ -28,6 +28,37 @@ std::string range(const std::vector<double>& values, Quantity quantity, Motion m
     return "between " + with_unit(*low, quantity, motion) + " and " + with_unit(*high, quantity, motion);
 }
 
+const Friction& link_friction(const Joint& joint)
+{
+    return joint.mechanism.model == Model::single_mass ? joint.friction : joint.frictions.link;
+}
+
+/// f_ss between the least and the largest velocity, on both sides of rest where the motion reverses.
+LineChart::Line steady_curve(const Joint& joint, double low, double high)
+{
+    constexpr int points = 240;
+    const auto& friction = link_friction(joint);
+    const double from = info(friction.law).needs_motion ? std::max(low, 1e-3 * high) : low;
+    LineChart::Line line{"steady sliding f_{ss}(V)", {}, {}, true};
+    for (int i = 0; i <= points; ++i) {
+        const double V = from + (high - from) * i / points;
+        if (V == 0) continue;
+        line.x.push_back(V);
+        line.y.push_back(steady_force(friction, V));
+    }
+    return line;
+}
+
+/// The velocity loop of what the motion has settled to, over the curve that friction without memory would follow.
+std::vector<LineChart::Line> friction_loop(const Joint& joint, const Trajectory& t)
+{
+    constexpr double still = 1e-3;  // per commanded velocity: a motion that has settled has no loop
+    std::vector<LineChart::Line> lines{{"last third", settled(t, t.velocity), settled(t, t.friction)}};
+    const auto [low, high] = std::minmax_element(lines[0].x.begin(), lines[0].x.end());
+    if (*high - *low > still * t.commanded_velocity) lines.push_back(steady_curve(joint, *low, *high));
+    return lines;
+}
+
 Figure line_figure(const char* id, LineChart chart, std::string caption, std::string finding)
 {
     Figure figure;
@@ -50,7 +81,7 @@ LineChart chart_of(const char* title, std::string x_label, std::string y_label, 
 
 }  // namespace
 
-Report trajectory_report(const Joint& joint, const Trajectory& t)
+Report trajectory_report(const Joint& joint, const Trajectory& t, const NonlinearVerdict& verdict)
 {
     const auto motion = joint.mechanism.motion;
     const auto time = label("time t", Quantity::time, motion),
@@ -59,8 +90,10 @@ Report trajectory_report(const Joint& joint, const Trajectory& t)
                friction = label("friction f", Quantity::effort, motion);
     Report report;
     report.title = "One motion of the joint";
-    report.subtitle = std::string(info(joint.friction.law).name) +
-                      " friction · V_{0} = " + with_unit(t.commanded_velocity, Quantity::velocity, motion);
+    report.subtitle = std::string(info(link_friction(joint).law).name) +
+                      " friction · V_{0} = " + with_unit(t.commanded_velocity, Quantity::velocity, motion) +
+                      " · k_{p} = " + with_unit(joint.control.k_p, Quantity::stiffness, motion) +
+                      " · k_{v} = " + with_unit(joint.control.k_v, Quantity::damping, motion);
     if (t.time.empty()) {
         report.verdict = "No motion: " + reason_text(t.reason) + ".";
         report.tone = Headline::Tone::warning;
@@ -89,12 +122,12 @@ Report trajectory_report(const Joint& joint, const Trajectory& t)
                     "Velocity over excess position; solid is what the motion has settled to.",
                     "Velocity over excess position; the last third encloses velocities " + last_third + "."));
     section.figures.push_back(line_figure(
-        "loop",
-        chart_of("Friction over velocity", velocity, friction,
-                 {{"last third", settled(t, t.velocity), settled(t, t.friction)}}),
-        "Friction against velocity: a loop shows that friction remembers.",
+        "loop", chart_of("Friction over velocity", velocity, friction, friction_loop(joint, t)),
+        "Friction against velocity. Where the motion leaves the dashed curve of steady sliding, friction remembers or "
+        "holds the joint at rest.",
         "In the last third friction stays " + range(settled(t, t.friction), Quantity::effort, motion) + "."));
     report.sections.push_back(std::move(section));
+    report.sections.push_back({"outcome", "Where this disturbance ends", "", {}, {nonlinear_table(joint, verdict)}});
     return report;
 }
 

@@ -3,9 +3,11 @@
 #include "analysis/joint/joint.h"
 #include "analysis/results/report.h"
 #include "analysis/results/trajectory.h"
+#include "analysis/simulation/nonlinear.h"
 
 namespace stickslip {
 
-Report trajectory_report(const Joint& joint, const Trajectory& trajectory);
+/// `verdict` is where the same disturbance ends; it stands beside the motion as a table.
+Report trajectory_report(const Joint& joint, const Trajectory& trajectory, const NonlinearVerdict& verdict);
 
 }  // namespace stickslip

@@ -66,7 +66,7 @@ Table nonlinear_table(const Joint& joint, const NonlinearVerdict& v)
 {
     const auto motion = joint.mechanism.motion;
     Table table;
-    table.title = "The nonlinear joint at the design point";
+    table.title = "The nonlinear joint";
     table.columns = {"quantity", "value"};
     table.rows.push_back({"outcome", std::string(code_name("outcome", static_cast<std::uint8_t>(v.outcome)))});
     if (v.reason != Reason::none) table.rows.push_back({"because", reason_text(v.reason)});

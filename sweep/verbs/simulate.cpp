@@ -1,5 +1,6 @@
 // stickslip simulate: one motion of one joint, as numbers and pictures.
 #include "analysis/simulation/simulate.h"
+#include "analysis/simulation/nonlinear.h"
 
 #include "sweep/files/joint_file.h"
 #include "sweep/program.h"
@@ -50,7 +51,10 @@ int simulate_joint(const Options& options)
     simulation.duration = options.duration;
     simulation.rtol = options.tolerance;
     const auto trajectory = simulate(joint, simulation);
-    const auto report = trajectory_report(joint, trajectory);
+    NonlinearOptions outcome;
+    outcome.disturbance = simulation.disturbance;
+    outcome.rtol = simulation.rtol;
+    const auto report = trajectory_report(joint, trajectory, nonlinear_verdict(joint, outcome));
     fmt::print("{}\n", plain_text(report.verdict));
     if (trajectory.time.empty()) return exit_undecided;
     fmt::print("trajectory: {}\n", write_trajectory(joint, trajectory, options.directory).string());

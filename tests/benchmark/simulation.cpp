@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <source_location>
 #include <string>
 #include <thread>
 #include <vector>
@@ -95,9 +94,8 @@ double lane_rate(const std::vector<lanes::Job>& jobs, std::vector<lanes::Answer>
 /// CPU points per second of SciPy's LSODA, 0 where SciPy is not there.
 double lsoda_rate(const std::string& stride, std::string& note)
 {
-    const std::string here = std::source_location::current().file_name();
-    const std::string script = here.substr(0, here.rfind('/') + 1) + "simulation_lsoda.py";
-    const std::string command = "OPENBLAS_NUM_THREADS=1 /usr/bin/python3 " + script + " " + stride;
+    const std::string script = SOURCE_ROOT "/tests/benchmark/simulation_lsoda.py";
+    const std::string command = "OPENBLAS_NUM_THREADS=1 python3 " + script + " " + stride;
     FILE* pipe = popen((command + " 2>/dev/null").c_str(), "r");
     double seconds = 0;
     int count = 0, failed = 0, oscillating = 0;

@@ -8,6 +8,9 @@
 #include <thread>
 
 #include "analysis/stability/verdict.h"
+#include "sweep/embedded.h"
+#include "sweep/engine/cursor.h"
+#include "sweep/files/spec_file.h"
 #include "tests/analysis/simulation/lanes_comparison.h"
 
 namespace {
@@ -99,14 +102,53 @@ std::vector<Compared> on_two_threads(const std::vector<Joint>& joints, bool regi
     return compared;
 }
 
+/// The map of the embedded example, every point followed: measured growth against the spectrum.
+bool default_map()
+{
+    constexpr std::size_t chunk = 4096;
+    constexpr double neutral = 1e-6;  // per |s|: closer to the boundary the spectrum decides
+    const Spec spec = read_spec_text(embedded_spec(), "(embedded example)");
+    PointCursor cursor(design_joint(spec), spec.axes);
+    NonlinearOptions options;
+    options.region = false;
+    double worst = 0;
+    std::size_t measured = 0, cycles = 0, wrong = 0, undecided = 0;
+    std::vector<Joint> joints;
+    std::vector<PointResult> rows;
+    for (std::uint64_t next = 0; next < spec.points();) {
+        joints.clear(), rows.clear();
+        for (; next < spec.points() && joints.size() < chunk; ++next, cursor.advance()) {
+            joints.push_back(cursor.joint());
+            rows.push_back(linear_point(joints.back()));
+        }
+        nonlinear_points(joints, options, rows);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const auto& r = rows[i];
+            undecided += r.outcome == Outcome::undecided || r.outcome == Outcome::solver_failure;
+            cycles += std::isfinite(r.period);
+            wrong += (r.outcome == Outcome::stable_sliding) != (r.spectral_abscissa < 0);
+            const auto scale = std::sqrt(joints[i].control.k_p / joints[i].mechanism.inertia);
+            if (std::abs(r.spectral_abscissa) < neutral * scale) continue;
+            ++measured;
+            worst = std::max(worst, relative_error(r.growth_rate, r.spectral_abscissa));
+        }
+    }
+    std::printf(
+        "embedded example: %llu points, %zu cycles, %zu undecided, %zu against the spectrum's sign; growth of %zu "
+        "against the spectrum: largest error %.3g\n",
+        static_cast<unsigned long long>(spec.points()), cycles, undecided, wrong, measured, worst);
+    return worst < growth_bound && wrong == 0 && undecided == 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
 {
     const std::size_t count = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 2200;
     const unsigned seed = argc > 2 ? static_cast<unsigned>(std::strtoul(argv[2], nullptr, 10)) : 31;
+    std::setvbuf(stdout, nullptr, _IOLBF, 0);
     std::printf("seed %u\n", seed);
-    bool good = true;
+    bool good = default_map();
     for (const bool region : {false, true}) {
         const auto joints = random_joints(count / 2, seed + region);
         good &= print(region ? "three regions" : "one small disturbance", joints, on_two_threads(joints, region));

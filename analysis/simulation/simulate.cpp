@@ -5,12 +5,25 @@
 #include "analysis/simulation/motion.h"
 #include "analysis/stability/steady.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace stickslip {
 namespace {
 
 constexpr int default_turns = 50;
+constexpr int most_turns = 400;       ///< of a default duration: pages of longer motions are hard to read
+constexpr double lead = 14;           ///< e-folds from the small disturbance to a cycle: ln(1/small_disturbance)
+constexpr double watched_turns = 30;  ///< of that cycle
+
+/// Fifty turns, or what a slow growth takes to become a cycle.
+double default_duration(const SlowMode& mode)
+{
+    const double turn = 2 * std::numbers::pi / std::abs(mode.s);
+    if (!(mode.s.real() > 0)) return default_turns * turn;
+    return std::clamp(lead / mode.s.real() + watched_turns * turn, default_turns * turn, most_turns * turn);
+}
 
 void keep(double t, double x, double V, double friction, bool stuck, Trajectory& path)
 {
@@ -67,8 +80,7 @@ void follow(AnyFlow& flow, const SimulateOptions& options, Trajectory& path)
     const auto mode = slow_mode(flow);
     const auto kind = options.disturbance.kind;
     const double size = is_set(options.disturbance.size) ? options.disturbance.size : default_size(flow, mode, kind);
-    const double duration =
-        is_set(options.duration) ? options.duration : default_turns * 2 * std::numbers::pi / std::abs(mode.s);
+    const double duration = is_set(options.duration) ? options.duration : default_duration(mode);
     const FlowVector start = disturbed(flow, mode, kind, size);
     flow.force = options.force;
     SlidingMotion motion(flow, options.fallback_only ? Solver::rodas5p : Solver::cvode, options.rtol);

@@ -8,7 +8,7 @@ namespace stickslip {
 
 struct SimulateOptions {
     Disturbance disturbance;
-    double duration = missing;  ///< s; not set: fifty turns of the slowest linear mode
+    double duration = missing;  ///< s; not set: fifty turns of the slowest mode, up to 400 where it grows slowly
     double force = 0;           ///< constant force d from t = 0 on, N
     double rtol = 1e-8;
     bool fallback_only = false;  ///< Rodas5P in place of CVODE

@@ -59,6 +59,13 @@ std::vector<LineChart::Line> friction_loop(const Joint& joint, const Trajectory&
     return lines;
 }
 
+/// What the motion comes to when it is followed to its end, which may lie beyond the time drawn.
+std::string ending_text(const NonlinearVerdict& v)
+{
+    if (v.outcome == Outcome::undecided) return "How it ends is undecided: " + reason_text(v.reason) + ".";
+    return "Followed to its end: " + std::string(code_name("outcome", static_cast<std::uint8_t>(v.outcome))) + ".";
+}
+
 Figure line_figure(const char* id, LineChart chart, std::string caption, std::string finding)
 {
     Figure figure;
@@ -101,15 +108,15 @@ Report trajectory_report(const Joint& joint, const Trajectory& t, const Nonlinea
     }
     const auto last_third = range(settled(t, t.velocity), Quantity::velocity, motion);
     report.verdict = "In the last third of " + with_unit(t.time.back(), Quantity::time, motion) +
-                     " the velocity stays " + last_third + ".";
+                     " the velocity stays " + last_third + ". " + ending_text(verdict);
     if (t.reason != Reason::none)
         report.alerts.push_back({Headline::Tone::warning, "The motion stops early: " + reason_text(t.reason) + "."});
     if (t.used_fallback)
         report.alerts.push_back({Headline::Tone::neutral, "CVODE gave up on the way; Rodas5P finished the motion."});
     Section section{"motion", "Motion", "", {}, {}};
-    section.figures.push_back(line_figure("velocity",
-                                          chart_of("Velocity in time", time, velocity, {{"V", t.time, t.velocity}}),
-                                          "Velocity of the link after the disturbance.", report.verdict));
+    section.figures.push_back(
+        line_figure("velocity", chart_of("Velocity in time", time, velocity, {{"V", t.time, t.velocity}}),
+                    "Velocity of the link after the disturbance.", "In the last third it stays " + last_third + "."));
     section.figures.push_back(
         line_figure("position", chart_of("Excess position in time", time, position, {{"x", t.time, t.position}}),
                     "Position of the link beyond its steady path.",

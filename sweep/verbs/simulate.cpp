@@ -73,7 +73,8 @@ void add_simulate(CLI::App& app, Invocation& invocation)
     verb->add_option("-o,--output", options->directory, "directory of the files")->capture_default_str();
     verb->add_option("--set", options->settings, "change a number first: path=value");
     options->disturbance.add_to(*verb);
-    verb->add_option("--duration", options->duration, "s; default: fifty turns of the slowest mode");
+    verb->add_option("--duration", options->duration,
+                     "s; default: fifty turns of the slowest mode, up to 400 where it grows slowly");
     verb->add_option("--tolerance", options->tolerance, "relative tolerance")
         ->check(CLI::Range(1e-13, 1e-2))
         ->capture_default_str();

@@ -5,6 +5,7 @@
 #include "analysis/boundary/locate.h"
 #include "analysis/boundary/root.h"
 #include "analysis/joint/parameters.h"
+#include "analysis/simulation/flow.h"
 #include "analysis/simulation/nonlinear.h"
 #include "analysis/stability/verdict.h"
 
@@ -31,13 +32,15 @@ double& number_at(Joint& joint, const std::string& path)
 
 double outcome_side(const Joint& joint, const Disturbance& disturbance)
 {
+    // where sliding is unstable nothing can end in it
+    if (sliding_flow(joint).reason == Reason::linear_only) return missing;
+    if (linear_point(joint).spectral_abscissa > 0) return 1;
     NonlinearOptions options;
     options.disturbance = disturbance;
     options.region = false;
     auto outcome = nonlinear_verdict(joint, options).outcome;
     if (outcome == Outcome::undecided) {
-        // close to the linear boundary motions creep; where sliding is unstable nothing can end in it
-        if (linear_point(joint).spectral_abscissa > 0) return 1;
+        // close to the linear boundary motions creep
         options.turn_limit *= patience;
         outcome = nonlinear_verdict(joint, options).outcome;
     }

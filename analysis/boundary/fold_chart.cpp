@@ -66,8 +66,8 @@ FoldChart::Way FoldChart::walk(const CurveState& start, const FollowingOptions& 
     Way way;
     way.states.push_back(start);
     CurveWalk walking;
-    walking.longest_step = options.longest_step;
-    walking.first_step = 0.25 * options.longest_step;
+    walking.longest_step = options.longest_step > 0 ? options.longest_step : default_step(true);
+    walking.first_step = 0.25 * walking.longest_step;
     walking.limit = options.point_limit;
     walking.weight = [](const Eigen::VectorXd& z) { return orbit_weight(z, 2); };
     const bool told = walk_curve(system_, start, walking, [&](const CurveState& before, const CurveState& here) {

@@ -79,7 +79,8 @@ std::optional<FoldSeed> fold_beyond_cycle(const OrbitSystem& system, double q, i
     const auto [flow, reason] = sliding_flow(system.joint_at(Eigen::VectorXd::Constant(1, q)));
     if (reason != Reason::none || flow.states == 0) return {};
     FollowOptions options;
-    const auto large = follow(flow, disturbed(flow, slow_mode(flow), DisturbanceKind::start, near_rest_start), true, options);
+    const auto large =
+        follow(flow, disturbed(flow, slow_mode(flow), DisturbanceKind::start, near_rest_start), true, options);
     if (large.kind != Attractor::Kind::cycle || large.start.size() == 0 || !(large.velocity_min > 0)) return {};
     const int n = system.section();
     Eigen::VectorXd z(n + 1);

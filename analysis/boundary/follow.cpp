@@ -120,8 +120,10 @@ class Guard {
 
 }  // namespace
 
-FollowedBoundary follow_boundary(const Sides& sides, const Axis& x, const Axis& y, const FollowingOptions& options)
+FollowedBoundary follow_boundary(const Sides& sides, const Axis& x, const Axis& y, const FollowingOptions& asked)
 {
+    FollowingOptions options = asked;
+    if (options.longest_step == 0) options.longest_step = default_step(sides.continuous);
     Tracer tracer(sides, x, y, options);
     auto followed = Guard(sides, tracer, options.guard).run();
     followed.x = x;

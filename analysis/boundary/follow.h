@@ -18,12 +18,18 @@ struct Sides {
 };
 
 struct FollowingOptions {
-    int guard = 16;                  ///< cells of the guarding grid along each axis
-    double longest_step = 1.0 / 24;  ///< as a share of an axis
+    int guard = 16;           ///< cells of the guarding grid along each axis
+    double longest_step = 0;  ///< as a share of an axis; 0: default_step
     double shortest_step = 1e-4;
     double turn = 0.3;  ///< rad between neighbouring steps before the step is shortened
     int point_limit = 4000;
 };
+
+/// As many points as a fine grid has rows where the measure is continuous, fewer where each one is searched by sides.
+inline double default_step(bool continuous)
+{
+    return continuous ? 1.0 / 80 : 1.0 / 24;
+}
 
 /// Every piece that the guard or its climbs reveal, followed to its ends. Each point is bracketed along the axis which
 /// the curve crosses more steeply. `kind` of the result is left as it is.

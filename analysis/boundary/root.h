@@ -15,12 +15,18 @@ struct Bracketed {
 
 /// The sign change of f within [a, b], given f(a) and f(b) of opposite sign (or zero). Stops when the bracket is
 /// narrower than precision · |value| or than `floor`, or f is exactly zero. Superlinear and never slower than bisection
-/// by more than a factor. Source: T. R. Chandrupatla, Adv. Eng. Softw. 28 (1997) 145-149.
+/// by more than a factor; begins with the chord, which is all that a narrow bracket needs. Source: T. R. Chandrupatla,
+/// Adv. Eng. Softw. 28 (1997) 145-149.
 template <class Function>
 Bracketed bracketed_root(Function&& f, double a, double fa, double b, double fb, double precision, double floor = 0)
 {
     double c = a, fc = fa;
-    double t = 0.5;
+    const auto clamped = [&](double t, double wanted) {
+        const double least = std::min(0.5 * wanted / std::abs(b - a), 0.5);
+        return std::clamp(t, least, 1 - least);
+    };
+    double t = clamped(fa / (fa - fb), std::max(floor, precision * std::min(std::abs(a), std::abs(b))));
+    if (std::isnan(t)) t = 0.5;
     int evaluations = 0;
     for (; evaluations < 200; ++evaluations) {
         const double x = a + t * (b - a);
@@ -42,8 +48,7 @@ Bracketed bracketed_root(Function&& f, double a, double fa, double b, double fb,
         const double xi = (a - b) / (c - b), phi = (fa - fb) / (fc - fb);
         const bool safe = phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi;
         t = safe ? fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb) : 0.5;
-        const double least = 0.5 * wanted / width;
-        t = std::clamp(t, std::min(least, 0.5), std::max(1 - least, 0.5));
+        t = clamped(t, wanted);
     }
     return {std::abs(fa) < std::abs(fb) ? a : b, std::min(a, b), std::max(a, b), evaluations, false};
 }

@@ -1,5 +1,6 @@
 #include "analysis/boundary/tracer.h"
 
+#include "analysis/boundary/foretell.h"
 #include "analysis/boundary/root.h"
 
 #include <algorithm>
@@ -10,7 +11,8 @@ namespace {
 
 constexpr int directions = 16;  ///< looked at around a point for the ways out of it
 constexpr int angle_bisections = 4;
-constexpr double safety = 1.5;  ///< of a step that is meant to reach beyond the boundary
+constexpr double safety = 1.5;            ///< of a step that is meant to reach beyond the boundary
+constexpr std::size_t points_behind = 7;  ///< from which the next one is foretold
 
 bool differ(double a, double b)
 {
@@ -57,7 +59,8 @@ Located Tracer::locate(UnitPoint a, double fa, UnitPoint b, double fb)
                       root.converged,
                       evaluations_ - before,
                       sides_.continuous ? LocationMethod::interpolation : LocationMethod::bisection};
-    if (sides_.continuous && ua != ub) found.slope = std::abs((fb - fa) / (ub - ua));
+    const double bracket = std::abs(ub - ua);
+    if (sides_.continuous && bracket > 0) found.slope = std::abs(fb - fa) / bracket;
     return found;
 }
 
@@ -113,7 +116,40 @@ std::optional<Located> Tracer::leave(UnitPoint from, UnitPoint to)
     return found;
 }
 
-std::optional<Located> Tracer::correct(UnitPoint q, const Exit& heading, double first, double widest)
+Tracer::Prediction Tracer::predict(const Walk& w, UnitPoint& q, bool along_y, double h) const
+{
+    const auto& nodes = w.nodes;
+    Prediction p{nodes.size() > 2 ? safety * nodes.back().missed_by : 0.02 * h, 0.5 * h};
+    const auto runs = [&](UnitPoint at) { return along_y ? at.u : at.v; };
+    // the points behind, as far as they run one way
+    const double way = runs(q) - runs(nodes.back().p);
+    std::size_t first = nodes.size() - 1;
+    while (first > 0 && nodes.size() - first < points_behind &&
+           (runs(nodes[first].p) - runs(nodes[first - 1].p)) * way > 0)
+        --first;
+    std::vector<double> ts, ys, slopes;
+    for (std::size_t i = first; i < nodes.size(); ++i) {
+        ts.push_back(runs(nodes[i].p));
+        ys.push_back(along_y ? nodes[i].p.v : nodes[i].p.u);
+        slopes.push_back(nodes[i].point.along_y == along_y ? nodes[i].slope : 0);
+    }
+    p.slope = slopes.back();
+    if (ts.size() < 3) return p;
+    const auto place = foretell(ts, ys, runs(q));
+    if (std::abs(place.value - (along_y ? q.v : q.u)) < 0.3 * h) {
+        (along_y ? q.v : q.u) = std::clamp(place.value, 0.0, 1.0);
+        p.first = safety * place.missed_by;
+    }
+    if (std::find(slopes.begin(), slopes.end(), 0) == slopes.end()) {
+        const auto slope = foretell(ts, slopes, runs(q));
+        if (!(slope.value > 0)) return p;
+        p.slope = slope.value;
+        p.doubt = std::min(p.doubt, safety * slope.missed_by / slope.value);
+    }
+    return p;
+}
+
+std::optional<Located> Tracer::correct(UnitPoint q, const Exit& heading, const Prediction& expected)
 {
     const UnitPoint t = heading.direction;
     const bool along_y = std::abs(t.u) >= std::abs(t.v);
@@ -126,12 +162,16 @@ std::optional<Located> Tracer::correct(UnitPoint q, const Exit& heading, double 
     // the sides keep to their hands along the way, so the side at q tells where the boundary lies
     const double left = along_y ? (t.u > 0 ? 1 : -1) : (t.v > 0 ? -1 : 1);
     const double outwards = (fa < 0 ? -1.0 : 1.0) == heading.left ? -left : left;
-    double width = first;
+    const double resolution = along_y ? y_.unit_width(q.v, sides_.precision) : x_.unit_width(q.u, sides_.precision);
+    // Newton's step with a known slope, so little further that the other side is reached
+    double width = sides_.continuous && expected.slope > 0
+                       ? std::abs(fa) / expected.slope * (1 + expected.doubt) + 0.45 * resolution
+                       : std::max(expected.first, 0.9 * resolution);
     for (UnitPoint a = q;;) {
         UnitPoint b = q;
         double& moved = along_y ? b.v : b.u;
-        const bool last = width >= widest;
-        moved = std::clamp(moved + outwards * std::min(width, widest), 0.0, 1.0);
+        const bool last = width >= expected.widest;
+        moved = std::clamp(moved + outwards * std::min(width, expected.widest), 0.0, 1.0);
         const double fb = at(b);
         if (std::isnan(fb)) {
             failure_ = Failure::undecided;
@@ -145,8 +185,11 @@ std::optional<Located> Tracer::correct(UnitPoint q, const Exit& heading, double 
         }
         const double here = along_y ? b.v : b.u;
         if (last || here == 0 || here == 1) return {};
+        // a chord that falls tells how far it is, with what it misses once more
+        const double fall = std::abs(fa) - std::abs(fb);
+        const double chord = sides_.continuous && fall > 0 ? 1.5 * width * std::abs(fa) / fall : 0;
         a = b, fa = fb;
-        width *= 3;
+        width = std::max(3 * width, chord);
     }
 }
 
@@ -171,12 +214,10 @@ std::optional<Located> Tracer::step(const Walk& w, const Exit& heading, double h
     const bool beyond = other < 0 || other > 1;
     const double unclamped = other;
     other = std::clamp(other, 0.0, 1.0);
-    const double resolution = along_y ? y_.unit_width(q.v, sides_.precision) : x_.unit_width(q.u, sides_.precision);
-    const double step_length = (q - from).length();
-    const double expected =
-        std::max(w.nodes.size() > 2 ? safety * last.missed_by : 0.02 * step_length, 0.9 * resolution);
+    Prediction expected = predict(w, q, along_y, h);
+    expected.first = std::min(expected.first, 0.3 * h);
     const Exit aim{t, heading.left};
-    if (auto found = correct(q, aim, std::min(expected, 0.3 * h), 0.5 * h)) {
+    if (auto found = correct(q, aim, expected)) {
         found->at_border = at_border;
         return found;
     }
@@ -199,6 +240,18 @@ bool Tracer::closes(const Walk& w, const Located& next) const
     const double length = way.length(), along = (first - a).dot(way) / length;
     const bool same_way = (w.nodes[1].p - first).dot(way) > 0;
     return same_way && along > 0 && along <= length && std::abs((first - a).cross(way)) / length < 0.3 * length;
+}
+
+bool Tracer::travelled(const Walk& w, UnitPoint p, double near)
+{
+    for (std::size_t k = 3; k < w.nodes.size(); ++k) {
+        // all but the last steps, which lead here
+        const UnitPoint a = w.nodes[k - 3].p, way = w.nodes[k - 2].p - a;
+        const double length2 = way.dot(way);
+        const double share = length2 > 0 ? std::clamp((p - a).dot(way) / length2, 0.0, 1.0) : 0;
+        if ((p - a - share * way).length() < near) return true;
+    }
+    return false;
 }
 
 Tracer::Walk Tracer::walk(const Located& start, Exit heading)
@@ -246,14 +299,23 @@ Tracer::Walk Tracer::walk(const Located& start, Exit heading)
             w.nodes.size() > 1 ? w.nodes[w.nodes.size() - 2].p - w.nodes.back().p : -1.0 * heading.direction;
         const auto ways = after_corner ? std::vector<Exit>{} : exits(w.nodes.back().p, radius, &back);
         const Exit* best = nullptr;
+        bool been = false;
         for (const auto& way_out : ways) {
             if (way_out.left != heading.left) continue;
+            // where curves cross, two ways keep the sides; the one already taken leads round and round
+            if (travelled(w, w.nodes.back().p + radius * way_out.direction, 0.2 * radius)) {
+                been = true;
+                continue;
+            }
             if (!best || way_out.direction.dot(heading.direction) > best->direction.dot(heading.direction))
                 best = &way_out;
         }
         if (!best) {
             const bool rim = !(w.nodes.back().p + 2 * radius * heading.direction).inside();
-            w.end = failure_ == Failure::undecided ? CurveEnd::undecided : rim ? CurveEnd::border : CurveEnd::lost;
+            w.end = been                             ? CurveEnd::closed
+                    : failure_ == Failure::undecided ? CurveEnd::undecided
+                    : rim                            ? CurveEnd::border
+                                                     : CurveEnd::lost;
             return w;
         }
         heading = *best;

@@ -11,7 +11,7 @@ namespace stickslip {
 struct Located {
     UnitPoint p;
     CurvePoint point;
-    double slope = 0;      ///< |change of the measure| per unit across the boundary; 0: not known
+    double slope = 0;      ///< |change of the measure| per unit along the axis of the bracket; 0: not known
     double missed_by = 0;  ///< distance of the prediction
     bool at_border = false;
 };
@@ -51,13 +51,21 @@ class Tracer {
         CurveEnd end = CurveEnd::lost;
     };
     enum class Failure { none, no_change, undecided };
+    /// What is known of the boundary near a predicted point.
+    struct Prediction {
+        double first, widest;  ///< how far across to look for the other side, at first and at most
+        double slope = 0;      ///< of the measure; 0: not known
+        double doubt = 0.3;    ///< relative error of the slope
+    };
 
     std::vector<Exit> exits(UnitPoint centre, double radius, const UnitPoint* back = nullptr);
     Walk walk(const Located& start, Exit exit);
     std::optional<Located> step(const Walk& walk, const Exit& heading, double h);
-    std::optional<Located> correct(UnitPoint predicted, const Exit& heading, double first, double widest);
+    std::optional<Located> correct(UnitPoint q, const Exit& heading, const Prediction& expected);
+    Prediction predict(const Walk& walk, UnitPoint& q, bool along_y, double h) const;
     std::optional<Located> leave(UnitPoint from, UnitPoint to);
     bool closes(const Walk& walk, const Located& next) const;
+    static bool travelled(const Walk& walk, UnitPoint p, double near);
     double bend(const Walk& walk) const;
 
     const Sides& sides_;

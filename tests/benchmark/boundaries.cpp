@@ -106,10 +106,6 @@ int main()
             81);
     compare("linear over V_0", request, example_joint(6e4, 0, 1e-3), axis("control.k_p", 1e3, 1e6),
             axis("control.V0", 1e-6, 1e-2), 81);
-    auto fine = request;
-    fine.following.longest_step = 1.0 / 81;
-    compare("linear, 81 steps", fine, example_joint(6e4, 10, 1e-3), axis("control.k_p", 1e3, 1e6),
-            axis("control.k_v", 1, 1e3), 81);
     request.kind = BoundaryKind::fold;
     request.following.guard = 4;
     compare("fold", request, example_joint(2.2e4, 47.5, 1e-2), axis("control.k_p", 1e4, 6e4),

@@ -48,6 +48,27 @@ TEST_CASE("one followed curve covers V_0 = 1e-6 … 1e-2", "[boundary]")
     CHECK(curve.pieces[0].points.size() > 20);
 }
 
+TEST_CASE("a followed curve asks twenty times less a point than bisecting the rows of a grid", "[boundary]")
+{
+    constexpr int columns = 121, rows = 81;
+    const auto request = of(BoundaryKind::state_variable);
+    const Axis x = axis("control.k_p", 1e3, 1e6);
+    for (const Axis& y : {axis("control.k_v", 1, 1e3), axis("control.V0", 1e-6, 1e-2)}) {
+        const auto curve = follow_boundaries(example_joint(6e4, 10, 1e-3), x, y, request);
+        // a row: every node, and each change halved until it is as narrow
+        const double halvings = std::ceil(std::log2(std::log(1e3) / (columns - 1) / default_precision(request.kind)));
+        int crossed = 0;
+        for (int j = 0; j < rows; ++j) {
+            Joint joint = example_joint(6e4, 10, 1e-3);
+            *find_parameter(joint, y.path) = y.values[0] * std::pow(y.values[1] / y.values[0], (j + 0.5) / rows);
+            crossed += static_cast<int>(locate_boundaries(joint, x, request).points.size());
+        }
+        const double bisecting = rows * columns / static_cast<double>(crossed) + halvings;
+        CHECK(curve.points() >= crossed);
+        CHECK(curve.evaluations * 20 <= bisecting * curve.points());
+    }
+}
+
 TEST_CASE("two states: the published critical stiffness", "[boundary]")
 {
     // Gu, Rice, Ruina & Tse (1984): 0.0802755656 without inertia; the rest of it is the small mass

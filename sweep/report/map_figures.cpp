@@ -4,6 +4,7 @@
 #include "analysis/results/text.h"
 #include "analysis/stability/verdict.h"
 #include "sweep/report/map_motions.h"
+#include "sweep/report/nonlinear_findings.h"
 #include "sweep/report/verdict_text.h"
 
 #include <fmt/format.h>
@@ -79,8 +80,9 @@ Figure outcome_figure(const Joint& joint, const Slice& slice, const MapReading& 
     figure.finding = plain_text(reading.name) + " over " + slice.x.name + " and " + slice.y.name + ": " + range +
                      " on " + share + " of the points.";
     figure.caption = how_to_read + " Values lie " + range +
-                     ". Every point was started close to steady sliding and followed to its end; grey: " + map.none +
-                     "." + held_words(slice, motion);
+                     ". Every point was started close to steady sliding and, where that decays, from near rest, and "
+                     "followed to its end; grey: " +
+                     map.none + "." + held_words(slice, motion);
     figure.picture = std::move(map);
     return figure;
 }
@@ -129,6 +131,10 @@ Figure map_figure(const Joint& joint, const Slice& slice)
         ". Both curves are located to a relative bracket of 10^{−12}, not contoured from the grid; a closed piece "
         "smaller than one ninety-sixth of an axis could be missed." +
         held_words(slice, motion);
+    if (auto found = nonlinear_findings(joint, slice); !found.text.empty()) {
+        figure.caption += " " + found.text;
+        for (auto& fold : found.folds) map.curves.push_back(std::move(fold));
+    }
     map.command = reproducing_command(slice);
     map.motions = map_motions(joint, slice);
     figure.picture = std::move(map);

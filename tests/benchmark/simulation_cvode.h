@@ -1,16 +1,11 @@
 // Two ways to use CVODE for the outcome of a point, as measures of speed: the plain one that a user would write first,
 // and one with every trick short of batching. Neither is the product's reference solver.
 #pragma once
-#include <cvode/cvode.h>
-#include <nvector/nvector_serial.h>
-#include <sunlinsol/sunlinsol_dense.h>
-#include <sunmatrix/sunmatrix_dense.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "analysis/simulation/lanes/job.h"
+#include "tests/analysis/simulation/cvode_groups.h"
 
 namespace stickslip::benchmark {
 
@@ -32,42 +27,6 @@ inline double natural_turn(const lanes::Groups& g)
 
 enum class Judged { decays, oscillates, failed, unsure };
 
-/// Quiet, dense, BDF; the same for both ways.
-struct Solver {
-    SUNContext context = nullptr;
-    N_Vector y = nullptr, tolerance = nullptr;
-    SUNMatrix matrix = nullptr;
-    SUNLinearSolver linear = nullptr;
-    void* cvode = nullptr;
-
-    explicit Solver(CVRhsFn rate)
-    {
-        SUNContext_Create(nullptr, &context);
-        y = N_VNew_Serial(3, context);
-        tolerance = N_VNew_Serial(3, context);
-        N_VConst(0, y);
-        cvode = CVodeCreate(CV_BDF, context);
-        CVodeSetErrHandlerFn(
-            cvode, [](int, const char*, const char*, char*, void*) {}, nullptr);
-        CVodeInit(cvode, rate, 0, y);
-        matrix = SUNDenseMatrix(3, 3, context);
-        linear = SUNLinSol_Dense(y, matrix, context);
-        CVodeSetLinearSolver(cvode, linear, matrix);
-        CVodeSetMaxNumSteps(cvode, 1000000);
-    }
-    ~Solver()
-    {
-        CVodeFree(&cvode);
-        SUNLinSolFree(linear);
-        SUNMatDestroy(matrix);
-        N_VDestroy(tolerance);
-        N_VDestroy(y);
-        SUNContext_Free(&context);
-    }
-    Solver(const Solver&) = delete;
-    Solver& operator=(const Solver&) = delete;
-};
-
 /// Plain: x, ln V, θ in SI units, one solver a point, Jacobian by differences, fifty turns, then look at the amplitude.
 inline Judged plain_cvode(const SlipJoint& joint, double rtol)
 {
@@ -84,7 +43,7 @@ inline Judged plain_cvode(const SlipJoint& joint, double rtol)
         d[2] = -(V / L) * (s[2] + B * log);
         return 0;
     };
-    Solver solver(rate);
+    CvodeSolver solver(rate);
     double* s = NV_DATA_S(solver.y);
     s[0] = 0;
     s[1] = std::log((1 + kick) * joint.V0);
@@ -107,10 +66,10 @@ inline Judged plain_cvode(const SlipJoint& joint, double rtol)
 /// slow mode has shrunk by three, or two successive turns agree in their extrema.
 class TunedCvode {
   public:
-    explicit TunedCvode(double rtol) : solver_(&rate)
+    explicit TunedCvode(double rtol) : solver_(&groups_rate)
     {
         CVodeSStolerances(solver_.cvode, rtol, rtol);
-        CVodeSetJacFn(solver_.cvode, &jacobian);
+        CVodeSetJacFn(solver_.cvode, &groups_jacobian);
         CVodeRootInit(solver_.cvode, 1, [](realtype, N_Vector y, realtype* g, void*) {
             g[0] = NV_DATA_S(y)[1];
             return 0;
@@ -126,53 +85,24 @@ class TunedCvode {
         s[0] = 0, s[1] = std::log1p(kick), s[2] = -(s[1] + g_.c * kick);
         CVodeReInit(solver_.cvode, 0, solver_.y);
         CVodeSetUserData(solver_.cvode, &g_);
-        const double start = slow(job, s), end = watched_turns * natural_turn(g_);
+        const double start = slow_size(job, s), end = watched_turns * natural_turn(g_);
         double t = 0, high = 0, low = 0, last_high = 0, last_low = 0, peak = 0;
         while (t < end) {
             const int flag = CVode(solver_.cvode, end, solver_.y, &t, CV_ONE_STEP);
             if (flag < 0) return Judged::failed;
             high = std::max(high, s[1]), low = std::min(low, s[1]);
-            if (slow(job, s) < start / 3) return Judged::decays;
+            if (slow_size(job, s) < start / 3) return Judged::decays;
             if (flag != CV_ROOT_RETURN) continue;
             const bool same = std::abs(high - last_high) < 1e-3 * high && std::abs(low - last_low) < 1e-3 * -low;
             if (high > large_swing && same) return Judged::oscillates;
             peak = high;
             last_high = high, last_low = low, high = low = 0;
         }
-        return peak > large_swing ? Judged::oscillates : slow(job, s) < start ? Judged::decays : Judged::unsure;
+        return peak > large_swing ? Judged::oscillates : slow_size(job, s) < start ? Judged::decays : Judged::unsure;
     }
 
   private:
-    static double slow(const lanes::Job& job, const double* s)
-    {
-        double re = 0, im = 0;
-        for (int i = 0; i < 3; ++i) re += job.left[i][0] * s[i], im += job.left[i][1] * s[i];
-        return std::hypot(re, im);
-    }
-    static int rate(realtype, N_Vector y, N_Vector out, void* user)
-    {
-        const auto& g = *static_cast<lanes::Groups*>(user);
-        const double *s = NV_DATA_S(y), v = std::exp(s[1]);
-        double* d = NV_DATA_S(out);
-        d[0] = v - 1;
-        d[1] = -(g.c * (v - 1) + g.K * s[0] + s[1] + s[2]) / (g.M * v);
-        d[2] = -v * (s[2] + g.beta * s[1]);
-        return 0;
-    }
-    static int jacobian(realtype, N_Vector y, N_Vector, SUNMatrix J, void* user, N_Vector, N_Vector, N_Vector)
-    {
-        const auto& g = *static_cast<lanes::Groups*>(user);
-        const double *s = NV_DATA_S(y), v = std::exp(s[1]), per_Mv = 1 / (g.M * v);
-        const double rate = -(g.c * (v - 1) + g.K * s[0] + s[1] + s[2]) * per_Mv;
-        SM_ELEMENT_D(J, 0, 0) = 0, SM_ELEMENT_D(J, 0, 1) = v, SM_ELEMENT_D(J, 0, 2) = 0;
-        SM_ELEMENT_D(J, 1, 0) = -g.K * per_Mv, SM_ELEMENT_D(J, 1, 1) = -(g.c * v + 1) * per_Mv - rate;
-        SM_ELEMENT_D(J, 1, 2) = -per_Mv;
-        SM_ELEMENT_D(J, 2, 0) = 0, SM_ELEMENT_D(J, 2, 1) = -v * (s[2] + g.beta * s[1] + g.beta),
-                           SM_ELEMENT_D(J, 2, 2) = -v;
-        return 0;
-    }
-
-    Solver solver_;
+    CvodeSolver solver_;
     lanes::Groups g_{};
 };
 

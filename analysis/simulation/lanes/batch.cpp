@@ -19,7 +19,7 @@ constexpr double slow_start = 1e-4;  ///< as in the reference: the share of V_0 
 double rounded(double value)
 {
     const auto bits = std::bit_cast<std::uint64_t>(value);
-    constexpr std::uint64_t lost = 12;  // of 52
+    constexpr std::uint64_t lost = 8;  // of 52
     return std::bit_cast<double>((bits + (std::uint64_t{1} << (lost - 1))) >> lost << lost);
 }
 

@@ -24,15 +24,17 @@ struct CurveState {
 Eigen::VectorXd tangent_of(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& weight,
                            const Eigen::VectorXd& along);
 
-/// Newton from `guess` on F(z) = 0 and constraint·(z − guess) = 0, with one Jacobian for all steps unless they stall.
+/// Newton from `guess` on F(z) = 0 and constraint·(z − guess) = 0, with one Jacobian for all steps unless they stall:
+/// `near`, if given, of a point nearby, else that at the guess. Each step corrects it (Broyden's update).
 std::optional<CurveState> solve_on(const CurveSystem& system, const Eigen::VectorXd& guess,
                                    const Eigen::VectorXd& constraint, const Eigen::VectorXd& weight,
-                                   const Eigen::VectorXd& along);
+                                   const Eigen::VectorXd& along, const Eigen::MatrixXd* near = nullptr);
 
 struct CurveWalk {
     double first_step = 0.01, longest_step = 1.0 / 24, shortest_step = 1e-5;  ///< in the weights
     double turn = 0.3;                                                        ///< rad between neighbouring tangents
     int limit = 600;
+    int renewal = 1;  ///< points between Jacobians that are computed afresh
     /// What a change of order one of each unknown is, inverted; asked anew at each point.
     std::function<Eigen::VectorXd(const Eigen::VectorXd& z)> weight;
 };

@@ -9,6 +9,8 @@ namespace {
 
 constexpr double fine_rtol = 1e-11;       ///< with which the error of a fold is estimated
 constexpr double bracket_per_error = 4;   ///< the bracket is that many estimated errors wide on each side
+constexpr double repeatability = 1e-8;    ///< relative: what two ways of arriving at one fold differ by at most
+constexpr int jacobian_renewal = 6;       ///< points along a curve of folds
 constexpr double vanishing_orbit = 0.02;  ///< per scale, below which a fold has met the linear boundary
 
 }  // namespace
@@ -41,8 +43,8 @@ CurvePoint FoldChart::located(const CurveState& s, bool along_y, double precisio
     const double error =
         (std::abs(left.dot(coarse->gap)) + std::abs(left.dot(fine->gap - coarse->gap))) / std::abs(drive);
     const double q = s.z[p], width = bracket_per_error * error;
-    const double a = unit.value(q - width), b = unit.value(q + width);
-    point.at.low = std::min(a, b), point.at.high = std::max(a, b);
+    const double a = unit.value(q - width), b = unit.value(q + width), apart = repeatability * std::abs(value);
+    point.at.low = std::min(a, b) - apart, point.at.high = std::max(a, b) + apart;
     point.at.converged = point.at.precision() <= precision;
     // gap ≈ drive · δq + ½ curvature · s² along the null vector: cycles exist where both have different signs
     double others = 1;
@@ -60,15 +62,22 @@ CurvePoint FoldChart::located(const CurveState& s, bool along_y, double precisio
     return point;
 }
 
-FoldChart::Way FoldChart::walk(const CurveState& start, const FollowingOptions& options) const
+FoldChart::Way FoldChart::walk(const CurveState& start, const FollowingOptions& options, double precision) const
 {
     const int n = section();
     Way way;
-    way.states.push_back(start);
+    // at once, while the turn that closes the orbit is still at hand
+    const auto keep = [&](const CurveState& s) {
+        const bool along_y = std::abs(s.tangent[n]) >= std::abs(s.tangent[n + 1]);
+        way.states.push_back(s);
+        way.points.push_back(located(s, along_y, precision));
+    };
+    keep(start);
     CurveWalk walking;
     walking.longest_step = options.longest_step > 0 ? options.longest_step : default_step(true);
     walking.first_step = 0.25 * walking.longest_step;
     walking.limit = options.point_limit;
+    walking.renewal = jacobian_renewal;
     walking.weight = [](const Eigen::VectorXd& z) { return orbit_weight(z, 2); };
     const bool told = walk_curve(system_, start, walking, [&](const CurveState& before, const CurveState& here) {
         const UnitPoint a = place(before), b = place(here);
@@ -80,7 +89,7 @@ FoldChart::Way FoldChart::walk(const CurveState& start, const FollowingOptions& 
             Eigen::VectorXd guess = before.z + (border - from) / (to - from) * (here.z - before.z);
             guess[n + held] = border;
             if (std::abs(border - from) > 1e-9)
-                if (const auto last = solve(guess, held)) way.states.push_back(*last);
+                if (const auto last = solve(guess, held)) keep(*last);
             way.end = CurveEnd::border;
             return false;
         }
@@ -97,7 +106,7 @@ FoldChart::Way FoldChart::walk(const CurveState& start, const FollowingOptions& 
             way.end = CurveEnd::closed;
             return false;
         }
-        way.states.push_back(here);
+        keep(here);
         return true;
     });
     // a walk that gets stuck among ever smaller cycles has met the linear boundary
@@ -109,23 +118,21 @@ CurvePiece FoldChart::follow(const CurveState& start, const FollowingOptions& op
                              std::vector<UnitPoint>& path) const
 {
     CurvePiece piece;
-    const auto forwards = walk(start, options);
+    const auto forwards = walk(start, options, precision);
     Way backwards;
     if (forwards.end != CurveEnd::closed) {
         CurveState turned = start;
         turned.tangent = -turned.tangent;
-        backwards = walk(turned, options);
+        backwards = walk(turned, options, precision);
     }
     piece.last = forwards.end;
     piece.first = forwards.end == CurveEnd::closed ? CurveEnd::closed : backwards.end;
-    const auto add = [&](const CurveState& s) {
-        const int n = section();
-        const bool along_y = std::abs(s.tangent[n]) >= std::abs(s.tangent[n + 1]);
-        piece.points.push_back(located(s, along_y, precision));
-        path.push_back(place(s));
+    const auto add = [&](const Way& way, std::size_t i) {
+        piece.points.push_back(way.points[i]);
+        path.push_back(place(way.states[i]));
     };
-    for (std::size_t i = backwards.states.size(); i-- > 1;) add(backwards.states[i]);
-    for (const auto& s : forwards.states) add(s);
+    for (std::size_t i = backwards.states.size(); i-- > 1;) add(backwards, i);
+    for (std::size_t i = 0; i < forwards.states.size(); ++i) add(forwards, i);
     return piece;
 }
 

@@ -29,9 +29,10 @@ class FoldChart {
   private:
     struct Way {
         std::vector<CurveState> states;
+        std::vector<CurvePoint> points;
         CurveEnd end = CurveEnd::lost;
     };
-    Way walk(const CurveState& start, const FollowingOptions& options) const;
+    Way walk(const CurveState& start, const FollowingOptions& options, double precision) const;
 
     OrbitSystem orbits_;
     CurveSystem system_;

@@ -52,6 +52,13 @@ Eigen::VectorXd OrbitSystem::section_of(const Flow& flow, const FlowVector& y) c
 
 std::optional<OrbitTurn> OrbitSystem::turn(const Eigen::VectorXd& z, double rtol) const
 {
+    if (rtol > 0) return followed_turn(z, rtol);
+    if (last_z_.size() != z.size() || last_z_ != z) last_turn_ = followed_turn(z, rtol_), last_z_ = z;
+    return last_turn_;
+}
+
+std::optional<OrbitTurn> OrbitSystem::followed_turn(const Eigen::VectorXd& z, double rtol) const
+{
     const auto [flow, reason] = sliding_flow(joint_at(z.tail(parameters())));
     if (reason != Reason::none || 1 + flow.states != section_) return {};
     const int n = flow.size();
@@ -61,7 +68,7 @@ std::optional<OrbitTurn> OrbitSystem::turn(const Eigen::VectorXd& z, double rtol
     for (int i = 2; i < n; ++i) start[i] += scale[i] * z[i - 1];
     CycleOptions options;
     // small orbits ask for more, and cost less
-    options.rtol = (rtol > 0 ? rtol : rtol_) * std::clamp(z.head(section_).norm() / 3, 0.01, 1.0);
+    options.rtol = rtol * std::clamp(z.head(section_).norm() / 3, 0.01, 1.0);
     ++turns_;
     const auto revolution = revolve(flow, start, options);
     if (!revolution) return {};

@@ -43,6 +43,7 @@ class OrbitSystem {
     CurveSystem folds() const;
 
   private:
+    std::optional<OrbitTurn> followed_turn(const Eigen::VectorXd& z, double rtol) const;
     std::optional<Eigen::VectorXd> equations(const Eigen::VectorXd& z, bool with_fold) const;
     std::optional<Eigen::MatrixXd> derivatives(const Eigen::VectorXd& z, bool with_fold) const;
 
@@ -52,6 +53,8 @@ class OrbitSystem {
     int section_ = 0;
     double rtol_;
     mutable int turns_ = 0;
+    mutable Eigen::VectorXd last_z_;  ///< a residual, its Jacobian and its error ask for the same turn
+    mutable std::optional<OrbitTurn> last_turn_;
 };
 
 }  // namespace stickslip

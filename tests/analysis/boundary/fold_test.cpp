@@ -107,6 +107,16 @@ TEST_CASE("a fold is followed to where the linear boundary takes over", "[bounda
         const double C = p.y + 100, k_cr = (0.5 - p.y * 1e-2) / 1e-5 * (1 + 1e-2 / (1e-5 * C));
         CHECK(p.x > k_cr);
     }
+    // Jacobians carried along the curve: far fewer turns than Newton from scratch, and the same folds
+    CHECK(curve.evaluations - curve.guard.evaluations < 7 * curve.points());
+    for (std::size_t i = 5; i < piece.points.size() && piece.points[i].y > 44; i += 40) {
+        const auto& p = piece.points[i];
+        request.scan = 2;
+        const auto alone =
+            locate_boundaries(example_joint(p.x, p.y, 1e-2), axis("control.k_p", 0.98 * p.x, 1.02 * p.x), request);
+        REQUIRE(alone.points.size() == 1);
+        if (!p.along_y) CHECK((p.at.low <= alone.points[0].high && alone.points[0].low <= p.at.high));
+    }
     const double end = piece.last == CurveEnd::vanished ? piece.points.back().x : piece.points.front().x;
     const double k_v = piece.last == CurveEnd::vanished ? piece.points.back().y : piece.points.front().y;
     const double k_cr = (0.5 - k_v * 1e-2) / 1e-5 * (1 + 1e-2 / (1e-5 * (k_v + 100)));

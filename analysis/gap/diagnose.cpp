@@ -1,5 +1,6 @@
 #include "analysis/gap/diagnose.h"
 
+#include "analysis/gap/contest.h"
 #include "analysis/gap/experiment.h"
 #include "analysis/gap/heldout.h"
 #include "analysis/gap/inspect.h"
@@ -63,6 +64,35 @@ Cause cause_of(const Work& w, const Attribution& a, double probability)
         }
     }
     return c;
+}
+
+/// A contestant as a cause: its refitted own numbers are the joint's, not the cause's.
+Cause cause_of(const Work& w, const Contestant& one, std::size_t own_numbers, double probability)
+{
+    Cause c = cause_of(w, one.fit, probability);
+    std::size_t own = 0;
+    for (std::size_t i = 0; i < own_numbers; ++i) own += one.fit.candidate.count_of(*one.fit.candidate.forms[i]);
+    c.names = {std::string(one.fit.candidate.effects.back()->name)};
+    c.parameters.erase(c.parameters.begin(), c.parameters.begin() + static_cast<std::ptrdiff_t>(own));
+    c.tell_tale = one.fit.candidate.effects.back()->signature;
+    c.form = one.fit.candidate.forms.back()->name;
+    c.misfit = std::log1p(-std::min(one.gain, 0.999));
+    c.heldout_gain = one.gain;
+    c.heldout_gain_interval = one.spread;
+    return c;
+}
+
+/// Which of the contestants it is: their held-out log RMS against each other, and the chance that it is none of them.
+std::vector<double> probabilities(const Contest& contest)
+{
+    constexpr double width = 0.07;  // of log RMS: what is left is model error, not noise
+    constexpr double none_of_these = 0.2;
+    std::vector<double> p;
+    double sum = 0;
+    for (const auto& one : contest.ranked)
+        sum += p.emplace_back(std::pow((1 - contest.ranked[0].gain) / (1 - one.gain), 1 / width));
+    for (double& x : p) x *= (1 - none_of_these) / sum;
+    return p;
 }
 
 void describe_data(const std::vector<Case>& cases, Diagnosis& d)
@@ -132,6 +162,7 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
     if (quiet) none.accepted = true;
     std::vector<Attribution> singles, pairs;
     Decision decision;
+    Contest contest;
     if (!quiet) {
         progress("fitting single effects", 0.1);
         const auto fit = [&] {
@@ -152,11 +183,16 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
         const bool floor_documented =
             std::all_of(w.cases.begin(), w.cases.end(), [](const auto& c) { return c.noise_documented; });
         decision = decide(singles, pairs);
-        // without a documented floor nothing can be told to be noise: what takes a good part of the misfit away is
-        // named, and whatever takes half as much is said to be a rival
+        // without a documented floor nothing can be told to be noise: what predicts unseen data clearly best is named;
+        // else what takes a good part of the misfit away, and whatever takes half as much is said to be a rival
+        if (!decision.named && !floor_documented) {
+            progress("comparing what causes predict", 0.75);
+            contest = hold_contest(w.cases, w.scales, singles, parallel);
+        }
         constexpr double worth_naming = 0.2;  // of mean log misfit: a tenth of the RMS
         const auto gain = [&](const Attribution& a) { return w.nominal.score - a.score; };
-        if (!decision.named && !floor_documented && !singles.empty() && gain(singles[0]) > worth_naming) {
+        if (!decision.named && !contest.decided && !floor_documented && !singles.empty() &&
+            gain(singles[0]) > worth_naming) {
             decision.winner = &singles[0];
             decision.named = true;
             for (const auto& rival : singles)
@@ -165,7 +201,7 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
         }
     }
     progress("predicting held-out data", 0.9);
-    const bool named = quiet ? !w.audit.findings.empty() : decision.named;
+    const bool named = quiet ? !w.audit.findings.empty() : decision.named || contest.decided;
     if (quiet && !named) {
         d.verdict = could_have_shown(w.cases, w.scales, parallel) ? Verdict::no_gap : Verdict::insufficient_data;
         d.reasons.push_back(
@@ -178,7 +214,9 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
 
     // ranking: the named set first, then everything that was fitted, by probability
     const auto ranked = quiet ? std::vector<Ranked>{} : rank(singles, pairs, decision);
-    const Attribution& winner = quiet || !decision.named ? none : *ranked.front().attribution;
+    const Attribution& winner = contest.decided            ? contest.ranked[0].fit
+                                : quiet || !decision.named ? none
+                                                           : *ranked.front().attribution;
     const bool shown = d.verdict == Verdict::gap;
     const auto held = hold_out(w.cases, w.documented, w.scales, shown ? winner : none, options.ensemble, parallel);
     d.gap = held.signals;
@@ -191,11 +229,19 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
             d.reasons.push_back(
                 "the controller differs from its document, and something that the catalogue does not explain remains");
     }
+    if (contest.decided) {
+        const auto p = probabilities(contest);
+        for (std::size_t i = 0; i < contest.ranked.size(); ++i)
+            d.effects.push_back(cause_of(w, contest.ranked[i], contest.own_numbers, p[i]));
+        d.reasons.push_back(
+            "no cause brings the misfit down to the noise; with inertia, friction and load refitted for all, " +
+            d.effects[0].names[0] + " predicts held-out data best");
+    }
     for (const auto& r : ranked) {
-        if (d.effects.size() >= 8) break;
+        if (d.effects.size() >= 8 || contest.decided) break;
         d.effects.push_back(cause_of(w, *r.attribution, r.probability));
     }
-    if (!d.effects.empty() && shown) {
+    if (!d.effects.empty() && shown && !contest.decided) {
         d.effects[0].heldout_gain = held.gain;
         d.effects[0].heldout_gain_interval = held.gain_interval;
     }
@@ -206,9 +252,12 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
     if (shown) {
         d.remainder = winner.candidate.effects.empty() ? 0 : std::max(0.0, 1 - winner.explained);
         for (const auto* rival : decision.ambiguous) d.ambiguous_with.push_back(names_of(rival->candidate));
-        const Attribution* rival = !decision.ambiguous.empty() ? decision.ambiguous.front()
-                                   : ranked.size() > 1         ? ranked[1].attribution
-                                                               : nullptr;
+        for (const auto* rival : contest.decided ? contest.ambiguous : std::vector<const Contestant*>{})
+            d.ambiguous_with.push_back({std::string(rival->fit.candidate.effects.back()->name)});
+        const Attribution* rival = contest.decided && contest.ranked.size() > 1 ? &contest.ranked[1].fit
+                                   : !decision.ambiguous.empty()                ? decision.ambiguous.front()
+                                   : ranked.size() > 1                          ? ranked[1].attribution
+                                                                                : nullptr;
         if (rival && !winner.candidate.effects.empty())
             d.next_experiment = design_experiment(w.cases[0], w.scales, winner, *rival);
         Joint after = w.cases[0].joint;

@@ -106,8 +106,10 @@ std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, 
     }
     std::vector<Trace> traces;
     for (int r = 0; r < runs; ++r) traces.push_back(closed_loop(plant, t, static_cast<std::uint64_t>(1 + r)));
+    // what drives an effort source is counted in effort, whatever its own unit
+    const double drive = joint.actuator.kind == ActuatorKind::effort ? c.joint.actuator.effort_gain : 1;
     const auto add = [&](const char* name, const std::string& unit, const std::vector<double>& measured,
-                         std::vector<double> Trace::*column) {
+                         std::vector<double> Trace::*column, double factor = 1) {
         SignalSquares s{name, unit};
         double n = 0;
         for (std::size_t k = 0; k < t.size(); ++k) {
@@ -124,12 +126,12 @@ std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, 
             n += 1;
         }
         if (n == 0) return;
-        s.difference /= n;
-        s.floor /= n;
+        s.difference *= factor * factor / n;
+        s.floor *= factor * factor / n;
         squares.push_back(s);
     };
     add("position", position_unit, t.position, &Trace::position);
-    add("effort_command", effort_unit, t.command, &Trace::command);
+    add("effort_command", effort_unit, t.command, &Trace::command, drive);
     if (c.effort_sigma > 0) add("effort_measured", effort_unit, t.effort, &Trace::effort);
     for (auto& s : squares)
         if (s.signal == "position") s.floor = std::max(s.floor, 2 * c.sigma * c.sigma * 0.25);

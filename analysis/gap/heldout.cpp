@@ -9,17 +9,6 @@ namespace {
 
 constexpr std::size_t level = 1;  // the middle horizon: its parameters serve closed-loop runs best
 
-std::vector<Case> without(const std::vector<Case>& cases, const Fold& fold)
-{
-    std::vector<Case> rest;
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        if (i == fold.record && fold.from == -infinity) continue;
-        rest.push_back(cases[i]);
-        if (i == fold.record) rest.back().skip_from = fold.from, rest.back().skip_to = fold.to;
-    }
-    return rest;
-}
-
 struct FoldResult {
     std::vector<SignalSquares> before, after;
     Trace trace_before, trace_after;
@@ -52,6 +41,17 @@ std::vector<Fold> folds_of(const std::vector<Case>& cases)
     for (int b = 0; b < blocks; ++b)
         folds.push_back({0, start + b * length, b + 1 == blocks ? infinity : start + (b + 1) * length});
     return folds;
+}
+
+std::vector<Case> without(const std::vector<Case>& cases, const Fold& fold)
+{
+    std::vector<Case> rest;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        if (i == fold.record && fold.from == -infinity) continue;
+        rest.push_back(cases[i]);
+        if (i == fold.record) rest.back().skip_from = fold.from, rest.back().skip_to = fold.to;
+    }
+    return rest;
 }
 
 HeldOut hold_out(const std::vector<Case>& cases, const std::vector<Joint>& documented, const Scales& scales,

@@ -11,6 +11,9 @@ struct Fold {
 };
 std::vector<Fold> folds_of(const std::vector<Case>& cases);
 
+/// What a fit may see while a fold is held out: the other records, or the rows outside the block.
+std::vector<Case> without(const std::vector<Case>& cases, const Fold& fold);
+
 struct HeldOut {
     std::vector<SignalGap> signals;
     OverallGap overall;

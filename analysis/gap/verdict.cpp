@@ -129,6 +129,9 @@ Quality quality_of(const std::vector<Case>& cases, const Attribution& a, const S
         for (Eigen::Index i = 0; i < n; ++i) {
             const auto& p = a.candidate.parameter(static_cast<std::size_t>(i));
             const double error = std::sqrt(std::max(0.0, covariance(i, i)) * std::max(1.0, left));
+            // wider than its bounds: these records cannot tell it from another parameter
+            const double widest = p.logarithmic ? std::log(p.high / p.low) : p.high - p.low;
+            if (!(error < widest)) continue;
             q.standard_error[static_cast<std::size_t>(i)] =
                 p.logarithmic ? error * si[static_cast<std::size_t>(i)] : error * unit_of(p.scale, scales);
         }

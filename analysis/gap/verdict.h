@@ -33,7 +33,7 @@ std::vector<Ranked> rank(const std::vector<Attribution>& singles, const std::vec
                          const Decision& decision);
 
 struct Quality {
-    std::vector<double> standard_error;  ///< SI
+    std::vector<double> standard_error;  ///< SI; NaN where the records leave a parameter open
     bool plausible = true;
     bool signature = false;
 };

@@ -13,6 +13,7 @@ namespace stickslip::test {
 struct Machine {
     double inertia = 1.2, coulomb = 2, viscous = 1.5, k_p = 1200, k_v = 45, tau = 0.003, load = 0, gain = 1;
     double noise = 2e-6, quantum = 5e-6, drag = 0;
+    double one_way = 0;  ///< part of the viscous slope that changes its sign with the direction
 };
 
 inline Joint nominal_joint()
@@ -66,8 +67,9 @@ inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
                 continue;
             }
             const double direction = std::abs(v) < band ? std::copysign(1.0, push) : std::copysign(1.0, v);
-            const double next =
-                v + h / m.inertia * (push - direction * m.coulomb - m.viscous * v - m.drag * v * std::abs(v));
+            const double next = v + h / m.inertia *
+                                        (push - direction * m.coulomb - m.viscous * v - m.drag * v * std::abs(v) -
+                                         m.one_way * std::abs(v));
             if (next * v < 0)
                 v = 0;
             else

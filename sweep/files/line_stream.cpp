@@ -9,6 +9,7 @@
 namespace stickslip::files {
 namespace {
 
+constexpr std::size_t first_buffer = 1u << 16;  // most rows are short, and so are many records
 constexpr std::size_t longest_line = 1u << 20;  // far beyond any row; a file without line ends is no table
 
 }  // namespace
@@ -25,8 +26,8 @@ LineStream::LineStream(const std::filesystem::path& file) : name_(file.string())
     if (std::filesystem::is_directory(file, error)) throw BadInput(name_ + ": is a folder, expected is a CSV file");
     file_.reset(gzopen(name_.c_str(), "rb"));
     if (!file_) throw BadInput(name_ + ": cannot be opened for reading");
-    gzbuffer(file_.get(), 1u << 18);
-    buffer_.resize(2 * longest_line);
+    gzbuffer(file_.get(), first_buffer);
+    buffer_.resize(first_buffer);
 }
 
 void LineStream::fill()
@@ -34,6 +35,7 @@ void LineStream::fill()
     std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
     end_ -= begin_;
     begin_ = 0;
+    if (2 * end_ > buffer_.size()) buffer_.resize(2 * buffer_.size());
     const int got = gzread(file_.get(), buffer_.data() + end_, static_cast<unsigned>(buffer_.size() - end_));
     int code = Z_OK;
     const char* why = gzerror(file_.get(), &code);

@@ -8,8 +8,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace stickslip;
     try {
         const fuzz::InputFile file({data, size});
-        for (const WatchedBoundary& watched : read_baseline(file.path()))
-            describe(Deviation{Deviation::Kind::moved, watched, watched, 0});
+        const auto watched = read_baseline(file.path());
+        for (const Deviation& deviation : compare(watched, {watched.begin(), watched.begin() + watched.size() / 2}))
+            describe(deviation);
     } catch (const BadInput& refusal) {
         fuzz::promise(!refusal.messages().empty(), "a refusal without a reason");
     }

@@ -24,7 +24,6 @@ void evaluate_nonlinear(PointCursor& cursor, std::span<PointResult> rows, const 
     nonlinear_points(joints, options, rows);
 }
 
-constexpr double lane_point_cost = 5e-5;  // s: lanes decide most points, CVODE the rest
 
 }  // namespace
 
@@ -76,7 +75,7 @@ std::string evaluation_text(const NonlinearSpec& spec)
 
 double seconds_per_point(const NonlinearSpec& spec)
 {
-    return spec.enabled ? lane_point_cost : linear_point_cost;
+    return spec.enabled ? nonlinear_point_cost : linear_point_cost;
 }
 
 }  // namespace stickslip

@@ -76,17 +76,14 @@ void check_axes(const Joint& given, const std::vector<Axis>& axes)
     }
 }
 
-std::uint64_t count_points(const std::vector<Axis>& axes)
+std::uint64_t count_points(const std::vector<Axis>& axes, bool nonlinear)
 {
     double wanted = 1;
     for (const Axis& axis : axes) wanted *= static_cast<double>(axis.values.size());
     if (wanted > static_cast<double>(max_points))
-        throw std::invalid_argument(fmt::format(
-            "{:.3g} points are too many: linear verdicts alone would take about {:.3g} core-years and {:.3g} TB on "
-            "disk; at most {:.0e} are accepted",
-            wanted, wanted * linear_point_cost / (365.25 * 86400),
-            2 * wanted * static_cast<double>(RowFormat(false).bytes_per_point()) / 1e12,
-            static_cast<double>(max_points)));
+        throw std::invalid_argument(fmt::format("{:.3g} points are too many (about {}), allowed are at most {:.3g}",
+                                                wanted, describe(plan_cost(wanted, nonlinear)),
+                                                static_cast<double>(max_points)));
     return static_cast<std::uint64_t>(wanted);  // exact: max_points is far below 2^53
 }
 
@@ -134,7 +131,7 @@ Plan make_plan(const Joint& joint, std::vector<Axis> axes, const PlanOptions& op
 {
     check_axes(joint, axes);
     Plan plan;
-    plan.points = count_points(axes);
+    plan.points = count_points(axes, options.nonlinear);
     plan.axes = std::move(axes);
     plan.motion = joint.mechanism.motion;
     plan.joint = canonical_text(joint);

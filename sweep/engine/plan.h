@@ -3,6 +3,7 @@
 #pragma once
 #include "analysis/joint/joint.h"
 #include "analysis/results/stability_map.h"
+#include "sweep/engine/plan_cost.h"
 
 #include <cstdint>
 #include <string>
@@ -18,11 +19,6 @@ struct PlanId {
 
 /// 32 hexadecimal digits.
 std::string to_text(const PlanId& id);
-
-/// Rough cost of one point on one core [s]; it sets the chunk size, which is part of the plan and so must not be
-/// measured.
-inline constexpr double linear_point_cost = 4e-7;
-inline constexpr double nonlinear_point_cost = 1e-3;
 
 /// Consecutive points that are computed, journalled and resumed together.
 struct PointRange {
@@ -68,9 +64,6 @@ struct PlanOptions {
 /// Throws std::invalid_argument, naming the axis, for a path that the joint lacks or that is given twice, an empty
 /// axis, a value that is not finite or outside the parameter's range, and for more than max_points points.
 Plan make_plan(const Joint& joint, std::vector<Axis> axes, const PlanOptions& options);
-
-/// More would take a core days for linear verdicts and tens of terabytes.
-inline constexpr std::uint64_t max_points = 1'000'000'000'000;
 
 /// A power of two near 0.1 s of work, smaller for small sweeps (so that threads share them), larger for huge ones (so
 /// that the index of chunks stays small). Depends on its arguments alone.

@@ -1,7 +1,6 @@
 #include "sweep/engine/run_directory.h"
 
 #include "sweep/engine/plan_file.h"
-#include "sweep/engine/row_format.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -66,8 +65,11 @@ RunDirectory::RunDirectory(fs::path path, const Plan& plan, Shard shard, bool fr
             "--fresh with a shard would discard what other shards have done; remove the directory by hand first");
     fs::create_directories(path_);
     lock(shard);
+    // refused for want of space, a sweep must not leave its plan behind: a smaller one would be refused for that
+    const bool resumes = !fresh && fs::exists(file(run_files::plan));
+    if (!resumes) check_space(plan, shard);
     admit(plan, fresh);
-    check_space();
+    if (resumes) check_space(plan, shard);
     fs::create_directories(file(run_files::journals));
     sync_directory(path_);
 }
@@ -115,19 +117,22 @@ void RunDirectory::admit(const Plan& wanted, bool fresh)
         throw Refused(fmt::format("{} {}{}", path_.string(), difference(plan_, wanted), way_out));
 }
 
-void RunDirectory::check_space() const
+void RunDirectory::check_space(const Plan& plan, Shard shard) const
 {
-    // Journal and results.nc hold every row once; what a former run has written already is not asked for again.
-    const double row = static_cast<double>(RowFormat(plan_.nonlinear).bytes_per_point());
-    double needed = 2 * row * static_cast<double>(plan_.points);
-    if (fs::exists(file(run_files::results))) needed -= row * static_cast<double>(plan_.points);
+    // Journal and results.nc hold every row once; what a former run has written already is not asked for again. A shard
+    // journals its own part, and results.nc is for the merge to judge.
+    const PlanCost cost = plan_cost(static_cast<double>(plan.points), plan.nonlinear);
+    double needed = shard.whole() ? 2 * cost.bytes : cost.bytes / static_cast<double>(shard.count);
+    if (shard.whole() && fs::exists(file(run_files::results))) needed -= cost.bytes;
     if (fs::exists(file(run_files::journals)))
         for (const auto& entry : fs::directory_iterator(file(run_files::journals)))
             needed -= static_cast<double>(entry.file_size());
     const double free = static_cast<double>(fs::space(path_).available);
     if (needed > free)
-        throw Refused(fmt::format("{} points need {:.3g} GB more in {}, which has {:.3g} GB free", plan_.points,
-                                  needed / 1e9, path_.string(), free / 1e9));
+        throw Refused(
+            fmt::format("{} points (about {}) need {} more in {}, which has {} free; take fewer points, or a "
+                        "larger disk with -o",
+                        plan.points, describe(cost), bytes_text(needed), path_.string(), bytes_text(free)));
 }
 
 }  // namespace stickslip

@@ -26,7 +26,8 @@ class RunDirectory {
   public:
     /// Makes the directory for a new sweep, or opens it to resume the same one.
     /// Throws Refused if another run works in it, if it holds another sweep or results of unknown origin (the way out
-    /// is `fresh`, which removes them and is not for shards), or if the disk is too small; std::system_error if it cannot be written.
+    /// is `fresh`, which removes them and is not for shards), or if the disk is too small; std::system_error if it
+    /// cannot be written.
     RunDirectory(std::filesystem::path path, const Plan& plan, Shard shard, bool fresh);
 
     /// Opens an existing directory alone, to merge it. Throws Refused.
@@ -40,7 +41,7 @@ class RunDirectory {
   private:
     void lock(Shard shard);
     void admit(const Plan& wanted, bool fresh);
-    void check_space() const;
+    void check_space(const Plan& plan, Shard shard) const;
 
     std::filesystem::path path_;
     FileHandle lock_, shard_lock_;

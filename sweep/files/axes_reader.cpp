@@ -2,7 +2,6 @@
 
 #include "analysis/joint/parameters.h"
 #include "sweep/files/named_values.h"
-#include "sweep/files/plan_size.h"
 #include "sweep/files/symbols.h"
 
 #include <algorithm>
@@ -170,7 +169,8 @@ class AxisReader {
 
 }  // namespace
 
-std::vector<Axis> read_axes(const toml::table& table, Joint& joint, const PlanLimits& limits, Complaints& complaints)
+std::vector<Axis> read_axes(const toml::table& table, Joint& joint, const PlanLimits& limits, bool nonlinear,
+                            Complaints& complaints)
 {
     std::vector<Axis> axes;
     std::vector<const double*> taken;
@@ -193,7 +193,9 @@ std::vector<Axis> read_axes(const toml::table& table, Joint& joint, const PlanLi
     }
     if (axes.empty() && sound) complaints.add(Place(table.source()), "axes", "are empty, allowed is one axis or more");
     if (points > static_cast<double>(limits.points))
-        complaints.add(Place(table.source()), "axes", plan_size_text(points, limits));
+        complaints.add(Place(table.source()), "axes",
+                       "make " + number_text(points) + " points (about " + describe(plan_cost(points, nonlinear)) +
+                           "), allowed are at most " + number_text(static_cast<double>(limits.points)));
     return axes;
 }
 

@@ -10,6 +10,7 @@
 namespace stickslip::files {
 
 /// Every axis that is sound; the others are in `complaints`. Refuses duplicates and plans beyond the limits.
-std::vector<Axis> read_axes(const toml::table& axes, Joint& joint, const PlanLimits& limits, Complaints& complaints);
+std::vector<Axis> read_axes(const toml::table& axes, Joint& joint, const PlanLimits& limits, bool nonlinear,
+                            Complaints& complaints);
 
 }  // namespace stickslip::files

@@ -29,9 +29,9 @@ class SpecReader {
     {
         read_joint_part();
         read_text_at(root_, "title", "", spec_.title, complaints_);
+        read_struct("nonlinear", spec_.nonlinear);
         // paths can be judged only against a joint that is known
         if (joint_known_) read_paths();
-        read_struct("nonlinear", spec_.nonlinear);
         read_struct("check", spec_.check);
         return std::move(spec_);
     }
@@ -77,7 +77,7 @@ class SpecReader {
             complaints_.add(Place(root_.source()), "axes",
                             "is missing, allowed are one or more dotted paths of the joint");
         else if (const auto* table = table_at(root_, "axes", "", complaints_))
-            spec_.axes = read_axes(*table, spec_.joint, limits_, complaints_);
+            spec_.axes = read_axes(*table, spec_.joint, limits_, spec_.nonlinear.enabled, complaints_);
         read_design();
         require_velocity();
         read_boundary();

@@ -1,5 +1,6 @@
 // A sweep from TOML: joint, axes, design point, what is asked and what is drawn.
 #pragma once
+#include "sweep/engine/plan_cost.h"
 #include "sweep/spec.h"
 
 #include <filesystem>
@@ -9,11 +10,9 @@
 
 namespace stickslip {
 
-/// How large a sweep may be, and what its estimate is made of.
+/// How large a sweep may be.
 struct PlanLimits {
-    std::uint64_t points = 1'000'000'000'000;  ///< refuse more; the engine's own limit
-    double bytes_per_row = 128;                ///< of the result, for the estimate in the message
-    double points_per_second = 1e5;            ///< of this machine, for the estimate in the message
+    std::uint64_t points = max_points;  ///< refuse more
 };
 
 /// Reads spec.toml. `joint = "joint.toml"` is looked up from the folder of the spec; or the joint's tables stand

@@ -190,6 +190,22 @@ TEST_CASE("the same shard twice at once is refused, two shards are not")
     CHECK_THROWS_AS(RunDirectory(directory / "b", p, {0, 2}, true), Refused);
 }
 
+TEST_CASE("a sweep that the disk cannot hold is refused with its size before it starts, a small shard of it is not")
+{
+    const Plan p = plan({1000, 1000, 1000, 1000}, 1u << 20);  // 36 TB of results, as much of journals
+    TemporaryDirectory directory;
+    try {
+        run(p, directory / "a");
+        FAIL("this disk holds 72 TB: the test needs a larger sweep");
+    } catch (const Refused& e) {
+        CHECK_THAT(e.what(), Catch::Contains("about 36 TB of results and 4.7 days of one core") &&
+                                 Catch::Contains("72 TB more") && Catch::Contains("-o"));
+    }
+    CHECK_FALSE(fs::exists(directory / "a" / run_files::plan));  // or a smaller sweep would be refused next
+    CHECK(run(plan({10, 10}, 16), directory / "a").computed.points == 100);
+    CHECK_NOTHROW(RunDirectory(directory / "b", p, {0, 1'000'000}, false));  // 36 MB
+}
+
 TEST_CASE("results of unknown origin and a damaged plan are not overwritten")
 {
     const Plan p = plan({10, 10}, 16);

@@ -199,14 +199,16 @@ TEST_CASE("plans that nobody can compute are refused with their size")
 "control.k_v" = { from = 1, to = 2, points = 100000 }
 "control.V0" = { from = 1, to = 2, points = 100000 }
 )";
-    const PlanLimits limits{1'000'000'000, 100, 1e6};
+    const PlanLimits limits{1'000'000'000};
     CHECK(only_error(huge, limits) ==
-          "@1:1: axes: make 1e+15 points (about 100 PB of results and 31.7 years of computing), allowed are at most "
+          "@1:1: axes: make 1e+15 points (about 36 PB of results and 12.7 years of one core), allowed are at most "
           "1e+09");
+    // a point that is simulated takes 5e-5 s
+    CHECK_THAT(only_error(huge + "[nonlinear]\nenabled = true\n", limits), Contains("1584.5 years of one core"));
     const auto single =
         errors(joint + "[axes]\n\"control.k_p\" = { from = 1, to = 2, points = 1000000000000000 }\n", limits);
     REQUIRE(single.size() == 2);
-    CHECK_THAT(single[0], Contains("about 100 PB"));
+    CHECK_THAT(single[0], Contains("about 36 PB"));
     CHECK_THAT(single[1], Contains("within [1, 1000000]"));
     std::string overflow = "[axes]\n";
     for (const char* path : {"control.k_p", "control.k_v", "control.V0", "friction.f0", "friction.A", "load.constant"})

@@ -2,6 +2,7 @@
 
 #include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
+#include "sweep/report/nearest_text.h"
 #include "sweep/report/verdict_text.h"
 
 #include <cmath>

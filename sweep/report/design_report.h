@@ -20,9 +20,6 @@ struct DesignAnswer {
     NearestBoundary nearest;  ///< of the best gains
 };
 
-/// "stick-slip appears if L falls by 18 % while B − A grows by 7 %", mark-up.
-std::string nearest_text(const NearestBoundary& nearest);
-
 /// The answer in a few sentences, mark-up: the optimum, or why there is none and what would be feasible.
 std::string design_text(const DesignAnswer& answer);
 
@@ -32,6 +29,5 @@ std::vector<Table> design_tables(const DesignAnswer& answer);
 Report design_report(const DesignAnswer& answer);
 
 nlohmann::ordered_json design_json(const DesignAnswer& answer);
-nlohmann::ordered_json nearest_json(const NearestBoundary& nearest);
 
 }  // namespace stickslip

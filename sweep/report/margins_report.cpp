@@ -4,7 +4,7 @@
 #include "analysis/results/text.h"
 #include "sweep/files/symbols.h"
 #include "sweep/report/boundary_report.h"
-#include "sweep/report/design_report.h"
+#include "sweep/report/nearest_text.h"
 #include "sweep/report/verdict_text.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,9 @@
-// The nearest boundary in words and numbers.
+#include "sweep/report/nearest_text.h"
+
 #include "analysis/results/text.h"
 #include "sweep/files/symbols.h"
-#include "sweep/report/design_report.h"
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +11,20 @@
 namespace stickslip {
 namespace {
 
-constexpr double idle = 0.1;  ///< of the largest move: below, a parameter hardly takes part
+constexpr double near = 0.182;  ///< ln 1.2: closer than this, an alert
+constexpr double idle = 0.1;    ///< of the largest move: below, a parameter hardly takes part
+
+/// Several bodies have friction laws with the same letters.
+std::string body_of(const std::string& path)
+{
+    for (const auto* body : {"motor", "transmission", "link"})
+        if (path.starts_with(std::string("friction.") + body + ".")) return std::string(" (") + body + ")";
+    return "";
+}
 
 std::string symbol(const NearestMove& move)
 {
-    return symbol_of(move.path) + (move.less.empty() ? "" : " − " + symbol_of(move.less));
+    return symbol_of(move.path) + (move.less.empty() ? "" : " − " + symbol_of(move.less)) + body_of(move.path);
 }
 
 std::string move_text(const NearestMove& move)
@@ -25,6 +36,17 @@ std::string move_text(const NearestMove& move)
     return symbol(move) + (change < 0 ? " falls by " : " grows by ") + plain_number(100 * std::abs(change), 2) + " %";
 }
 
+/// Those that take part, the largest first.
+std::vector<NearestMove> leading_moves(const NearestBoundary& n)
+{
+    auto moves = n.moves;
+    const auto size = [](const NearestMove& m) { return std::abs(std::log(m.to / m.from)); };
+    std::sort(moves.begin(), moves.end(), [&](const auto& a, const auto& b) { return size(a) > size(b); });
+    const double largest = size(moves.front());
+    std::erase_if(moves, [&](const auto& m) { return size(m) < idle * largest; });
+    return moves;
+}
+
 }  // namespace
 
 std::string nearest_text(const NearestBoundary& n)
@@ -32,15 +54,22 @@ std::string nearest_text(const NearestBoundary& n)
     if (!n.decided) return "The joint has no linear verdict, hence no margin.";
     const std::string event = n.stable ? "Stick-slip appears" : "Sliding becomes stable";
     if (!n.found) return event + " for no change of the uncertain numbers by up to a factor of ten.";
-    auto moves = n.moves;
-    const auto size = [](const NearestMove& m) { return std::abs(std::log(m.to / m.from)); };
-    std::sort(moves.begin(), moves.end(), [&](const auto& a, const auto& b) { return size(a) > size(b); });
-    const double largest = size(moves.front());
-    std::erase_if(moves, [&](const auto& m) { return size(m) < idle * largest; });
+    const auto moves = leading_moves(n);
     std::string text = event + " if ";
     for (std::size_t i = 0; i < moves.size(); ++i)
         text += (i == 0 ? "" : i == 1 ? " while " : i + 1 == moves.size() ? " and " : ", ") + move_text(moves[i]);
     return text + ".";
+}
+
+Headline nearest_headline(const NearestBoundary& n)
+{
+    Headline h{Headline::Tone::neutral, "none near", nearest_text(n)};
+    if (!n.found) return h;
+    const auto move = leading_moves(n).front();
+    const double change = move.to / move.from - 1;
+    h.value = symbol(move) + (change < 0 ? " −" : " +") + plain_number(100 * std::abs(change), 2) + " %";
+    h.tone = !n.stable ? Headline::Tone::bad : n.distance < near ? Headline::Tone::warning : Headline::Tone::good;
+    return h;
 }
 
 nlohmann::ordered_json nearest_json(const NearestBoundary& n)

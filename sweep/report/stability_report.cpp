@@ -1,6 +1,7 @@
 #include "sweep/report/stability_report.h"
 
 #include "analysis/boundary/locate.h"
+#include "analysis/boundary/nearest.h"
 #include "analysis/results/text.h"
 #include "analysis/stability/verdict.h"
 #include "sweep/evaluate.h"
@@ -8,6 +9,7 @@
 #include "sweep/report/linear_report.h"
 #include "sweep/report/loop_figures.h"
 #include "sweep/report/map_figures.h"
+#include "sweep/report/nearest_text.h"
 #include "sweep/report/verdict_text.h"
 
 #include <cmath>
@@ -16,6 +18,8 @@ namespace stickslip {
 namespace {
 
 using Tone = Headline::Tone;
+
+constexpr std::size_t card_limit = 5;  // in one row; that nothing is wrong may be left out
 
 std::string grid_words(const Spec& spec, std::uint64_t points)
 {
@@ -111,11 +115,14 @@ Report stability_report(const Spec& spec, const SweepSummary& summary)
     for (const auto& figure : maps.figures) drawn.push_back(&std::get<StabilityMap>(figure.picture));
 
     if (slides) {
+        report.headlines.push_back(
+            nearest_headline(nearest_boundary(joint, natural_coordinates(joint), affordable_search(joint))));
         report.headlines.push_back(nearest_boundary(margins, stable, motion));
         for (auto& headline : velocity_headlines(joint, stable)) report.headlines.push_back(std::move(headline));
     }
     if (!drawn.empty()) report.headlines.push_back(disagreement_headline(*drawn.front()));
-    report.headlines.push_back(undecided_headline(summary));
+    if (summary.undecided > 0 || report.headlines.size() < card_limit)
+        report.headlines.push_back(undecided_headline(summary));
     add_alerts(report, summary, drawn);
 
     for (const auto& profile : summary.profiles) maps.figures.push_back(profile_figure(joint, profile));

@@ -87,6 +87,8 @@ TEST_CASE("piped output has no colours and no progress", "[program]")
     CHECK(run.output.find('\033') == std::string::npos);
     CHECK(run.output.find('\r') == std::string::npos);
     CHECK_THAT(run.output, Contains("nearest way into stick-slip"));
+    // several numbers at once come nearer than any alone
+    CHECK_THAT(run.output, Contains("Stick-slip appears if L falls by"));
 }
 
 TEST_CASE("completions and manual know every verb", "[program]")

@@ -5,11 +5,16 @@
 #include <fmt/format.h>
 #include <gnu/libc-version.h>
 #include <sys/utsname.h>
+#include <xxhash.h>
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
 
 namespace stickslip {
 namespace {
 
-/// glibc picks its exp, log, sin and pow by these; their last bits differ between the variants.
+/// The lanes' vector code and Eigen's are fixed when they are compiled; what the machine has is told for the reader.
 std::string cpu_kind()
 {
     utsname machine{};
@@ -24,6 +29,23 @@ std::string cpu_kind()
     return kind;
 }
 
+/// glibc picks its exp, log, sin and pow when a program starts, by the CPU and by GLIBC_TUNABLES, and their last bits
+/// differ between the variants: their answers tell which ones are at work, whatever the reason.
+std::uint64_t mathematics()
+{
+    constexpr int arguments = 4096;
+    constexpr double golden = 0.6180339887498949;  // spreads the arguments evenly over decades
+    std::vector<double> answers;
+    for (int i = 1; i <= arguments; ++i) {
+        const double even = std::fmod(i * golden, 1.0), x = std::exp2(16 * even - 8), y = 4 * even - 2;
+        answers.insert(answers.end(),
+                       {std::exp(y), std::expm1(y), std::log(x), std::log1p(x), std::log10(x), std::pow(x, y),
+                        std::sin(x), std::cos(x), std::tanh(y), std::sinh(y), std::asinh(x), std::atan2(x, y),
+                        std::cbrt(x), std::hypot(x, y), std::exp2(y), std::log2(x)});
+    }
+    return XXH3_64bits(answers.data(), answers.size() * sizeof(double));
+}
+
 }  // namespace
 
 std::string program_version()
@@ -33,8 +55,9 @@ std::string program_version()
 
 std::string build_fingerprint()
 {
-    return fmt::format("stickslip {} sources {}; {}; {}; glibc {}; {}", build_info::version, build_info::sources,
-                       build_info::compiler, build_info::flags, gnu_get_libc_version(), cpu_kind());
+    return fmt::format("stickslip {} sources {}; {}; {}; glibc {}; {}; mathematics {:016x}", build_info::version,
+                       build_info::sources, build_info::compiler, build_info::flags, gnu_get_libc_version(), cpu_kind(),
+                       mathematics());
 }
 
 }  // namespace stickslip

@@ -14,7 +14,8 @@ if(CMAKE_SCRIPT_MODE_FILE)
   return()
 endif()
 
-file(GLOB_RECURSE numeric_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/analysis/*.h ${PROJECT_SOURCE_DIR}/analysis/*.cpp)
+file(GLOB_RECURSE numeric_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/analysis/*.h ${PROJECT_SOURCE_DIR}/analysis/*.cpp
+  ${PROJECT_SOURCE_DIR}/sweep/evaluate.cpp)
 list(SORT numeric_sources)
 set(made ${CMAKE_CURRENT_BINARY_DIR}/made)
 string(REPLACE ";" "\n" lines "${numeric_sources}")

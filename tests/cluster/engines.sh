@@ -67,3 +67,16 @@ if ranks "$mpi_program" sweep "$work/other.toml" -o "$work/ranks" >/dev/null 2>"
 fi
 grep -q "another axis" "$work/said" && echo "another sweep is refused"
 same "$work/ranks/results.nc" "after the refusal"
+
+# Ranks whose C library computes otherwise, as on another kind of CPU, are found before anything is computed. Where the
+# machine has one kind of code only, the tunable changes nothing and the sweep is the same.
+other_cpu=GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-AVX512F,-FMA4
+code=0
+ranks "$mpi_program" $sweep -o "$work/mixed" : -np 1 --bind-to none env "$other_cpu" \
+    "$mpi_program" $sweep -o "$work/mixed" >/dev/null 2>"$work/said" || code=$?
+if grep -q "kind of CPU" "$work/said"; then
+    echo "a rank on another kind of CPU is refused (code $code)"
+    test ! -e "$work/mixed/journal"
+else
+    same "$work/mixed/results.nc" "another kind of CPU that computes the same"
+fi

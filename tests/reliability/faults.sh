@@ -55,6 +55,39 @@ while [ $damaged -lt 20 ]; do
 done
 echo "torn records healed: $healed chunks computed again after $damaged damages, bytes equal each time"
 
+# two runs in one directory, another sweep, another kind of CPU: refused in words, and nothing is touched
+refused() {
+    what=$1 words=$2
+    shift 2
+    "$@" >said 2>&1
+    code=$?
+    [ $code = 2 ] || fail "$what: code $code, $(cat said)"
+    grep -q -- "$words" said || fail "$what is refused without \"$words\": $(cat said)"
+    refusals=$((refusals + 1))
+}
+refusals=0
+"$program" sweep spec.toml -o busy --threads 1 --no-report >/dev/null &
+sweep=$!
+while [ ! -d busy/journal ]; do sleep 0.01; done
+refused "a second run" "another run is working" "$program" sweep spec.toml -o busy --no-report
+refused "a merge meanwhile" "another run is working" "$program" merge busy
+wait $sweep || fail "the run that was disturbed"
+same busy "a second run"
+sed 's/inertia = 1.0/inertia = 1.5/' spec.toml >other.toml
+refused "another joint" "another joint; .* --fresh" "$program" sweep other.toml -o one --no-report
+sed 's/points = 400/points = 401/' spec.toml >other.toml
+refused "another axis" "another axis .* --fresh" "$program" sweep other.toml -o one --no-report
+sed 's/"build": "stickslip/"build": "stuckslop/' one/plan.json >changed.json
+cp -r one edited && cp changed.json edited/plan.json
+refused "an edited plan" "--fresh" "$program" sweep spec.toml -o edited --no-report
+other_cpu=GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-AVX512F,-FMA4
+if ! env $other_cpu "$program" sweep spec.toml -o cpu --no-report >/dev/null || ! cmp -s one/results.nc cpu/results.nc; then
+    refused "another kind of CPU" "kind of CPU" env $other_cpu "$program" sweep spec.toml -o one --no-report
+    refused "shards of two kinds of CPU" "different sweeps" "$program" merge one cpu -o both.nc
+fi
+run one >/dev/null && same torn "the refusals"
+echo "refusals in words: $refusals, results untouched each time"
+
 mkdir disk
 if ! mount -t tmpfs -o size=24m tmpfs disk 2>/dev/null; then
     echo "disk full: skipped, no right to mount a small disk"

@@ -18,10 +18,11 @@ bool idle(const std::string& path)
     return false;
 }
 
-/// A number of a law itself, "friction.L" or "friction.motor.B.0", not of a term beside the law such as a ripple.
+/// A number of a law itself, "friction.L" or "friction.motor.B.0", not of a term beside the law such as a ripple. The
+/// normal load is a factor of all of them, which move by themselves.
 bool is_law(std::string_view path)
 {
-    if (!path.starts_with("friction.")) return false;
+    if (!path.starts_with("friction.") || path.ends_with(".normal_load")) return false;
     path.remove_prefix(std::string_view("friction.").size());
     for (const std::string_view body : {"motor.", "transmission.", "link."})
         if (path.starts_with(body)) path.remove_prefix(body.size());

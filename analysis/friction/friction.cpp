@@ -106,13 +106,24 @@ FrictionResponse respond(const Friction& friction, double V, const States& theta
     }
     r.force += friction.asymmetry.coulomb + friction.asymmetry.viscous * std::abs(V);
     r.by_velocity += V < 0 ? -friction.asymmetry.viscous : friction.asymmetry.viscous;
+    // the states stay as they are: contacts of one law under more load are more of the same contacts
+    r.force *= friction.normal_load;
+    r.by_velocity *= friction.normal_load;
+    for (double& slope : r.by_state) slope *= friction.normal_load;
     return r;
 }
 
 double steady_force(const Friction& friction, double V)
 {
     if (friction.has_memory()) return respond(friction, V, steady_state(friction, V)).force;
-    return steady_force(friction.law, V) + friction.asymmetry.coulomb + friction.asymmetry.viscous * std::abs(V);
+    const double f =
+        steady_force(friction.law, V) + friction.asymmetry.coulomb + friction.asymmetry.viscous * std::abs(V);
+    return friction.normal_load * f;
+}
+
+double static_force(const Friction& friction)
+{
+    return friction.normal_load * static_force(friction.law);
 }
 
 std::string Friction::problem() const

@@ -95,6 +95,7 @@ struct Memory {
 struct Friction {
     FrictionLaw law;
     Asymmetry asymmetry;
+    double normal_load = 1;       ///< σ_n of (1) per the one at which the numbers of the law hold: multiplies all of f
     double load_coefficient = 0;  ///< f += load_coefficient · |transmitted effort| · sgn V
     PositionRipple ripple;        ///< multiplies sgn V: flips with direction, unlike cogging
     FrictionDrift drift;
@@ -106,6 +107,9 @@ struct Friction {
     {
         visit.law(self.law);
         visit.table("asymmetry", "direction dependence", self.asymmetry);
+        visit.number({"normal_load", Quantity::number, positive, Need::optional,
+                      "normal load per the one at which the numbers of the law hold; multiplies the friction"},
+                     self.normal_load);
         visit.number(
             {"load_coefficient", Quantity::number, not_negative, Need::optional, "friction per transmitted effort"},
             self.load_coefficient);
@@ -130,6 +134,8 @@ int states(const Friction& friction);
 double steady_force(const Friction& friction, double V);
 States steady_state(const Friction& friction, double V);
 FrictionResponse respond(const Friction& friction, double V, const States& theta);
+/// Set-valued at rest: the largest force at V = 0.
+double static_force(const Friction& friction);
 
 /// Bristles under a level that itself has a memory have coupled states, for which no response in this form exists.
 bool has_response(const Friction& friction);

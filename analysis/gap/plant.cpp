@@ -62,6 +62,9 @@ Rubbing flatten(const Friction& f)
         r.ageing = f.memory.form == MemoryForm::ageing;
     }
     r.lag = f.memory.lag;
+    for (double* force : {&r.coulomb, &r.viscous, &r.stribeck, &r.A, &r.B, &r.asymmetric_coulomb, &r.asymmetric_viscous,
+                          &r.ripple, &r.drift, &r.bristle_stiffness, &r.bristle_damping})
+        *force *= f.normal_load;
     return r;
 }
 

@@ -297,4 +297,10 @@ struct Joint {
     }
 };
 
+/// The friction on the body that a normal load presses.
+inline Friction& link_friction(Joint& joint)
+{
+    return joint.mechanism.model == Model::single_mass ? joint.friction : joint.frictions.link;
+}
+
 }  // namespace stickslip

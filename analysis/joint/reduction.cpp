@@ -60,14 +60,19 @@ Friction joined(const Friction& first, double turns, const Friction& second)
     require(level && !other.has_bristle() && !other.has_memory() && !other.has_lag(),
             "the frictions of two bodies join only where one is coulomb-viscous");
     const double by = first_is_simple ? turns : 1;
-    const auto law = with_level(other.law, by * level->coulomb, by * by * level->viscous);
+    const double first_share = first.normal_load / other.normal_load;
+    const double second_share = second.normal_load / other.normal_load;
+    const double share = first_is_simple ? first_share : second_share;
+    const auto law = with_level(other.law, share * by * level->coulomb, share * by * by * level->viscous);
     require(law.has_value(),
             "coulomb-viscous friction joins coulomb-viscous and Stribeck friction, and without a "
             "viscous part kinetic-static, rate-and-state and ageing friction");
     Friction sum = second;
     sum.law = *law;
-    sum.asymmetry.coulomb += turns * first.asymmetry.coulomb;
-    sum.asymmetry.viscous += turns * turns * first.asymmetry.viscous;
+    sum.normal_load = other.normal_load;
+    sum.asymmetry.coulomb = second_share * second.asymmetry.coulomb + first_share * turns * first.asymmetry.coulomb;
+    sum.asymmetry.viscous =
+        second_share * second.asymmetry.viscous + first_share * turns * turns * first.asymmetry.viscous;
     return sum;
 }
 

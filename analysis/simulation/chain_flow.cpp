@@ -210,7 +210,7 @@ FlowVector ChainFlow::slow_start(double share) const
         const auto theta = steady_state(b.friction, b.ratio * v);
         std::copy_n(theta.begin(), b.states, y.data() + b.first_state);
         const double f =
-            v == 0 ? almost_released * static_force(b.friction.law) : respond(b.friction, b.ratio * v, theta).force;
+            v == 0 ? almost_released * static_force(b.friction) : respond(b.friction, b.ratio * v, theta).force;
         carried[i] = b.ratio * (b.steady_friction - f);
         for (int k = 0; k < bodies; ++k) K(i, k) = stiffness(i, k);
     }

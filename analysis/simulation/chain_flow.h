@@ -28,7 +28,7 @@ class ChainFlow final : public SwitchingFlow {
     std::array<BodyFlow, max_bodies> body;
     LinearJoint loop;  ///< springs, dampers, loop
     double V0 = not_set;
-    double force = 0;  ///< d on the link, constant while one integration lasts
+    double force = 0;  ///< d on the link, constant between calls of surround()
 
     int size() const override { return 2 * bodies + total_states_; }
     FlowVector steady() const override;
@@ -41,6 +41,7 @@ class ChainFlow final : public SwitchingFlow {
     FlowVector speed_gradient(const FlowVector& y) const override;
     double commanded_velocity() const override { return V0; }
     bool logarithmic_speed() const override { return body[link()].logarithmic; }
+    void surround(double d, double normal_load) override { force = d, body[link()].friction.normal_load = normal_load; }
     std::unique_ptr<Flow> with_gain(double k_p) const override;
     double gain() const override { return loop.k_p; }
 
@@ -49,7 +50,7 @@ class ChainFlow final : public SwitchingFlow {
     void enter(FlowVector& y) override;
     void pass(int which, FlowVector& y) override;
     bool anything_rests() const override;
-    std::unique_ptr<SwitchingFlow> copy() const override { return std::make_unique<ChainFlow>(*this); }
+    std::unique_ptr<Flow> copy() const override { return std::make_unique<ChainFlow>(*this); }
 
     int link() const { return bodies - 1; }
     bool can_rest() const;
@@ -69,7 +70,7 @@ class ChainFlow final : public SwitchingFlow {
     FrictionResponse response(const FlowVector& y, int i) const;
     /// What friction must carry, in joint coordinates, for body i to keep its velocity.
     double needed(const FlowVector& y, int i) const;
-    double limit(int i) const { return body[i].ratio * static_force(body[i].friction.law); }
+    double limit(int i) const { return body[i].ratio * static_force(body[i].friction); }
     double stiffness(int i, int k) const
     {
         return loop.stiffness_at(i, k) + (k == loop.measured ? loop.actuated[i] * loop.k_p : 0);

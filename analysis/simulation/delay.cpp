@@ -48,7 +48,7 @@ double dense(const double* c, double f)
 
 double DelayedJoint::friction(double delayed) const
 {
-    return steady_force(curve, std::max(delayed, 1e-12 * V0));
+    return normal_load * steady_force(curve, std::max(delayed, 1e-12 * V0));
 }
 
 std::optional<DelayedJoint> delayed_joint(const Joint& joint)
@@ -64,7 +64,8 @@ std::optional<DelayedJoint> delayed_joint(const Joint& joint)
     d.V0 = std::abs(commanded_velocity(joint));
     d.lag = law->lag;
     d.curve = law->curve.law;
-    d.steady_friction = steady_force(d.curve, d.V0);
+    d.normal_load = joint.friction.normal_load;
+    d.steady_friction = d.friction(d.V0);
     return d;
 }
 
@@ -95,6 +96,13 @@ void DelayMotion::start(double x, double V)
     stuck_ = false;
     history_.clear();
     h_ = std::min(joint_.lag, 0.01 * std::sqrt(joint_.inertia / std::abs(joint_.k_p)));
+}
+
+void DelayMotion::surround(double force, double normal_load)
+{
+    joint_.force = force;
+    joint_.normal_load = normal_load;
+    tell();
 }
 
 void DelayMotion::tell() const
@@ -188,6 +196,10 @@ Turn DelayMotion::turn(double t_end, double settled_size)
         return turn;
     };
     while (t_ < t_end) {
+        if (stuck_ && joint_.holding_force(x_) < -joint_.static_force()) {  // the force or the load has changed
+            turn.reversed = true;
+            return finish(Turn::End::failure);
+        }
         if (stuck_) {
             stick(t_end, turn);
             tell();

@@ -19,11 +19,12 @@ namespace stickslip {
 struct DelayedJoint {
     double inertia = missing, k_v = 0, k_p = missing, V0 = missing, lag = missing, steady_friction = missing;
     CurveLaw curve;
-    double force = 0;  ///< d, constant from t = 0 on
+    double normal_load = 1;  ///< factor on the friction
+    double force = 0;        ///< d of (9); both constant between calls of DelayMotion::surround()
 
     /// The curve at a delayed speed; at and below V = 0 its limit from above, since velocities keep their sign here.
     double friction(double delayed) const;
-    double static_force() const { return stickslip::static_force(curve); }
+    double static_force() const { return normal_load * stickslip::static_force(curve); }
     double holding_force(double x) const { return steady_friction + force + k_v * V0 - k_p * x; }
 };
 
@@ -49,6 +50,8 @@ class DelayMotion {
 
     /// From position and velocity, after steady sliding for ever.
     void start(double x, double V);
+    /// From the instant that the motion has reached: the force d, and the normal load of the friction.
+    void surround(double force, double normal_load);
     /// Until V falls through V_0 again; ends `settled` where the motion of a whole lag stays within `settled_size` ·
     /// V_0.
     Turn turn(double t_end, double settled_size);

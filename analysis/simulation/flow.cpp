@@ -120,7 +120,7 @@ double SlidingFlow::release_force(double x) const
 
 double SlidingFlow::static_force() const
 {
-    return stickslip::static_force(friction.law);
+    return stickslip::static_force(friction);
 }
 FlowVector QuasiStaticFlow::steady() const
 {

@@ -35,9 +35,12 @@ class Flow {
     virtual double commanded_velocity() const = 0;
     /// Whether speed_measure is ln(V/V_0): the law cannot rest.
     virtual bool logarithmic_speed() const = 0;
+    /// From now on: the force d on the link, and the normal load of its friction.
+    virtual void surround(double force, double normal_load) = 0;
     /// The same joint at another position gain.
     virtual std::unique_ptr<Flow> with_gain(double k_p) const = 0;
     virtual double gain() const = 0;
+    virtual std::unique_ptr<Flow> copy() const = 0;
 };
 
 /// In which branch of a friction law that is set-valued at rest the mass slides.
@@ -60,7 +63,6 @@ class SwitchingFlow : public Flow {
     /// Changes them at the zero of one function.
     virtual void pass(int which, FlowVector& y) = 0;
     virtual bool anything_rests() const = 0;
-    virtual std::unique_ptr<SwitchingFlow> copy() const = 0;
 };
 
 /// m ẍ + k_v ẋ + k_p x + f − f_ss(V_0) = d, V = V_0 + ẋ                                               (9)
@@ -74,7 +76,7 @@ class SlidingFlow final : public Flow {
     bool logarithmic = false;  ///< y[1] is ln(V/V_0)
     int states = 0;
     Branch branch = Branch::forward;
-    double force = 0;  ///< d, constant while one integration lasts
+    double force = 0;  ///< d, constant between calls of surround()
 
     int size() const override { return 2 + states; }
     FlowVector steady() const override;
@@ -87,8 +89,10 @@ class SlidingFlow final : public Flow {
     FlowVector speed_gradient(const FlowVector& y) const override;
     double commanded_velocity() const override { return V0; }
     bool logarithmic_speed() const override { return logarithmic; }
+    void surround(double d, double normal_load) override { force = d, friction.normal_load = normal_load; }
     std::unique_ptr<Flow> with_gain(double gain) const override;
     double gain() const override { return k_p; }
+    std::unique_ptr<Flow> copy() const override { return std::make_unique<SlidingFlow>(*this); }
 
     /// What the friction must carry for the mass to keep its speed V = 0: f_ss + d + k_v V_0 − k_p x.
     double holding_force(double x) const { return steady_friction + force + k_v * V0 - k_p * x; }
@@ -118,8 +122,10 @@ class QuasiStaticFlow final : public Flow {
     FlowVector speed_gradient(const FlowVector& y) const override;
     double commanded_velocity() const override { return full_.V0; }
     bool logarithmic_speed() const override { return true; }
+    void surround(double d, double normal_load) override { full_.surround(d, normal_load); }
     std::unique_ptr<Flow> with_gain(double gain) const override;
     double gain() const override { return full_.k_p; }
+    std::unique_ptr<Flow> copy() const override { return std::make_unique<QuasiStaticFlow>(*this); }
 
   private:
     SlidingFlow full_;

@@ -95,6 +95,22 @@ double default_size(const ChainFlow& flow, const SlowMode& mode, DisturbanceKind
     return small_size(flow.V0, flow.loop.k_p, flow.body[flow.link()].inertia, mode, kind);
 }
 
+FlowVector pushed(const SlidingFlow& flow, FlowVector y, double impulse)
+{
+    const double gain = impulse / flow.inertia;
+    y[1] += flow.logarithmic ? std::log1p(gain / flow.velocity(y)) : gain;
+    return y;
+}
+
+FlowVector pushed(const ChainFlow& flow, FlowVector y, double impulse)
+{
+    const int link = flow.link();
+    const auto& b = flow.body[link];
+    const double gain = impulse / b.inertia;
+    y[flow.bodies + link] += b.logarithmic ? std::log1p(gain / flow.velocity(y, link)) : gain;
+    return y;
+}
+
 FlowVector disturbed(const SlidingFlow& flow, const SlowMode&, DisturbanceKind kind, double size)
 {
     FlowVector y = flow.steady();
@@ -113,8 +129,7 @@ FlowVector disturbed(const SlidingFlow& flow, const SlowMode&, DisturbanceKind k
             balance(flow.V0 + size, flow.steady_friction - flow.k_v * size);
             break;
         case DisturbanceKind::impulse:
-            set_speed(flow.V0 + size / flow.inertia);
-            break;
+            return pushed(flow, y, size);
         case DisturbanceKind::offset:
             y[0] = size;
             break;
@@ -151,8 +166,7 @@ FlowVector disturbed(const ChainFlow& flow, const SlowMode& mode, DisturbanceKin
             along_mode(n + link, size * per_speed);
             break;
         case DisturbanceKind::impulse:
-            y[n + link] = b.logarithmic ? std::log1p(size / b.inertia / b.speed) : b.speed + size / b.inertia;
-            break;
+            return pushed(flow, y, size);
         case DisturbanceKind::offset:
             y.head(n).array() += size;
             break;

@@ -38,4 +38,8 @@ double default_size(const ChainFlow& flow, const SlowMode& mode, DisturbanceKind
 FlowVector disturbed(const SlidingFlow& flow, const SlowMode& mode, DisturbanceKind kind, double size);
 FlowVector disturbed(const ChainFlow& flow, const SlowMode& mode, DisturbanceKind kind, double size);
 
+/// The state right after an impulse [N·s] on the link; not finite where a law that needs motion is pushed to rest.
+FlowVector pushed(const SlidingFlow& flow, FlowVector y, double impulse);
+FlowVector pushed(const ChainFlow& flow, FlowVector y, double impulse);
+
 }  // namespace stickslip

@@ -30,21 +30,11 @@ constexpr int most_rests = 10'000;
 
 }  // namespace
 SlidingMotion::SlidingMotion(const Flow& flow, Solver solver, double rtol)
-    : flow_(&flow), stepper_(stepper(solver, rtol)), solver_(solver), rtol_(rtol)
+    : flow_(flow.copy()), stepper_(stepper(solver, rtol)), solver_(solver), rtol_(rtol)
 {
-    const auto* sliding = dynamic_cast<const SlidingFlow*>(&flow);
-    if (sliding && sliding->can_rest()) {
-        auto copy = std::make_unique<SlidingFlow>(*sliding);
-        mutable_flow_ = copy.get();
-        own_ = std::move(copy);
-        flow_ = own_.get();
-    }
-    if (const auto* switching = dynamic_cast<const SwitchingFlow*>(&flow)) {
-        auto copy = switching->copy();
-        switching_ = copy.get();
-        own_ = std::move(copy);
-        flow_ = own_.get();
-    }
+    auto* sliding = dynamic_cast<SlidingFlow*>(flow_.get());
+    if (sliding && sliding->can_rest()) mutable_flow_ = sliding;
+    switching_ = dynamic_cast<SwitchingFlow*>(flow_.get());
     events_.count = mutable_flow_ ? 3 : switching_ ? 2 + switching_->switches() : 2;
     if (mutable_flow_) {  // V may vanish and reverse: straight measures
         events_.values = [this](const FlowVector& y, double* values) {
@@ -78,6 +68,19 @@ void SlidingMotion::start(const FlowVector& y, double t)
         arrive_at_rest();
     } else {
         if (mutable_flow_) mutable_flow_->branch = y_[1] > 0 ? Branch::forward : Branch::reverse;
+        restart();
+    }
+    tell();
+}
+
+void SlidingMotion::surround(double force, double normal_load)
+{
+    flow_->surround(force, normal_load);
+    idle_switches_ = 0;
+    if (stuck_) {
+        arrive_at_rest();
+    } else {
+        if (switching_) switching_->enter(y_);
         restart();
     }
     tell();

@@ -40,6 +40,8 @@ class SlidingMotion {
     SlidingMotion(const Flow& flow, Solver solver, double rtol);
 
     void start(const FlowVector& y, double t = 0);
+    /// Flow::surround from the instant that the motion has reached.
+    void surround(double force, double normal_load);
     /// Until the next downward crossing of V = V_0, until `settled` says true at a step, or until the time is over.
     Turn turn(double t_end, const std::function<bool(const FlowVector&)>& settled = {});
     /// Straight to a time, whatever is crossed on the way; false if the solver fails.
@@ -61,10 +63,9 @@ class SlidingMotion {
     void measure_step(double from, const FlowVector& before, Turn& turn);
     void tell();
 
-    const Flow* flow_;
-    SlidingFlow* mutable_flow_ = nullptr;  ///< own copy, where branches are switched
-    SwitchingFlow* switching_ = nullptr;   ///< own copy, where several bodies may rest
-    std::unique_ptr<Flow> own_;
+    std::unique_ptr<Flow> flow_;
+    SlidingFlow* mutable_flow_ = nullptr;  ///< flow_, where branches are switched
+    SwitchingFlow* switching_ = nullptr;   ///< flow_, where several bodies may rest
     Events events_;
     std::unique_ptr<Stepper> stepper_;
     Solver solver_;

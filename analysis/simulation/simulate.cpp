@@ -25,6 +25,47 @@ double default_duration(const SlowMode& mode)
     return std::clamp(lead / mode.s.real() + watched_turns * turn, default_turns * turn, most_turns * turn);
 }
 
+constexpr std::size_t most_cvode_pieces = 10;
+
+/// What acts on the joint during one piece of time.
+struct Piece {
+    double end, force, normal_load;
+};
+
+/// Pieces of constant force and load up to `duration`, longest possible.
+std::vector<Piece> pieces(const SimulateOptions& options, double normal_load, double duration)
+{
+    const auto& d = options.force;
+    const auto& load = options.normal_load;
+    std::vector<Piece> all;
+    std::size_t i = 0, k = 0;  // samples of force and load
+    for (double t = 0; t < duration;) {
+        const double force_end = i < d.value.size() ? d.step * static_cast<double>(i + 1) : duration;
+        const double load_end = k + 1 < load.value.size() ? load.step * static_cast<double>(k + 1) : duration;
+        const double end = std::min({force_end, load_end, duration});
+        const double force = i < d.value.size() ? d.value[i] : 0;
+        const double sigma = load.value.empty() ? normal_load : load.value[k];
+        const bool same = !all.empty() && all.back().force == force && all.back().normal_load == sigma;
+        if (same)
+            all.back().end = end;
+        else
+            all.push_back({end, force, sigma});
+        if (force_end <= end && i < d.value.size()) ++i;
+        if (load_end <= end && k + 1 < load.value.size()) ++k;
+        t = end;
+    }
+    return all;
+}
+
+/// A size of zero where a force is all that disturbs.
+double size_of(const SimulateOptions& options, double by_default)
+{
+    if (is_set(options.disturbance.size)) return options.disturbance.size;
+    const bool forced = !options.force.value.empty() || !options.normal_load.value.empty();
+    const bool start = options.disturbance.kind == DisturbanceKind::start;
+    return forced && !start ? 0 : by_default;
+}
+
 void keep(double t, double x, double V, double friction, bool stuck, Trajectory& path)
 {
     path.time.push_back(t);
@@ -34,8 +75,9 @@ void keep(double t, double x, double V, double friction, bool stuck, Trajectory&
     path.stuck.push_back(stuck);
 }
 
-void keep(const SlidingFlow& flow, const Instant& now, Trajectory& path)
+void keep(const SlidingFlow&, const Instant& now, Trajectory& path)
 {
+    const auto& flow = static_cast<const SlidingFlow&>(now.flow);
     States theta{};
     for (int i = 0; i < flow.states; ++i) {
         theta[i] = now.y[2 + i];
@@ -71,6 +113,15 @@ double link_steady_friction(const ChainFlow& flow)
     return flow.body[flow.link()].steady_friction;
 }
 
+const Friction& link_friction_of(const SlidingFlow& flow)
+{
+    return flow.friction;
+}
+const Friction& link_friction_of(const ChainFlow& flow)
+{
+    return flow.body[flow.link()].friction;
+}
+
 template <class AnyFlow>
 void follow(AnyFlow& flow, const SimulateOptions& options, Trajectory& path)
 {
@@ -79,14 +130,27 @@ void follow(AnyFlow& flow, const SimulateOptions& options, Trajectory& path)
     path.states.resize(static_cast<std::size_t>(link_states(flow)));
     const auto mode = slow_mode(flow);
     const auto kind = options.disturbance.kind;
-    const double size = is_set(options.disturbance.size) ? options.disturbance.size : default_size(flow, mode, kind);
+    const double size = size_of(options, default_size(flow, mode, kind));
     const double duration = is_set(options.duration) ? options.duration : default_duration(mode);
-    const FlowVector start = disturbed(flow, mode, kind, size);
-    flow.force = options.force;
-    SlidingMotion motion(flow, options.fallback_only ? Solver::rodas5p : Solver::cvode, options.rtol);
+    FlowVector start = disturbed(flow, mode, kind, size);
+    if (options.force.impulse != 0) start = pushed(flow, start, options.force.impulse);
+    if (!start.allFinite()) {
+        path.reason = Reason::law_needs_motion;
+        return;
+    }
+    const auto parts = pieces(options, link_friction_of(flow).normal_load, duration);
+    // CVODE builds its order up anew after every jump of the force, one-step methods have nothing to lose
+    const bool one_step = options.fallback_only || parts.size() > most_cvode_pieces;
+    flow.surround(parts.front().force, parts.front().normal_load);
+    SlidingMotion motion(flow, one_step ? Solver::rodas5p : Solver::cvode, options.rtol);
     motion.observe([&](const Instant& now) { keep(flow, now, path); });
     motion.start(start);
-    if (!motion.advance(duration)) path.reason = Reason::solver_failed;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (i > 0) motion.surround(parts[i].force, parts[i].normal_load);
+        if (motion.advance(parts[i].end)) continue;
+        path.reason = Reason::solver_failed;
+        break;
+    }
     path.used_fallback = motion.used_fallback();
 }
 
@@ -95,18 +159,21 @@ void follow_delayed(DelayedJoint joint, const SimulateOptions& options, Trajecto
     path.commanded_velocity = joint.V0;
     path.steady_friction = joint.steady_friction;
     const auto kind = options.disturbance.kind;
-    const double size = is_set(options.disturbance.size) ? options.disturbance.size : default_size(joint, kind);
-    const auto start = disturbed(joint, kind, size);
+    const double size = size_of(options, default_size(joint, kind));
+    auto start = disturbed(joint, kind, size);
+    start.V += options.force.impulse / joint.inertia;
     const double duration =
         is_set(options.duration) ? options.duration : default_turns * 2 * std::numbers::pi * natural_time(joint);
-    joint.force = options.force;
     DelayMotion motion(joint, options.rtol);
     motion.observe([&](double t, double x, double V, double f, bool stuck) { keep(t, x, V, f, stuck, path); });
     motion.start(start.x, start.V);
-    while (motion.time() < duration) {
-        const auto end = motion.turn(duration, 0).end;
-        if (end == Turn::End::failure || end == Turn::End::held) {
-            path.reason = Reason::solver_failed;
+    for (const auto& piece : pieces(options, joint.normal_load, duration)) {
+        motion.surround(piece.force, piece.normal_load);
+        for (auto end = Turn::End::crossing; end != Turn::End::time;) {
+            const auto turn = motion.turn(piece.end, 0);
+            end = turn.end;
+            if (end != Turn::End::failure && end != Turn::End::held) continue;
+            path.reason = turn.reversed ? Reason::law_needs_motion : Reason::solver_failed;
             return;
         }
     }
@@ -114,9 +181,11 @@ void follow_delayed(DelayedJoint joint, const SimulateOptions& options, Trajecto
 
 }  // namespace
 
-Trajectory simulate(const Joint& joint, const SimulateOptions& options)
+Trajectory simulate(const Joint& asked, const SimulateOptions& options)
 {
     Trajectory path;
+    Joint joint = asked;
+    if (!options.normal_load.value.empty()) link_friction(joint).normal_load = options.normal_load.value.front();
     const auto attempt = [&](auto found) {
         path.reason = found.reason;
         if (found.reason == Reason::none) follow(found.flow, options, path);

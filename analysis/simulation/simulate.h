@@ -3,18 +3,28 @@
 #include "analysis/joint/joint.h"
 #include "analysis/results/trajectory.h"
 #include "analysis/simulation/disturbance.h"
+#include "analysis/stability/forced_response.h"
 
 namespace stickslip {
+
+/// The normal load of the link's friction in time, per the one at which the numbers of its law hold: `value[i]` holds
+/// from i·step to (i + 1)·step, the last one for ever.
+struct SampledLoad {
+    double step = 0;  ///< s
+    std::vector<double> value;
+};
 
 struct SimulateOptions {
     Disturbance disturbance;
     double duration = missing;  ///< s; not set: fifty turns of the slowest mode, up to 400 where it grows slowly
-    double force = 0;           ///< constant force d from t = 0 on, N
+    SampledForce force;         ///< d(t) of (9) on the link, on top of the disturbance
+    SampledLoad normal_load;    ///< σ_n(t) of (1); empty: as the joint says
     double rtol = 1e-8;
     bool fallback_only = false;  ///< Rodas5P in place of CVODE
 };
 
-/// Integrates the joint from its disturbance on and keeps every step of the solver. Never throws: a joint without
+/// Integrates the joint from its disturbance on and keeps every step of the solver. With a normal load the joint slides
+/// steadily under the first one before, and positions are in excess of that path. Never throws: a joint without
 /// equations of motion gives an empty trajectory and the reason, a solver that fails the part that it reached.
 Trajectory simulate(const Joint& joint, const SimulateOptions& options);
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include "analysis/stability/delayed_response.h"
 #include "analysis/stability/joint_spectrum.h"
 
 namespace stickslip {
@@ -31,7 +32,7 @@ SampledForce sampled_force(ForceKind kind, double size, double duration, double 
 
 ForcedResponse forced_response(const LinearJoint& j, const SampledForce& force)
 {
-    if (!j.rational()) throw std::invalid_argument("a joint with delays has no finite set of states to follow");
+    if (!j.rational()) return delayed_response(j, force);
     const Eigen::MatrixXd A = state_matrix(j);
     const Eigen::Index n = A.rows(), link = j.link(), speed = j.bodies + link;
     // exp of [A b; 0 0] holds e^{Ah} and ∫ e^{As} b ds side by side

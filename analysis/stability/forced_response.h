@@ -26,8 +26,8 @@ struct ForcedResponse {
     std::vector<double> time, position, velocity;
 };
 
-/// Exact at the sample times for a force held between them (matrix exponential). The joint starts in steady sliding.
-/// Throws std::invalid_argument for a joint with delays or tables, which has no finite set of states.
+/// Exact at the sample times for a force held between them (matrix exponential), but for a joint with delays or tables,
+/// whose steps have an error of the fourth order (delayed_response). The joint starts in steady sliding.
 ForcedResponse forced_response(const LinearJoint& joint, const SampledForce& force);
 
 }  // namespace stickslip

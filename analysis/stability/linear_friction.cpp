@@ -44,8 +44,9 @@ LinearFriction linearise(const Friction& friction, double V)
     if (info(friction.law).needs_history) {
         // a flat piece of a delayed curve remembers nothing: no search has to find that out band by band
         for (const auto& d : delays_of(friction.law, V))
-            if (d.weight != 0) linear.delays.push_back(d);
+            if (d.weight != 0) linear.delays.push_back({friction.normal_load * d.weight, d.time});
         linear.table = table_of(friction.law);
+        linear.table_scale = friction.normal_load;
     }
     return linear;
 }

@@ -4,7 +4,7 @@
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/loop.h"
 #include "analysis/stability/steady.h"
-#include "sweep/files/kernel_table_file.h"
+#include "sweep/files/series_file.h"
 #include "sweep/report/line_figure.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace stickslip {
 namespace {
 
-constexpr int samples = 4000;
+constexpr int samples = sampled_disturbance;
 
 /// Ten times what the slowest mode needs to change by e, but no more than two hundred of its turns.
 double shown_duration(const LinearJoint& joint)
@@ -36,18 +36,27 @@ SampledForce force_of(const AskedDisturbance& asked, double duration, double ome
                                                            {"noise", ForceKind::noise}};
     for (const auto& [name, kind] : kinds)
         if (asked.kind == name) return sampled_force(kind, asked.size, duration, duration / samples, omega, asked.seed);
-    const auto table = read_kernel_table(asked.kind);
     SampledForce force = sampled_force(ForceKind::step, 0, duration, duration / samples);
-    for (int i = 0; i < samples; ++i) force.value[i] = asked.size * table.at(force.step * (i + 0.5));
+    force.value = read_series(asked.kind, "force").sampled(force.step, samples);
+    for (double& d : force.value) d *= asked.size;
     return force;
 }
 
 }  // namespace
 
+bool is_force_file(const AskedDisturbance& asked)
+{
+    for (const char* name : {"", "impulse", "step", "sine", "noise"})
+        if (asked.kind == name) return false;
+    return true;
+}
+
 DisturbedMotion disturbed_motion(const Joint& joint, const AskedDisturbance& asked)
 {
     const auto linear = linear_joint(joint, commanded_velocity(joint));
-    double duration = is_set(asked.duration) ? asked.duration : shown_duration(linear);
+    double duration = is_set(asked.duration) ? asked.duration
+                      : is_force_file(asked) ? read_series(asked.kind, "force").duration()
+                                             : shown_duration(linear);
     const auto peak = response_peak(linear);
     const double omega = is_set(asked.omega) ? asked.omega : peak.omega > 0 ? peak.omega : 20 / duration;
     if (!is_set(asked.duration) && asked.kind == "sine") duration = std::max(duration, 12 * std::numbers::pi / omega);

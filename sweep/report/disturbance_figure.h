@@ -24,8 +24,13 @@ struct DisturbedMotion {
     double peak = missing, peak_time = missing;  ///< largest |x| with memory
 };
 
-/// Not set: a duration that shows the slowest mode, a sine at the peak of |X/D|. Throws BadInput for a file that cannot
-/// be read, std::invalid_argument for a joint with delays.
+inline constexpr int sampled_disturbance = 4000;  ///< samples of a force or a load over the time that is shown
+
+/// Whether `kind` is none of the names.
+bool is_force_file(const AskedDisturbance& asked);
+
+/// Not set: a duration that shows the slowest mode or the whole file, a sine at the peak of |X/D|. Throws BadInput for
+/// a file that cannot be read.
 DisturbedMotion disturbed_motion(const Joint& joint, const AskedDisturbance& asked);
 
 Figure disturbance_figure(const Joint& joint, const AskedDisturbance& asked, const DisturbedMotion& motion);

@@ -86,9 +86,59 @@ LineChart chart_of(const char* title, std::string x_label, std::string y_label, 
     return chart;
 }
 
+/// A quantity held over each sample, as a line.
+LineChart::Line staircase(const char* name, double step, const std::vector<double>& values)
+{
+    LineChart::Line line{name, {}, {}};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        line.x.push_back(step * static_cast<double>(i)), line.y.push_back(values[i]);
+        line.x.push_back(step * static_cast<double>(i + 1)), line.y.push_back(values[i]);
+    }
+    return line;
+}
+
+/// The linear answer as far as it stays near the motion: an unstable one would squeeze it into a line.
+LineChart::Line linear_line(const ForcedResponse& linear, const Trajectory& t)
+{
+    double largest = 0;
+    for (const double x : t.position) largest = std::max(largest, std::abs(x));
+    LineChart::Line line{"linear theory", linear.time, linear.position, true};
+    for (double& x : line.y)
+        if (std::abs(x) > 3 * largest) x = missing;
+    return line;
+}
+
+Section surroundings_section(const SimulatedSurroundings& surroundings, const std::string& time, Motion motion)
+{
+    Section section{"surroundings", "What acted from outside", "", {}, {}};
+    if (surroundings.linear && !surroundings.linear->force.value.empty()) {
+        const auto& d = surroundings.linear->force;
+        std::string caption =
+            "d(t) of (9) on the link, held over each sample of " + with_unit(d.step, Quantity::time, motion) + ".";
+        if (d.impulse != 0)
+            caption += " An impulse of " + with_unit(d.impulse, Quantity::impulse, motion) + " stands before it.";
+        section.figures.push_back(
+            line_figure("force",
+                        chart_of("Disturbing force in time", time, label("force d", Quantity::effort, motion),
+                                 {staircase("d", d.step, d.value)}),
+                        std::move(caption), "It stays " + range(d.value, Quantity::effort, motion) + "."));
+    }
+    const auto& load = surroundings.normal_load;
+    if (!load.value.empty())
+        section.figures.push_back(line_figure(
+            "normal-load",
+            chart_of("Normal load in time", time, "normal load σ_{n} per the nominal one",
+                     {staircase("σ_{n}", load.step, load.value)}),
+            "σ_{n}(t) of (1) multiplies the friction of the link. The states of the law are those of the contacts and "
+            "do not jump with it. Before the start the joint slides steadily under the first load.",
+            "It stays " + range(load.value, Quantity::number, motion) + "."));
+    return section;
+}
+
 }  // namespace
 
-Report trajectory_report(const Joint& joint, const Trajectory& t, const NonlinearVerdict& verdict)
+Report trajectory_report(const Joint& joint, const Trajectory& t, const NonlinearVerdict& verdict,
+                         const SimulatedSurroundings& surroundings)
 {
     const auto motion = joint.mechanism.motion;
     const auto time = label("time t", Quantity::time, motion),
@@ -106,9 +156,10 @@ Report trajectory_report(const Joint& joint, const Trajectory& t, const Nonlinea
         report.tone = Headline::Tone::warning;
         return report;
     }
+    const bool forced = surroundings.linear || !surroundings.normal_load.value.empty();
     const auto last_third = range(settled(t, t.velocity), Quantity::velocity, motion);
     report.verdict = "In the last third of " + with_unit(t.time.back(), Quantity::time, motion) +
-                     " the velocity stays " + last_third + ". " + ending_text(verdict);
+                     " the velocity stays " + last_third + "." + (forced ? "" : " " + ending_text(verdict));
     if (t.reason != Reason::none)
         report.alerts.push_back({Headline::Tone::warning, "The motion stops early: " + reason_text(t.reason) + "."});
     if (t.used_fallback)
@@ -117,9 +168,11 @@ Report trajectory_report(const Joint& joint, const Trajectory& t, const Nonlinea
     section.figures.push_back(
         line_figure("velocity", chart_of("Velocity in time", time, velocity, {{"V", t.time, t.velocity}}),
                     "Velocity of the link after the disturbance.", "In the last third it stays " + last_third + "."));
+    auto in_time = chart_of("Excess position in time", time, position, {{"x", t.time, t.position}});
+    if (surroundings.linear && surroundings.normal_load.value.empty())
+        in_time.lines.push_back(linear_line(surroundings.linear->memory, t));
     section.figures.push_back(
-        line_figure("position", chart_of("Excess position in time", time, position, {{"x", t.time, t.position}}),
-                    "Position of the link beyond its steady path.",
+        line_figure("position", std::move(in_time), "Position of the link beyond its steady path.",
                     "In the last third it stays " + range(settled(t, t.position), Quantity::position, motion) + "."));
     section.figures.push_back(
         line_figure("phase",
@@ -134,7 +187,10 @@ Report trajectory_report(const Joint& joint, const Trajectory& t, const Nonlinea
         "holds the joint at rest.",
         "In the last third friction stays " + range(settled(t, t.friction), Quantity::effort, motion) + "."));
     report.sections.push_back(std::move(section));
-    report.sections.push_back({"outcome", "Where this disturbance ends", "", {}, {nonlinear_table(joint, verdict)}});
+    if (forced) report.sections.push_back(surroundings_section(surroundings, time, motion));
+    Section outcome{"outcome", "Where this disturbance ends", "", {}, {nonlinear_table(joint, verdict)}};
+    if (forced) outcome.title = "Where the stated disturbance alone ends";
+    report.sections.push_back(std::move(outcome));
     return report;
 }
 

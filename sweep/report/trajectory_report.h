@@ -4,10 +4,21 @@
 #include "analysis/results/report.h"
 #include "analysis/results/trajectory.h"
 #include "analysis/simulation/nonlinear.h"
+#include "analysis/simulation/simulate.h"
+#include "sweep/report/disturbance_figure.h"
+
+#include <optional>
 
 namespace stickslip {
 
-/// `verdict` is where the same disturbance ends; it stands beside the motion as a table.
-Report trajectory_report(const Joint& joint, const Trajectory& trajectory, const NonlinearVerdict& verdict);
+/// What acted on the joint from outside, to be drawn beside the motion.
+struct SimulatedSurroundings {
+    std::optional<DisturbedMotion> linear;  ///< the force, and what the linear theory answers to it
+    SampledLoad normal_load;
+};
+
+/// `verdict` is where the same disturbance ends without them; it stands beside the motion as a table.
+Report trajectory_report(const Joint& joint, const Trajectory& trajectory, const NonlinearVerdict& verdict,
+                         const SimulatedSurroundings& surroundings);
 
 }  // namespace stickslip

@@ -2,7 +2,6 @@
 #include "analysis/results/text.h"
 #include "analysis/simulation/nonlinear.h"
 #include "analysis/stability/verdict.h"
-#include "sweep/files/bad_input.h"
 #include "sweep/files/joint_file.h"
 #include "sweep/files/nonlinear_json.h"
 #include "sweep/files/study_json.h"
@@ -10,9 +9,11 @@
 #include "sweep/program.h"
 #include "sweep/report/disturbance_figure.h"
 #include "sweep/report/linear_report.h"
+#include "sweep/report/load_section.h"
 #include "sweep/report/verdict_text.h"
 #include "sweep/report/write_report.h"
 #include "sweep/verbs/disturbance_option.h"
+#include "sweep/verbs/surroundings_option.h"
 #include "sweep/verbs/verbs.h"
 
 #include <fmt/format.h>
@@ -20,7 +21,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 
 namespace stickslip {
 namespace {
@@ -29,19 +29,42 @@ struct Options {
     std::string joint, directory;
     std::vector<std::string> settings;
     DisturbanceOption disturbance;
-    AskedDisturbance force;
+    SurroundingsOption surroundings;
     bool json = false;
 };
 
 /// The motion under the asked disturbance, where one is asked and the joint slides.
-std::optional<DisturbedMotion> disturbed(const Joint& joint, const Options& options)
+std::optional<DisturbedMotion> disturbed(const Joint& joint, const AskedDisturbance& force)
 {
-    if (options.force.kind.empty()) return std::nullopt;
-    try {
-        return disturbed_motion(joint, options.force);
-    } catch (const std::invalid_argument& e) {
-        throw BadInput(std::string("--force: ") + e.what());
-    }
+    if (force.kind.empty()) return std::nullopt;
+    return disturbed_motion(joint, force);
+}
+
+/// What the theory says over the asked record of the normal load.
+std::optional<LoadStudy> loaded(const Joint& joint, const SurroundingsOption& surroundings)
+{
+    if (!surroundings.loaded()) return std::nullopt;
+    const auto record = surroundings.normal_load();
+    return load_study(joint, record.sampled(record.duration() / sampled_disturbance, sampled_disturbance));
+}
+
+nlohmann::ordered_json load_json(const LoadStudy& study)
+{
+    nlohmann::ordered_json json = {
+        {"low", study.low},
+        {"high", study.high},
+        {"stable_share",
+         {{"velocity_only", study.stable_velocity_only}, {"state_variable", study.stable_state_variable}}},
+        {"hardest", json_number(study.hardest_load)},
+        {"k_cr", json_number(study.hardest_k_cr)}};
+    auto& levels = json["levels"] = nlohmann::ordered_json::array();
+    for (const auto& v : study.at)
+        levels.push_back({{"load", v.load},
+                          {"velocity_only",
+                           {{"spectral_abscissa", json_number(v.velocity_only)}, {"k_v_min", json_number(v.k_v_min)}}},
+                          {"state_variable",
+                           {{"spectral_abscissa", json_number(v.state_variable)}, {"k_cr", json_number(v.k_cr)}}}});
+    return json;
 }
 
 nlohmann::ordered_json motion_json(const AskedDisturbance& asked, const DisturbedMotion& motion)
@@ -66,20 +89,23 @@ int evaluate(const Options& options)
     const bool decided = verdict.steady.reason == Reason::none;
     std::optional<LinearStudy> study;
     if (options.json || !options.directory.empty()) study = linear_study(joint);
-    const auto motion = decided ? disturbed(joint, options) : std::nullopt;
+    const auto& force = options.surroundings.force;
+    const auto motion = decided ? disturbed(joint, force) : std::nullopt;
+    const auto loads = decided ? loaded(joint, options.surroundings) : std::nullopt;
     std::filesystem::path page;
     if (!options.directory.empty()) {
         auto report = linear_report(joint, verdict, nonlinear, *study);
         if (motion)
             for (auto& section : report.sections)
-                if (section.id == "response")
-                    section.figures.push_back(disturbance_figure(joint, options.force, *motion));
+                if (section.id == "response") section.figures.push_back(disturbance_figure(joint, force, *motion));
+        if (loads) report.sections.insert(report.sections.end() - 1, load_section(joint, *loads));
         page = write_report(report, options.directory);
     }
     if (options.json) {
         auto json = verdict_json(verdict);
         if (decided) json["linear"].update(study_json(joint, *study));
-        if (motion) json["linear"]["forced"] = motion_json(options.force, *motion);
+        if (motion) json["linear"]["forced"] = motion_json(force, *motion);
+        if (loads) json["linear"]["normal_load"] = load_json(*loads);
         json["nonlinear"] = nonlinear_json(nonlinear);
         fmt::print("{}\n", json.dump(2));
     } else {
@@ -92,6 +118,9 @@ int evaluate(const Options& options)
             fmt::print("  {:<40} {} at {}\n", "largest linear answer to the force",
                        with_unit(motion->peak, Quantity::position, joint.mechanism.motion),
                        with_unit(motion->peak_time, Quantity::time, joint.mechanism.motion));
+        if (loads)
+            for (const auto& row : load_table(joint, *loads).rows)
+                fmt::print("  {:<40} {}\n", plain_text(row[0]), plain_text(row[1]));
         if (!page.empty()) fmt::print("report:  {}\n", page.string());
     }
     return decided ? exit_done : exit_undecided;
@@ -111,17 +140,8 @@ void add_evaluate(CLI::App& app, Invocation& invocation)
     options->disturbance.add_to(*verb);
     verb->add_option("-o,--output", options->directory,
                      "also write a page with charts: both theories, disturbances, force ramps, reductions");
-    auto& d = options->force;
-    verb->add_option(
-        "--force", d.kind,
-        "answer of the linear joint to a disturbing force d(t) on the link: impulse | step | sine | noise | "
-        "a file with time and force");
-    verb->add_option("--force-size", d.size, "N·s of an impulse, N of others, a factor on a file")
-        ->capture_default_str();
-    verb->add_option("--omega", d.omega, "rad/s of a sine; default: the peak of |X/D|")->check(CLI::PositiveNumber);
-    verb->add_option("--duration", d.duration, "s; default: until the slowest mode has shown itself")
-        ->check(CLI::PositiveNumber);
-    verb->add_option("--seed", d.seed, "of noise")->capture_default_str();
+    options->surroundings.add_to(*verb);
+    options->surroundings.add_duration_to(*verb, "until the slowest mode has shown itself, or the file's");
     verb->add_flag("--json", options->json, "machine-readable, stable names");
     verb->footer(
         "Example: stickslip evaluate examples/02-ball-screw/joint-with-memory.toml --set control.k_p=2e4 --json\n"

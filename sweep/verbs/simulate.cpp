@@ -1,6 +1,7 @@
 // stickslip simulate: one motion of one joint, as numbers and pictures.
 #include "analysis/simulation/simulate.h"
 #include "analysis/simulation/nonlinear.h"
+#include "analysis/stability/steady.h"
 
 #include "sweep/files/joint_file.h"
 #include "sweep/program.h"
@@ -8,6 +9,7 @@
 #include "sweep/report/verdict_text.h"
 #include "sweep/report/write_report.h"
 #include "sweep/verbs/disturbance_option.h"
+#include "sweep/verbs/surroundings_option.h"
 #include "sweep/verbs/verbs.h"
 
 #include <fmt/format.h>
@@ -24,8 +26,32 @@ struct Options {
     std::string joint, directory = "out";
     std::vector<std::string> settings;
     DisturbanceOption disturbance;
-    double duration = missing, tolerance = 1e-8;
+    SurroundingsOption surroundings;
+    double tolerance = 1e-8;
 };
+
+/// What acts on the joint from outside, as numbers and for the page.
+SimulatedSurroundings surround(const Joint& joint, const SurroundingsOption& asked, SimulateOptions& simulation)
+{
+    SimulatedSurroundings shown;
+    simulation.duration = asked.force.duration;
+    const bool slides = steady_sliding(joint).reason == Reason::none;
+    if (!asked.force.kind.empty() && slides) {
+        shown.linear = disturbed_motion(joint, asked.force);
+        simulation.force = shown.linear->force;
+        const double shown_for = simulation.force.step * static_cast<double>(simulation.force.value.size());
+        if (!is_set(simulation.duration)) simulation.duration = shown_for;
+    }
+    if (asked.loaded()) {
+        const auto record = asked.normal_load();
+        if (!is_set(simulation.duration)) simulation.duration = record.duration();
+        auto& load = simulation.normal_load;
+        load.step = simulation.duration / sampled_disturbance;
+        load.value = record.sampled(load.step, sampled_disturbance);
+        shown.normal_load = load;
+    }
+    return shown;
+}
 
 /// trajectory.csv, one row a step of the solver.
 std::filesystem::path write_trajectory(const Joint& joint, const Trajectory& t, const std::filesystem::path& directory)
@@ -48,13 +74,13 @@ int simulate_joint(const Options& options)
     apply_settings(joint, options.settings);
     SimulateOptions simulation;
     simulation.disturbance = options.disturbance.disturbance();
-    simulation.duration = options.duration;
     simulation.rtol = options.tolerance;
+    const auto surroundings = surround(joint, options.surroundings, simulation);
     const auto trajectory = simulate(joint, simulation);
     NonlinearOptions outcome;
     outcome.disturbance = simulation.disturbance;
     outcome.rtol = simulation.rtol;
-    const auto report = trajectory_report(joint, trajectory, nonlinear_verdict(joint, outcome));
+    const auto report = trajectory_report(joint, trajectory, nonlinear_verdict(joint, outcome), surroundings);
     fmt::print("{}\n", plain_text(report.verdict));
     if (trajectory.time.empty()) return exit_undecided;
     fmt::print("trajectory: {}\n", write_trajectory(joint, trajectory, options.directory).string());
@@ -73,14 +99,18 @@ void add_simulate(CLI::App& app, Invocation& invocation)
     verb->add_option("-o,--output", options->directory, "directory of the files")->capture_default_str();
     verb->add_option("--set", options->settings, "change a number first: path=value");
     options->disturbance.add_to(*verb);
-    verb->add_option("--duration", options->duration,
-                     "s; default: fifty turns of the slowest mode, up to 400 where it grows slowly");
+    options->surroundings.add_to(*verb);
+    options->surroundings.add_duration_to(*verb,
+                                          "fifty turns of the slowest mode, up to 400 where it grows slowly; with a "
+                                          "force until the mode has shown itself; a file's own");
     verb->add_option("--tolerance", options->tolerance, "relative tolerance")
         ->check(CLI::Range(1e-13, 1e-2))
         ->capture_default_str();
     verb->footer(
         "Example: stickslip simulate examples/02-ball-screw/joint-with-memory.toml --set control.k_v=0 --set "
-        "control.k_p=5e4 -o out");
+        "control.k_p=5e4 -o out\n"
+        "Example: stickslip simulate joint.toml --force sine --force-size 0.1 --omega 60 -o out\n"
+        "Example: stickslip simulate joint.toml --normal-load record.csv --nominal-load 250 -o out");
     verb->callback([options, &invocation] { invocation.exit_code = simulate_joint(*options); });
 }
 

@@ -48,10 +48,10 @@ std::optional<Scaled> scaled(const Joint& joint)
     if (!law || law->B.size != 1 || !single || !plain(joint.friction, joint.load)) return {};
     const auto sliding = steady_sliding(joint);
     if (sliding.reason != Reason::none) return {};
-    const double A = law->A, L = law->L[0], V0 = sliding.velocity;
+    const double A = joint.friction.normal_load * law->A, L = law->L[0], V0 = sliding.velocity;
     const auto& control = joint.control;
     Scaled s{{rounded(control.k_p * L / A), rounded(joint.mechanism.inertia * V0 * V0 / (L * A)),
-              rounded(law->B[0] / A), rounded(control.k_v * V0 / A)},
+              rounded(law->B[0] / law->A), rounded(control.k_v * V0 / A)},
              L,
              V0,
              sliding.deflection};

@@ -71,9 +71,59 @@ TEST_CASE("noise has its standard deviation and is the same for the same seed", 
     CHECK_THROWS_AS(sampled_force(ForceKind::step, 1, 1, 0), std::invalid_argument);
 }
 
-TEST_CASE("a joint with delays is refused", "[stability]")
+TEST_CASE("friction that answers late is answered by the method of steps", "[stability]")
+{
+    // before the first delay is over nothing has come back: the oscillator alone
+    LinearJoint late = oscillator();
+    late.friction[0].delays.push_back({100, 0.0503});
+    const auto impulse = forced_response(late, sampled_force(ForceKind::impulse, 3, 0.1, 0.01));
+    const auto alone = [](double t) { return 1.5 / damped * std::exp(-decay * t) * std::sin(damped * t); };
+    for (int i = 0; i <= 5; ++i) CHECK(impulse.position[i] == Approx(alone(0.01 * i)).margin(1e-14));
+    // between one delay and two the impulse response h is convolved with itself once: x = h + w ∫ h'(s) h(t − τ − s) m
+    // ds
+    const double t = 0.1, end = t - 0.0503;
+    const int n = 2000;
+    double sum = 0;
+    for (int k = 0; k <= n; ++k) {  // Simpson
+        const double s = end * k / n, e = std::exp(-decay * s) * 1.5;
+        const double speed = e * (std::cos(damped * s) - decay / damped * std::sin(damped * s));
+        sum += (k == 0 || k == n ? 1 : k % 2 ? 4 : 2) * speed * alone(end - s) / 3;
+    }
+    CHECK(impulse.position[10] == Approx(alone(t) + 100 * sum * end / (3 * n)).epsilon(1e-6));
+}
+
+TEST_CASE("a table sampled from an exponential moves the joint as the state does", "[stability]")
+{
+    LinearJoint state = oscillator(), table = oscillator();
+    auto& f = state.friction[0];
+    f.states = 1, f.lambda[0] = -100, f.b[0] = 1, f.h[0] = -400;
+    KernelTable g;
+    for (int i = 0; i <= 400; ++i) g.time.push_back(i * 5e-4), g.value.push_back(400 * std::exp(-100 * g.time.back()));
+    table.friction[0].table = std::make_shared<KernelTable>(g);
+    for (const auto kind : {ForceKind::impulse, ForceKind::step, ForceKind::noise}) {
+        const auto force = sampled_force(kind, 1, 0.3, 0.005);
+        const auto a = forced_response(state, force), b = forced_response(table, force);
+        double largest = 0, gap = 0;
+        for (std::size_t i = 0; i < a.time.size(); ++i) {
+            largest = std::max(largest, std::abs(a.position[i]));
+            gap = std::max(gap, std::abs(a.position[i] - b.position[i]));
+        }
+        CHECK(gap < 2e-4 * largest);  // chords over an exponential: (100 · 5e-4)²/12 of it
+    }
+}
+
+TEST_CASE("late friction answers a lasting sine with |X/D|(iω)", "[stability]")
 {
     LinearJoint late = oscillator();
-    late.friction[0].delays.push_back({100, 5e-3});
-    CHECK_THROWS_AS(forced_response(late, sampled_force(ForceKind::step, 1, 1, 0.1)), std::invalid_argument);
+    late.k_v = 30;
+    late.friction[0].delays.push_back({20, 5e-3});
+    KernelTable g;
+    g.time = {0, 4e-3, 9e-3, 2e-2}, g.value = {300, 500, -200, 100};  // changes sign, ends with a jump
+    late.friction[0].table = std::make_shared<KernelTable>(g);
+    const double omega = 40;
+    const auto answer = forced_response(late, sampled_force(ForceKind::sine, 1, 10, 1e-3, omega));
+    double largest = 0;
+    for (std::size_t i = answer.time.size() * 3 / 4; i < answer.time.size(); ++i)
+        largest = std::max(largest, std::abs(answer.position[i]));
+    CHECK(largest == Approx(std::abs(disturbance_response(late, {0, omega}))).epsilon(2e-4));
 }

@@ -362,7 +362,7 @@ TEST_CASE("rows of a law, a law inside a law, a table from a file")
     table("0.5,1\n1,1\n");
     CHECK(error(kernel) == place + ": the table must start at time 0");
     table("");
-    CHECK(error(kernel) == place + ": the table needs at least two rows");
+    CHECK(error(kernel) == place + ": has fewer than two rows");
     std::filesystem::remove_all(folder);
     CHECK(error(kernel) == place + ": there is no such file");
 

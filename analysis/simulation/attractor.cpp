@@ -1,6 +1,7 @@
 #include "analysis/simulation/attractor.h"
 
 #include "analysis/simulation/mode.h"
+#include "analysis/simulation/repeats.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,18 +11,30 @@
 namespace stickslip {
 namespace {
 
-constexpr double settled_distance = 1e-6;  ///< of steady sliding, in units of the flow's scale
-constexpr double alike = 0.05;             ///< gap of two turns, per amplitude, from which shooting is tried
-constexpr double closed = 1e-7;            ///< gap of a closed orbit, per amplitude
-constexpr double longest_turn = 1e4;       ///< of which a turn is given up, in times of the slowest linear rate
-constexpr double watched = 1e-8;           ///< the same for a motion that is only watched, at the noise of its steps
-constexpr double no_rate = 1e-14;          ///< per largest rate
-constexpr int longest_repeat = 32;
-constexpr double slowest_closing = 0.999;    ///< ratio of successive gaps that is still believed
-constexpr double least_turn = 0.1;           ///< range of position, per largest, of a turn that counts in period-n
+constexpr double settled_distance = 1e-6;    ///< of steady sliding, in units of the flow's scale
+constexpr double alike = 0.05;               ///< gap of two turns, per amplitude, from which shooting is tried
+constexpr double closed = 1e-7;              ///< gap of a closed orbit, per amplitude
+constexpr double longest_turn = 1e4;         ///< of which a turn is given up, in times of the slowest linear rate
+constexpr double watched = 1e-8;             ///< the same for a motion that is only watched, at the noise of its steps
+constexpr double no_rate = 1e-14;            ///< per largest rate
 constexpr double by_the_linear_rate = 0.02;  ///< relative difference to the spectral abscissa
 constexpr int linear_turns = 20;             ///< in succession at that rate: the rest of the decay is known
 constexpr int settling_turns = 60;           ///< before a motion that neither closes nor settles is tested for repeats
+
+/// The longest time that bodies stick [s]: V_0 winds the springs up from what pushes them back to what drives them on.
+/// Such a phase has a closed form, however long it is.
+double wind_up_time(const Flow& flow)
+{
+    double force = 0, compliance = 1 / std::abs(flow.gain());
+    if (const auto* sliding = dynamic_cast<const SlidingFlow*>(&flow)) force = sliding->static_force();
+    if (const auto* chain = dynamic_cast<const ChainFlow*>(&flow)) {
+        for (int i = 0; i < chain->bodies; ++i)
+            force += chain->body[i].ratio * static_force(chain->body[i].friction.law);
+        for (int i = 1; i < chain->bodies; ++i) compliance += 1 / std::abs(chain->loop.stiffness_at(i - 1, i));
+    }
+    const double time = 2 * force * compliance / flow.commanded_velocity();
+    return std::isfinite(time) ? time : 0;
+}
 
 /// The smallest |s| of a mode and the largest Re s; states that do not evolve are no modes.
 struct LinearRates {
@@ -54,7 +67,7 @@ class Follower {
           motion_(flow, options.solver, options.rtol)
     {
         const auto rates = linear_rates(flow);
-        turn_limit_ = longest_turn / rates.slowest;
+        turn_limit_ = longest_turn / rates.slowest + wind_up_time(flow);
         abscissa_ = rates.abscissa;
     }
 
@@ -170,34 +183,12 @@ bool Follower::jump(double growth)
 
 bool Follower::repeats()
 {
-    const int n = static_cast<int>(points_.size());
-    const double size = amplitude();
-    for (int m = 1; m <= longest_repeat && 2 * m < n; ++m) {
-        // what is still to come if the gap goes on shrinking as it did
-        const double gap = distance(points_[n - 1], points_[n - 1 - m]);
-        const double before = distance(points_[n - 1 - m], points_[n - 1 - 2 * m]);
-        const double rest = m > 1 ? gap : gap / (1 - std::min(gap / before, slowest_closing));
-        if (rest > closed * 100 * size) continue;
-        Turn all = turns_.back();
-        all.rest_time = 0;
-        for (int i = 0; i < m; ++i) {
-            const Turn& t = turns_[turns_.size() - 1 - i];
-            all.t0 = t.t0;
-            all.velocity_min = std::min(all.velocity_min, t.velocity_min);
-            all.velocity_max = std::max(all.velocity_max, t.velocity_max);
-            all.position_min = std::min(all.position_min, t.position_min);
-            all.position_max = std::max(all.position_max, t.position_max);
-            all.rest_time += t.rest_time;
-            all.reversed = all.reversed || t.reversed;
-        }
-        from_turn(all);
-        // turns that ring within a phase of sticking are no turns of a longer period
-        const double least = least_turn * (all.position_max - all.position_min);
-        result_.repeats = static_cast<int>(std::count_if(
-            turns_.end() - m, turns_.end(), [&](const Turn& t) { return t.position_max - t.position_min > least; }));
-        return true;
-    }
-    return false;
+    const auto gap = [this](int i, int j) { return distance(points_[i], points_[j]); };
+    const int m = turns_to_repeat(static_cast<int>(points_.size()), gap, 100 * closed * amplitude());
+    if (m == 0) return false;
+    from_turn(merged(turns_, m));
+    result_.repeats = full_turns(turns_, m);
+    return true;
 }
 
 Attractor Follower::run(const FlowVector& y)

@@ -1,6 +1,7 @@
 #include "analysis/simulation/delay.h"
 
 #include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -90,11 +91,21 @@ DelayMotion::Rate DelayMotion::rate(double t, double x, double V) const
                                joint_.inertia};
 }
 
+/// V, smooth on either side of t only, returns as friction a lag later and, one order smoother each, after further
+/// lags.
+void DelayMotion::note_kink(double t)
+{
+    constexpr int lags = 4;  // then the fifth derivative of x, the order of the method, has none left
+    for (int i = 1; i <= lags; ++i) kinks_.insert(t + i * joint_.lag);
+}
+
 void DelayMotion::start(double x, double V)
 {
     t_ = 0, x_ = x, V_ = V;
     stuck_ = false;
     history_.clear();
+    kinks_.clear();
+    note_kink(0);
     h_ = std::min(joint_.lag, 0.01 * std::sqrt(joint_.inertia / std::abs(joint_.k_p)));
 }
 
@@ -103,6 +114,23 @@ void DelayMotion::surround(double force, double normal_load)
     joint_.force = force;
     joint_.normal_load = normal_load;
     tell();
+}
+
+std::complex<double> DelayMotion::memory(std::complex<double> s) const
+{
+    using Rule = boost::math::quadrature::gauss<double, 7>;  // segments have degree 4, and s changes little over one
+    std::complex<double> sum = 0;
+    for (std::size_t i = 0; i < history_.size(); ++i) {
+        const double from = std::max(history_[i].t, t_ - joint_.lag);
+        const double to = i + 1 < history_.size() ? history_[i + 1].t : t_;
+        if (!(to > from)) continue;
+        const auto part = [&](double at) {
+            return std::exp(-s * (at + joint_.lag - t_)) * (history_[i](at) - joint_.V0);
+        };
+        sum += Rule::integrate([&](double at) { return part(at).real(); }, from, to) +
+               std::complex<double>(0, Rule::integrate([&](double at) { return part(at).imag(); }, from, to));
+    }
+    return sum;
 }
 
 void DelayMotion::tell() const
@@ -120,9 +148,12 @@ void DelayMotion::remember(Segment segment)
 /// One accepted step, no longer than the lag, since V is known no further; false where no step is small enough.
 bool DelayMotion::step(double t_end)
 {
+    const double passed = t_ + std::max(1e-12 * joint_.lag, 1e-14 * t_);  // what rounding leaves of a step is none
     const double x_scale = joint_.V0 * std::sqrt(joint_.inertia / std::abs(joint_.k_p));
+    while (!kinks_.empty() && *kinks_.begin() <= passed) kinks_.erase(kinks_.begin());
+    const double kink = kinks_.empty() ? infinity : *kinks_.begin();
     for (;;) {
-        const double h = std::min({h_, joint_.lag, t_end - t_});
+        const double h = std::min({h_, joint_.lag, t_end - t_, kink - t_});
         if (!(h > 1e-15 * std::max(t_, 1e-3 * joint_.lag))) return false;
         double kx[stages], kV[stages], x = x_, V = V_;
         for (int i = 0; i < stages; ++i) {
@@ -169,6 +200,8 @@ void DelayMotion::stick(double t_end, Turn& turn)
     const double rise = joint_.k_p * joint_.V0;
     const double wait = rise > 0 ? std::max(0.0, (joint_.static_force() - joint_.holding_force(x_)) / rise) : infinity;
     const double until = std::min(t_ + wait, t_end);
+    note_kink(t_);
+    note_kink(until);
     if (until > t_) remember({t_, until - t_, {}});
     x_ -= joint_.V0 * (until - t_);
     turn.rest_time += until - t_;
@@ -207,7 +240,10 @@ Turn DelayMotion::turn(double t_end, double settled_size)
             continue;
         }
         if (!step(t_end)) return finish(t_ < t_end * (1 - 1e-12) ? Turn::End::failure : Turn::End::time);
-        if (V_ <= 0) {
+        const bool falls = V_before_ > joint_.V0 && V_ <= joint_.V0;
+        if (falls) {
+            land_on(joint_.V0);  // even if the same step would come to rest
+        } else if (V_ <= 0) {
             if (V_before_ > 0) land_on(0);
             V_ = 0;  // from breakaway the mass leaves V = 0 with no acceleration: roundoff may hold it there for a step
             if (std::abs(joint_.holding_force(x_)) > joint_.static_force()) {
@@ -216,15 +252,13 @@ Turn DelayMotion::turn(double t_end, double settled_size)
             }
             stuck_ = true;
         }
-        const bool falls = V_before_ > joint_.V0 && V_ <= joint_.V0;
-        if (falls && !stuck_) land_on(joint_.V0);
         tell();
         turn.velocity_min = std::min(turn.velocity_min, V_);
         turn.velocity_max = std::max(turn.velocity_max, V_);
         turn.position_min = std::min(turn.position_min, x_);
         turn.position_max = std::max(turn.position_max, x_);
         if (std::max(V_, V_before_) <= near_rest * joint_.V0) turn.rest_time += t_ - t_before_;
-        if (falls && !stuck_) return finish(Turn::End::crossing);
+        if (falls) return finish(Turn::End::crossing);
         if (std::abs(V_ - joint_.V0) > settled_size * joint_.V0) quiet_since = t_;
         const double turn_time = 2 * std::numbers::pi * std::sqrt(joint_.inertia / std::abs(joint_.k_p));
         if (t_ - quiet_since > joint_.lag + turn_time) return finish(Turn::End::settled);

@@ -2,9 +2,11 @@
 // state, so the solver keeps its own dense output and never steps beyond the lag; neither CVODE nor the flows here can
 // do that.
 #pragma once
+#include <complex>
 #include <deque>
 #include <functional>
 #include <optional>
+#include <set>
 
 #include "analysis/friction/law.h"
 #include "analysis/joint/joint.h"
@@ -56,6 +58,10 @@ class DelayMotion {
     /// V_0.
     Turn turn(double t_end, double settled_size);
     double time() const { return t_; }
+    double position() const { return x_; }
+    double excess_speed() const { return V_ - joint_.V0; }
+    /// What the last lag adds to the projection on a mode: ∫ e^{−s(ξ + τ − t)} (V(ξ) − V_0) dξ over t − τ … t.
+    std::complex<double> memory(std::complex<double> s) const;
     /// Called at the start and at the end of every step, with the time, the excess position, V, friction, and whether
     /// the mass sticks.
     using Observer = std::function<void(double t, double x, double V, double friction, bool stuck)>;
@@ -76,6 +82,7 @@ class DelayMotion {
     void stick(double t_end, Turn& turn);
     void remember(Segment segment);
     void tell() const;
+    void note_kink(double t);
 
     DelayedJoint joint_;
     double rtol_;
@@ -84,6 +91,7 @@ class DelayMotion {
     double x_dense_[5] = {};
     bool stuck_ = false;
     std::deque<Segment> history_;
+    std::set<double> kinks_;  ///< instants to come at which the friction has one, as V had a lag before
     Observer observer_;
 };
 

@@ -2,107 +2,132 @@
 #include <cmath>
 #include <complex>
 #include <deque>
+#include <numbers>
 
 #include "analysis/simulation/delay.h"
 #include "analysis/simulation/nonlinear.h"
+#include "analysis/simulation/repeats.h"
 #include "analysis/stability/verdict.h"
 
 namespace stickslip {
 namespace {
 
-constexpr double linear_size = 1e-6;        ///< of V_0: the disturbance whose growth is measured
+constexpr double linear_size = 1e-6;  ///< of V_0: the small disturbance
+constexpr double probe_size = 1e-4;   ///< of V_0: the one whose growth is measured
+constexpr double growth_fineness = 1e-2;
+constexpr double finest_tolerance = 1e-13;  ///< beside forces of some N whose rounding enters
 constexpr double settled_size = 1e-5;       ///< of V_0: steady sliding again
-constexpr double still_linear = 1e-2;       ///< of V_0: where the measurement of growth ends at the latest
-constexpr double finest_tolerance = 1e-12;  ///< of V_0, beside forces of some N whose rounding enters
-constexpr double faded = 1e-9;              ///< of V_0: where it ends if the motion decays
-constexpr double sample_distance = 0.7;     ///< per √(m/k_p)
-constexpr int most_samples = 100;
-constexpr double closed = 1e-6;  ///< relative gap of a closed orbit
+constexpr double measurable_growth = 1e-6;  ///< per |s|; below, the spectrum decides
+constexpr double closed = 1e-6;             ///< relative gap of a closed orbit
 constexpr double turn_limit_in_turns = 1e3;
+constexpr int settling_turns = 60;  ///< before a motion that does not close is tested for longer repeats
 
-/// Re s of the slowest mode from four samples at equal distances: what one pair of modes does obeys
-/// x_{n+2} = a x_{n+1} + b x_n, whose characteristic roots are e^{sΔ} (Prony).
-double rate_of_samples(const std::deque<double>& x, double distance)
+/// Growth per time of the slowest mode s, measured over one turn or a factor of 3. With l the left null vector of
+/// sI − A_0 − A_1 e^{−sτ}, z = l·X + ∫ e^{−s(ξ+τ−t)} l·A_1 X(ξ) dξ over the last lag obeys z' = s z exactly, whatever
+/// the endless other modes do (J. K. Hale, Theory of Functional Differential Equations, 7.3). Motions from both sides
+/// of steady sliding cancel the even powers of the disturbance.
+double measured_growth(const DelayedJoint& joint, std::complex<double> s, double rtol)
 {
-    const double det = x[1] * x[1] - x[0] * x[2];
-    const double a = (x[2] * x[1] - x[3] * x[0]) / det, b = (x[1] * x[3] - x[2] * x[2]) / det;
-    const auto root = std::sqrt(std::complex<double>(a * a / 4 + b));
-    return std::log(std::max(std::abs(a / 2 + root), std::abs(a / 2 - root))) / distance;
-}
-
-/// Growth per time of the slowest mode, when faster ones are gone and before the motion is large.
-double measured_growth(const DelayedJoint& joint, double rtol)
-{
-    const double unit = joint.V0 * natural_time(joint), distance = sample_distance * natural_time(joint);
-    DelayMotion motion(joint, std::max(rtol * linear_size, finest_tolerance));
-    motion.start(linear_size * unit, joint.V0);
-    std::deque<double> samples;
-    for (int i = 1; i <= most_samples; ++i) {
-        Turn turn;
-        while (motion.time() < i * distance) {
-            turn = motion.turn(i * distance, 0);
-            if (turn.end == Turn::End::failure || turn.end == Turn::End::held) return missing;
+    const double window = std::min(2 * std::numbers::pi / std::abs(s.imag()), std::log(3.0) / std::abs(s.real()));
+    const double start = probe_size * joint.V0 * natural_time(joint);
+    const double slope = steady_slope(joint.curve, joint.V0);
+    const std::complex<double> by_position = -joint.k_p / (joint.inertia * s);
+    std::complex<double> difference = 0;
+    for (const double side : {1.0, -1.0}) {
+        DelayMotion motion(joint, std::max(growth_fineness * rtol * probe_size, finest_tolerance));
+        motion.start(side * start, joint.V0);
+        while (motion.time() < window) {
+            const auto end = motion.turn(window, 0).end;
+            if (end == Turn::End::failure || end == Turn::End::held) return missing;
         }
-        const double size = std::abs(turn.state[0]) / unit;
-        if (size > still_linear || (samples.size() == 4 && size < faded && std::abs(samples.back()) < faded * unit))
-            break;
-        samples.push_back(turn.state[0]);
-        if (samples.size() > 4) samples.pop_front();
+        difference +=
+            side * (by_position * motion.position() + motion.excess_speed() - slope / joint.inertia * motion.memory(s));
     }
-    return samples.size() == 4 ? rate_of_samples(samples, distance) : missing;
+    return std::log(std::abs(difference / (2 * start * by_position))) / window;
 }
 
 struct End {
     Outcome outcome = Outcome::undecided;
     Reason reason = Reason::none;
     Turn turn;
+    int repeats = 1;
 };
+
+/// The longest time at rest: the spring winds up from one static friction to the other.
+double wind_up_time(const DelayedJoint& joint)
+{
+    return 2 * joint.static_force() / (joint.k_p * joint.V0);
+}
+
+bool grows_and_shrinks(const std::deque<Turn>& turns)
+{
+    int grew = 0, shrank = 0;
+    for (std::size_t i = 1; i < turns.size(); ++i) ++(turns[i].state[0] > turns[i - 1].state[0] ? grew : shrank);
+    return grew > 0 && shrank > 0;
+}
 
 End follow(const DelayedJoint& joint, PositionAndSpeed from, const NonlinearOptions& options)
 {
     DelayMotion motion(joint, options.rtol);
     motion.start(from.x, from.V);
+    const double longest = turn_limit_in_turns * natural_time(joint) + wind_up_time(joint);
     End end;
-    double last = missing, last_gap = missing;
+    std::deque<Turn> turns;  // newest last
+    double size = 0;
+    const auto gap = [&](int i, int j) { return std::abs(turns[i].state[0] - turns[j].state[0]); };
     for (int i = 0; i < options.turn_limit; ++i) {
-        end.turn = motion.turn(motion.time() + turn_limit_in_turns * natural_time(joint), settled_size);
+        end.turn = motion.turn(motion.time() + longest, settled_size);
         const auto& turn = end.turn;
         if (turn.end == Turn::End::settled) {
             end.outcome = Outcome::stable_sliding;
             return end;
         }
+        if (turn.reversed) {
+            end.outcome = Outcome::reversal;
+            end.reason = Reason::law_needs_motion;  // how it goes on is beyond the law
+            return end;
+        }
         if (turn.end != Turn::End::crossing) {
-            end.outcome = turn.reversed ? Outcome::reversal : Outcome::undecided;
-            end.reason =
-                turn.end == Turn::End::failure && !turn.reversed ? Reason::solver_failed : Reason::not_converged;
+            end.reason = turn.end == Turn::End::failure ? Reason::solver_failed : Reason::not_converged;
             return end;
         }
-        const double gap = std::abs(turn.state[0] - last), ratio = std::min(gap / last_gap, 0.999);
-        const bool repeats = gap / (1 - ratio) < closed * std::abs(turn.state[0]);
-        if (repeats && i > 3) {
-            end.outcome = turn.rest_time > 0 ? Outcome::stick_slip : Outcome::limit_cycle;
-            return end;
-        }
-        last = turn.state[0];
-        last_gap = gap;
+        turns.push_back(turn);
+        if (turns.size() > 2 * longest_repeat + 2) turns.pop_front();
+        size = std::max(std::abs(turn.position_min), std::abs(turn.position_max));
+        if (i < 4) continue;
+        const int m = turns_to_repeat(static_cast<int>(turns.size()), gap, closed * size);
+        if (m == 0 || (m > 1 && i < settling_turns)) continue;
+        end.turn = merged(turns, m);
+        end.repeats = full_turns(turns, m);
+        const bool rests = end.turn.rest_time > 0;
+        end.outcome = end.repeats > 1 ? Outcome::period_n : rests ? Outcome::stick_slip : Outcome::limit_cycle;
+        return end;
     }
-    end.reason = Reason::not_converged;
+    end.turn = merged(turns, static_cast<int>(turns.size()));
+    if (grows_and_shrinks(turns))
+        end.outcome = Outcome::irregular;
+    else
+        end.reason = Reason::not_converged;
     return end;
 }
 
 bool oscillates(Outcome outcome)
 {
-    return outcome == Outcome::stick_slip || outcome == Outcome::limit_cycle || outcome == Outcome::reversal;
+    return outcome == Outcome::stick_slip || outcome == Outcome::limit_cycle || outcome == Outcome::reversal ||
+           outcome == Outcome::period_n || outcome == Outcome::irregular;
 }
 
-void describe(const DelayedJoint& joint, const Turn& turn, NonlinearVerdict& verdict)
+void describe(const DelayedJoint& joint, const End& end, NonlinearVerdict& verdict)
 {
-    verdict.period = turn.period();
+    if (end.outcome == Outcome::reversal) return;  // its motion ends where the law does
+    const auto& turn = end.turn;
+    verdict.repeats = end.repeats;
     verdict.amplitude = 0.5 * (turn.position_max - turn.position_min);
     verdict.velocity_min = turn.velocity_min;
     verdict.velocity_max = turn.velocity_max;
     verdict.stick_fraction = turn.rest_time / turn.period();
     verdict.overshoot = std::max(0.0, turn.position_max) * std::abs(joint.k_p / joint.steady_friction);
+    if (end.outcome != Outcome::irregular) verdict.period = turn.period();
 }
 
 }  // namespace
@@ -153,9 +178,16 @@ NonlinearVerdict delayed_verdict(const Joint& joint, const DelayedJoint& delayed
     }
     const bool stated_small = !is_set(options.disturbance.size);
     if (stated_small) verdict.disturbance.size = default_size(delayed, kind);
-    verdict.growth_rate = measured_growth(delayed, options.rtol);
-    const bool stable = linear_verdict(joint).state_variable.stable;
-    const bool decays = std::isnan(verdict.growth_rate) || verdict.growth_rate == 0 ? stable : verdict.growth_rate < 0;
+    const auto linear = linear_verdict(joint).state_variable;
+    if (linear.eigenvalues.empty()) {
+        verdict.outcome = Outcome::undecided;
+        verdict.reason = Reason::unsupported;
+        return verdict;
+    }
+    const auto s = linear.eigenvalues.front();
+    verdict.growth_rate = measured_growth(delayed, s, options.rtol);
+    const bool measurable = std::abs(verdict.growth_rate) > measurable_growth * std::abs(s);
+    const bool decays = measurable ? verdict.growth_rate < 0 : linear.stable;
 
     End stated;
     stated.outcome = Outcome::stable_sliding;
@@ -166,7 +198,7 @@ NonlinearVerdict delayed_verdict(const Joint& joint, const DelayedJoint& delayed
     }
     verdict.outcome = stated.outcome;
     verdict.reason = stated.reason;
-    if (oscillates(stated.outcome)) describe(delayed, stated.turn, verdict);
+    if (oscillates(stated.outcome)) describe(delayed, stated, verdict);
     if (!decays) {
         verdict.region = NonlinearRegion::stick_slip;
     } else if (oscillates(stated.outcome)) {
@@ -176,7 +208,7 @@ NonlinearVerdict delayed_verdict(const Joint& joint, const DelayedJoint& delayed
         if (large.outcome == Outcome::stable_sliding)
             verdict.region = NonlinearRegion::stable;
         else if (oscillates(large.outcome))
-            verdict.region = NonlinearRegion::bistable, describe(delayed, large.turn, verdict);
+            verdict.region = NonlinearRegion::bistable, describe(delayed, large, verdict);
         else
             verdict.reason = large.reason;
     }

@@ -1,0 +1,51 @@
+#include "analysis/simulation/repeats.h"
+
+#include <algorithm>
+
+namespace stickslip {
+namespace {
+
+constexpr double slowest_closing = 0.999;  ///< ratio of successive gaps that is still believed
+constexpr double least_turn = 0.1;         ///< range of position, per largest, of a turn that counts
+
+}  // namespace
+
+int turns_to_repeat(int count, const std::function<double(int, int)>& gap, double allowed)
+{
+    for (int m = 1; m <= longest_repeat && 2 * m < count; ++m) {
+        double largest = 0;
+        for (int i = 0; i < m; ++i) largest = std::max(largest, gap(count - 1 - i, count - 1 - i - m));
+        const double before = gap(count - 1 - m, count - 1 - 2 * m);
+        const double ratio = largest > 0 ? std::min(largest / before, slowest_closing) : 0;
+        const double rest = m > 1 ? largest : largest / (1 - ratio);
+        if (rest <= allowed) return m;
+    }
+    return 0;
+}
+
+Turn merged(const std::deque<Turn>& turns, int newest)
+{
+    Turn all = turns.back();
+    all.rest_time = 0;
+    for (int i = 0; i < newest; ++i) {
+        const Turn& t = turns[turns.size() - 1 - static_cast<std::size_t>(i)];
+        all.t0 = t.t0;
+        all.velocity_min = std::min(all.velocity_min, t.velocity_min);
+        all.velocity_max = std::max(all.velocity_max, t.velocity_max);
+        all.position_min = std::min(all.position_min, t.position_min);
+        all.position_max = std::max(all.position_max, t.position_max);
+        all.rest_time += t.rest_time;
+        all.reversed = all.reversed || t.reversed;
+    }
+    return all;
+}
+
+int full_turns(const std::deque<Turn>& turns, int newest)
+{
+    const Turn all = merged(turns, newest);
+    const double least = least_turn * (all.position_max - all.position_min);
+    return static_cast<int>(std::count_if(turns.end() - newest, turns.end(),
+                                          [&](const Turn& t) { return t.position_max - t.position_min > least; }));
+}
+
+}  // namespace stickslip

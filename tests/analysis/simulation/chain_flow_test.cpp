@@ -177,3 +177,33 @@ TEST_CASE("a chain's trajectory keeps the link's stick as such", "[chain]")
     }
     CHECK(stuck > 3);
 }
+
+TEST_CASE("a lever and the three masses that it stands for end in the same cycle", "[chain]")
+{
+    // the table of Fig. 4 to Fig. 5: M'_m = N² M_m, M_tr = J/d², k' = N² k, the motor's friction N f(N v)
+    constexpr double N = 5, d = 0.1, M_m = 0.001, J = 0.001, k = 2e3, c = 0.1, level = 0.5, viscous = 0.2;
+    Joint lever = example_joint(2e4, 1, 1e-3);
+    lever.frictions.link = lever.friction;
+    lever.frictions.transmission.law = coulomb(0, 0);
+    auto& m = lever.mechanism;
+    m.link_inertia = 1, m.lever_arm = d;
+    m.transmission_link.stiffness = 3e5, m.transmission_link.damping = 10;
+    Joint masses = lever;
+    m.model = Model::lever;
+    m.motor_inertia = M_m, m.transmission_inertia = J;
+    m.motor_transmission.stiffness = k, m.motor_transmission.damping = c, m.motor_transmission.ratio = N;
+    lever.frictions.motor.law = coulomb(level, viscous);
+    auto& three = masses.mechanism;
+    three.model = Model::three_mass;
+    three.motor_inertia = N * N * M_m, three.transmission_inertia = J / (d * d);
+    three.motor_transmission.stiffness = N * N * k, three.motor_transmission.damping = N * N * c;
+    masses.frictions.motor.law = coulomb(N * level, N * N * viscous);
+
+    const auto one = nonlinear_verdict(lever, {}), other = nonlinear_verdict(masses, {});
+    CHECK(one.growth_rate == Approx(linear_point(lever).spectral_abscissa).epsilon(1e-5));
+    CHECK(one.outcome == Outcome::limit_cycle);
+    CHECK(other.outcome == Outcome::limit_cycle);
+    CHECK(one.period == Approx(other.period).epsilon(1e-6));
+    CHECK(one.amplitude == Approx(other.amplitude).epsilon(1e-5));
+    CHECK(one.velocity_max == Approx(other.velocity_max).epsilon(1e-5));
+}

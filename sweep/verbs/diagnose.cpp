@@ -5,9 +5,11 @@
 #include "sweep/files/bad_input.h"
 #include "sweep/files/diagnosis_json.h"
 #include "sweep/files/joint_file.h"
+#include "sweep/files/outcome_file.h"
 #include "sweep/files/record_file.h"
 #include "sweep/program.h"
 #include "sweep/report/diagnosis_report.h"
+#include "sweep/report/outcome_report.h"
 #include "sweep/report/write_report.h"
 #include "sweep/verbs/verbs.h"
 
@@ -45,9 +47,86 @@ void write_experiment(const std::filesystem::path& file, const NextExperiment& e
     write_text(file, text);
 }
 
+/// The settings that would tell two laws apart, in the columns of the table.
+void write_next_outcome(const std::filesystem::path& file, const gap::OutcomeAnswer& answer)
+{
+    std::string header, row;
+    for (std::size_t k = 0; k < answer.next.settings.size(); ++k) {
+        header += answer.outcomes.table.paths[k] + ",";
+        row += fmt::format("{},", answer.next.settings[k]);
+    }
+    write_text(file, header + "outcome\n" + row + "\n");
+}
+
+gap::ParallelFor on_threads()
+{
+    return
+        [](std::size_t n, const std::function<void(std::size_t)>& task) { tbb::parallel_for(std::size_t{0}, n, task); };
+}
+
+std::function<void(const std::string&, double)> progress_on_terminal()
+{
+    if (isatty(STDERR_FILENO) == 0) return {};
+    return [](const std::string& stage, double done) {
+        fmt::print(stderr, "\r\x1b[K{:3.0f} %  {}", 100 * done, stage);
+        if (done >= 1) fmt::print(stderr, "\r\x1b[K");
+    };
+}
+
+/// A table of measured outcomes in place of records.
+int diagnose_outcomes(const Options& options, const Joint& joint, const Invocation& invocation)
+{
+    std::vector<std::string> warnings;
+    const auto table = read_outcomes(options.records.front(), joint, warnings);
+    auto answer = [&] {
+        try {
+            return gap::explain(joint, table, on_threads(), progress_on_terminal());
+        } catch (const std::invalid_argument& e) {
+            throw BadInput(e.what());
+        }
+    }();
+    Diagnosis& d = answer.diagnosis;
+    d.notes.insert(d.notes.begin(), warnings.begin(), warnings.end());
+    d.next_experiment.description = next_outcome_text(answer);
+    const std::filesystem::path directory = options.directory;
+    std::filesystem::create_directories(directory);
+    auto json = diagnosis_json(d, joint, answer.after);
+    if (!answer.next.settings.empty()) {
+        json["next_experiment"]["file"] = "next-outcome.csv";
+        write_next_outcome(directory / "next-outcome.csv", answer);
+    }
+    write_text(directory / "diagnosis.json", json.dump(2) + "\n");
+    if (!options.no_report)
+        write_report(outcome_report(answer, joint, {{"version", program_version()}, {"command", invocation.command}}),
+                     directory);
+    if (options.json) {
+        fmt::print("{}\n", json.dump(2));
+        return exit_done;
+    }
+    fmt::print("{}\n", outcome_sentence(answer));
+    for (const auto& reason : d.reasons) fmt::print("  {}\n", reason);
+    for (const auto& f : answer.laws)
+        fmt::print("  {:<16} {:<18} probability {:.3f}  misjudges {} of {} held-out rows\n", f.rival->law,
+                   f.rival->effect, f.posterior, f.misjudged, answer.outcomes.size());
+    if (!d.next_experiment.description.empty()) fmt::print("next: {}\n", d.next_experiment.description);
+    fmt::print("diagnosis: {}\n", (directory / "diagnosis.json").string());
+    if (!options.no_report) fmt::print("report:    {}\n", (directory / "report.html").string());
+    return exit_done;
+}
+
 int diagnose(const Options& options, const Invocation& invocation)
 {
     const Joint joint = read_joint(options.joint);
+    std::unique_ptr<tbb::global_control> limit;
+    if (options.threads > 0)
+        limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                      static_cast<std::size_t>(options.threads));
+    for (const auto& file : options.records) {
+        if (!is_outcome_file(file)) continue;
+        if (options.records.size() > 1)
+            throw BadInput(file + ": is a table of outcomes; it is diagnosed alone, without records or other tables");
+        return diagnose_outcomes(options, joint, invocation);
+    }
     std::vector<Record> records;
     std::vector<std::string> warnings;
     for (const auto& file : options.records) {
@@ -55,23 +134,11 @@ int diagnose(const Options& options, const Invocation& invocation)
         records.push_back(std::move(reading.record));
         warnings.insert(warnings.end(), reading.warnings.begin(), reading.warnings.end());
     }
-    std::unique_ptr<tbb::global_control> limit;
-    if (options.threads > 0)
-        limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
-                                                      static_cast<std::size_t>(options.threads));
-    const gap::ParallelFor parallel = [](std::size_t n, const std::function<void(std::size_t)>& task) {
-        tbb::parallel_for(std::size_t{0}, n, task);
-    };
     gap::DiagnosisOptions settings;
-    const bool terminal = isatty(STDERR_FILENO) != 0;
-    if (terminal)
-        settings.progress = [](const std::string& stage, double done) {
-            fmt::print(stderr, "\r\x1b[K{:3.0f} %  {}", 100 * done, stage);
-            if (done >= 1) fmt::print(stderr, "\r\x1b[K");
-        };
+    settings.progress = progress_on_terminal();
     auto result = [&] {
         try {
-            return gap::diagnose(joint, records, parallel, settings);
+            return gap::diagnose(joint, records, on_threads(), settings);
         } catch (const std::invalid_argument& e) {
             throw BadInput(e.what());
         }
@@ -111,13 +178,16 @@ void add_diagnose(CLI::App& app, Invocation& invocation)
         app.add_subcommand("diagnose", "Say where the gap between a joint and its records lies and what causes it");
     verb->add_option("JOINT", options->joint, "nominal joint, TOML")->required();
     verb->add_option("RECORD", options->records,
-                     "records, CSV or .csv.gz; SI units unless the [record] table says otherwise")
+                     "records, CSV or .csv.gz, SI units unless the [record] table says otherwise; or one table of "
+                     "outcomes: k_p, k_v, V0, outcome (stable | stick-slip), amplitude")
         ->required();
     verb->add_option("-o,--output", options->directory, "directory for diagnosis.json and report.html");
     verb->add_option("--threads", options->threads, "threads, 0 for all; the answer does not depend on it");
     verb->add_flag("--json", options->json, "print diagnosis.json");
     verb->add_flag("--no-report", options->no_report, "leave the page away");
-    verb->footer("Example: stickslip diagnose joint.toml slow.csv.gz steps.csv.gz -o diagnosis");
+    verb->footer(
+        "Example: stickslip diagnose joint.toml slow.csv.gz steps.csv.gz -o diagnosis\n"
+        "Example: stickslip diagnose joint.toml outcomes.csv -o which-law");
     verb->callback([options, &invocation] { invocation.exit_code = diagnose(*options, invocation); });
 }
 

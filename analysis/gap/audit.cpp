@@ -1,6 +1,8 @@
 #include "analysis/gap/audit.h"
 
+#include "analysis/gap/audit_reference.h"
 #include "analysis/gap/controller.h"
+#include "analysis/gap/line_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,16 +93,7 @@ double best_tau(const std::vector<Case>& cases, double limit)
     double low = 0, high = tick;
     for (double tau = 0.1 * tick; tau < 400 * tick; tau *= 1.4)
         if (const double m = misfit(tau); m < least) least = m, best = tau, low = tau / 1.4, high = tau * 1.4;
-    constexpr double golden = 0.6180339887498949;
-    double a = high - golden * (high - low), b = low + golden * (high - low);
-    double fa = misfit(a), fb = misfit(b);
-    for (int i = 0; i < 40; ++i) {
-        if (fa < fb)
-            high = b, b = a, fb = fa, a = high - golden * (high - low), fa = misfit(a);
-        else
-            low = a, a = b, fa = fb, b = low + golden * (high - low), fb = misfit(b);
-    }
-    const double refined = 0.5 * (low + high);
+    const double refined = least_between(low, high, misfit);
     return misfit(refined) < least ? refined : best;
 }
 
@@ -216,6 +209,14 @@ Audit audit(std::vector<Case>& cases)
     if (cases.empty()) return result;
     audit_grid(cases, result);
     audit_supply(cases, result);
+    const bool without_reference = std::all_of(cases.begin(), cases.end(), [](const auto& c) {
+        return c.ticks.source == CommandSource::logged && !c.ticks.has_reference && c.ticks.regular &&
+               c.joint.control.kind == ControlKind::position && (c.ticks.ticks_per_row == 1 || c.ticks.rebuilt);
+    });
+    if (without_reference) {
+        audit_without_reference(cases, std::min(cases[0].joint.control.effort_limit, observed_limit(cases)), result);
+        return result;
+    }
     for (const auto& c : cases)
         if (c.ticks.source != CommandSource::logged || !c.ticks.has_reference ||
             c.joint.control.kind != ControlKind::position ||

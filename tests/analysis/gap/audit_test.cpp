@@ -1,0 +1,59 @@
+#include "analysis/gap/audit.h"
+#include "analysis/gap/prepare.h"
+#include "tests/analysis/gap/small_machine.h"
+
+#include <catch2/catch.hpp>
+
+using namespace stickslip;
+using namespace stickslip::gap;
+using stickslip::test::Machine;
+
+namespace {
+
+/// A record of the machine from which the reference was left out, and what it was.
+std::pair<std::vector<Case>, Record> without_reference(const Machine& m)
+{
+    Record r = test::record_of(m, 1, 4);
+    const Record whole = r;
+    r.reference_position.clear(), r.reference_velocity.clear();
+    std::vector<std::string> notes;
+    return {{prepare(r, test::nominal_joint(), notes)}, whole};
+}
+
+}  // namespace
+
+TEST_CASE("wrong gains and a wrong filter are found without a reference, by the noise that comes through them", "[gap]")
+{
+    Machine m;
+    m.k_p = 1230;  // documented: 1200
+    auto gain = without_reference(m).first;
+    const auto found = audit(gain);
+    REQUIRE(found.findings.size() == 1);
+    CHECK(found.findings[0].effect == "gain-k_p");
+    CHECK(found.findings[0].value == Approx(1.025).epsilon(1e-3));
+
+    Machine other;
+    other.tau = 0.005;  // documented: 0.003
+    auto filter = without_reference(other).first;
+    const auto filtered = audit(filter);
+    REQUIRE(filtered.findings.size() == 1);
+    CHECK(filtered.findings[0].effect == "velocity-filter");
+    CHECK(filtered.findings[0].value == Approx(0.005).epsilon(1e-3));
+}
+
+TEST_CASE("a reference that was not logged is rebuilt from the command", "[gap]")
+{
+    auto [cases, whole] = without_reference({});
+    const auto found = audit(cases);
+    CHECK(found.findings.empty());
+    CHECK(found.command_explained);
+    const Ticks& t = cases[0].ticks;
+    REQUIRE(t.has_reference);
+    // it moves by 0.2; where it began is forgotten within k_v/k_p = 40 ms
+    for (std::size_t k = 400; k < t.size(); ++k) {
+        if (t.time[k] > 0.99 && t.time[k] < 1.4) continue;  // its rate jumps at 1 s
+        INFO(t.time[k]);
+        REQUIRE(t.reference[k] == Approx(whole.reference_position[k]).margin(2e-6));
+        REQUIRE(t.reference_rate[k] == Approx(whole.reference_velocity[k]).margin(1e-4));
+    }
+}

@@ -22,10 +22,9 @@ RenderedFigure render(const Figure& figure)
     result.missing = std::move(drawn.missing);
     result.width = drawn.width;
     result.height = drawn.height;
-    result.plot_left = drawn.plot.left;
-    result.plot_top = drawn.plot.top;
-    result.plot_width = drawn.plot.width;
-    result.plot_height = drawn.plot.height;
+    const auto area = [](const drawing::Rectangle& box) { return PlotArea{box.left, box.top, box.width, box.height}; };
+    result.plot = area(drawn.plot);
+    for (const auto& panel : drawn.panels) result.panels.push_back(area(panel));
     result.csv = std::visit([](const auto& picture) { return drawing::csv(picture); }, figure.picture);
     return result;
 }

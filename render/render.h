@@ -8,15 +8,20 @@
 
 namespace stickslip {
 
+/// A data area within a picture, px from its top left corner.
+struct PlotArea {
+    double left = 0, top = 0, width = 0, height = 0;
+};
+
 /// One chart, made.
 struct RenderedFigure {
     std::string svg;      ///< the picture, stand-alone; empty when it could not be made
     std::string csv;      ///< the numbers behind it, SI, full precision
     std::string missing;  ///< why there is no picture, in words for the reader; empty when there is one
 
-    int width = 0, height = 0;  ///< of the picture in CSS pixels
-    /// The data area within the picture, px from its top left corner: where a pointer reads values.
-    double plot_left = 0, plot_top = 0, plot_width = 0, plot_height = 0;
+    int width = 0, height = 0;     ///< of the picture in CSS pixels
+    PlotArea plot;                 ///< where a pointer reads values; empty where the picture has several areas
+    std::vector<PlotArea> panels;  ///< and then these
 };
 
 /// Draws one figure. A machine without the typeface or (3-D only) without an off-screen OpenGL gives `missing`, not an

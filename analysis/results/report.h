@@ -29,7 +29,7 @@ struct Table {
     std::vector<std::vector<std::string>> rows;  ///< mark-up
 };
 
-using Picture = std::variant<StabilityMap, CriticalGainSurface, LineChart, FieldMap>;
+using Picture = std::variant<StabilityMap, CriticalGainSurface, LineChart, FieldMap, StabilityPanels>;
 
 /// A chart with the words under it.
 struct Figure {

@@ -9,14 +9,20 @@ constexpr double major_length = 6, minor_length = 3.5;
 constexpr double pixels_per_x_label = 90, pixels_per_y_label = 60;
 constexpr TextStyle tick_style{13}, name_style{14.5};
 
+/// A single label says nothing about a scale.
+int room(double labels)
+{
+    return std::max(2, static_cast<int>(labels));
+}
+
 Ticks x_ticks(const Frame& frame)
 {
-    return ticks(frame.x.scale, static_cast<int>(frame.box.width / pixels_per_x_label), frame.x.label.divisor);
+    return ticks(frame.x.scale, room(frame.box.width / pixels_per_x_label), frame.x.label.divisor);
 }
 
 Ticks y_ticks(const Frame& frame)
 {
-    return ticks(frame.y.scale, static_cast<int>(frame.box.height / pixels_per_y_label), frame.y.label.divisor);
+    return ticks(frame.y.scale, room(frame.box.height / pixels_per_y_label), frame.y.label.divisor);
 }
 
 double across(const Frame& frame, double value)
@@ -50,7 +56,7 @@ void draw_grid(Canvas& canvas, const Frame& frame)
     canvas.stretches(ends, {theme::rule, 0.8});
 }
 
-void draw_axes(Canvas& canvas, const Frame& frame)
+void draw_axes(Canvas& canvas, const Frame& frame, const AxisLetters& letters)
 {
     const Ticks x = x_ticks(frame), y = y_ticks(frame);
     std::vector<Point> ends;
@@ -70,18 +76,23 @@ void draw_axes(Canvas& canvas, const Frame& frame)
     canvas.frame(frame.box, {theme::ink, 1.2});
 
     double widest = 0;
-    for (const Tick& tick : x.major)
-        canvas.text({across(frame, tick.value), frame.box.bottom() + 11}, tick.label, tick_style, Across::centre,
-                    Along::top);
-    for (const Tick& tick : y.major)
-        widest = std::max(widest, canvas.text({frame.box.left - 10, down(frame, tick.value)}, tick.label, tick_style,
-                                              Across::right, Along::middle));
-    canvas.text({frame.box.left + frame.box.width / 2, frame.box.bottom() + 46}, frame.x.label.text, name_style,
-                Across::centre, Along::baseline);
+    if (letters.x_numbers)
+        for (const Tick& tick : x.major)
+            canvas.text({across(frame, tick.value), frame.box.bottom() + 11}, tick.label, tick_style, Across::centre,
+                        Along::top);
+    if (letters.y_numbers)
+        for (const Tick& tick : y.major)
+            widest = std::max(widest, canvas.text({frame.box.left - 10, down(frame, tick.value)}, tick.label,
+                                                  tick_style, Across::right, Along::middle));
+    if (letters.names) draw_axis_names(canvas, frame.box, frame.x.label, frame.y.label, widest);
+}
+
+void draw_axis_names(Canvas& canvas, const Rectangle& box, const AxisLabel& x, const AxisLabel& y, double numbers)
+{
+    canvas.text({box.left + box.width / 2, box.bottom() + 46}, x.text, name_style, Across::centre, Along::baseline);
     TextStyle upright = name_style;
     upright.angle = 90;
-    canvas.text({frame.box.left - 24 - widest, frame.box.top + frame.box.height / 2}, frame.y.label.text, upright,
-                Across::centre, Along::baseline);
+    canvas.text({box.left - 24 - numbers, box.top + box.height / 2}, y.text, upright, Across::centre, Along::baseline);
 }
 
 void draw_colour_bar(Canvas& canvas, const ColourBar& bar, const Raster& colours)

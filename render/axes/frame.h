@@ -21,7 +21,14 @@ struct Frame {
 constexpr double axis_depth = 52, axis_margin = 96;
 
 void draw_grid(Canvas& canvas, const Frame& frame);
-void draw_axes(Canvas& canvas, const Frame& frame);
+/// Which letters an axis gets: panels side by side share them.
+struct AxisLetters {
+    bool x_numbers = true, y_numbers = true, names = true;
+};
+void draw_axes(Canvas& canvas, const Frame& frame, const AxisLetters& letters = {});
+
+/// The names alone, around a box that may hold several frames; `numbers` is the width that the y axis's numbers take.
+void draw_axis_names(Canvas& canvas, const Rectangle& box, const AxisLabel& x, const AxisLabel& y, double numbers);
 
 /// A vertical colour bar with its own ticks; `positions` in [0, 1] from below.
 struct ColourBar {

@@ -51,6 +51,25 @@ std::string csv(const StabilityMap& map)
     return text;
 }
 
+std::string csv(const StabilityPanels& p)
+{
+    std::string text;
+    for (const Axis* axis : {&p.up, &p.across, &p.x, &p.y})
+        if (!axis->name.empty()) text += column(axis->path, axis->quantity, p.motion) + ",";
+    text += "spectral abscissa [1/s],region\n";
+    for (const auto& panel : p.panels) {
+        const std::string place = (p.up.name.empty() ? "" : number(panel.up) + ",") + number(panel.across) + ",";
+        std::size_t i = 0;
+        for (const double y : p.y.values)
+            for (const double x : p.x.values) {
+                text += place + number(x) + "," + number(y) + "," + number(panel.abscissa[i]) + ",";
+                text += region_name(panel.region[i++]);
+                text += '\n';
+            }
+    }
+    return text;
+}
+
 std::string csv(const FieldMap& map)
 {
     std::string text = column(map.x.path, map.x.quantity, map.motion) + "," +

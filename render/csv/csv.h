@@ -8,6 +8,7 @@
 namespace stickslip::drawing {
 
 std::string csv(const StabilityMap& map);             ///< x, y, abscissa, readings, region; one line a grid point
+std::string csv(const StabilityPanels& panels);       ///< the further axes, x, y, abscissa, region
 std::string csv(const FieldMap& map);                 ///< x, y, value or class
 std::string csv(const CriticalGainSurface& surface);  ///< x, y, z
 std::string csv(const LineChart& chart);              ///< line, x, y

@@ -52,21 +52,25 @@ struct GridPicture {
     const DesignPoint* design;  ///< null: none, or beyond the chart
 };
 
-/// What every picture over a rectangular grid shares: where the data area lies, the axes, where a reader starts.
-JsonObject grid_data(const GridPicture& grid, const RenderedFigure& rendered)
+/// Left, top, width and height as shares of the picture.
+std::string area_data(const PlotArea& area, const RenderedFigure& rendered)
 {
     const double width = std::max(1, rendered.width), height = std::max(1, rendered.height);
+    return json_numbers({area.left / width, area.top / height, area.width / width, area.height / height});
+}
+
+/// What every picture over a rectangular grid shares: where the data area lies, the axes, where a reader starts.
+JsonObject grid_data(const GridPicture& grid, const RenderedFigure& rendered, const char* kind = "grid")
+{
     const std::size_t column = grid.design ? nearest(grid.x, grid.design->x) : grid.x.values.size() / 2;
     const std::size_t row = grid.design ? nearest(grid.y, grid.design->y) : grid.y.values.size() / 2;
     JsonObject json;
-    json.text("kind", "grid")
+    json.text("kind", kind)
         .text("header", header(rendered))
         .numbers("start", {static_cast<double>(column), static_cast<double>(row)})
         .raw("x", axis_data(grid.x, grid.motion))
         .raw("y", axis_data(grid.y, grid.motion));
-    if (rendered.plot_width > 0)
-        json.numbers("area", {rendered.plot_left / width, rendered.plot_top / height, rendered.plot_width / width,
-                              rendered.plot_height / height});
+    if (rendered.plot.width > 0) json.raw("area", area_data(rendered.plot, rendered));
     return json;
 }
 
@@ -75,21 +79,53 @@ std::string class_name(std::string_view name, std::string_view text)
     return JsonObject().text("name", name).text("text", text).close();
 }
 
+std::string region_classes()
+{
+    std::vector<std::string> list;
+    for (int i = 0; i <= static_cast<int>(Region::undecided); ++i)
+        list.push_back(class_name(region_name(static_cast<Region>(i)), region_text(static_cast<Region>(i))));
+    return json_array(list);
+}
+
 std::string data(const StabilityMap& map, const RenderedFigure& rendered)
 {
     const DesignPoint* design = map.has_design && map.design.inside ? &map.design : nullptr;
     JsonObject json = grid_data({map.x, map.y, map.motion, design}, rendered);
-    std::vector<std::string> regions, readings{reading("max Re s", Quantity::rate, map.motion, map.abscissa)};
-    for (int i = 0; i <= static_cast<int>(Region::undecided); ++i)
-        regions.push_back(class_name(region_name(static_cast<Region>(i)), region_text(static_cast<Region>(i))));
+    std::vector<std::string> readings{reading("max Re s", Quantity::rate, map.motion, map.abscissa)};
     for (const auto& r : map.readings) readings.push_back(reading(r.name, r.quantity, map.motion, r.values));
     json.raw("readings", json_array(readings))
-        .raw("classes", json_array(regions))
+        .raw("classes", region_classes())
         .text("class", pack(region_codes(map.region)));
     if (design) json.numbers("design", {map.design.x, map.design.y});
     if (!map.command.empty()) json.text("command", map.command);
     if (!map.layers.empty()) json.raw("depth", depth_data(map));
     if (!map.motions.empty()) json.raw("motions", motion_data(map));
+    return json.close();
+}
+
+std::string data(const StabilityPanels& p, const RenderedFigure& rendered)
+{
+    const DesignPoint* design = p.has_design && p.design.inside ? &p.design : nullptr;
+    JsonObject json = grid_data({p.x, p.y, p.motion, design}, rendered, "panels");
+    std::vector<std::string> areas, places;
+    for (const auto& area : rendered.panels) areas.push_back(area_data(area, rendered));
+    std::vector<double> field;
+    std::vector<Region> regions;
+    for (const auto& panel : p.panels) {
+        places.push_back(JsonObject().number("across", panel.across).number("up", panel.up).close());
+        field.insert(field.end(), panel.abscissa.begin(), panel.abscissa.end());
+        regions.insert(regions.end(), panel.region.begin(), panel.region.end());
+    }
+    json.raw("areas", json_array(areas))
+        .raw("places", json_array(places))
+        .number("own", static_cast<double>(p.own))
+        .raw("readings", json_array({reading("max Re s", Quantity::rate, p.motion, {})}))
+        .text("field", pack_coarse(field))
+        .raw("classes", region_classes())
+        .text("class", pack(region_codes(regions)))
+        .raw("across", axis_data(p.across, p.motion));
+    if (!p.up.name.empty()) json.raw("up", axis_data(p.up, p.motion));
+    if (!p.command.empty()) json.text("command", p.command);
     return json.close();
 }
 
@@ -113,7 +149,7 @@ std::string data(const FieldMap& map, const RenderedFigure& rendered)
 std::string data(const CriticalGainSurface& surface, const RenderedFigure& rendered)
 {
     RenderedFigure seen_from_aside = rendered;
-    seen_from_aside.plot_width = 0;  // no place of the picture is a place of the grid
+    seen_from_aside.plot = {};  // no place of the picture is a place of the grid
     return grid_data({surface.x, surface.y, surface.motion, nullptr}, seen_from_aside)
         .raw("readings", json_array({reading(surface.z_name, surface.z_quantity, surface.motion, surface.z)}))
         .close();

@@ -32,15 +32,20 @@ JsonObject& JsonObject::number(std::string_view name, double value)
 
 JsonObject& JsonObject::numbers(std::string_view name, const std::vector<double>& values)
 {
-    std::vector<std::string> items;
-    for (const double v : values) items.push_back(json_number(v));
-    return raw(name, json_array(items));
+    return raw(name, json_numbers(values));
 }
 
 JsonObject& JsonObject::raw(std::string_view name, std::string_view json)
 {
     text_.append(text_.empty() ? "{" : ",").append(json_string(name)).append(":").append(json);
     return *this;
+}
+
+std::string json_numbers(const std::vector<double>& values)
+{
+    std::vector<std::string> items;
+    for (const double v : values) items.push_back(json_number(v));
+    return json_array(items);
 }
 
 std::string json_array(const std::vector<std::string>& items)

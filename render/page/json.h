@@ -19,6 +19,7 @@ class JsonObject {
     std::string text_;
 };
 
+std::string json_numbers(const std::vector<double>& values);
 std::string json_array(const std::vector<std::string>& items);
 
 }  // namespace stickslip::drawing

@@ -91,9 +91,10 @@ std::string how_to_read(const Picture& picture)
 {
     const auto* map = std::get_if<StabilityMap>(&picture);
     const auto* field = std::get_if<FieldMap>(&picture);
-    if (!map && !field) return "";
+    const auto* panels = std::get_if<StabilityPanels>(&picture);
+    if (!map && !field && !panels) return "";
     std::string text = "Point at the chart, or focus it and use the arrow keys, to read its values.";
-    if (!(map ? map->command : field->command).empty())
+    if (!(map ? map->command : field ? field->command : panels->command).empty())
         text += " Click, or press Enter, for the command that reproduces a place" +
                 std::string(map && !map->motions.empty() ? " and a motion near it." : ".");
     if (map && !map->layers.empty()) text += " The slider moves along the third axis.";

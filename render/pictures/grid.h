@@ -3,6 +3,7 @@
 #include "render/axes/scale.h"
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace stickslip::drawing {
@@ -19,6 +20,12 @@ class Grid {
     };
     /// `across` and `up` in [0, 1] from the lower left corner of the chart.
     Place at(double across, double up) const;
+
+    /// Where a node lies, as `at` takes it.
+    std::pair<double, double> position(std::size_t node) const
+    {
+        return {columns_[node % columns_.size()], rows_[node / columns_.size()]};
+    }
 
     std::size_t size() const { return columns_.size() * rows_.size(); }
 

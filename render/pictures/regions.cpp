@@ -140,17 +140,6 @@ void draw_texture(Canvas& canvas, Region region, const Rectangle& box, const Cov
     }
 }
 
-Covers covers(const Grid& grid, const std::vector<Region>& regions, Region region, const Rectangle& box)
-{
-    return [&grid, &regions, region, box](Point p) {
-        const auto place = grid.at((p.x - box.left) / box.width, (box.bottom() - p.y) / box.height);
-        double share = 0;
-        for (std::size_t k = 0; k < 4; ++k)
-            if (regions[place.node[k]] == region) share += place.weight[k];
-        return share > 0.5;
-    };
-}
-
 double draw_legend(Canvas& canvas, const std::vector<LegendEntry>& entries, double left, double top, double width)
 {
     constexpr double swatch_width = 34, swatch_height = 16, line_height = 25, gap = 9, between = 26;

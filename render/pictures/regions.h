@@ -1,8 +1,8 @@
 // How each region of a stability map looks and what it is called. Every region has a texture of its own, so that the
 // map reads without colour.
 #pragma once
+#include "analysis/results/stability_map.h"
 #include "render/drawing/canvas.h"
-#include "render/pictures/grid.h"
 
 #include <functional>
 #include <string_view>
@@ -22,9 +22,6 @@ using Covers = std::function<bool(Point)>;
 
 /// Fills the covered part of `box` with the region's texture; the stable region has none.
 void draw_texture(Canvas& canvas, Region region, const Rectangle& box, const Covers& covers);
-
-/// Whether `region` has the majority at a point, weighted between the four nodes around it.
-Covers covers(const Grid& grid, const std::vector<Region>& regions, Region region, const Rectangle& box);
 
 /// Legend: one swatch and text for each region present, in columns. Returns the lower edge.
 struct LegendEntry {

@@ -100,12 +100,14 @@ std::string chart_id(const char* kind, const Axis& x, const Axis& y)
     return id;
 }
 
-std::string reproducing_command(const Slice& slice)
+std::string reproducing_command(const Slice& slice, const std::string& depth, const std::string& up)
 {
     std::string command = "stickslip simulate joint.toml --set " + slice.x.path + "={x} --set " + slice.y.path + "={y}";
     for (const auto& h : slice.held)
         command += " --set " + h.axis.path + "=" +
-                   (h.axis.path == slice.depth.path ? std::string("{depth}") : fmt::format("{}", h.value));
+                   (h.axis.path == depth ? std::string("{depth}")
+                    : h.axis.path == up  ? std::string("{up}")
+                                         : fmt::format("{}", h.value));
     return command + " -o motion";
 }
 
@@ -135,7 +137,7 @@ Figure map_figure(const Joint& joint, const Slice& slice)
         figure.caption += " " + found.text;
         for (auto& fold : found.folds) map.curves.push_back(std::move(fold));
     }
-    map.command = reproducing_command(slice);
+    map.command = reproducing_command(slice, slice.depth.path);
     map.motions = map_motions(joint, slice);
     figure.picture = std::move(map);
     return figure;

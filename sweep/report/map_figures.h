@@ -23,7 +23,8 @@ Figure surface_figure(const Joint& joint, const Axis& x, const Axis& y);
 /// "map-k-p-k-v": an id made of the last parts of two paths.
 std::string chart_id(const char* kind, const Axis& x, const Axis& y);
 
-/// What reproduces one place of a slice, in the folder of the report: a command with {x}, {y} and {depth} open.
-std::string reproducing_command(const Slice& slice);
+/// What reproduces one place of a slice, in the folder of the report: a command with {x} and {y} open, and {depth} and
+/// {up} for the values of these two paths, where they are not empty.
+std::string reproducing_command(const Slice& slice, const std::string& depth = "", const std::string& up = "");
 
 }  // namespace stickslip

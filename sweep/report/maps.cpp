@@ -42,16 +42,6 @@ bool within(const Axis& axis, double value)
 
 constexpr int fine_mesh = 96, layer_mesh = 32;
 
-std::vector<Curve> boundaries(const Joint& joint, const Axis& x, const Axis& y, int mesh)
-{
-    std::vector<Curve> curves;
-    for (const auto theory : {Curve::Kind::velocity_only, Curve::Kind::state_variable}) {
-        auto curve = locate_over_chart(joint, x, y, theory, mesh);
-        if (!curve.x.empty()) curves.push_back(std::move(curve));
-    }
-    return curves;
-}
-
 }  // namespace
 
 std::string held_text(const std::vector<Held>& held, Motion motion)
@@ -91,6 +81,16 @@ DesignPoint design_point(const Joint& given, const Slice& slice)
     return point;
 }
 
+std::vector<Curve> chart_boundaries(const Joint& joint, const Axis& x, const Axis& y, int mesh)
+{
+    std::vector<Curve> curves;
+    for (const auto theory : {Curve::Kind::velocity_only, Curve::Kind::state_variable}) {
+        auto curve = locate_over_chart(joint, x, y, theory, mesh);
+        if (!curve.x.empty()) curves.push_back(std::move(curve));
+    }
+    return curves;
+}
+
 StabilityMap stability_map(const Joint& design, const Slice& slice)
 {
     StabilityMap map;
@@ -108,7 +108,7 @@ StabilityMap stability_map(const Joint& design, const Slice& slice)
         if (map.region[i] == Region::undecided) map.undecided += shares[i];
     }
     const Joint held = joint_at(design, slice.held);
-    map.curves = boundaries(held, slice.x, slice.y, fine_mesh);
+    map.curves = chart_boundaries(held, slice.x, slice.y, fine_mesh);
     map.readings = slice.readings;
     map.depth = slice.depth;
     map.layers = slice.layers;
@@ -117,7 +117,7 @@ StabilityMap stability_map(const Joint& design, const Slice& slice)
     tbb::parallel_for(std::size_t{0}, map.layers.size(), [&](std::size_t i) {
         Joint joint = held;
         number_at(joint, slice.depth.path) = map.layers[i].value;
-        map.layers[i].curves = boundaries(joint, slice.x, slice.y, layer_mesh);
+        map.layers[i].curves = chart_boundaries(joint, slice.x, slice.y, layer_mesh);
     });
     map.has_design = true;
     map.design = design_point(design, slice);

@@ -44,6 +44,9 @@ Joint joint_at(Joint joint, const std::vector<Held>& held);
 /// the chart's area (axes as drawn) in which the theories differ.
 StabilityMap stability_map(const Joint& design, const Slice& slice);
 
+/// Both theories' boundaries over two axes, those that are met; `mesh` as in locate_over_chart.
+std::vector<Curve> chart_boundaries(const Joint& joint, const Axis& x, const Axis& y, int mesh);
+
 /// The design as a slice shows it: the slice's axes at their design values, the others as held.
 DesignPoint design_point(const Joint& design, const Slice& slice);
 

@@ -125,6 +125,7 @@ Report stability_report(const Spec& spec, const SweepSummary& summary)
         report.headlines.push_back(undecided_headline(summary));
     add_alerts(report, summary, drawn);
 
+    if (summary.multiples) maps.figures.push_back(multiples_figure(joint, *summary.multiples));
     for (const auto& profile : summary.profiles) maps.figures.push_back(profile_figure(joint, profile));
     if (!maps.figures.empty()) report.sections.push_back(std::move(maps));
 

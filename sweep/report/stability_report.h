@@ -2,8 +2,10 @@
 #pragma once
 #include "analysis/results/report.h"
 #include "sweep/report/maps.h"
+#include "sweep/report/multiples.h"
 #include "sweep/spec.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,8 +14,9 @@ namespace stickslip {
 
 /// What the report needs beyond the spec.
 struct SweepSummary {
-    std::vector<Slice> slices;      ///< one a chart
-    std::vector<Profile> profiles;  ///< of a sweep along one axis
+    std::vector<Slice> slices;           ///< one a chart
+    std::optional<Multiples> multiples;  ///< of the first chart, where the sweep has more than two axes
+    std::vector<Profile> profiles;       ///< of a sweep along one axis
     std::uint64_t points = 0;
     std::uint64_t undecided = 0;                                 ///< rows with a reason
     std::vector<std::pair<std::string, std::uint64_t>> reasons;  ///< reason in words, number of rows

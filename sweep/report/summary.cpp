@@ -48,15 +48,6 @@ std::vector<Region> regions_of(const std::vector<std::uint8_t>& codes)
 /// A chart of a large sweep gets fewer layers, so that a page stays a page.
 constexpr std::size_t most_layers = 21, most_layer_points = 250'000;
 
-/// The third axis of a chart: the velocity if it is one, otherwise the first that is left. axes.size() if none is.
-std::size_t depth_axis(const std::vector<Axis>& axes, std::size_t x, std::size_t y)
-{
-    std::size_t found = axes.size();
-    for (std::size_t i = axes.size(); i-- > 0;)
-        if (i != x && i != y && (found == axes.size() || axes[found].path != "control.V0")) found = i;
-    return found;
-}
-
 /// Evenly spread places on an axis, `own` among them.
 std::vector<std::size_t> spread(std::size_t size, std::size_t own, std::size_t most)
 {
@@ -69,9 +60,9 @@ std::vector<std::size_t> spread(std::size_t size, std::size_t own, std::size_t m
 void add_layers(Slice& slice, const std::vector<Axis>& axes, const ResultsFile& results, std::size_t x, std::size_t y,
                 std::vector<std::size_t> at)
 {
-    const std::size_t z = depth_axis(axes, x, y);
+    const std::size_t z = further_axis(axes, {x, y});
     const std::size_t most = std::min(most_layers, most_layer_points / std::max<std::size_t>(1, slice.abscissa.size()));
-    if (z == axes.size() || most < 3 || axes[z].values.size() < 2) return;
+    if (z == axes.size() || most < 3) return;
     slice.depth = axes[z];
     for (const auto place : spread(axes[z].values.size(), at[z], most)) {
         at[z] = place;
@@ -107,6 +98,7 @@ SweepSummary summarise(const Spec& spec, const ResultsFile& results)
                 slice.readings.push_back({std::string(column.long_name), column.quantity,
                                           results.plane(column.name, x, y, at), std::string(column.name)});
         add_layers(slice, axes, results, x, y, at);
+        if (summary.slices.empty()) summary.multiples = read_multiples(results, x, y, at);
         summary.slices.push_back(std::move(slice));
     }
     if (axes.size() == 1) {

@@ -99,6 +99,26 @@ class Report(unittest.TestCase):
         self.assertGreater(len(planes), 10)
         numpy.testing.assert_allclose(field, numpy.concatenate(planes), rtol=COARSE)
 
+    def test_small_multiples_are_those_of_the_file(self):
+        self.browser.open(self.pages["linear"])
+        data = self.browser.run_async(
+            "{ const d = await unpack(JSON.parse(document.querySelector('#panels-k-p-k-v script').textContent));"
+            "  return { field: Array.from(d.field), x: d.x.values, y: d.y.values, places: d.places.map(p => p.across) }; }")
+        k_p, k_v, V0 = (self.results[name][:] for name in ("k_p", "k_v", "V0"))
+        at = lambda axis, values: [int(numpy.argmin(abs(axis - v))) for v in values]
+        self.assertEqual(len(data["places"]), 6)
+        self.assertTrue(set(data["places"]) <= set(V0.tolist()) and 1e-3 in [float(f"{v:.9g}") for v in data["places"]])
+        planes = [self.results["spectral_abscissa"][:, :, n].T[numpy.ix_(at(k_v, data["y"]), at(k_p, data["x"]))].ravel()
+                  for n in at(V0, data["places"])]
+        numpy.testing.assert_allclose(data["field"], numpy.concatenate(planes), rtol=COARSE)
+        self.browser.run("document.querySelectorAll('#panels-k-p-k-v .reader')[5].focus({focusVisible: true})")
+        self.browser.key("ArrowLeft")
+        self.assertIn("V0 = 100 mm/s", self.browser.run("return document.querySelector('#panels-k-p-k-v .tip.on').innerText"))
+        self.browser.key("Enter")
+        command = self.browser.run("return document.querySelector('#panels-k-p-k-v .place code').textContent")
+        self.assertIn("control.V0=0.1", command)
+        self.assertEqual(self.browser.complaints(), [])
+
     def area(self, figure):
         return self.browser.run("const e = document.querySelector(arguments[0] + ' .reader'); e.scrollIntoView({block: 'center'});"
                                 "const r = e.getBoundingClientRect(); return [r.left, r.top, r.width, r.height]", figure)
@@ -136,7 +156,7 @@ class Report(unittest.TestCase):
         self.assertIn("trajectory", stickslip(*words[1:], cwd=self.out / "linear"))
         self.assertEqual(self.browser.run("return document.querySelectorAll('#map-k-p-k-v .place canvas').length"), 1)
         self.browser.key("Escape")
-        self.assertFalse(self.browser.run("return document.querySelector('#map-k-p-k-v .sheet').classList.contains('on')"))
+        self.assertFalse(self.browser.run("return document.querySelector('#map-k-p-k-v .tip').classList.contains('on')"))
 
     def test_the_slider_moves_the_chart(self):
         self.browser.open(self.pages["linear"])

@@ -15,10 +15,10 @@ const unpackAxis = async (axis) => { axis.values = await doubles(axis.values); r
 
 const unpack = async (data) => {
   for (const line of data.lines || []) { line.x = await doubles(line.x); line.y = await doubles(line.y); }
-  if (data.kind !== "grid") return data;
-  await unpackAxis(data.x);
-  await unpackAxis(data.y);
-  for (const reading of data.readings) reading.values = await floats(reading.values);
+  if (data.kind === "lines") return data;
+  for (const axis of [data.x, data.y, data.across, data.up]) if (axis) await unpackAxis(axis);
+  if (data.field) data.field = await floats(data.field);
+  else for (const reading of data.readings) reading.values = await floats(reading.values);
   if (data.class) data.class = await codes(data.class);
   return data;
 };
@@ -26,7 +26,12 @@ const unpack = async (data) => {
 const csv = (data) => {
   const quoted = (text) => (/[",\n]/.test(text) ? '"' + text.replaceAll('"', '""') + '"' : text);
   const lines = [data.header];
-  if (data.kind === "grid")
+  if (data.kind === "panels")
+    data.places.forEach((place, n) => data.y.values.forEach((y, j) => data.x.values.forEach((x, i) => {
+      const k = (n * data.y.values.length + j) * data.x.values.length + i, held = data.up ? [place.up, place.across] : [place.across];
+      lines.push([...held, x, y, Number(data.field[k].toPrecision(5)), data.classes[data.class[k]].name].join(","));
+    })));
+  else if (data.kind === "grid")
     data.y.values.forEach((y, j) => data.x.values.forEach((x, i) => {
       const k = j * data.x.values.length + i;
       const row = [x, y, ...data.readings.map((reading) => Number(reading.values[k].toPrecision(8)))];

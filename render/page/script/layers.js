@@ -41,7 +41,7 @@ const textures = {
 
 const newCanvas = (width, height) => Object.assign(document.createElement("canvas"), { width, height });
 
-const hatched = (chart, layer, code, width, height) => {
+const hatched = (chart, regions, code, width, height) => {
   const cover = newCanvas(width, height), pen = cover.getContext("2d");
   for (const [apart, slope, colour, thickness] of textures[chart.data.classes[code].name] || []) {
     pen.strokeStyle = colour;
@@ -54,12 +54,8 @@ const hatched = (chart, layer, code, width, height) => {
     }
     pen.stroke();
   }
-  const mask = new ImageData(width, height), across = lookUp(chart.xs, width, false), down = lookUp(chart.ys, height, true);
-  for (let row = 0, at = 3; row < height; ++row)
-    for (let column = 0; column < width; ++column, at += 4) {
-      const i = across[column][0] + (across[column][1] > 0.5 ? 1 : 0), j = down[row][0] + (down[row][1] > 0.5 ? 1 : 0);
-      mask.data[at] = layer.class[j * chart.xs.length + i] === code ? 255 : 0;
-    }
+  const mask = new ImageData(width, height);
+  regions.forEach((region, at) => { mask.data[4 * at + 3] = region === code ? 255 : 0; });
   const stencil = newCanvas(width, height);
   stencil.getContext("2d").putImageData(mask, 0, 0);
   pen.globalCompositeOperation = "destination-in";
@@ -81,7 +77,9 @@ const drawCurves = (pen, layer, width, height) => {
     pen.stroke();
   };
   for (const curve of layer.curves) trace(curve, 5.6, "#fefefe", []);
-  for (const curve of layer.curves) trace(curve, 2.6, curve.memory ? "#000" : "#a4006d", curve.memory ? [] : [9, 5]);
+  // solid first: where the two coincide, both show
+  for (const curve of layer.curves) if (curve.memory) trace(curve, 2.6, "#000", []);
+  for (const curve of layer.curves) if (!curve.memory) trace(curve, 2.6, "#a4006d", [9, 5]);
 };
 
 const paintLayer = (chart, canvas, layer) => {
@@ -92,7 +90,8 @@ const paintLayer = (chart, canvas, layer) => {
   field.getContext("2d").putImageData(fieldImage(chart, layer, width, height), 0, 0);
   pen.scale(fine, fine);
   pen.drawImage(field, 0, 0);
-  chart.data.classes.forEach((_, code) => { if (layer.class.includes(code)) pen.drawImage(hatched(chart, layer, code, width, height), 0, 0); });
+  const regions = regionsOf(chart, layer, width, height);
+  chart.data.classes.forEach((_, code) => { if (layer.class.includes(code)) pen.drawImage(hatched(chart, regions, code, width, height), 0, 0); });
   drawCurves(pen, layer, width, height);
   if (!chart.data.design) return;
   const x = width * position(chart.data.x, chart.data.design[0]), y = height * (1 - position(chart.data.y, chart.data.design[1]));
@@ -113,8 +112,7 @@ const addSlider = (chart) => {
   const label = element("label", { for: id }, depth.axis.name + " ", ...marked(depth.axis.symbol));
   figure.querySelector(".stage").before(element("div", { class: "slider" }, label, input, value));
   const canvas = element("canvas", { class: "layer", "aria-hidden": "true", hidden: "" });
-  const [left, top, width, height] = data.area;
-  Object.assign(canvas.style, { left: left * 100 + "%", top: top * 100 + "%", width: width * 100 + "%", height: height * 100 + "%" });
+  placeOver(canvas, data.area);
   sheet.insertBefore(canvas, sheet.querySelector(".reader"));
   const points = chart.xs.length * chart.ys.length;
   const show = () => {
@@ -124,7 +122,7 @@ const addSlider = (chart) => {
     input.setAttribute("aria-valuetext", text);
     canvas.hidden = own;
     sheet.classList.toggle("moved", !own);
-    chart.layer = own ? null : { value: depth.axis.values[n], field: depth.field.subarray(n * points, (n + 1) * points),
+    chart.layer = own ? null : { held: [[depth.axis, depth.axis.values[n]]], field: depth.field.subarray(n * points, (n + 1) * points),
       class: depth.class.subarray(n * points, (n + 1) * points), curves: depth.curves[n] };
     if (chart.layer) paintLayer(chart, canvas, chart.layer);
   };

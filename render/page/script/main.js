@@ -10,11 +10,21 @@ const pngOf = (picture) => new Promise((resolve, reject) => {
   image.src = "data:image/svg+xml;charset=utf-8," + encodeURIComponent(new XMLSerializer().serializeToString(picture));
 });
 
+const newChart = (figure, data, layer) => ({ figure, data, layer, column: data.start[0], row: data.start[1], choose: () => {},
+  xs: data.x.values.map((v) => position(data.x, v)), ys: data.y.values.map((v) => position(data.y, v)) });
+
+const preparePanels = (figure, data) => data.areas.forEach((area, n) => {
+  const points = data.x.values.length * data.y.values.length, place = data.places[n];
+  const held = data.up ? [[data.across, place.across], [data.up, place.up]] : [[data.across, place.across]];
+  const part = (values) => values.subarray(n * points, (n + 1) * points), layer = { held, field: part(data.field), class: part(data.class) };
+  const chart = newChart(figure, data, layer);
+  addReader(chart, area, "the map at " + held.map(([axis, value]) => axis.name + " " + withUnit(value, axis)).join(" and "));
+  if (data.command) addPlace(chart);
+});
+
 const prepareGrid = async (figure, data) => {
-  const chart = { figure, data, layer: null, column: data.start[0], row: data.start[1], choose: () => {} };
-  chart.xs = data.x.values.map((v) => position(data.x, v));
-  chart.ys = data.y.values.map((v) => position(data.y, v));
-  addReader(chart);
+  const chart = newChart(figure, data, null);
+  addReader(chart, data.area, "the chart");
   if (data.motions) {
     const { motions } = data, places = await doubles(motions.places);
     motions.places = motions.lengths.map((_, n) => [places[2 * n], places[2 * n + 1]]);
@@ -44,6 +54,7 @@ const prepare = async (figure) => {
   if (source) {
     const data = await unpack(JSON.parse(source.textContent));
     if (data.area && picture) await prepareGrid(figure, data);
+    if (data.areas && picture) preparePanels(figure, data);
     if (data.kind === "lines" && picture) addZoom(figure, data, button);
     button("Data (CSV)", () => save(figure.id + ".csv", "text/csv", csv(data)));
   }

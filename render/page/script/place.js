@@ -1,9 +1,9 @@
 // What a chosen place of a chart is: its values, the command that reproduces it, the motion of the nearest simulated node.
 const commandFor = (chart) => {
   const { data } = chart;
-  const depth = data.depth ? (chart.layer ? chart.layer.value : data.depth.axis.values[data.depth.at]) : 0;
-  const values = { x: data.x.values[chart.column], y: data.y.values[chart.row], depth };
-  return data.command.replace(/\{(x|y|depth)\}/g, (_, name) => String(values[name]));
+  const [depth, up] = chart.layer ? chart.layer.held.map(([axis, value]) => value) : [data.depth ? data.depth.axis.values[data.depth.at] : 0];
+  const values = { x: data.x.values[chart.column], y: data.y.values[chart.row], depth, up };
+  return data.command.replace(/\{(x|y|depth|up)\}/g, (_, name) => String(values[name]));
 };
 
 // The node with a motion that lies nearest on the chart, one of the same class first.
@@ -60,8 +60,8 @@ const addMotion = (chart, panel) => {
 };
 
 const addPlace = (chart) => {
-  const panel = element("div", { class: "place", "aria-live": "polite", hidden: "" });
-  chart.figure.querySelector("figcaption").before(panel);
+  const { figure } = chart, panel = figure.querySelector(".place") || element("div", { class: "place", "aria-live": "polite", hidden: "" });
+  figure.querySelector("figcaption").before(panel);
   chart.choose = () => {
     if (!chart.data.command) return;
     const command = commandFor(chart), code = element("code", { tabindex: "0" }, command);

@@ -1,5 +1,5 @@
 // A frame over the data area: the pointer or the arrow keys choose a grid point, the box beside it says its values.
-// `chart` = { figure, data, layer, xs, ys, column, row, area, refresh, choose }.
+// `chart` = { figure, data, layer, xs, ys, column, row, area, choose }; `layer` holds the values of another slice, if any.
 const valueAt = (chart, reading, k) =>
   chart.layer && reading === chart.data.readings[0] ? chart.layer.field[k] : chart.layer ? NaN : reading.values[k];
 
@@ -16,7 +16,7 @@ const readOut = (chart) => {
   const lines = named ? [element("b", {}, named.text)] : [];
   lines.push(line(...marked(data.x.symbol), " = " + withUnit(data.x.values[chart.column], data.x)));
   lines.push(line(...marked(data.y.symbol), " = " + withUnit(data.y.values[chart.row], data.y)));
-  if (chart.layer) lines.push(line(...marked(data.depth.axis.symbol), " = " + withUnit(chart.layer.value, data.depth.axis)));
+  for (const [axis, value] of chart.layer ? chart.layer.held : []) lines.push(line(...marked(axis.symbol), " = " + withUnit(value, axis)));
   for (const reading of data.readings) {
     const value = valueAt(chart, reading, k);
     if (chart.layer && Number.isNaN(value)) continue;
@@ -26,15 +26,17 @@ const readOut = (chart) => {
   return lines;
 };
 
-const addReader = (chart) => {
-  const { figure, data } = chart, sheet = figure.querySelector(".sheet");
-  const label = "Values of the chart: arrow keys move by one grid point, with Shift by ten; Enter chooses the place; Escape leaves";
+const placeOver = (made, [left, top, width, height]) =>
+  Object.assign(made.style, { left: left * 100 + "%", top: top * 100 + "%", width: width * 100 + "%", height: height * 100 + "%" });
+
+const addReader = (chart, where, name) => {
+  const { figure } = chart, sheet = figure.querySelector(".sheet");
+  const label = `Values of ${name}: arrow keys move by one grid point, with Shift by ten; Enter chooses the place; Escape leaves`;
   const area = element("div", { class: "reader", tabindex: "0", role: "application", "aria-label": label });
   const tip = element("div", { class: "tip", role: "status" });
   const upright = area.appendChild(element("div", { class: "upright" }));
   const level = area.appendChild(element("div", { class: "level" }));
-  const [left, top, width, height] = data.area;
-  Object.assign(area.style, { left: left * 100 + "%", top: top * 100 + "%", width: width * 100 + "%", height: height * 100 + "%" });
+  placeOver(area, where);
   sheet.append(area, tip);
   chart.area = area;
 
@@ -45,7 +47,8 @@ const addReader = (chart) => {
     upright.style.left = across * 100 + "%";
     level.style.top = (1 - up) * 100 + "%";
     tip.replaceChildren(...readOut(chart));
-    sheet.classList.add("on");
+    area.classList.add("on");
+    tip.classList.add("on");
     const frame = area.getBoundingClientRect(), page = sheet.getBoundingClientRect();
     let x = frame.left - page.left + across * frame.width + 14, y = frame.top - page.top + (1 - up) * frame.height + 14;
     if (x + tip.offsetWidth > page.width) x -= tip.offsetWidth + 28;
@@ -53,7 +56,7 @@ const addReader = (chart) => {
     tip.style.left = Math.max(0, x) + "px";
     tip.style.top = Math.max(0, y) + "px";
   };
-  const hide = () => sheet.classList.remove("on");
+  const hide = () => { area.classList.remove("on"); tip.classList.remove("on"); };
   const point = (event) => {
     const frame = area.getBoundingClientRect();
     show(nearest(chart.xs, (event.clientX - frame.left) / frame.width), nearest(chart.ys, 1 - (event.clientY - frame.top) / frame.height));

@@ -46,7 +46,7 @@ TEST_CASE("a field map draws numbers on every scale, and classes", "[pictures]")
         const auto drawn = render(figure_of(map));
         CHECK(drawn.missing.empty());
         CHECK(oracle::fault_in_markup(drawn.svg).empty());
-        CHECK(drawn.plot_width > 100);
+        CHECK(drawn.plot.width > 100);
     }
     FieldMap map = field();
     map.classes = {"as before", "changed, much"};

@@ -95,19 +95,6 @@ TEST_CASE("pixels have the colour of their value, grey where there is none", "[f
     CHECK(raster.pixels[11] == no_value.blue);
 }
 
-TEST_CASE("a region covers what is nearer to its nodes", "[field]")
-{
-    const Axis x = axis({0, 1}, false), y = axis({0, 1}, false);
-    const Grid g = grid(x, y);
-    const std::vector<Region> regions{Region::stable, Region::unstable, Region::stable, Region::unstable};
-    const Rectangle box{100, 200, 50, 50};
-    const Covers left = covers(g, regions, Region::stable, box), right = covers(g, regions, Region::unstable, box);
-    CHECK(left({110, 225}));
-    CHECK_FALSE(left({140, 225}));
-    CHECK(right({140, 225}));
-    CHECK_FALSE(covers(g, regions, Region::bistable, box)({110, 225}));
-}
-
 TEST_CASE("labels go where the room is and avoid what is there", "[placement]")
 {
     const Rectangle box{0, 0, 400, 300};

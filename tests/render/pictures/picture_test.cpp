@@ -56,9 +56,9 @@ TEST_CASE("every picture of a report is well-formed, described and has its numbe
             if (r.svg.empty()) continue;
             CHECK(fault_in_markup(r.svg) == "");
             CHECK(holds(r.svg, "aria-label=\"" + f.finding.substr(0, 10)));
-            CHECK(r.plot_left > 0);
-            CHECK(r.plot_left + r.plot_width < r.width);
-            CHECK(r.plot_top + r.plot_height < r.height);
+            CHECK(r.plot.left > 0);
+            CHECK(r.plot.left + r.plot.width < r.width);
+            CHECK(r.plot.top + r.plot.height < r.height);
         }
     CHECK(fault_in_markup(page(report, figures)) == "");
 }

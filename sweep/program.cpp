@@ -8,8 +8,12 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <filesystem>
+#include <iostream>
+#include <system_error>
 
 namespace stickslip {
 namespace {
@@ -32,6 +36,19 @@ std::string quoted(const std::string& argument)
     std::string text = "'";
     for (const char c : argument) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return text + "'";
+}
+
+/// Whether the answer reached whoever reads it: a full disk shows only when the buffer is emptied.
+bool answer_written()
+{
+    std::cout.flush();  // help is written by way of it
+    const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+    if (!written)
+        fmt::print(stderr,
+                   "stickslip: the answer could not be written to standard output ({}); "
+                   "make room and run the same command again\n",
+                   std::generic_category().message(errno));
+    return written;
 }
 
 }  // namespace
@@ -82,7 +99,10 @@ int run_program(int argc, char** argv, Cluster* cluster)
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
-        if (e.get_exit_code() == 0) return app.exit(e);  // help or version, on standard output
+        if (e.get_exit_code() == 0) {  // help or version, on standard output
+            const int code = app.exit(e);
+            return answer_written() ? code : exit_interrupted;
+        }
         fmt::print(stderr, "{}", usage_error(app, e, {argv + 1, argv + argc}));
         return exit_bad_input;
     } catch (const BadInput& e) {
@@ -97,10 +117,11 @@ int run_program(int argc, char** argv, Cluster* cluster)
                    e.path1().string(), e.code().message());
         return exit_bad_input;
     } catch (const std::exception& e) {
+        if (std::ferror(stdout) != 0 && !answer_written()) return exit_interrupted;
         fmt::print(stderr, "stickslip: {}\n", e.what());
         return exit_bad_input;
     }
-    return invocation.exit_code;
+    return answer_written() ? invocation.exit_code : exit_interrupted;
 }
 
 }  // namespace stickslip

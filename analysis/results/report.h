@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/results/stability_map.h"
+#include "analysis/results/stability_panels.h"
 
 namespace stickslip {
 

@@ -1,6 +1,6 @@
 // The numbers behind a picture as a table that any program opens: full precision, SI, one header line.
 #pragma once
-#include "analysis/results/stability_map.h"
+#include "analysis/results/stability_panels.h"
 
 #include <string>
 #include <string_view>

@@ -76,7 +76,8 @@ std::string table(const Table& t)
     std::string html = "<div class=\"table\" tabindex=\"0\" role=\"region\" aria-label=\"" +
                        escape(plain_text(t.title)) + "\"><table>\n<caption>" + html_of_markup(t.title) +
                        "</caption>\n<thead><tr>";
-    for (const std::string& column : t.columns) html += "<th scope=\"col\">" + html_of_markup(column) + "</th>";
+    for (const std::string& column : t.columns)
+        html += column.empty() ? "<td></td>" : "<th scope=\"col\">" + html_of_markup(column) + "</th>";
     html += "</tr></thead>\n<tbody>\n";
     for (const auto& row : t.rows) {
         html += "<tr>";

@@ -1,6 +1,7 @@
 #include "render/pictures/design_mark.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace stickslip::drawing {
 
@@ -26,11 +27,35 @@ std::vector<Rectangle> draw_design(Canvas& canvas, const Frame& frame, const Des
     return {{at.x - 11, at.y - 11, 22, 22}, place};
 }
 
+namespace {
+
+/// Pieces that touch as one line, so that a dash pattern runs on from one to the next.
+std::vector<Polyline> joined(std::vector<Polyline> pieces)
+{
+    constexpr double touch = 0.5;  // px
+    const auto near = [](Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y) < touch; };
+    std::vector<Polyline> lines;
+    for (Polyline& piece : pieces) {
+        const auto neighbour = std::find_if(lines.begin(), lines.end(), [&](const Polyline& line) {
+            return near(line.back(), piece.front()) || near(line.back(), piece.back());
+        });
+        if (neighbour == lines.end()) {
+            lines.push_back(std::move(piece));
+            continue;
+        }
+        if (!near(neighbour->back(), piece.front())) std::reverse(piece.begin(), piece.end());
+        neighbour->insert(neighbour->end(), piece.begin() + 1, piece.end());
+    }
+    return lines;
+}
+
+}  // namespace
+
 std::vector<Polyline> visible(const std::vector<double>& x, const std::vector<double>& y, const Frame& frame)
 {
     Polyline line;
     for (std::size_t i = 0; i < x.size(); ++i) line.push_back(frame.at(x[i], y[i]));
-    std::vector<Polyline> pieces = clip(line, frame.box);
+    std::vector<Polyline> pieces = joined(clip(line, frame.box));
     for (Polyline& piece : pieces) piece = thin(piece, 0.08);
     return pieces;
 }

@@ -1,6 +1,6 @@
 // What every picture hands back, and the pictures.
 #pragma once
-#include "analysis/results/stability_map.h"
+#include "analysis/results/stability_panels.h"
 #include "render/drawing/canvas.h"
 
 #include <string>

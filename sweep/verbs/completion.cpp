@@ -21,8 +21,10 @@ std::string safe(const std::string& text)
     for (const char c : text.substr(0, text.find('\n')))
         if (c == '\'')
             kept += "’";
-        else if (c == '[' || c == ']' || c == ':')
+        else if (c == '[' || c == ']')
             kept += ' ';
+        else if (c == ':')
+            kept += " –";  // what stands behind a colon is another field
         else
             kept += c;
     return kept;
@@ -75,7 +77,8 @@ std::string zsh(const CLI::App& app)
         std::string options;
         for (const auto* option : verb->get_options())
             for (const auto& name : option->get_lnames())
-                options += fmt::format(" '--{}[{}]'", name, safe(option->get_description()));
+                options += fmt::format(" '--{}[{}]{}'", name, safe(option->get_description()),
+                                       option->get_items_expected_max() > 0 ? ":value:_files" : "");
         cases += fmt::format("        {}) _arguments{} '*:file:_files' ;;\n", verb->get_name(), options);
     }
     return fmt::format(
@@ -96,7 +99,8 @@ std::string zsh(const CLI::App& app)
         "{}"
         "    esac\n"
         "}}\n"
-        "_stickslip \"$@\"\n",
+        "# the file lies in $fpath, or it is sourced\n"
+        "if [ \"$funcstack[1]\" = _stickslip ]; then _stickslip \"$@\"; else compdef _stickslip stickslip; fi\n",
         verbs, cases);
 }
 

@@ -123,7 +123,8 @@ int evaluate(const Options& options)
                 fmt::print("  {:<40} {}\n", plain_text(row[0]), plain_text(row[1]));
         if (!page.empty()) fmt::print("report:  {}\n", page.string());
     }
-    return decided ? exit_done : exit_undecided;
+    const bool failed = nonlinear.outcome == Outcome::undecided || nonlinear.outcome == Outcome::solver_failure;
+    return decided && !failed ? exit_done : exit_undecided;
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
     report_test.py STICKSLIP [--update]     --update stores the screenshots anew
 """
+import base64
+import os
 import pathlib
 import random
 import shlex
@@ -204,6 +206,27 @@ class Report(unittest.TestCase):
                 with self.subTest(page=name, scheme=scheme):
                     self.browser.open(page, scheme=scheme)
                     self.assertEqual(self.browser.run(rules), [])
+
+    @unittest.skipUnless("AXE_CORE" in os.environ, "tests/browser/axe.sh brings axe-core and sets AXE_CORE")
+    def test_axe_core_finds_nothing(self):
+        axe = pathlib.Path(os.environ["AXE_CORE"]).read_text()
+        for name, page in self.pages.items():
+            for scheme in ("light", "dark"):
+                with self.subTest(page=name, scheme=scheme):
+                    self.browser.open(page, scheme=scheme)
+                    self.browser.run(axe)
+                    found = self.browser.run_async(
+                        "(await axe.run(document, { resultTypes: ['violations'] })).violations.map(v => v.id + ': ' + v.nodes[0].html.slice(0, 120))")
+                    self.assertEqual(found, [])
+
+    def test_it_prints_on_few_sheets(self):
+        """Figures of A4, two to a sheet with their captions; a page in the dark theme prints black on white, too."""
+        self.browser.open(self.pages["linear"], scheme="dark")
+        self.browser.cdp("Emulation.setEmulatedMedia", media="", features=[])
+        paper = self.browser.cdp("Page.printToPDF", paperWidth=8.27, paperHeight=11.69, preferCSSPageSize=True, printBackground=True)
+        sheets = base64.b64decode(paper["data"]).count(b"/Type /Page\n")
+        figures = self.browser.run("return document.querySelectorAll('figure').length")
+        self.assertLessEqual(sheets, figures / 2 + 4)
 
     def test_it_fits_a_phone_and_paper(self):
         for name, page in self.pages.items():

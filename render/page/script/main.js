@@ -53,6 +53,7 @@ const prepare = async (figure) => {
   };
   if (source) {
     const data = await unpack(JSON.parse(source.textContent));
+    prepared.push(data);
     if (data.area && picture) await prepareGrid(figure, data);
     if (data.areas && picture) preparePanels(figure, data);
     if (data.kind === "lines" && picture) addZoom(figure, data, button);

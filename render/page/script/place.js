@@ -6,16 +6,21 @@ const commandFor = (chart) => {
   return data.command.replace(/\{(x|y|depth|up)\}/g, (_, name) => String(values[name]));
 };
 
+// Data of every chart of the page: motions are simulated on one map and shown beside all charts over the same axes.
+const prepared = [];
+const sameAxis = (a, b) => a.symbol === b.symbol && a.low === b.low && a.high === b.high;
+const motionsFor = ({ data }) =>
+  [data, ...prepared].find((other) => other.motions && sameAxis(other.x, data.x) && sameAxis(other.y, data.y));
+
 // The node with a motion that lies nearest on the chart, one of the same class first.
-const nearestMotion = (chart) => {
-  const { data } = chart, across = chart.xs[chart.column], up = chart.ys[chart.row];
-  const classOf = (i, j) => (data.class ? data.class[j * chart.xs.length + i] : 0);
-  const own = classOf(chart.column, chart.row);
+const nearestMotion = (source, across, up) => {
+  const xs = source.x.values.map((v) => position(source.x, v)), ys = source.y.values.map((v) => position(source.y, v));
+  const classAtPlace = (a, b) => (source.class ? source.class[nearest(ys, b) * xs.length + nearest(xs, a)] : 0);
+  const own = classAtPlace(across, up);
   let best = null, least = Infinity;
-  data.motions.places.forEach(([x, y], n) => {
-    const a = position(data.x, x), b = position(data.y, y);
-    const other = classOf(nearest(chart.xs, a), nearest(chart.ys, b)) === own ? 0 : 10;
-    const distance = Math.hypot(a - across, b - up) + other;
+  source.motions.places.forEach(([x, y], n) => {
+    const a = position(source.x, x), b = position(source.y, y);
+    const distance = Math.hypot(a - across, b - up) + (classAtPlace(a, b) === own ? 0 : 10);
     if (distance < least) { least = distance; best = n; }
   });
   return best;
@@ -48,14 +53,19 @@ const drawMotion = (canvas, time, velocity, unit) => {
 };
 
 const addMotion = (chart, panel) => {
-  const { data } = chart, { motions } = data, n = nearestMotion(chart);
+  const source = motionsFor(chart);
+  if (!source) return;
+  const { motions, depth } = source, n = nearestMotion(source, chart.xs[chart.column], chart.ys[chart.row]);
   const from = motions.lengths.slice(0, n).reduce((sum, length) => sum + length, 0), to = from + motions.lengths[n];
   const time = Array.from(motions.time.slice(from, to)), velocity = Array.from(motions.velocity.slice(from, to));
   const [x, y] = motions.places[n], kind = { unit: motions.unit, prefix: motions.unit.startsWith("m") };
   const spoken = `Velocity in time at the nearest simulated node: between ${withUnit(Math.min(...velocity), kind)} and ${withUnit(Math.max(...velocity), kind)}.`;
   const canvas = element("canvas", { class: "motion", role: "img", "aria-label": spoken });
-  panel.append(element("p", {}, "Velocity after a small disturbance at the nearest simulated node, ",
-    ...marked(data.x.symbol), " = " + withUnit(x, data.x) + ", ", ...marked(data.y.symbol), " = " + withUnit(y, data.y) + ":"), canvas);
+  const held = depth ? [", ", ...marked(depth.axis.symbol), " = " + withUnit(depth.axis.values[depth.at], depth.axis)] : [];
+  const here = x === chart.data.x.values[chart.column] && y === chart.data.y.values[chart.row] && !chart.layer;
+  panel.append(element("p", {}, here ? "Velocity after a small disturbance, simulated at this place:" : "Not simulated at this place. Nearest simulated node: ",
+    ...(here ? [] : [...marked(source.x.symbol), " = " + withUnit(x, source.x) + ", ", ...marked(source.y.symbol), " = " + withUnit(y, source.y), ...held,
+      "; its velocity after a small disturbance:"])), canvas);
   drawMotion(canvas, time, velocity, motions.unit);
 };
 
@@ -73,6 +83,6 @@ const addPlace = (chart) => {
     panel.replaceChildren(element("div", { class: "values" }, ...readOut(chart)),
       element("p", {}, "Reproduce it in the folder of this page:"), element("div", { class: "command" }, code, copy));
     panel.hidden = false;
-    if (chart.data.motions && !chart.layer) addMotion(chart, panel);
+    addMotion(chart, panel);
   };
 };

@@ -78,6 +78,7 @@ SlowMode slow_mode(const Flow& flow)
     }
     if (largest < 0) return mode;
     mode.s = solver.eigenvalues()[largest];
+    mode.fastest = solver.eigenvalues().cwiseAbs().maxCoeff();
     for (Eigen::Index i = 0; i < scaled.rows(); ++i)
         if (std::abs(columns.eigenvalues()[i] - mode.s) < std::abs(columns.eigenvalues()[same] - mode.s)) same = i;
     mode.left = scale.cwiseInverse().cast<std::complex<double>>().cwiseProduct(solver.eigenvectors().col(largest));

@@ -11,6 +11,9 @@ namespace stickslip {
 /// or takes by its error must be small beside it.
 inline constexpr double clear_change = 5;
 
+/// |s| of a mode that cannot be told from zero, per largest |s|: what rounding makes of an eigenvalue.
+inline constexpr double neutral_mode = 1e-14;
+
 /// The eigenvalue of largest real part and its eigenvectors: along a trajectory near steady sliding,
 /// l·(y − y_ss) = l·(y_0 − y_ss) e^{st} holds exactly, whatever the other modes do. States that rest wherever they are
 /// left, like the yielded elements of a slip model, are no modes.
@@ -18,6 +21,11 @@ struct SlowMode {
     std::complex<double> s{missing, missing};
     Eigen::VectorXcd left, right;
     FlowVector steady;
+    double fastest = missing;  ///< largest |s| of all modes
+
+    /// False where there is no mode, or none that moves on the clock of the others, as of a joint without a position
+    /// gain: no simulation can tell growth from decay there.
+    bool shows_itself() const { return std::abs(s) >= neutral_mode * fastest && std::isfinite(fastest); }
 
     /// |l·(y − y_ss)|
     double size(const FlowVector& y) const

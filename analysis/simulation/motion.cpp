@@ -193,6 +193,12 @@ void SlidingMotion::tell()
 
 Turn SlidingMotion::turn(double t_end, const std::function<bool(const FlowVector&)>& settled)
 {
+    steps_left_ = most_steps_of_turn;
+    return run(t_end, settled);
+}
+
+Turn SlidingMotion::run(double t_end, const std::function<bool(const FlowVector&)>& settled)
+{
     Turn turn;
     turn.t0 = t_;
     turn.start = y_;
@@ -212,7 +218,7 @@ Turn SlidingMotion::turn(double t_end, const std::function<bool(const FlowVector
         return turn;
     };
     for (;;) {
-        if (rests_ > most_rests) return finish(Turn::End::failure);
+        if (rests_ > most_rests || --steps_left_ < 0) return finish(Turn::End::failure);
         if (stuck_) {
             if (!stick(t_end)) return finish(Turn::End::held);
             turn.position_min = std::min(turn.position_min, y_[0]);
@@ -249,10 +255,11 @@ Turn SlidingMotion::turn(double t_end, const std::function<bool(const FlowVector
     }
 }
 
-bool SlidingMotion::advance(double t_end)
+bool SlidingMotion::advance(double t_end, int most_steps)
 {
+    steps_left_ = most_steps;
     while (t_ < t_end) {
-        const auto end = turn(t_end).end;
+        const auto end = run(t_end, {}).end;
         if (end == Turn::End::failure || end == Turn::End::held) return false;
     }
     return true;

@@ -44,8 +44,11 @@ class SlidingMotion {
     void surround(double force, double normal_load);
     /// Until the next downward crossing of V = V_0, until `settled` says true at a step, or until the time is over.
     Turn turn(double t_end, const std::function<bool(const FlowVector&)>& settled = {});
-    /// Straight to a time, whatever is crossed on the way; false if the solver fails.
-    bool advance(double t_end);
+    /// Straight to a time, whatever is crossed on the way; false if the solver fails or takes more steps than that.
+    bool advance(double t_end, int most_steps);
+
+    /// Of one turn; thousands are usual. More means time scales so far apart that rounding makes the solver creep.
+    static constexpr int most_steps_of_turn = 300'000;
 
     double time() const { return t_; }
     const FlowVector& state() const { return y_; }
@@ -60,6 +63,7 @@ class SlidingMotion {
     void arrive_at_rest();
     bool pass_switch(int which);
     bool stick(double t_end);
+    Turn run(double t_end, const std::function<bool(const FlowVector&)>& settled);
     void measure_step(double from, const FlowVector& before, Turn& turn);
     void tell();
 
@@ -75,6 +79,7 @@ class SlidingMotion {
     bool stuck_ = false, used_fallback_ = false;
     double rest_time_ = 0, release_position_ = missing;
     int sticks_ = 0, rests_ = 0, restarts_ = 0;
+    int steps_left_ = 0;     ///< of the present turn or advance
     int idle_switches_ = 0;  ///< since time last moved on
     std::function<void(const Instant&)> observer_;
 };

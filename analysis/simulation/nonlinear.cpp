@@ -58,7 +58,7 @@ Growth measure_growth(const Flow& flow, const SlowMode& mode, FlowVector probe, 
                          std::max(growth_fineness * options.rtol * probe_size * change, finest_tolerance));
     const auto after = [&](const FlowVector& start) -> FlowVector {
         motion.start(start);
-        growth.failed |= !motion.advance(window);
+        growth.failed = growth.failed || !motion.advance(window, SlidingMotion::most_steps_of_turn);
         return motion.state();
     };
     const auto rate_of = [&](const FlowVector& offset) {
@@ -148,6 +148,11 @@ void judge(const Joint& joint, const AnyFlow& flow, double abscissa, const Nonli
     follow_options.accelerate = options.accelerate;
 
     const auto mode = slow_mode(flow);
+    if (!mode.shows_itself()) {
+        verdict.outcome = Outcome::undecided;
+        verdict.reason = std::isfinite(mode.fastest) ? Reason::not_converged : Reason::not_finite;
+        return;
+    }
     const double deflection = steady_sliding(joint).deflection;
     const auto kind = options.disturbance.kind;
     const bool stated_small = !is_set(options.disturbance.size);

@@ -12,6 +12,7 @@
 namespace stickslip {
 namespace {
 
+constexpr int most_steps = 1'000'000;  ///< each is a row of the trajectory
 constexpr int default_turns = 50;
 constexpr int most_turns = 400;       ///< of a default duration: pages of longer motions are hard to read
 constexpr double lead = 14;           ///< e-folds from the small disturbance to a cycle: ln(1/small_disturbance)
@@ -132,6 +133,11 @@ void follow(AnyFlow& flow, const SimulateOptions& options, Trajectory& path)
     const auto kind = options.disturbance.kind;
     const double size = size_of(options, default_size(flow, mode, kind));
     const double duration = is_set(options.duration) ? options.duration : default_duration(mode);
+    if (!mode.shows_itself() && !(is_set(options.disturbance.size) && is_set(options.duration)))
+        path.reason = Reason::not_converged;  // nothing says how far or for how long
+    if (!std::isfinite(mode.fastest) || !std::isfinite(size) || !std::isfinite(duration))
+        path.reason = Reason::not_finite;
+    if (path.reason != Reason::none) return;
     FlowVector start = disturbed(flow, mode, kind, size);
     if (options.force.impulse != 0) start = pushed(flow, start, options.force.impulse);
     if (!start.allFinite()) {
@@ -147,7 +153,7 @@ void follow(AnyFlow& flow, const SimulateOptions& options, Trajectory& path)
     motion.start(start);
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (i > 0) motion.surround(parts[i].force, parts[i].normal_load);
-        if (motion.advance(parts[i].end)) continue;
+        if (motion.advance(parts[i].end, most_steps)) continue;
         path.reason = Reason::solver_failed;
         break;
     }

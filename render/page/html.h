@@ -9,6 +9,10 @@ namespace stickslip::drawing {
 /// & < > " ' as entities: safe as text and inside a quoted attribute.
 std::string escape(std::string_view text);
 
+/// Text of unknown origin without control characters, marks of writing direction and bytes that are no UTF-8: each
+/// becomes U+FFFD. escape and json_string see to it themselves.
+std::string readable(std::string_view text);
+
 /// Chart mark-up, "k_{p}" → "k<sub>p</sub>"; all else escaped.
 std::string html_of_markup(std::string_view markup);
 

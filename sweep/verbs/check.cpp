@@ -6,6 +6,7 @@
 #include "sweep/report/check_report.h"
 #include "sweep/report/write_report.h"
 #include "sweep/verbs/parallel.h"
+#include "sweep/verbs/shell_word.h"
 #include "sweep/verbs/verbs.h"
 
 #include <fmt/format.h>
@@ -46,7 +47,9 @@ int check(const Options& options, const Invocation& invocation)
     if (!options.directory.empty())
         fmt::print("report: {}\n",
                    write_report(check_report(spec, deviations, invocation.command), options.directory).string());
-    if (failed) fmt::print("If the change is wanted: stickslip check {} {} --update\n", options.spec, options.baseline);
+    if (failed)
+        fmt::print("If the change is wanted: stickslip check {} {} --update\n", shell_word(options.spec),
+                   shell_word(options.baseline));
     return failed ? exit_check_failed : exit_done;
 }
 

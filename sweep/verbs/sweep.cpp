@@ -13,6 +13,7 @@
 #include "sweep/report/verdict_text.h"
 #include "sweep/report/write_report.h"
 #include "sweep/verbs/progress_line.h"
+#include "sweep/verbs/shell_word.h"
 #include "sweep/verbs/terminal.h"
 #include "sweep/verbs/verbs.h"
 
@@ -72,7 +73,7 @@ int sweep(const Options& options, Invocation& invocation)
     plan_options.seconds_per_point = seconds_per_point(spec.nonlinear);
     plan_options.title = spec.title;
     plan_options.spec = embedded ? std::string(embedded_spec()) : self_contained_text(options.spec);
-    plan_options.command = embedded ? "stickslip sweep" : "stickslip sweep " + options.spec;
+    plan_options.command = embedded ? "stickslip sweep" : "stickslip sweep " + shell_word(options.spec);
     const Plan plan = make_plan(spec.joint, spec.axes, plan_options);
 
     ProgressLine line;
@@ -91,7 +92,7 @@ int sweep(const Options& options, Invocation& invocation)
     if (run.end != RunEnd::complete) return end_early(run, options.directory);
     if (invocation.cluster && invocation.cluster->rank() != 0) return exit_done;  // rank 0 reports for all
     if (!run_options.shard.whole()) {
-        fmt::print("shard {} done; when all are: stickslip merge {}\n", options.shard, options.directory);
+        fmt::print("shard {} done; when all are: stickslip merge {}\n", options.shard, shell_word(options.directory));
         return exit_done;
     }
 

@@ -10,6 +10,7 @@ using drawing::fill;
 using drawing::html_of_markup;
 using drawing::json_string;
 using drawing::policy_hash;
+using drawing::readable;
 
 namespace {
 
@@ -48,6 +49,19 @@ TEST_CASE("text and mark-up are escaped", "[page]")
     CHECK(html_of_markup("k_{p} < 10^{−6}") == "k<sub>p</sub> &lt; 10<sup>−6</sup>");
     CHECK(html_of_markup("x_{<b>}") == "x<sub>&lt;b&gt;</sub>");
     CHECK(json_string("</script>\"\\\n") == R"("\u003c/script\u003e\"\\\u000a")");
+}
+
+TEST_CASE("text of unknown origin loses controls, marks of direction and broken bytes, and nothing else", "[page]")
+{
+    const std::string fine = "k_p = 2 µN·s/m, 日本, 𝜇, \n\t שלום";
+    CHECK(readable(fine) == fine);
+    using namespace std::string_literals;
+    CHECK(readable("a\0b\x1b[31m\x7f"s) == "a\ufffdb\ufffd[31m\ufffd");
+    CHECK(readable("safe\u202egpj.exe\u2066\u200f") == "safe\ufffdgpj.exe\ufffd\ufffd");
+    CHECK(readable("\xff|\xc3|\xc0\xaf|\xed\xa0\x80|\xf4\x90\x80\x80") ==
+          "\ufffd|\ufffd|\ufffd\ufffd|\ufffd\ufffd\ufffd|\ufffd\ufffd\ufffd\ufffd");
+    CHECK(escape("\u202e<b>") == "\ufffd&lt;b&gt;");
+    CHECK(json_string("\u202e") == "\"\ufffd\"");
 }
 
 TEST_CASE("what is filled in is not searched for tokens again", "[page]")

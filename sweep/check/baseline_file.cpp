@@ -46,7 +46,15 @@ WatchedBoundary boundary_from(const Json& json)
     w.tolerance = json.at("tolerance").get<double>();
     if (!std::isfinite(w.point.value) || !(w.tolerance >= 0))
         throw std::invalid_argument("value and tolerance must be finite, tolerance ≥ 0");
+    if (!(w.point.low <= w.point.value && w.point.value <= w.point.high))
+        throw std::invalid_argument(fmt::format("low ≤ value ≤ high is wanted, given is {} ≤ {} ≤ {}", w.point.low,
+                                                w.point.value, w.point.high));
     return w;
+}
+
+const char* side(const WatchedBoundary& w)
+{
+    return w.point.direction < 0 ? "above" : w.point.direction > 0 ? "below" : "on a side that is not told, at";
 }
 
 void write_file(const std::filesystem::path& file, const std::string& text)
@@ -91,7 +99,14 @@ std::vector<WatchedBoundary> read_baseline(const std::filesystem::path& file)
         if (json.at("format") != format_name)
             throw BadInput(fmt::format("{}: is no baseline of this program: \"format\" is {}, wanted is \"{}\"",
                                        file.string(), json.at("format").dump(), format_name));
-        for (const auto& entry : json.at("boundaries")) watched.push_back(boundary_from(entry));
+        const auto& entries = json.at("boundaries");
+        for (const auto& entry : entries) {
+            try {
+                watched.push_back(boundary_from(entry));
+            } catch (const Json::exception& e) {
+                throw std::invalid_argument(e.what());
+            }
+        }
     } catch (const Json::exception& e) {
         throw BadInput(fmt::format("{}: is no baseline of this program: {}", file.string(), e.what()));
     } catch (const std::invalid_argument& e) {
@@ -119,6 +134,12 @@ std::string describe(const Deviation& d)
         case Deviation::Kind::moved:
             return fmt::format("moved by {:.1e} (allowed {:.1e}): {:.9g} → {:.9g} {}", d.relative, s.tolerance,
                                s.point.value, d.now.point.value, s.unit);
+        case Deviation::Kind::changed:
+            return s.unit != d.now.unit
+                       ? fmt::format("changed: the baseline counts in {}, this program in {}: {:.9g} → {:.9g}", s.unit,
+                                     d.now.unit, s.point.value, d.now.point.value)
+                       : fmt::format("changed: stable {} {:.9g} {}, now {}", side(s), s.point.value, s.unit,
+                                     side(d.now));
         case Deviation::Kind::coarser:
             return fmt::format("in place, but its bracket has grown to {:.1e} (allowed {:.1e})",
                                d.now.point.precision(), s.tolerance);

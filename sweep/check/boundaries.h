@@ -37,6 +37,7 @@ struct Deviation {
         within,   ///< the same, to its tolerance
         refined,  ///< within, and located at least ten times more finely than in the baseline: no regression
         moved,    ///< beyond its tolerance
+        changed,  ///< in another unit, or the stable side is the other one: the numbers cannot be compared
         coarser,  ///< in place, but the bracket has grown beyond the tolerance: the method got worse
         vanished,
         appeared

@@ -35,7 +35,9 @@ std::vector<Deviation> compare(const std::vector<WatchedBoundary>& stored, const
             left.erase(it);
             d.relative = std::abs(d.now.point.value - s.point.value) / std::abs(s.point.value);
             const double before = s.point.precision(), after = d.now.point.precision();
-            if (!(d.relative <= s.tolerance))
+            if (d.now.unit != s.unit || d.now.point.direction != s.point.direction)
+                d.kind = Deviation::Kind::changed;
+            else if (!(d.relative <= s.tolerance))
                 d.kind = Deviation::Kind::moved;
             else if (after > s.tolerance)
                 d.kind = Deviation::Kind::coarser;

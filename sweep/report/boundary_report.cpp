@@ -154,9 +154,14 @@ std::string ray_text(const Joint& design, const LocatedRay& ray)
     const auto motion = design.mechanism.motion;
     const std::string range = with_unit(ray.axis.values.front(), ray.axis.quantity, motion) + " … " +
                               with_unit(ray.axis.values.back(), ray.axis.quantity, motion);
-    if (ray.undecided == ray.nodes)
+    if (ray.undecided == ray.nodes) {
+        Joint first = design;
+        *find_parameter(first, ray.axis.path) = ray.axis.values.front();
+        const auto reason = linear_verdict(first).steady.reason;
         return "No verdict along " + ray.axis.symbol + ": the joint cannot be judged at any of the " +
-               std::to_string(ray.nodes) + " points of the scan.";
+               std::to_string(ray.nodes) + " points of the scan" +
+               (reason == Reason::none ? "." : ". At the first: " + reason_text(reason) + ".");
+    }
     if (ray.points.empty()) {
         const bool all = ray.stable_share > 1 - 1e-12, none = ray.stable_share == 0;
         const std::string state = all ? "stable throughout" : none ? "unstable throughout" : "";

@@ -5,6 +5,7 @@
 #include "sweep/program.h"
 #include "sweep/report/verdict_text.h"
 #include "sweep/report/write_report.h"
+#include "sweep/verbs/disturbance_option.h"
 #include "sweep/verbs/parallel.h"
 #include "sweep/verbs/verbs.h"
 
@@ -46,6 +47,8 @@ Disturbance disturbance_from(const Options& options, const NonlinearSpec& spec)
         if (k.name == options.disturbance) d = {k.value, missing};
     if (is_set(options.size)) d.size = options.size;
     if (options.disturbance.empty() && !is_set(d.size)) d = {DisturbanceKind::start, default_start};
+    if (d.kind == DisturbanceKind::start && is_set(d.size) && !(d.size >= 0))
+        throw BadInput(fmt::format("--size: given is {:g}, allowed is a share of V0 to start from, ≥ 0", d.size));
     return d;
 }
 
@@ -214,9 +217,11 @@ void add_boundary(CLI::App& app, Invocation& invocation)
         ->check(CLI::IsMember(disturbances));
     verb->add_option("--size", options->size,
                      "of the disturbance: m, m/s, N·s, N (rad, …); for start: the share of V0 from which V0 is "
-                     "commanded");
+                     "commanded")
+        ->check(finite_number());
     verb->add_option("--precision", options->precision,
                      "relative width of brackets; default: 1e-10 linear, 1e-6 fold, 1e-4 outcome")
+        ->check(finite_number())
         ->check(CLI::Range(1e-12, 0.1));
     verb->add_option("--guard", options->guard, "cells along each axis of the grid that guards against missed pieces")
         ->check(CLI::Range(2, 512))

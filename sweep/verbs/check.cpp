@@ -69,10 +69,9 @@ void add_check(CLI::App& app, Invocation& invocation)
     verb->footer(
         "Example: stickslip check examples/02-ball-screw/spec-with-memory.toml examples/02-ball-screw/baseline.json\n"
         "Watched: both linear boundaries, V_min where control.V0 is an axis, folds where [nonlinear] is enabled, "
-        "outcomes "
-        "where its disturbance has a size.\n"
-        "Exit codes: 0 all within tolerance or refined, 1 a boundary moved, vanished, appeared or is located more "
-        "coarsely, 2 bad input.");
+        "outcomes where its disturbance has a size.\n"
+        "Exit codes: 0 all within tolerance or refined, 1 a boundary moved, vanished, appeared, changed its stable "
+        "side or is located more coarsely, 2 bad input.");
     verb->callback([options, &invocation] { invocation.exit_code = check(*options, invocation); });
 }
 

@@ -4,10 +4,23 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
 namespace stickslip {
+
+/// CLI11's ranges let NaN pass.
+inline CLI::Validator finite_number()
+{
+    return {[](const std::string& text) -> std::string {
+                double value = 0;
+                return CLI::detail::lexical_cast(text, value) && std::isfinite(value)
+                           ? ""
+                           : "given is " + text + ", allowed is a finite number";
+            },
+            "", "finite"};
+}
 
 struct DisturbanceOption {
     std::string kind = "position";
@@ -18,7 +31,8 @@ struct DisturbanceOption {
         std::vector<std::string> kinds;
         for (const auto& k : DisturbanceSpec::kinds) kinds.emplace_back(k.name);
         verb.add_option("--disturbance", kind, "what is disturbed")->check(CLI::IsMember(kinds))->capture_default_str();
-        verb.add_option("--size", size, "size of the disturbance in SI; default: small, in the slow mode");
+        verb.add_option("--size", size, "size of the disturbance in SI; default: small, in the slow mode")
+            ->check(finite_number());
     }
 
     Disturbance disturbance() const

@@ -67,9 +67,14 @@ TEST_CASE("a boundary may move within its tolerance, and be refined", "[check]")
     CHECK(compared(at(1, 1e-6, 4e-6), at(1 + 3e-7, 1e-9, 4e-9)) == Kind::refined);
     CHECK(compared(at(1, 1e-6, 4e-6), at(1 + 5e-6, 1e-9, 4e-9)) == Kind::moved);
     CHECK(compared(at(1, 1e-6, 4e-6), at(1, 1e-3, 4e-3)) == Kind::coarser);
+    auto other_unit = at(1, 1e-6, 4e-6), other_side = other_unit;
+    other_unit.unit = "kN/m", other_side.point.direction = 1;
+    CHECK(compared(other_unit, at(1, 1e-6, 4e-6)) == Kind::changed);
+    CHECK(compared(other_side, at(1, 1e-6, 4e-6)) == Kind::changed);
     CHECK(compare({at(1, 1e-6, 1e-6)}, {})[0].kind == Kind::vanished);
     CHECK(compare({}, {at(1, 1e-6, 1e-6)})[0].kind == Kind::appeared);
-    for (const auto kind : {Kind::within, Kind::refined, Kind::moved, Kind::coarser, Kind::vanished, Kind::appeared}) {
+    for (const auto kind :
+         {Kind::within, Kind::refined, Kind::moved, Kind::changed, Kind::coarser, Kind::vanished, Kind::appeared}) {
         Deviation d;
         d.kind = kind, d.stored = d.now = at(1, 1e-6, 1e-6);
         CHECK(d.passes() == (kind == Kind::within || kind == Kind::refined));
@@ -99,4 +104,35 @@ TEST_CASE("a stated tolerance holds for every kind", "[check]")
 {
     const Spec spec = read_spec_text(std::string(strip) + "[check]\ntolerance = 0.01\n", "strip");
     for (const auto& w : watched_boundaries(spec, forwards)) CHECK(w.tolerance == 0.01);
+}
+
+TEST_CASE("outcomes are watched where a disturbance has a size, to their own precision", "[check]")
+{
+    const Spec spec =
+        read_spec_text(std::string(strip) + "disturbance = { kind = \"position\", size = 2e-4 }\n", "strip");
+    std::vector<WatchedBoundary> outcomes;
+    for (const auto& w : watched_boundaries(spec, forwards))
+        if (w.theory == "outcome") outcomes.push_back(w);
+    REQUIRE(outcomes.size() == 1);
+    // continuation and simulation: the cycle persists at 24840 and decays at 24860 N/m
+    CHECK(outcomes[0].point.value == Approx(24850).margin(10));
+    CHECK(outcomes[0].point.precision() <= 1e-4);
+    CHECK(outcomes[0].tolerance == Approx(4 * outcomes[0].point.precision()));
+}
+
+TEST_CASE("the least velocity is watched where the velocity is an axis", "[check]")
+{
+    std::string text = strip;
+    text.replace(text.find("\"control.k_p\" ="), text.find("[nonlinear]") - text.find("\"control.k_p\" ="),
+                 "\"control.V0\" = { from = 1e-3, to = 1.05e-2, points = 5, scale = \"log\" }\n");
+    text.erase(text.find("[nonlinear]"));
+    std::vector<WatchedBoundary> least;
+    for (const auto& w : watched_boundaries(read_spec_text(text, "strip"), forwards))
+        if (w.theory == "v_min") least.push_back(w);
+    REQUIRE(least.size() == 1);
+    CHECK(least[0].axis == "control.V0");
+    CHECK(least[0].tolerance == 1e-9);
+    // k_p = (0.5 − 47.5 V)/L (1 + V/(L (47.5 + 1/V)))
+    const double V = least[0].point.value;
+    CHECK((0.5 - 47.5 * V) / 1e-5 * (1 + V / (1e-5 * (47.5 + 1 / V))) == Approx(2.2e4).epsilon(1e-8));
 }

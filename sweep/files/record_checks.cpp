@@ -44,16 +44,17 @@ std::vector<double> differentiated(const Record& r)
     return rate;
 }
 
-class Suspicion {
+class Checks {
   public:
-    Suspicion(const Record& record, const Joint& joint) : r_(record), joint_(joint), motion_(joint.mechanism.motion) {}
+    Checks(const Record& record, const Joint& joint) : r_(record), joint_(joint), motion_(joint.mechanism.motion) {}
 
-    std::vector<std::string> all()
+    std::vector<Suspicion> all()
     {
         compare("reference_position", spread(r_.reference_position), "position", spread(r_.position));
         compare("link_position", spread(r_.link_position), "position", spread(r_.position));
         if (!r_.velocity.empty())
             compare("velocity", spread(r_.velocity), "the rate of position", spread(differentiated(r_)));
+        command();
         travel();
         clock();
         return std::move(found_);
@@ -68,9 +69,38 @@ class Suspicion {
         const double factor = wrong_factor(spread_a / spread_b, motion_);
         if (factor == 0) return;
         const std::string& larger = factor > 1 ? a : b;
-        found_.push_back("suspected " + std::string(foreign_unit()) + ": " + larger + " moves " +
-                         number_text(std::round(10 * std::max(spread_a / spread_b, spread_b / spread_a)) / 10) +
-                         " times as far as " + (factor > 1 ? b : a) + "; [record] can name the unit");
+        found_.push_back({"suspected " + std::string(foreign_unit()) + ": " + larger + " moves " +
+                              number_text(std::round(10 * std::max(spread_a / spread_b, spread_b / spread_a)) / 10) +
+                              " times as far as " + (factor > 1 ? b : a) + "; [record] can name the unit",
+                          true});
+    }
+
+    /// The logged command against what the documented gains make of the logged motion: all motion in a foreign unit.
+    void command()
+    {
+        const auto& c = joint_.control;
+        if (!found_.empty() || r_.effort_command.empty() || r_.reference_position.empty() || r_.position.empty())
+            return;
+        const bool rates = !r_.velocity.empty() && (!c.reference_velocity || !r_.reference_velocity.empty());
+        if (c.k_v != 0 && !rates) return;
+        double together = 0, squares = 0, command = 0;
+        for (std::size_t k = 0; k < r_.rows(); ++k) {
+            double u = c.k_p * (r_.reference_position[k] - r_.position[k]);
+            if (c.k_v != 0) u += c.k_v * ((c.reference_velocity ? r_.reference_velocity[k] : 0.0) - r_.velocity[k]);
+            if (!std::isfinite(u) || !std::isfinite(r_.effort_command[k])) continue;
+            together += u * r_.effort_command[k], squares += u * u,
+                command += r_.effort_command[k] * r_.effort_command[k];
+        }
+        if (!(squares > 0) || !(command > 0)) return;
+        const double ratio = squares / together, alike = together / std::sqrt(squares * command);
+        constexpr double surely = 0.9;  // correlation
+        if (alike > surely && ratio > 1 && wrong_factor(ratio, motion_) != 0)
+            found_.push_back({"suspected " + std::string(foreign_unit()) +
+                                  ": with the gains of the joint the logged motion "
+                                  "asks for " +
+                                  number_text(std::round(10 * ratio) / 10) +
+                                  " times the logged command; [record] can name the unit",
+                              true});
     }
 
     void travel()
@@ -83,8 +113,10 @@ class Suspicion {
         }
         const double travel = high - low, limit = motion_ == Motion::revolute ? many_turns : long_axis;
         if (travel > limit)
-            found_.push_back("suspected " + std::string(foreign_unit()) + ": position travels " + number_text(travel) +
-                             " " + std::string(unit_of(Quantity::position, motion_)) + "; [record] can name the unit");
+            found_.push_back({"suspected " + std::string(foreign_unit()) + ": position travels " + number_text(travel) +
+                                  " " + std::string(unit_of(Quantity::position, motion_)) +
+                                  "; [record] can name the unit",
+                              false});
     }
 
     void clock()
@@ -97,26 +129,28 @@ class Suspicion {
         const double ratio = steps[steps.size() / 2] / period;
         for (const auto& [factor, unit] : {std::pair{1e3, "milliseconds"}, {1e6, "microseconds"}})
             if (ratio > factor / near_factor && ratio < factor * near_factor)
-                found_.push_back(std::string("suspected ") + unit + ": rows are " +
-                                 number_text(steps[steps.size() / 2]) + " s apart, control.period is " +
-                                 number_text(period) + " s; [record] can name the unit");
+                found_.push_back({std::string("suspected ") + unit + ": rows are " +
+                                      number_text(steps[steps.size() / 2]) + " s apart, control.period is " +
+                                      number_text(period) + " s; [record] can name the unit",
+                                  true});
     }
 
     const Record& r_;
     const Joint& joint_;
     Motion motion_;
-    std::vector<std::string> found_;
+    std::vector<Suspicion> found_;
 };
 
 }  // namespace
 
-std::vector<std::string> suspicions(const Record& record, const Joint& joint)
+std::vector<Suspicion> suspicions(const Record& record, const Joint& joint)
 {
-    std::vector<std::string> found = Suspicion(record, joint).all();
+    std::vector<Suspicion> found = Checks(record, joint).all();
     const auto off = std::count(record.torque_enable.begin(), record.torque_enable.end(), 0.0);
     if (off > 0)
-        found.push_back(std::to_string(off) + " of " + std::to_string(record.rows()) +
-                        " rows have torque_enable = 0: the motor was off");
+        found.push_back({std::to_string(off) + " of " + std::to_string(record.rows()) +
+                             " rows have torque_enable = 0: the motor was off",
+                         false});
     return found;
 }
 

@@ -8,7 +8,12 @@
 
 namespace stickslip::files {
 
+struct Suspicion {
+    std::string text;
+    bool contradiction = false;  ///< two things that were given cannot both be in their units
+};
+
 /// One sentence each. Suspicions of units compare signals with one another and with the joint; they never change data.
-std::vector<std::string> suspicions(const Record& record, const Joint& joint);
+std::vector<Suspicion> suspicions(const Record& record, const Joint& joint);
 
 }  // namespace stickslip::files

@@ -46,7 +46,8 @@ class RecordReader {
         const Signal* signal = nullptr;
         Scaling scaling;
         std::vector<double>* values = nullptr;
-        std::uint64_t missing = 0;
+        std::uint64_t missing = 0, first_missing_line = 0;
+        std::size_t first_missing_column = 0;
     };
 
     void complain(std::uint64_t line, std::size_t column, const std::string& text)
@@ -136,7 +137,7 @@ class RecordReader {
                      std::string(slot.signal->name) + ": is \"" + std::string(cell.substr(0, 40)) +
                          "\", allowed is a finite number or an empty cell");
         } else if (std::isnan(value)) {
-            ++slot.missing;
+            if (slot.missing++ == 0) slot.first_missing_line = lines_.line_number(), slot.first_missing_column = column;
         } else {
             value = slot.scaling(value);
         }
@@ -170,8 +171,14 @@ class RecordReader {
             const bool all = slot.missing == rows_;
             if (all) slot.values->clear();  // a column without a value was not logged
             measured = measured || (slot.signal->measured && !all);
+            const std::string signal(slot.signal->name);
+            if (!all)
+                reading_.missing.emplace_back(signal, name_ + ":" + std::to_string(slot.first_missing_line) + ":" +
+                                                          std::to_string(slot.first_missing_column) + ": " + signal +
+                                                          ": is missing, as in " + std::to_string(slot.missing) +
+                                                          " of " + std::to_string(rows_) + " rows");
             reading_.warnings.push_back(
-                std::string(slot.signal->name) + ": " +
+                signal + ": " +
                 (all ? "every cell is" : std::to_string(slot.missing) + " of " + std::to_string(rows_) + " cells are") +
                 " missing");
         }
@@ -184,7 +191,10 @@ class RecordReader {
                 reading_.warnings.push_back(
                     signal + ": the file has this column, the constant of [record.constants] is not used");
         }
-        for (auto& text : suspicions(record, joint_)) reading_.warnings.push_back(std::move(text));
+        for (auto& suspicion : suspicions(record, joint_)) {
+            if (suspicion.contradiction) reading_.contradictions.push_back(record.name + ": " + suspicion.text);
+            reading_.warnings.push_back(std::move(suspicion.text));
+        }
     }
 
     std::string name_;

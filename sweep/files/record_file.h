@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stickslip {
@@ -14,6 +15,11 @@ namespace stickslip {
 struct RecordReading {
     Record record;
     std::vector<std::string> warnings;
+    /// Those of the warnings by which two signals, or the clock and the joint, cannot both be in their units: nothing
+    /// should be concluded from such a record.
+    std::vector<std::string> contradictions;
+    /// A signal with some values missing, and the place of the first, `file:line:column: signal: …`.
+    std::vector<std::pair<std::string, std::string>> missing;
 };
 
 /// Bounds the memory: a signal takes 8 bytes a row. 10^7 rows are 2.7 hours at 1 kHz, 80 MB a signal.

@@ -73,6 +73,14 @@ std::function<void(const std::string&, double)> progress_on_terminal()
     };
 }
 
+/// Signals that the simulation is driven by or compared with.
+bool needs_every_value(const std::string& signal)
+{
+    for (const char* other : {"temperature", "torque_enable", "link_position", "normal_load"})
+        if (signal == other) return false;
+    return true;
+}
+
 /// A table of measured outcomes in place of records.
 int diagnose_outcomes(const Options& options, const Joint& joint, const Invocation& invocation)
 {
@@ -128,15 +136,27 @@ int diagnose(const Options& options, const Invocation& invocation)
         return diagnose_outcomes(options, joint, invocation);
     }
     std::vector<Record> records;
-    std::vector<std::string> warnings;
+    std::vector<std::string> warnings, contradictions, gaps;
     for (const auto& file : options.records) {
         auto reading = read_record(file, joint, record_layout_for(file, options.joint, joint));
         records.push_back(std::move(reading.record));
         warnings.insert(warnings.end(), reading.warnings.begin(), reading.warnings.end());
+        contradictions.insert(contradictions.end(), reading.contradictions.begin(), reading.contradictions.end());
+        for (const auto& [signal, place] : reading.missing)
+            if (needs_every_value(signal))
+                gaps.push_back(place + "; the diagnosis needs every value, leave such rows away");
     }
+    if (!gaps.empty()) throw BadInput(gaps);
     gap::DiagnosisOptions settings;
     settings.progress = progress_on_terminal();
     auto result = [&] {
+        // a cause fitted to records in another unit would be named with confidence, and wrong
+        if (!contradictions.empty()) {
+            gap::DiagnosisResult refused{{}, joint};
+            refused.diagnosis.motion = joint.mechanism.motion;
+            refused.diagnosis.reasons = contradictions;
+            return refused;
+        }
         try {
             return gap::diagnose(joint, records, on_threads(), settings);
         } catch (const std::invalid_argument& e) {
@@ -161,6 +181,8 @@ int diagnose(const Options& options, const Invocation& invocation)
     }
     fmt::print("{}\n", diagnosis_sentence(d));
     for (const auto& reason : d.reasons) fmt::print("  {}\n", reason);
+    for (const auto& warning : warnings)
+        if (warning.starts_with("suspected")) fmt::print("  {}\n", warning);
     for (const auto& cause : d.effects)
         fmt::print("  {:<44} probability {:.3f}  misfit {:.4g}\n", fmt::format("{}", fmt::join(cause.names, " + ")),
                    cause.probability, cause.misfit);

@@ -28,8 +28,7 @@ double wind_up_time(const Flow& flow)
     double force = 0, compliance = 1 / std::abs(flow.gain());
     if (const auto* sliding = dynamic_cast<const SlidingFlow*>(&flow)) force = sliding->static_force();
     if (const auto* chain = dynamic_cast<const ChainFlow*>(&flow)) {
-        for (int i = 0; i < chain->bodies; ++i)
-            force += chain->body[i].ratio * static_force(chain->body[i].friction.law);
+        for (int i = 0; i < chain->bodies; ++i) force += chain->body[i].ratio * static_force(chain->body[i].friction);
         for (int i = 1; i < chain->bodies; ++i) compliance += 1 / std::abs(chain->loop.stiffness_at(i - 1, i));
     }
     const double time = 2 * force * compliance / flow.commanded_velocity();

@@ -22,16 +22,11 @@ Reduce chained(Reduce first, Reduce second)
     };
 }
 
-/// A reduction, what it assumes large, and along what its boundary is compared.
-struct Candidate {
-    Reduce reduce;
-    std::string boundary_path, assumption_path, assumption;
-};
-
 constexpr const char* loop_gain = "control.k_p";
 
 /// Fig. 6 → 7, `spring` being where the remaining transmission stands in the full joint.
-void add_last_steps(std::vector<Candidate>& list, const Reduce& to_two, const std::string& spring, ControlKind kind)
+void add_last_steps(std::vector<NamedReduction>& list, const Reduce& to_two, const std::string& spring,
+                    ControlKind kind)
 {
     const bool position = kind == ControlKind::position;
     if (position)
@@ -42,36 +37,6 @@ void add_last_steps(std::vector<Candidate>& list, const Reduce& to_two, const st
         {chained(to_two, rigid_transmission), loop_gain, spring, position ? "k_{tr} ≫ k_{p}" : "k_{tr} ≫ k_{c}"});
 }
 
-std::vector<Candidate> candidates(const Joint& joint)
-{
-    const std::string motor = "joint.motor_transmission.stiffness", link = "joint.transmission_link.stiffness";
-    const auto kind = joint.control.kind;
-    const Reduce at_motor = [](const Joint& j) { return three_mass_to_two_mass(j, Placement::at_motor); };
-    const Reduce at_joint = [](const Joint& j) { return three_mass_to_two_mass(j, Placement::at_joint); };
-    std::vector<Candidate> list;
-    if (joint.mechanism.model == Model::two_mass) {
-        const bool position = kind == ControlKind::position;
-        const std::string spring = "joint.transmission.stiffness";
-        if (position)
-            list.push_back({two_mass_to_single_mass, spring, loop_gain, "k_{p} ≫ k_{tr}"});
-        else
-            list.push_back({two_mass_to_single_mass, loop_gain, spring, "k_{tr} ≫ k_{c}"});
-        list.push_back({rigid_transmission, loop_gain, spring, position ? "k_{tr} ≫ k_{p}" : "k_{tr} ≫ k_{c}"});
-    } else if (joint.mechanism.model == Model::three_mass) {
-        list.push_back({at_motor, loop_gain, motor, "k_{m-tr} ≫ k_{tr-l}"});
-        list.push_back({at_joint, loop_gain, link, "k_{tr-l} ≫ k_{m-tr}"});
-        add_last_steps(list, at_motor, link, kind);
-        add_last_steps(list, at_joint, motor, kind);
-    } else if (joint.mechanism.model == Model::lever) {
-        list.push_back({lever_to_three_mass, loop_gain, "", "small displacements"});
-        list.push_back({chained(lever_to_three_mass, at_motor), loop_gain, motor, "k_{m-tr} ≫ k_{tr-l}"});
-        list.push_back({chained(lever_to_three_mass, at_joint), loop_gain, link, "k_{tr-l} ≫ k_{m-tr}"});
-        add_last_steps(list, chained(lever_to_three_mass, at_motor), link, kind);
-        add_last_steps(list, chained(lever_to_three_mass, at_joint), motor, kind);
-    }
-    return list;
-}
-
 /// From which value on every error stays within the limit.
 double holds_from(const ReductionStudy& study, double limit)
 {
@@ -80,7 +45,7 @@ double holds_from(const ReductionStudy& study, double limit)
     return from;
 }
 
-ReductionStudy study_of(Joint joint, const Candidate& c, const StudyOptions& options)
+ReductionStudy study_of(Joint joint, const NamedReduction& c, const StudyOptions& options)
 {
     ReductionStudy study;
     try {
@@ -115,10 +80,40 @@ ReductionStudy study_of(Joint joint, const Candidate& c, const StudyOptions& opt
 
 }  // namespace
 
+std::vector<NamedReduction> reductions_of(const Joint& joint)
+{
+    const std::string motor = "joint.motor_transmission.stiffness", link = "joint.transmission_link.stiffness";
+    const auto kind = joint.control.kind;
+    const Reduce at_motor = [](const Joint& j) { return three_mass_to_two_mass(j, Placement::at_motor); };
+    const Reduce at_joint = [](const Joint& j) { return three_mass_to_two_mass(j, Placement::at_joint); };
+    std::vector<NamedReduction> list;
+    if (joint.mechanism.model == Model::two_mass) {
+        const bool position = kind == ControlKind::position;
+        const std::string spring = "joint.transmission.stiffness";
+        if (position)
+            list.push_back({two_mass_to_single_mass, spring, loop_gain, "k_{p} ≫ k_{tr}"});
+        else
+            list.push_back({two_mass_to_single_mass, loop_gain, spring, "k_{tr} ≫ k_{c}"});
+        list.push_back({rigid_transmission, loop_gain, spring, position ? "k_{tr} ≫ k_{p}" : "k_{tr} ≫ k_{c}"});
+    } else if (joint.mechanism.model == Model::three_mass) {
+        list.push_back({at_motor, loop_gain, motor, "k_{m-tr} ≫ k_{tr-l}"});
+        list.push_back({at_joint, loop_gain, link, "k_{tr-l} ≫ k_{m-tr}"});
+        add_last_steps(list, at_motor, link, kind);
+        add_last_steps(list, at_joint, motor, kind);
+    } else if (joint.mechanism.model == Model::lever) {
+        list.push_back({lever_to_three_mass, loop_gain, "", "small displacements"});
+        list.push_back({chained(lever_to_three_mass, at_motor), loop_gain, motor, "k_{m-tr} ≫ k_{tr-l}"});
+        list.push_back({chained(lever_to_three_mass, at_joint), loop_gain, link, "k_{tr-l} ≫ k_{m-tr}"});
+        add_last_steps(list, chained(lever_to_three_mass, at_motor), link, kind);
+        add_last_steps(list, chained(lever_to_three_mass, at_joint), motor, kind);
+    }
+    return list;
+}
+
 std::vector<ReductionStudy> reduction_studies(const Joint& joint, const StudyOptions& options)
 {
     std::vector<ReductionStudy> studies;
-    for (const auto& candidate : candidates(joint)) studies.push_back(study_of(joint, candidate, options));
+    for (const auto& reduction : reductions_of(joint)) studies.push_back(study_of(joint, reduction, options));
     return studies;
 }
 

@@ -1,5 +1,6 @@
 // Every reduction that a joint allows, each with the boundary before and after it, and where its assumption breaks.
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,16 @@
 #include "analysis/stability/reduction_error.h"
 
 namespace stickslip {
+
+/// A reduction, single step or chain, with what it assumes large and the number whose boundary it is compared along.
+struct NamedReduction {
+    std::function<Reduction(const Joint&)> reduce;
+    std::string boundary_path, assumption_path, assumption;  ///< as in ReductionStudy
+};
+
+/// Every reduction of Figs. 4 → 5 → 6 → 7 that starts from a joint of this model; none for a single mass. A reduction
+/// may still refuse the joint (std::invalid_argument).
+std::vector<NamedReduction> reductions_of(const Joint& joint);
 
 /// One reduction of one joint along the number that its assumption is about: the boundary of the full joint and of the
 /// reduced one at each value.

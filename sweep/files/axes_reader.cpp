@@ -39,7 +39,7 @@ class AxisReader {
     /// The values of the axis; empty after a complaint.
     std::optional<Axis> read()
     {
-        Axis axis{given_.path, symbol_of(given_.path), name_of(given_.path), leaf_.quantity, false, {}};
+        Axis axis{given_.path, symbol_of(given_.path, motion_), name_of(given_.path), leaf_.quantity, false, {}};
         const std::size_t before = complaints_.count();
         const auto* table = given_.node->as_table();
         if (table) complain_unknown_keys(*table, axis_keys, path_, complaints_);

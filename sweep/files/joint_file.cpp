@@ -22,17 +22,21 @@ void read_into(Joint& joint, const toml::table& root, Complaints& complaints, Mo
 }
 
 /// The value of a setting as TOML understands it; what is no TOML value is text, so that names and units need no
-/// quotes.
+/// quotes. Numbers need no digit on both sides of the point.
 toml::table value_of(const std::string& text)
 {
     try {
         toml::table parsed = toml::parse("value = " + text);
         if (parsed.size() == 1 && parsed.contains("value")) return parsed;
     } catch (const toml::parse_error&) {
-        // not a TOML value: a name, or a number with its unit
+        // not a TOML value: a name, a number with its unit, or a number as shells and languages write it
     }
     toml::table table;
-    table.insert("value", text);
+    double number = 0;
+    if (parse_cell(text, number) && is_set(number))
+        table.insert("value", number);
+    else
+        table.insert("value", text);
     return table;
 }
 

@@ -25,10 +25,10 @@ constexpr Entry entries[] = {
     {"joint.transmission_inertia", "m_{tr}", "transmission inertia"},
     {"joint.link_inertia", "m_{link}", "link inertia"},
     {"joint.lever_arm", "d", "lever arm"},
-    {"motor_transmission.stiffness", "k_{mt}", "motor-transmission stiffness"},
-    {"motor_transmission.damping", "c_{mt}", "motor-transmission damping"},
-    {"transmission_link.stiffness", "k_{tl}", "transmission-link stiffness"},
-    {"transmission_link.damping", "c_{tl}", "transmission-link damping"},
+    {"motor_transmission.stiffness", "k_{m-tr}", "motor-transmission stiffness"},
+    {"motor_transmission.damping", "c_{m-tr}", "motor-transmission damping"},
+    {"transmission_link.stiffness", "k_{tr-l}", "transmission-link stiffness"},
+    {"transmission_link.damping", "c_{tr-l}", "transmission-link damping"},
     {"transmission.stiffness", "k_{tr}", "transmission stiffness"},
     {"transmission.damping", "c_{tr}", "transmission damping"},
     {"ratio", "N", "transmission ratio"},
@@ -102,12 +102,13 @@ std::vector<std::string> last_keys(std::string_view path, std::size_t count)
 
 }  // namespace
 
-std::string symbol_of(std::string_view given)
+std::string symbol_of(std::string_view given, Motion motion)
 {
     const Split split = split_index(given);
     std::string symbol;
     if (const Entry* entry = entry_of(split.path)) {
         symbol = entry->symbol;
+        if (motion == Motion::revolute && split.path.ends_with("inertia")) symbol.front() = 'J';
     } else {
         const auto keys = last_keys(split.path, 1);
         const std::string key = keys.empty() ? "" : keys.back();

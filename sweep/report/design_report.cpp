@@ -105,7 +105,7 @@ std::string design_text(const DesignAnswer& a)
     if (!d.feasible) return infeasible_text(a, u);
     return "Best gains: " + gains_text(d.best, u) + ". Sensor noise moves the link by " +
            u.position(d.best.motion_noise) + " rms and the actuator by " + u.effort(d.best.effort_noise) + " rms. " +
-           nearest_text(a.nearest) + " " + cost_of_simple_thinking(a, u);
+           nearest_text(a.nearest, a.joint.mechanism.motion) + " " + cost_of_simple_thinking(a, u);
 }
 
 std::vector<Table> design_tables(const DesignAnswer& a)

@@ -1,7 +1,10 @@
 #include "sweep/report/map_figures.h"
 
 #include "analysis/boundary/locate.h"
+#include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
+#include "analysis/stability/joint_spectrum.h"
+#include "analysis/stability/steady.h"
 #include "analysis/stability/verdict.h"
 #include "sweep/report/map_motions.h"
 #include "sweep/report/nonlinear_findings.h"
@@ -18,6 +21,13 @@ namespace {
 std::string stiffness(double k, Motion motion)
 {
     return with_unit(k, Quantity::stiffness, motion);
+}
+
+/// "10^{−12}" of 1e-12.
+std::string power_of_ten(double value)
+{
+    const auto exponent = std::lround(std::log10(value));
+    return std::string("10^{") + (exponent < 0 ? "−" : "") + std::to_string(std::abs(exponent)) + "}";
 }
 
 /// The share of a chart's area, axes as drawn, that has one of these regions.
@@ -41,6 +51,20 @@ std::string design_words(const DesignPoint& design)
 std::string held_words(const Slice& slice, Motion motion)
 {
     return slice.held.empty() ? "" : " Held: " + held_text(slice.held, motion) + ".";
+}
+
+/// max Re s along an axis with friction replaced by its steady-state curve.
+std::vector<double> velocity_only_abscissa(Joint joint, const Axis& axis)
+{
+    double* number = find_parameter(joint, axis.path);
+    std::vector<double> abscissa;
+    for (const double value : axis.values) {
+        *number = value;
+        const bool slides = steady_sliding(joint).reason == Reason::none;
+        abscissa.push_back(slides ? spectral_abscissa(velocity_only(linear_joint(joint, commanded_velocity(joint))))
+                                  : missing);
+    }
+    return abscissa;
 }
 
 Figure outcome_figure(const Joint& joint, const Slice& slice, const MapReading& reading, const char* id,
@@ -130,9 +154,9 @@ Figure map_figure(const Joint& joint, const Slice& slice)
         "theories of the same friction. Solid: boundary with memory (state-variable friction). Dashed: boundary if "
         "friction depended on velocity alone. Hatched in gold: smooth, though velocity-only theory forbids it, " +
         needless + " of the chart as drawn; the opposite error covers " + missed +
-        ". Both curves are located to a relative bracket of 10^{−12}, not contoured from the grid; a closed piece "
-        "smaller than one ninety-sixth of an axis could be missed." +
-        held_words(slice, motion);
+        ". Both curves are located to a relative bracket of " + power_of_ten(linear_precision) +
+        ", not contoured from the grid; a closed piece smaller than 1/" + std::to_string(map_mesh) +
+        " of an axis could be missed." + held_words(slice, motion);
     if (auto found = nonlinear_findings(joint, slice); !found.text.empty()) {
         figure.caption += " " + found.text;
         for (auto& fold : found.folds) map.curves.push_back(std::move(fold));
@@ -172,19 +196,29 @@ Figure profile_figure(const Joint& joint, const Profile& profile)
     chart.x_label = axis.name + " " + axis.symbol + " [" + std::string(unit_of(axis.quantity, motion)) + "]";
     chart.y_label = "max Re s [1/s]";
     chart.x_log = axis.log;
+    const Joint held = joint_at(joint, profile.held);
     chart.lines.push_back({"with memory", axis.values, profile.abscissa});
-    std::string crossings;
-    for (const auto& point : locate_on_ray(joint, axis.path, axis.values.front(), axis.values.back(), axis.log,
-                                           Curve::Kind::state_variable)) {
+    chart.lines.push_back({"velocity alone", axis.values, velocity_only_abscissa(held, axis), true});
+    const auto located = [&](Curve::Kind theory) {
+        return locate_on_ray(held, axis.path, axis.values.front(), axis.values.back(), axis.log, theory);
+    };
+    std::string crossings, simple;
+    for (const auto& point : located(Curve::Kind::state_variable)) {
         chart.x_marks.emplace_back(with_unit(point.value, axis.quantity, motion, 4), point.value);
         crossings += (crossings.empty() ? "" : ", ") + with_unit(point.value, axis.quantity, motion, 6);
     }
+    for (const auto& point : located(Curve::Kind::velocity_only))
+        simple += (simple.empty() ? "" : ", ") + with_unit(point.value, axis.quantity, motion, 6);
     Figure figure;
     figure.id = chart_id("profile", axis, axis);
-    figure.finding =
-        crossings.empty() ? "No change of stability along " + axis.name : "Stability changes at " + crossings;
+    figure.finding = (crossings.empty() ? "With memory no change of stability along " + axis.name
+                                        : "With memory stability changes at " + crossings) +
+                     (simple.empty() ? ", by velocity alone nowhere" : ", by velocity alone at " + simple);
     figure.caption = "Largest real part of the spectrum along " + axis.symbol +
-                     "; below zero small disturbances decay. " + figure.finding + ".";
+                     " with memory and with friction that depends on velocity alone; below zero small disturbances "
+                     "decay. " +
+                     figure.finding + "." +
+                     (profile.held.empty() ? "" : " Held: " + held_text(profile.held, motion) + ".");
     figure.picture = std::move(chart);
     return figure;
 }

@@ -40,7 +40,7 @@ bool within(const Axis& axis, double value)
     return value >= axis.values.front() && value <= axis.values.back();
 }
 
-constexpr int fine_mesh = 96, layer_mesh = 32;
+constexpr int layer_mesh = 32;
 
 }  // namespace
 
@@ -108,7 +108,7 @@ StabilityMap stability_map(const Joint& design, const Slice& slice)
         if (map.region[i] == Region::undecided) map.undecided += shares[i];
     }
     const Joint held = joint_at(design, slice.held);
-    map.curves = chart_boundaries(held, slice.x, slice.y, fine_mesh);
+    map.curves = chart_boundaries(held, slice.x, slice.y, map_mesh);
     map.readings = slice.readings;
     map.depth = slice.depth;
     map.layers = slice.layers;

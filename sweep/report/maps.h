@@ -10,6 +10,9 @@
 
 namespace stickslip {
 
+/// Lines of the mesh along each axis on which boundaries of a map are looked for.
+inline constexpr int map_mesh = 96;
+
 /// A parameter held at a value.
 struct Held {
     Axis axis;  ///< its name and unit; values empty

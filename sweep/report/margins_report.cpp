@@ -14,9 +14,9 @@
 namespace stickslip {
 namespace {
 
-std::string name_text(const std::string& path, const std::string& less)
+std::string name_text(const std::string& path, const std::string& less, Motion motion)
 {
-    return symbol_of(path) + (less.empty() ? "" : " − " + symbol_of(less));
+    return symbol_of(path, motion) + (less.empty() ? "" : " − " + symbol_of(less, motion));
 }
 
 std::string signed_percent(double share)
@@ -38,12 +38,16 @@ std::string worst_text(const MarginsAnswer& a)
     if (!a.worst) return "";
     std::string within;
     for (std::size_t i = 0; i < a.uncertainty.share.size(); ++i)
-        within += (i ? ", " : "") + name_text(a.uncertainty.coordinates[i].path, a.uncertainty.coordinates[i].less) +
-                  " ± " + plain_number(100 * a.uncertainty.share[i]) + " %";
+        within +=
+            (i ? ", " : "") +
+            name_text(a.uncertainty.coordinates[i].path, a.uncertainty.coordinates[i].less, a.joint.mechanism.motion) +
+            " ± " + plain_number(100 * a.uncertainty.share[i]) + " %";
     std::string at;
     for (std::size_t i = 0; i < a.worst->deviations.size(); ++i)
-        at += (i ? ", " : "") + name_text(a.uncertainty.coordinates[i].path, a.uncertainty.coordinates[i].less) + " " +
-              signed_percent(a.worst->deviations[i]);
+        at +=
+            (i ? ", " : "") +
+            name_text(a.uncertainty.coordinates[i].path, a.uncertainty.coordinates[i].less, a.joint.mechanism.motion) +
+            " " + signed_percent(a.worst->deviations[i]);
     const bool box = a.uncertainty.shape == UncertaintyShape::box;
     const double growth = a.worst->instability;
     return " Within the " + std::string(box ? "box " : "ellipsoid ") + within +
@@ -109,7 +113,7 @@ Table alone_table(const MarginsAnswer& a)
         const auto& c = a.alone_of[i];
         const auto quantity = quantity_of(a.joint, c.path);
         const auto& n = a.alone[i];
-        table.rows.push_back({name_text(c.path, c.less), with_unit(value_of(a.joint, c), quantity, motion, 5),
+        table.rows.push_back({name_text(c.path, c.less, motion), with_unit(value_of(a.joint, c), quantity, motion, 5),
                               n.found ? with_unit(n.moves[0].to, quantity, motion, 8) : "none",
                               n.found ? signed_percent(n.moves[0].to / n.moves[0].from - 1) : "–"});
     }
@@ -118,7 +122,7 @@ Table alone_table(const MarginsAnswer& a)
 
 std::string margins_text(const MarginsAnswer& a)
 {
-    std::string text = nearest_text(a.nearest);
+    std::string text = nearest_text(a.nearest, a.joint.mechanism.motion);
     if (a.nearest.found)
         text += " That is a distance of " + plain_number(a.nearest.distance) + " in logarithms of the parameters.";
     return text + worst_text(a);

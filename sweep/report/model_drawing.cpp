@@ -175,7 +175,9 @@ struct BodyDrawing {
 
 void draw_body(Drawing& d, double x, const BodyDrawing& b)
 {
-    d.box(x, b.name, labelled(b.inertia_symbol, b.inertia, b.quantity, d.motion()));
+    std::string symbol = b.inertia_symbol;
+    if (d.motion() == Motion::revolute) symbol.front() = 'J';
+    d.box(x, b.name, labelled(symbol.c_str(), b.inertia, b.quantity, d.motion()));
     d.friction(x, b.friction_symbol, *b.friction);
 }
 

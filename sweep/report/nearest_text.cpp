@@ -22,18 +22,20 @@ std::string body_of(const std::string& path)
     return "";
 }
 
-std::string symbol(const NearestMove& move)
+std::string symbol(const NearestMove& move, Motion motion)
 {
-    return symbol_of(move.path) + (move.less.empty() ? "" : " − " + symbol_of(move.less)) + body_of(move.path);
+    return symbol_of(move.path, motion) + (move.less.empty() ? "" : " − " + symbol_of(move.less, motion)) +
+           body_of(move.path);
 }
 
-std::string move_text(const NearestMove& move)
+std::string move_text(const NearestMove& move, Motion motion)
 {
     const double ratio = move.to / move.from;
-    if (ratio > 2) return symbol(move) + " grows to " + plain_number(ratio) + " times its value";
-    if (ratio < 0.5) return symbol(move) + " falls to 1/" + plain_number(1 / ratio) + " of its value";
+    if (ratio > 2) return symbol(move, motion) + " grows to " + plain_number(ratio) + " times its value";
+    if (ratio < 0.5) return symbol(move, motion) + " falls to 1/" + plain_number(1 / ratio) + " of its value";
     const double change = ratio - 1;
-    return symbol(move) + (change < 0 ? " falls by " : " grows by ") + plain_number(100 * std::abs(change), 2) + " %";
+    return symbol(move, motion) + (change < 0 ? " falls by " : " grows by ") + plain_number(100 * std::abs(change), 2) +
+           " %";
 }
 
 /// Those that take part, the largest first.
@@ -49,7 +51,7 @@ std::vector<NearestMove> leading_moves(const NearestBoundary& n)
 
 }  // namespace
 
-std::string nearest_text(const NearestBoundary& n)
+std::string nearest_text(const NearestBoundary& n, Motion motion)
 {
     if (!n.decided) return "The joint has no linear verdict, hence no margin.";
     const std::string event = n.stable ? "Stick-slip appears" : "Sliding becomes stable";
@@ -57,17 +59,21 @@ std::string nearest_text(const NearestBoundary& n)
     const auto moves = leading_moves(n);
     std::string text = event + " if ";
     for (std::size_t i = 0; i < moves.size(); ++i)
-        text += (i == 0 ? "" : i == 1 ? " while " : i + 1 == moves.size() ? " and " : ", ") + move_text(moves[i]);
+        text += (i == 0                  ? ""
+                 : i == 1                ? " while "
+                 : i + 1 == moves.size() ? " and "
+                                         : ", ") +
+                move_text(moves[i], motion);
     return text + ".";
 }
 
-Headline nearest_headline(const NearestBoundary& n)
+Headline nearest_headline(const NearestBoundary& n, Motion motion)
 {
-    Headline h{Headline::Tone::neutral, "none near", nearest_text(n)};
+    Headline h{Headline::Tone::neutral, "none near", nearest_text(n, motion)};
     if (!n.found) return h;
     const auto move = leading_moves(n).front();
     const double change = move.to / move.from - 1;
-    h.value = symbol(move) + (change < 0 ? " −" : " +") + plain_number(100 * std::abs(change), 2) + " %";
+    h.value = symbol(move, motion) + (change < 0 ? " −" : " +") + plain_number(100 * std::abs(change), 2) + " %";
     h.tone = !n.stable ? Headline::Tone::bad : n.distance < near ? Headline::Tone::warning : Headline::Tone::good;
     return h;
 }

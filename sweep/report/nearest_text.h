@@ -8,10 +8,10 @@
 namespace stickslip {
 
 /// "stick-slip appears if L falls by 18 % while B − A grows by 7 %", mark-up.
-std::string nearest_text(const NearestBoundary& nearest);
+std::string nearest_text(const NearestBoundary& nearest, Motion motion);
 
 /// The parameter that moves most, and the sentence.
-Headline nearest_headline(const NearestBoundary& nearest);
+Headline nearest_headline(const NearestBoundary& nearest, Motion motion);
 
 nlohmann::ordered_json nearest_json(const NearestBoundary& nearest);
 

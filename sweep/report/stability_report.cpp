@@ -10,6 +10,7 @@
 #include "sweep/report/loop_figures.h"
 #include "sweep/report/map_figures.h"
 #include "sweep/report/nearest_text.h"
+#include "sweep/report/reduction_map.h"
 #include "sweep/report/verdict_text.h"
 
 #include <cmath>
@@ -116,7 +117,7 @@ Report stability_report(const Spec& spec, const SweepSummary& summary)
 
     if (slides) {
         report.headlines.push_back(
-            nearest_headline(nearest_boundary(joint, natural_coordinates(joint), affordable_search(joint))));
+            nearest_headline(nearest_boundary(joint, natural_coordinates(joint), affordable_search(joint)), motion));
         report.headlines.push_back(nearest_boundary(margins, stable, motion));
         for (auto& headline : velocity_headlines(joint, stable)) report.headlines.push_back(std::move(headline));
     }
@@ -126,6 +127,8 @@ Report stability_report(const Spec& spec, const SweepSummary& summary)
     add_alerts(report, summary, drawn);
 
     if (summary.multiples) maps.figures.push_back(multiples_figure(joint, *summary.multiples));
+    for (const auto& slice : summary.slices)
+        if (auto figure = reduction_map(joint, slice)) maps.figures.push_back(std::move(*figure));
     for (const auto& profile : summary.profiles) maps.figures.push_back(profile_figure(joint, profile));
     if (!maps.figures.empty()) report.sections.push_back(std::move(maps));
 

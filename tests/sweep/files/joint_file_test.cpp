@@ -315,6 +315,18 @@ TEST_CASE("settings that are wrong change nothing")
     CHECK(canonical_text(joint) == before);
 }
 
+TEST_CASE("a setting takes numbers without a digit on either side of the point", "[files]")
+{
+    Joint joint;
+    joint.mechanism.inertia = 1, joint.control.k_p = 1, joint.control.V0 = 1e-3;
+    joint.friction.law = CoulombViscous{1, 0};
+    apply_settings(joint, {"control.k_p=.4", "control.k_v=5.", "joint.inertia=+.25e1"});
+    CHECK(joint.control.k_p == 0.4);
+    CHECK(joint.control.k_v == 5);
+    CHECK(joint.mechanism.inertia == 2.5);
+    CHECK_THROWS(apply_settings(joint, {"control.k_p=."}));
+}
+
 TEST_CASE("rows of a law, a law inside a law, a table from a file")
 {
     const auto folder = std::filesystem::temp_directory_path() / "stickslip-kernel-test";

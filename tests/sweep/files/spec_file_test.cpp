@@ -245,10 +245,9 @@ TEST_CASE("the other tables")
                StartsWith("@5:1: nonlinear.enable: unknown key") && EndsWith("\"enabled\"?"));
     CHECK_THAT(only_error(axes + "[nonlinear]\ntolerance = 1\n"),
                StartsWith("@5:13: nonlinear.tolerance: is 1, allowed is a number, within"));
-    CHECK_THAT(
-        only_error(axes + "[nonlinear]\ndisturbance.kind = \"kick\"\n"),
-        StartsWith(
-            "@5:20: nonlinear.disturbance.kind: is \"kick\", allowed are position, velocity, impulse, offset, state, start"));
+    CHECK_THAT(only_error(axes + "[nonlinear]\ndisturbance.kind = \"kick\"\n"),
+               StartsWith("@5:20: nonlinear.disturbance.kind: is \"kick\", allowed are position, velocity, impulse, "
+                          "offset, state, start"));
     CHECK_THAT(only_error(axes + "[nonlinear]\ndisturbance = { kind = \"position\", size = \"1 N\" }\n"),
                EndsWith("expected is m"));
     CHECK_THAT(only_error(axes + "[boundary]\naxis = \"control.kp\"\n"),
@@ -285,13 +284,15 @@ TEST_CASE("spacing is exact at its ends and even between them")
 
 TEST_CASE("symbols and names of parameters")
 {
-    CHECK(symbol_of("control.V0") == "V_{0}");
-    CHECK(symbol_of("friction.link.L.0") == "L_{1}");
-    CHECK(symbol_of("friction.L") == "L");
-    CHECK(symbol_of("friction.motor.f0") == "f_{0}");
-    CHECK(symbol_of("a.some_odd_key") == "some_{odd key}");
-    CHECK(symbol_of("a.plain") == "plain");
-    CHECK(symbol_of("a.some_odd.1") == "some_{odd,2}");
+    CHECK(symbol_of("control.V0", Motion::prismatic) == "V_{0}");
+    CHECK(symbol_of("joint.inertia", Motion::prismatic) == "m");
+    CHECK(symbol_of("joint.link_inertia", Motion::revolute) == "J_{link}");
+    CHECK(symbol_of("friction.link.L.0", Motion::prismatic) == "L_{1}");
+    CHECK(symbol_of("friction.L", Motion::prismatic) == "L");
+    CHECK(symbol_of("friction.motor.f0", Motion::prismatic) == "f_{0}");
+    CHECK(symbol_of("a.some_odd_key", Motion::prismatic) == "some_{odd key}");
+    CHECK(symbol_of("a.plain", Motion::prismatic) == "plain");
+    CHECK(symbol_of("a.some_odd.1", Motion::prismatic) == "some_{odd,2}");
     CHECK(name_of("control.k_v") == "velocity gain");
     CHECK(name_of("a.some_odd.key_two") == "some odd key two");
     CHECK(name_of("friction.B.1") == "evolution effect 2");

@@ -46,7 +46,7 @@ Table table_of(std::string title, const std::vector<ComparedNumber>& numbers, Mo
     table.columns = {"quantity", "before", "after", "change"};
     for (const auto& n : numbers)
         table.rows.push_back({n.name, with_unit(n.before, n.quantity, motion, 6),
-                              with_unit(n.after, n.quantity, motion, 6), relative_change(n.before, n.after)});
+                              with_unit(n.after, n.quantity, motion, 6), change_words(n, motion)});
     return table;
 }
 

@@ -1,0 +1,117 @@
+// Records and tables that do not do, as a user would hand them in: a clear answer, never a cause.
+#include "tests/program/run.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <functional>
+
+using Catch::Matchers::Contains;
+using program::Folder;
+using program::stickslip;
+
+namespace {
+
+const std::string joint =
+    "[joint]\nmotion = \"revolute\"\ninertia = 0.01\n[control]\nk_p = 4.0\nk_v = 0.0\nperiod = 1e-3\n"
+    "[friction]\nlaw = \"coulomb-viscous\"\ncoulomb = 0.1\nviscous = 0.01\n[sensor]\nposition_noise = 1e-5\n";
+
+struct Row {
+    double time, reference, position, velocity, command;
+};
+
+/// A lagging sine with the command of k_p = 4, each row changed by `change`.
+std::string record(
+    const std::function<void(Row&)>& change = [](Row&) {}, int rows = 400)
+{
+    std::string text = "time,reference_position,position,velocity,effort_command\n";
+    for (int k = 0; k < rows; ++k) {
+        const double t = 1e-3 * k, w = 20;
+        Row r{t, 0.3 * std::sin(w * t), 0.3 * std::sin(w * t - 0.1), 0.3 * w * std::cos(w * t - 0.1), 0};
+        r.command = 4 * (r.reference - r.position);
+        change(r);
+        std::array<char, 200> line;
+        std::snprintf(line.data(), line.size(), "%.9g,%.9g,%.9g,%.9g,%.9g\n", r.time, r.reference, r.position,
+                      r.velocity, r.command);
+        text += line.data();
+    }
+    return text;
+}
+
+constexpr double degrees = 57.29577951308232;
+
+program::Run diagnose(const Folder& folder, const std::string& text)
+{
+    const auto spec = folder.write("joint.toml", joint), file = folder.write("run.csv", text);
+    return stickslip("diagnose '" + spec + "' '" + file + "' --no-report -o '" + (folder / "out") + "'");
+}
+
+}  // namespace
+
+TEST_CASE("a record in a foreign unit is suspected and not explained by a cause", "[program][diagnose]")
+{
+    const std::pair<std::string, std::string> cases[] = {
+        {record([](Row& r) { r.position *= degrees; }), "suspected degrees: position moves"},
+        {record([](Row& r) { r.position *= degrees, r.reference *= degrees; }),
+         "suspected degrees: the rate of position"},
+        {record([](Row& r) { r.position *= degrees, r.reference *= degrees, r.velocity *= degrees; }),
+         "suspected degrees: with the gains of the joint"},
+        {record([](Row& r) { r.time *= 1e3; }), "suspected milliseconds"},
+    };
+    for (const auto& [text, says] : cases) {
+        Folder folder;
+        const auto run = diagnose(folder, text);
+        INFO(run.output);
+        CHECK(run.exit_code == 0);
+        CHECK_THAT(run.output, Contains(says));
+        CHECK_THAT(program::read(folder / "out/diagnosis.json"), Contains("\"verdict\": \"insufficient-data\""));
+    }
+}
+
+TEST_CASE("records that say nothing, and files that are none", "[program][diagnose]")
+{
+    struct Case {
+        std::string text;
+        int exit_code;
+        std::string says;
+    };
+    std::string gap = record();
+    gap.replace(gap.find("0.001,"), 6, "0.001,nan,nan,nan,nan\n0.0015,");
+    const Case cases[] = {
+        {record([](Row& r) { r.position = 0.5, r.velocity = 0; }), 0, "the position does not change"},
+        {record([](Row&) {}, 10), 0, "10 rows"},
+        {gap, 2, "run.csv:3:7: reference_position: is missing"},
+        {"", 2, "is empty"},
+        {"time,position\n", 2, "has a header and no rows"},
+        {"time;position\n0,001;1,5\n", 2, "run.csv:2:1: time: is \"0,001\""},
+        {"t,q\n0,1\n", 2, "run.csv:1:1: has no column time"},
+        {std::string("\x7f"
+                     "ELF\0\0\1",
+                     7),
+         2, "is not text"},
+        {"time,position\n0,1\n0,2\n", 2, "run.csv:3:1: time: is 0, the same"},
+        {"time,position\n1,1\n0,2\n", 2, "run.csv:3:1: time: is 0, earlier"},
+    };
+    for (const auto& c : cases) {
+        Folder folder;
+        const auto run = diagnose(folder, c.text);
+        INFO(run.output);
+        CHECK(run.exit_code == c.exit_code);
+        CHECK_THAT(run.output, Contains(c.says));
+    }
+}
+
+TEST_CASE("a table of outcomes is diagnosed alone, and too few rows are said to be", "[program][diagnose]")
+{
+    Folder folder;
+    const auto spec = folder.write("joint.toml", joint);
+    const auto rows = folder.write("rows.csv", "k_p,V0 [mrad/s],outcome\n2,1,stick-slip\n4,1,stable\n");
+    const auto alone = stickslip("diagnose '" + spec + "' '" + rows + "' -o '" + (folder / "out") + "'");
+    INFO(alone.output);
+    CHECK(alone.exit_code == 0);
+    CHECK_THAT(alone.output, Contains("do not decide") && Contains("at least 8 rows"));
+    CHECK(std::filesystem::exists(folder / "out/report.html"));
+    const auto both = stickslip("diagnose '" + spec + "' '" + rows + "' '" + folder.write("run.csv", record()) + "'");
+    CHECK(both.exit_code == 2);
+    CHECK_THAT(both.output, Contains("is diagnosed alone"));
+}

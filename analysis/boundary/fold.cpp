@@ -18,7 +18,7 @@ Axis held_axis(const Joint& joint, const Axis& axis)
 {
     Joint copy = joint;
     Axis held;
-    for (const char* path : {"control.k_p", "joint.inertia"}) {
+    for (const char* path : {"control.k_p", "joint.inertia", "joint.motor_inertia", "joint.link_inertia"}) {
         const double* number = find_parameter(copy, path);
         if (!number || number == find_parameter(copy, axis.path) || !(*number > 0)) continue;
         held.path = path;
@@ -40,9 +40,13 @@ LocatedRay locate_folds(const Joint& joint, const Axis& axis, const BoundaryRequ
     const UnitAxis unit(axis);
     const OrbitSystem along(joint, {ray.axis});
     const Axis held = held_axis(joint, axis);
+    if (held.path.empty()) {  // nothing spans a chart with the axis
+        ray.nodes = ray.undecided = request.scan + 1;
+        return ray;
+    }
     const FoldChart chart(joint, ray.axis, held);
     const auto keep = [&](const std::optional<FoldSeed>& seed) {
-        if (!seed || held.path.empty()) return;
+        if (!seed) return;
         Eigen::VectorXd guess(chart.section() + 2);
         guess << seed->w, seed->q, 0.5;
         const auto fold = chart.solve(guess, 1);

@@ -78,3 +78,14 @@ TEST_CASE("boundary answers impossible requests with what is possible", "[progra
     CHECK(range.exit_code == 2);
     CHECK_THAT(range.output, Contains("--along control.k_v=FROM..TO"));
 }
+
+TEST_CASE("folds along the position gain are looked for in joints of several bodies, too", "[program]")
+{
+    for (const char* joint : {"three-mass", "memory"}) {
+        const auto run = stickslip(std::string("boundary tests/fuzz/corpus/joint/") + joint +
+                                   ".toml --along control.k_p=1e3..1e6 --kind fold --threads 1");
+        INFO(run.output);
+        CHECK((run.exit_code == 0 || run.exit_code == 4));
+        CHECK(run.output.find("evaluations") != std::string::npos);
+    }
+}

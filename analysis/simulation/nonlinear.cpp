@@ -25,8 +25,10 @@ constexpr double measurable_growth = 1e-6;
 /// Share of rtol that holds while growth is measured: multistep methods add up their errors over a turn.
 constexpr double growth_fineness = 1e-2;
 
-/// Tolerances below are lost in the rounding of states that are large beside the disturbance.
-constexpr double finest_tolerance = 1e-14;
+/// Tolerances below are lost in the rounding of states that are large beside the disturbance. Where rounding is worse,
+/// the solver creeps at such a tolerance and gets ten times the tolerance, at most up to the coarsest.
+constexpr double finest_tolerance = 1e-14, coarsest_tolerance = 1e-10;
+constexpr int most_steps_of_growth = 50'000;  ///< in its window; thousands are usual, more means creep
 
 /// A first Lyapunov coefficient, per ω, that decides nothing.
 constexpr double degenerate_lyapunov = 1e-6;
@@ -54,19 +56,23 @@ Growth measure_growth(const Flow& flow, const SlowMode& mode, FlowVector probe, 
     const double window = mode.window();
     // tolerances relative to the disturbance, not to the motion that it may grow into, and to what it changes by
     const double change = std::min(1.0, clear_change * std::abs(mode.s.real()) * window);
-    SlidingMotion motion(flow, options.solver,
-                         std::max(growth_fineness * options.rtol * probe_size * change, finest_tolerance));
-    const auto after = [&](const FlowVector& start) -> FlowVector {
-        motion.start(start);
-        growth.failed = growth.failed || !motion.advance(window, SlidingMotion::most_steps_of_turn);
-        return motion.state();
-    };
-    const auto rate_of = [&](const FlowVector& offset) {
-        const FlowVector difference = after(mode.steady + offset) - after(mode.steady - offset);
-        return std::log(mode.size(mode.steady + difference / 2) / mode.size(mode.steady + offset)) / window;
-    };
-    growth.rate = (4 * rate_of(probe / 2) - rate_of(probe)) / 3;
-    growth.used_fallback = motion.used_fallback();
+    double tolerance = std::max(growth_fineness * options.rtol * probe_size * change, finest_tolerance);
+    do {
+        SlidingMotion motion(flow, options.solver, tolerance);
+        growth.failed = false;
+        const auto after = [&](const FlowVector& start) -> FlowVector {
+            motion.start(start);
+            growth.failed = growth.failed || !motion.advance(window, most_steps_of_growth);
+            return motion.state();
+        };
+        const auto rate_of = [&](const FlowVector& offset) {
+            const FlowVector difference = after(mode.steady + offset) - after(mode.steady - offset);
+            return std::log(mode.size(mode.steady + difference / 2) / mode.size(mode.steady + offset)) / window;
+        };
+        growth.rate = (4 * rate_of(probe / 2) - rate_of(probe)) / 3;
+        growth.used_fallback = growth.used_fallback || motion.used_fallback();
+        tolerance *= 10;
+    } while (growth.failed && tolerance < coarsest_tolerance);
     return growth;
 }
 

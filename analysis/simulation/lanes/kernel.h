@@ -47,7 +47,6 @@ class Kernel {
         // a lane that restarts has its new state in place already and does not take this step
         const M taken = accepted & moving_;
         w_before_ = select(taken, y_.w, w_before_);
-        rate_before_ = select(taken, s.start_rate.w, rate_before_);
         h_before_ = select(taken, h, h_before_);
         y_.X = select(taken, s.end.X, y_.X);
         y_.w = select(taken, s.end.w, y_.w);
@@ -101,9 +100,7 @@ class Kernel {
         for (int j = 0; j < rodas5p::stages; ++j)
             view.U[j][0] = s.U[j].X[i], view.U[j][1] = s.U[j].w[i], view.U[j][2] = s.U[j].p[i];
         view.w_before = w_before_[i];
-        view.w_rate_before = rate_before_[i];
         view.h_before = h_before_[i];
-        view.w_rate = s.start_rate.w[i];
         EventFlags flags;
         const double w0 = view.y0[1], w1 = view.y1[1];
         flags.time = end_time_[i] - view.t <= view.h;
@@ -161,7 +158,6 @@ class Kernel {
         t_.set(i, 0);
         h_.set(i, start.h);
         w_before_.set(i, start.y[1]);
-        rate_before_.set(i, 0);
         h_before_.set(i, 1);
         end_time_.set(i, program.end_time());
         rtol_.set(i, program.tolerance());
@@ -203,7 +199,7 @@ class Kernel {
     int busy_ = 0;
     PackedGroups<P> groups_;
     Triple<P> y_, floor_;
-    P t_, h_, rtol_, end_time_, w_before_, rate_before_, h_before_, steps_;
+    P t_, h_, rtol_, end_time_, w_before_, h_before_, steps_;
     const M always_ = all_on();
     M active_ = always_, turning_phase_ = always_, searching_ = always_, moving_ = always_;
     Program programs_[lanes];

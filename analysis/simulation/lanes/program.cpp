@@ -27,6 +27,8 @@ struct Dense {
         const double rest = 1 - f;
         return rest * y0 + f * (y1 + rest * (k[0] + f * (k[1] + f * k[2])));
     }
+    double slope_at_start() const { return y1 - y0 + k[0]; }  ///< per step
+    double slope_at_end() const { return y1 - y0 - k[0] - k[1] - k[2]; }
 };
 
 /// Where the component takes the value `level` within the step (Illinois on the dense output).
@@ -51,10 +53,16 @@ double crossing(const Dense& y, double level)
     return 0.5 * (left + right);
 }
 
-double w_rate(const Groups& g, const double y[3])
+/// Where y turned in the step before: on the cubic through its start, both ends of this step and the slope between
+/// them.
+double turned_before(const StepView& s, const Dense& y)
 {
-    const double v = std::exp(y[1]);
-    return -(g.c * std::expm1(y[1]) + g.K * y[0] + y[1] + y[2]) / (g.M * v);
+    const double slope = y.slope_at_start() / s.h, back = s.h_before;
+    const double ahead = (y.y1 - y.y0 - slope * s.h) / (s.h * s.h);
+    const double behind = (s.w_before - y.y0 + slope * back) / (back * back);
+    const double c = (ahead - behind) / (s.h + back), b = ahead - c * s.h;
+    const double t = -slope / (b + std::copysign(std::sqrt(b * b - 3 * c * slope), b));
+    return t < 0 && t > -back ? y.y0 + t * (slope + t * (b + t * c)) : y.y0;
 }
 
 }  // namespace
@@ -167,12 +175,10 @@ Action Program::end_of_growth(const StepView& step)
 
 void Program::note_extremum(const StepView& s)
 {
-    const double rate_after = w_rate(job_->groups, s.y1);
-    double extremum = s.y0[1];
-    if (const auto now = hermite_extremum(s.y0[1], s.y1[1], s.w_rate, rate_after, s.h))
-        extremum = *now;
-    else if (const auto last = hermite_extremum(s.w_before, s.y0[1], s.w_rate_before, s.w_rate, s.h_before))
-        extremum = *last;
+    // slopes of the dense output, as rates of a stiff motion are no better than its tolerance times its stiffness
+    const Dense w(s, 1);
+    const auto within = hermite_turning(w.y0, w.y1, w.slope_at_start(), w.slope_at_end(), 1);
+    const double extremum = within ? w(*within) : turned_before(s, w);
     answer_.w_max = std::max(answer_.w_max, extremum);
     answer_.w_min = std::min(answer_.w_min, extremum);
 }

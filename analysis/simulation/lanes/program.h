@@ -13,8 +13,7 @@ struct StepView {
     double t, h;          ///< start and length, in the time of the present phase
     double y0[3], y1[3];  ///< X, w, p at both ends
     double U[rodas5p::stages][3];
-    double w_before, w_rate_before, h_before;  ///< the step before: w and w' at its start, its length
-    double w_rate;                             ///< w' at the start of this step
+    double w_before, h_before;  ///< the step before: w at its start, its length
 };
 
 /// Why the kernel stops at a step.

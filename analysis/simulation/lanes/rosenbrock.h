@@ -20,8 +20,7 @@ struct PackedGroups {
 
 template <class P>
 struct PackedStep {
-    Triple<P> end;         ///< state at the end
-    Triple<P> start_rate;  ///< F at the start
+    Triple<P> end;  ///< state at the end
     Triple<P> U[rodas5p::stages];
     const Triple<P>& error() const { return U[rodas5p::stages - 1]; }
 };
@@ -81,9 +80,9 @@ template <class P>
 {
     const auto e = exponential(y.w);
     const P per_Mv = g.per_M / e.value, per_h = P(1.0) / h;
-    step.start_rate = rate(g, y, e, per_Mv);
-    const Elimination<P> matrix(g, y, e, per_Mv, step.start_rate.w, h);
-    step.U[0] = matrix.solve(step.start_rate);
+    const Triple<P> start_rate = rate(g, y, e, per_Mv);
+    const Elimination<P> matrix(g, y, e, per_Mv, start_rate.w, h);
+    step.U[0] = matrix.solve(start_rate);
     Triple<P> stage;
     const auto advance = [&]<int i>() __attribute__((always_inline))
     {

@@ -123,3 +123,27 @@ TEST_CASE("a kernel has no nonlinear outcome")
     CHECK(verdict.outcome == Outcome::linear_only);
     CHECK(verdict.reason == Reason::linear_only);
 }
+
+TEST_CASE("growth is measured where rounding lets a solver creep at a finer tolerance")
+{
+    const auto joint = joint_with(rate_and_state(60, 0.1237701123, 0.1448433585, 4.634646975e-06), 1.55982048,
+                                  4.232140108, 5743.038941, 3.667052404e-06);
+    const auto verdict = nonlinear_verdict(joint, {});
+    CHECK(verdict.outcome == Outcome::stable_sliding);
+    CHECK(verdict.growth_rate == Approx(linear_verdict(joint).state_variable.spectral_abscissa).epsilon(1e-4));
+}
+
+TEST_CASE("lanes find the lowest speed of a stiff cycle as finely as CVODE that only watches it")
+{
+    const auto joint = joint_with(rate_and_state(60, 3.615296637, 6.714747865, 2.004262516e-05), 0.1057623384,
+                                  2718.442951, 1100699.361, 2.492410601e-06);
+    std::vector<PointResult> rows{linear_point(joint)};
+    nonlinear_points({&joint, 1}, {}, rows);
+    NonlinearOptions watch;
+    watch.rtol = 1e-11;
+    watch.accelerate = watch.region = false;
+    const auto truth = nonlinear_verdict(joint, watch);
+    CHECK(rows[0].path == DecisionPath::lanes);
+    CHECK(rows[0].velocity_min == Approx(truth.velocity_min).epsilon(1e-5));
+    CHECK(rows[0].velocity_max == Approx(truth.velocity_max).epsilon(1e-5));
+}

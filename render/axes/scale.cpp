@@ -17,8 +17,13 @@ std::string power_of_ten(int exponent)
     return "10^{" + (exponent < 0 ? "−" + std::to_string(-exponent) : std::to_string(exponent)) + "}";
 }
 
+Ticks linear_ticks(const Scale& scale, int room, double divisor);
+
+/// A stretch too short for powers, or for the 1, 2 and 5 between them, is labelled in even steps.
 Ticks log_ticks(const Scale& scale, int room, double divisor)
 {
+    constexpr double short_stretch = 3;  // from the lower end to the upper, as a factor
+    if (scale.high < short_stretch * scale.low) return linear_ticks(scale, room, divisor);
     Ticks result;
     const double a = std::log10(scale.low / divisor), b = std::log10(scale.high / divisor);
     const int first = static_cast<int>(std::floor(a + tiny)), last = static_cast<int>(std::ceil(b - tiny));

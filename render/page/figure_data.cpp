@@ -6,6 +6,7 @@
 #include "render/page/json.h"
 #include "render/page/layer_data.h"
 #include "render/page/pack.h"
+#include "render/pictures/line_scales.h"
 #include "render/pictures/regions.h"
 
 #include <algorithm>
@@ -155,14 +156,35 @@ std::string data(const CriticalGainSurface& surface, const RenderedFigure& rende
         .close();
 }
 
+/// A label "velocity V [m/s]" and the stretch that is drawn, for a reader over the chart.
+std::string drawn_axis(const std::string& label, const Scale& scale)
+{
+    const auto opens = label.rfind(" [");
+    const bool has_unit = opens != std::string::npos && label.ends_with(']');
+    const std::string unit = has_unit ? label.substr(opens + 2, label.size() - opens - 3) : "1";
+    return JsonObject()
+        .text("name", has_unit ? label.substr(0, opens) : label)
+        .text("unit", unit)
+        .flag("prefix", scaled_unit(1e3, unit).text != unit)
+        .flag("log", scale.log)
+        .number("low", scale.low)
+        .number("high", scale.high)
+        .close();
+}
+
 std::string data(const LineChart& chart, const RenderedFigure& rendered)
 {
     std::vector<std::string> lines;
     for (const auto& line : chart.lines)
         lines.push_back(
             JsonObject().text("name", plain_text(line.name)).text("x", pack(line.x)).text("y", pack(line.y)).close());
-    return JsonObject()
-        .text("kind", "lines")
+    JsonObject json;
+    if (rendered.plot.width > 0) {
+        const auto [x, y] = scales_of(chart);
+        json.raw("area", area_data(rendered.plot, rendered)).raw("xAxis", drawn_axis(chart.x_label, x));
+        json.raw("yAxis", drawn_axis(chart.y_label, y));
+    }
+    return json.text("kind", "lines")
         .text("header", header(rendered))
         .text("xLabel", plain_text(chart.x_label))
         .text("yLabel", plain_text(chart.y_label))

@@ -93,6 +93,9 @@ std::string how_to_read(const Picture& picture)
     const auto* map = std::get_if<StabilityMap>(&picture);
     const auto* field = std::get_if<FieldMap>(&picture);
     const auto* panels = std::get_if<StabilityPanels>(&picture);
+    if (const auto* chart = std::get_if<LineChart>(&picture))
+        return std::string("Point at a line, or focus the chart and use the arrow keys, to read its values") +
+               (chart->lines.size() > 1 ? "; up and down change the line." : ".");
     if (!map && !field && !panels) return "";
     std::string text = "Point at the chart, or focus it and use the arrow keys, to read its values.";
     if (!(map ? map->command : field ? field->command : panels->command).empty())

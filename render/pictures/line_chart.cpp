@@ -1,6 +1,7 @@
 // Several named curves over one axis.
 #include "render/axes/frame.h"
 #include "render/drawing/markup.h"
+#include "render/pictures/line_scales.h"
 #include "render/pictures/picture.h"
 #include "render/pictures/regions.h"
 
@@ -26,22 +27,6 @@ void check(const LineChart& chart)
             throw std::invalid_argument("line chart \"" + chart.title + "\": line \"" + line.name + "\" has " +
                                         std::to_string(line.x.size()) + " x and " + std::to_string(line.y.size()) +
                                         " y values");
-}
-
-std::vector<double> all_values(const LineChart& chart, std::vector<double> LineChart::Line::*member, bool log)
-{
-    std::vector<double> values;
-    for (const auto& line : chart.lines)
-        for (const double v : line.*member)
-            if (!log || v > 0) values.push_back(v);
-    return values;
-}
-
-/// A little air above and below, so that a flat line does not lie on the frame.
-Scale with_room(Scale scale)
-{
-    constexpr double room = 0.04;
-    return {scale.value(-room), scale.value(1 + room), scale.log};
 }
 
 Pen pen_of(std::size_t index, bool dashed)
@@ -83,12 +68,6 @@ double length_of(const std::vector<Polyline>& pieces)
 bool takes_markers(const LineChart& chart, std::size_t index, const std::vector<Polyline>& pieces)
 {
     return chart.lines.size() > 1 && !chart.lines[index].dashed && length_of(pieces) < 3 * (plot_width + plot_height);
-}
-
-/// A curve in the plane, not a function of x: it needs air on all sides.
-bool winds(const LineChart::Line& line)
-{
-    return !std::is_sorted(line.x.begin(), line.x.end());
 }
 
 /// A single line needs a legend only where the axis does not name it already.
@@ -140,12 +119,7 @@ std::vector<int> mark_levels(Canvas& canvas, const LineChart& chart, const Scale
 Drawn draw(const LineChart& chart, const std::string& description, const Fonts& fonts)
 {
     check(chart);
-    std::vector<double> xs = all_values(chart, &LineChart::Line::x, chart.x_log);
-    for (const auto& mark : chart.x_marks) xs.push_back(mark.second);
-    const bool orbit = std::any_of(chart.lines.begin(), chart.lines.end(), winds);
-    const Scale x = orbit ? with_room(spanning(xs, chart.x_log)) : spanning(xs, chart.x_log);
-    const Scale y = with_room(spanning(all_values(chart, &LineChart::Line::y, chart.y_log), chart.y_log));
-
+    const auto [x, y] = scales_of(chart);
     Canvas canvas(picture_width, fonts);
     const double heading = draw_heading(canvas, axis_margin, plot_width, chart.title, chart.fixed, "");
     const std::vector<int> levels = mark_levels(canvas, chart, x);
@@ -160,10 +134,12 @@ Drawn draw(const LineChart& chart, const std::string& description, const Fonts& 
         canvas.text({at, top - 6}, chart.x_marks[i].first, mark_style, Across::centre, Along::baseline);
     }
     std::vector<LegendEntry> entries;
+    const double edge = y.value(2 / plot_height);  // the whole pen's width above the frame
     for (std::size_t i = 0; i < chart.lines.size(); ++i) {
         const auto& line = chart.lines[i];
         Polyline points;
-        for (std::size_t k = 0; k < line.x.size(); ++k) points.push_back(frame.at(line.x[k], line.y[k]));
+        for (std::size_t k = 0; k < line.x.size(); ++k)
+            points.push_back(frame.at(line.x[k], y.log && line.y[k] >= 0 && line.y[k] < edge ? edge : line.y[k]));
         std::vector<Polyline> pieces = clip(points, frame.box);
         const Pen pen = pen_of(i, line.dashed);
         for (Polyline& piece : pieces) canvas.line(piece = thin(piece, 0.1), pen);

@@ -215,7 +215,7 @@ StabilityMap map_under(const Joint& design, Axis x, Axis y, const ParallelFor& p
 Report boundary_report(const BoundaryAnswer& answer, const ParallelFor& parallel)
 {
     Report report;
-    report.title = answer.title;
+    report.title = answer.title.empty() ? "Boundaries of sliding" : answer.title;
     report.subtitle = "boundaries, located";
     for (const auto& ray : answer.rays)
         report.verdict += (report.verdict.empty() ? "" : " ") + ray_text(answer.design, ray);

@@ -71,7 +71,7 @@ Report check_report(const Spec& spec, const std::vector<Deviation>& deviations, 
         refined += d.kind == Deviation::Kind::refined;
     }
     Report report;
-    report.title = spec.title;
+    report.title = spec.title.empty() ? "Boundaries of the joint" : spec.title;
     report.subtitle = "boundaries against their baseline";
     report.verdict = failed ? std::to_string(failed) + " of " + std::to_string(deviations.size()) +
                                   " boundaries are out of tolerance."

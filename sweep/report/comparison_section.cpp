@@ -44,15 +44,9 @@ Figure demand_figure(Joint joint, const LinearStudy& study, bool rational)
         simple.x.push_back(V), simple.y.push_back(both.k_v_demanded_velocity_only());
         memory.x.push_back(V), memory.y.push_back(both.k_v_demanded_memory());
     }
-    // demands span decades, and none is no number on a logarithmic axis: it lies on the lower edge
-    constexpr double span = 1e-4;
-    double largest = 0;
+    // demands span decades; none, which is zero, lies on the lower edge
     for (const auto* line : {&memory, &simple})
-        for (const double y : line->y) largest = std::max(largest, y);
-    chart.y_log = largest > 0;
-    for (auto* line : {&memory, &simple})
-        for (double& y : line->y)
-            if (largest > 0 && !std::isnan(y)) y = std::max(y, span * largest);
+        chart.y_log = chart.y_log || std::any_of(line->y.begin(), line->y.end(), [](double y) { return y > 0; });
     chart.lines = {std::move(memory), std::move(simple)};
     chart.x_marks.emplace_back("here", std::abs(own));
     const auto& here = study.comparison;
@@ -110,10 +104,10 @@ std::string comparison_words(const Comparison& c, const Words& words)
         "memory "
         "also where a stiff position loop forces the slip along faster than the memory answers, (34)-(37).";
     if (!c.forbidden_needlessly.empty())
-        text += " Here velocity alone forbids k_{p} in " + words.gains(c.forbidden_needlessly, Quantity::stiffness) +
+        text += " Here velocity alone forbids k_{p} " + words.gains(c.forbidden_needlessly, Quantity::stiffness) +
                 " although memory allows it: what Armstrong saw with his stiffest springs (§5).";
     if (!c.allowed_wrongly.empty())
-        text += " Here velocity alone allows k_{p} in " + words.gains(c.allowed_wrongly, Quantity::stiffness) +
+        text += " Here velocity alone allows k_{p} " + words.gains(c.allowed_wrongly, Quantity::stiffness) +
                 " although sliding is unstable there: for one mass this takes a lag or a negative direct effect, for "
                 "several masses the springs between them suffice.";
     return text +
@@ -232,8 +226,8 @@ Section ramp_section(const Joint& joint)
             if (drawn(*line)) chart.lines.push_back(std::move(*line));
         const auto here = stable_springs(joint, rate, k_low, k_high, theory);
         finding += (finding.empty() ? "At this ramp of " + with_unit(rate, Quantity::effort_rate, words.motion) +
-                                          ", springs slide smoothly with memory for k_{p} in "
-                                    : "; by velocity alone in ") +
+                                          ", springs slide smoothly with memory for k_{p} "
+                                    : "; by velocity alone ") +
                    words.gains(here, Quantity::stiffness);
     }
     if (chart.lines.empty()) {

@@ -134,7 +134,7 @@ Report design_report(const DesignAnswer& a)
     const Units u{a.joint.mechanism.motion};
     const auto& d = a.design;
     Report report;
-    report.title = a.title;
+    report.title = a.title.empty() ? "Gains for the joint" : a.title;
     report.subtitle = "design of gains";
     report.verdict = design_text(a);
     report.tone = d.feasible ? Tone::good : Tone::bad;

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include <cmath>
+
 namespace stickslip {
 
 std::string axis_label(std::string_view name, Quantity quantity, Motion motion)
@@ -31,10 +33,16 @@ Figure line_figure(std::string id, LineChart chart, std::string finding, std::st
 std::string intervals_text(const std::vector<Interval>& list, Quantity quantity, Motion motion)
 {
     constexpr std::size_t most = 4;
+    const auto words = [&](const Interval& i) -> std::string {
+        const bool from_zero = i.low == 0, open = std::isinf(i.high);
+        const auto low = with_unit(i.low, quantity, motion, 4), high = with_unit(i.high, quantity, motion, 4);
+        return from_zero && open ? "all values"
+               : open            ? "above " + low
+               : from_zero       ? "below " + high
+                                 : "from " + low + " to " + high;
+    };
     std::string text;
-    for (std::size_t i = 0; i < list.size() && i < most; ++i)
-        text += (i ? ", " : "") + with_unit(list[i].low, quantity, motion, 4) + " … " +
-                with_unit(list[i].high, quantity, motion, 4);
+    for (std::size_t i = 0; i < list.size() && i < most; ++i) text += (i ? ", " : "") + words(list[i]);
     if (list.size() > most) text += " and " + std::to_string(list.size() - most) + " more";
     return list.empty() ? "none" : text;
 }

@@ -1,5 +1,6 @@
 #include "sweep/report/loop_figures.h"
 
+#include "analysis/boundary/locate.h"
 #include "analysis/results/text.h"
 #include "analysis/stability/linear_joint.h"
 #include "analysis/stability/loop.h"
@@ -37,12 +38,42 @@ double reach(const std::vector<std::vector<std::complex<double>>>& rows)
     return size;
 }
 
+struct Locus {
+    std::vector<double> gains;
+    std::vector<std::vector<std::complex<double>>> rows;
+    double limit;  ///< |s| of what is drawn
+};
+
+/// Gains close enough that no visible branch is drawn with corners: where two roots meet they run apart like a square
+/// root of the gain.
+Locus smooth_locus(const LinearJoint& linear, double low, double high)
+{
+    constexpr int rounds = 8;
+    constexpr double longest = 0.02;  // step of a branch, per |s| of what is drawn
+    Locus locus{log_steps(low, high, locus_gains), {}, 0};
+    for (int round = 0;; ++round) {
+        locus.rows = root_locus(linear, locus.gains);
+        if (round == 0) locus.limit = 1.2 * reach(locus.rows);
+        std::vector<double> finer{locus.gains.front()};
+        for (std::size_t i = 1; i < locus.gains.size(); ++i) {
+            bool jumps = false;
+            for (std::size_t k = 0; k < locus.rows[i].size(); ++k) {
+                const auto a = locus.rows[i - 1][k], b = locus.rows[i][k];
+                jumps = jumps ||
+                        (std::min(std::abs(a), std::abs(b)) < locus.limit && std::abs(a - b) > longest * locus.limit);
+            }
+            if (jumps) finer.push_back(std::sqrt(locus.gains[i - 1] * locus.gains[i]));
+            finer.push_back(locus.gains[i]);
+        }
+        if (round == rounds || finer.size() == locus.gains.size()) return locus;
+        locus.gains = std::move(finer);
+    }
+}
+
 Figure root_locus_figure(const Joint& joint, const LinearJoint& linear, double low, double high)
 {
     const auto motion = joint.mechanism.motion;
-    const auto gains = log_steps(low, high, locus_gains);
-    const auto rows = root_locus(linear, gains);
-    const double limit = 1.2 * reach(rows);
+    const auto [gains, rows, limit] = smooth_locus(linear, low, high);
     LineChart chart;
     chart.title = "Root locus over k_{p}";
     chart.fixed = "k_{p} from " + stiffness(low, motion) + " to " + stiffness(high, motion) + ", roots with |s| < " +
@@ -61,20 +92,14 @@ Figure root_locus_figure(const Joint& joint, const LinearJoint& linear, double l
             chart.lines.push_back(std::move(line));
     }
     chart.x_marks.emplace_back("boundary Re s = 0", 0);
-    const auto slowest = [&](const auto& row) {
-        double real = -infinity;
-        for (const auto& s : row) real = std::max(real, s.real());
-        return real;
-    };
     std::string crossing;
-    for (std::size_t i = 1; i < rows.size(); ++i)
-        if ((slowest(rows[i - 1]) < 0) != (slowest(rows[i]) < 0))
-            crossing += (crossing.empty() ? "" : ", ") + stiffness(std::sqrt(gains[i - 1] * gains[i]), motion);
+    for (const auto& p : locate_on_ray(joint, "control.k_p", low, high, true, Curve::Kind::state_variable))
+        crossing += (crossing.empty() ? "" : ", ") + with_unit(p.value, Quantity::stiffness, motion, 4);
     Figure figure;
     figure.id = "root-locus";
     figure.finding =
         "Root locus over the position gain. " + (crossing.empty() ? std::string("No root crosses the imaginary axis.")
-                                                                  : "Stability changes near k_{p} = " + crossing + ".");
+                                                                  : "Stability changes at k_{p} = " + crossing + ".");
     figure.caption =
         "How to read it: each line follows one root of the design's characteristic equation while k_{p} "
         "alone changes; left of the dashed mark it decays. " +

@@ -131,7 +131,7 @@ std::string margins_text(const MarginsAnswer& a)
 Report margins_report(const MarginsAnswer& a)
 {
     Report report;
-    report.title = a.title;
+    report.title = a.title.empty() ? "Margins of the joint" : a.title;
     report.subtitle = "margins of the design point";
     report.verdict = margins_text(a);
     const bool doubtful = a.worst && a.worst->instability >= 0;

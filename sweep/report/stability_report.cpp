@@ -102,7 +102,9 @@ Report stability_report(const Spec& spec, const SweepSummary& summary)
     }
 
     Report report;
-    report.title = spec.report.title.empty() ? spec.title : spec.report.title;
+    report.title = !spec.report.title.empty() ? spec.report.title
+                   : !spec.title.empty()      ? spec.title
+                                              : "Where the joint slides smoothly";
     report.subtitle = subtitle(spec, joint, summary.points);
     const auto verdict = design_verdict(joint, linear, row.region);
     report.verdict = verdict.text;

@@ -35,7 +35,7 @@ Figure vmin_figure(const Joint& given, const LinearStudy& study)
     chart.y_label = axis_label("V_{min}", Quantity::velocity, motion);
     chart.x_log = chart.y_log = true;
     const auto k_p = log_steps(given.control.k_p / 30, given.control.k_p * 30, gains);
-    std::string slowest;
+    std::string slowest, said;
     for (const double k_v : shown_gains(given, study)) {
         joint.control.k_v = k_v;
         const std::string name = "k_{v} = " + with_unit(k_v, Quantity::damping, motion);
@@ -46,16 +46,19 @@ Figure vmin_figure(const Joint& given, const LinearStudy& study)
         }
         joint.control.k_p = given.control.k_p;
         const double here = stable_velocities(joint, low, high, Theory::state_variable, 2 * scan).all_above;
-        slowest += (slowest.empty() ? "" : ", ") +
-                   (std::isnan(here) ? "none"
-                    : here == low    ? "all"
-                                     : with_unit(here, Quantity::velocity, motion)) +
-                   " at " + name;
+        const std::string from =
+            std::isnan(here) ? "no velocity is stable up to the highest searched"
+            : here == low    ? "all searched velocities are stable"
+                             : "sliding is stable from " + with_unit(here, Quantity::velocity, motion) + " upwards";
+        const bool first = slowest.empty(), as_before = from == said;
+        slowest += (as_before ? ", " : (first ? "" : "; ") + from + " with k_{v} = ") +
+                   with_unit(k_v, Quantity::damping, motion);
+        said = from;
         const bool drawn = std::any_of(line.y.begin(), line.y.end(), [](double v) { return !std::isnan(v); });
         if (drawn) chart.lines.push_back(std::move(line));
     }
     chart.x_marks.emplace_back("here", given.control.k_p);
-    return line_figure("v-min", std::move(chart), "At this position gain sliding is stable from: " + slowest + ".",
+    return line_figure("v-min", std::move(chart), "At this position gain " + slowest + ".",
                        "From V_{min} upwards every velocity slides smoothly, with memory, searched from " +
                            with_unit(low, Quantity::velocity, motion) + " to " +
                            with_unit(high, Quantity::velocity, motion) +

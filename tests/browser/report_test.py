@@ -176,9 +176,36 @@ class Report(unittest.TestCase):
         self.assertFalse(self.browser.run("return document.querySelector('#velocity svg').getClientRects().length > 0"))
         box = self.browser.run("const e = document.querySelector('#velocity .zoom'); e.scrollIntoView({block: 'center'});"
                                "const r = e.getBoundingClientRect(); return [r.left, r.top, r.width, r.height]")
+        self.assertFalse(self.browser.run("return document.querySelector('#velocity .reader').getClientRects().length > 0"))
         self.browser.move(box[0] + box[2] / 2, box[1] + box[3] / 3)
         self.assertIn("V =", self.browser.run("return document.querySelector('#velocity .zoom-values').textContent"))
         self.assertEqual(self.browser.complaints(), [])
+
+    def test_lines_are_read_from_their_own_samples(self):
+        self.browser.open(self.pages["linear"])
+        samples = [line.split(",") for line in (self.out / "linear/charts/k-v-demanded.csv").read_text().splitlines()[1:]]
+        left, top, width, height = self.area("#k-v-demanded")
+        self.browser.move(left + width / 4, top + height / 4)
+        lines = self.tip("#k-v-demanded").split("\n")
+        self.assertEqual(lines[0], "velocity alone")
+        said = [float(line.split("= ")[1].split(" ")[0]) for line in lines[1:3]]
+        near = min(samples, key=lambda s: abs(float(s[1]) / (said[0] * 1e-6) - 1) + (s[0] != lines[0]))
+        self.assertIn("µm/s", lines[1])
+        self.assertAlmostEqual(said[1] * 1e3 / float(near[2]), 1, delta=6e-3, msg=f"{lines} {near}")
+        self.assertEqual(lines[3], "with memory: 0 N·s/m")
+        self.browser.run("document.querySelector('#k-v-demanded .reader').focus({focusVisible: true})")
+        self.browser.key("ArrowDown")
+        self.assertEqual(self.tip("#k-v-demanded").split("\n")[0], "with memory")
+        before = self.tip("#k-v-demanded")
+        self.browser.key("ArrowRight", shift=True)
+        self.assertNotEqual(self.tip("#k-v-demanded"), before)
+        self.assertEqual(self.browser.complaints(), [])
+
+    def test_the_contents_show_the_place(self):
+        for page in self.pages.values():
+            self.browser.open(page)
+            self.browser.wait("return document.querySelector('nav [aria-current]') !== null")
+            self.assertEqual(self.browser.run("return [...document.querySelectorAll('nav [aria-current]')].map(a => a.textContent)"), ["Summary"])
 
     def test_data_can_be_taken_home(self):
         self.browser.open(self.pages["linear"])

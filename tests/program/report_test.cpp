@@ -57,6 +57,20 @@ TEST_CASE("two sweeps are compared: boundaries, regions, numbers", "[program]")
     CHECK_THAT(same.output, Contains("Nothing changed"));
 }
 
+TEST_CASE("a sweep without a title of its own has a page with one, and its locus names the located gain", "[program]")
+{
+    Folder folder;
+    auto text = spec("1e-5");
+    text.erase(text.find("\"control.k_v\" = "));
+    const auto run = stickslip("sweep '" + folder.write("one.toml", text) + "' -o '" + (folder / "one") + "'");
+    INFO(run.output);
+    REQUIRE(run.exit_code == 0);
+    const auto page = program::read(folder / "one/report.html");
+    CHECK_THAT(page, Contains("<h1>Where the joint slides smoothly</h1>"));
+    // (35): ((B − A)/L)(1 + m V_0²/(L A)) = 55 kN/m
+    CHECK_THAT(page, Contains("Stability changes at k<sub>p</sub> = 55 kN/m"));
+}
+
 TEST_CASE("a page carries a date only when asked, and is the same every time", "[program]")
 {
     Folder folder;

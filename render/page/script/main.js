@@ -54,7 +54,8 @@ const prepare = async (figure) => {
   if (source) {
     const data = await unpack(JSON.parse(source.textContent));
     prepared.push(data);
-    if (data.area && picture) await prepareGrid(figure, data);
+    if (data.kind === "lines" && data.area && picture) addLineReader(figure, data);
+    if (data.kind === "grid" && data.area && picture) await prepareGrid(figure, data);
     if (data.areas && picture) preparePanels(figure, data);
     if (data.kind === "lines" && picture) addZoom(figure, data, button);
     button("Data (CSV)", () => save(figure.id + ".csv", "text/csv", csv(data)));
@@ -65,14 +66,14 @@ const prepare = async (figure) => {
 };
 
 const prepareContents = () => {
-  // The contents show where the reader is.
+  // The contents show where the reader is: at the first part that has come to the upper third of the window.
   const links = new Map([...document.querySelectorAll("nav a")].map((a) => [a.getAttribute("href").slice(1), a]));
+  const visible = new Set();
   const seen = new IntersectionObserver((entries) => {
-    for (const entry of entries)
-      if (entry.isIntersecting) {
-        for (const link of links.values()) link.removeAttribute("aria-current");
-        links.get(entry.target.id).setAttribute("aria-current", "true");
-      }
+    for (const entry of entries) entry.isIntersecting ? visible.add(entry.target.id) : visible.delete(entry.target.id);
+    const here = [...links.keys()].find((id) => visible.has(id));
+    if (here === undefined) return;
+    for (const [id, link] of links) id === here ? link.setAttribute("aria-current", "true") : link.removeAttribute("aria-current");
   }, { rootMargin: "0px 0px -70% 0px" });
   for (const id of links.keys()) {
     const target = document.getElementById(id);

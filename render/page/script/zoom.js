@@ -18,6 +18,7 @@ const addZoom = (figure, data, button) => {
     const open = box.hidden;
     box.hidden = values.hidden = !open;
     picture.classList.toggle("away", open);
+    for (const part of figure.querySelectorAll(".reader, .tip")) part.hidden = open;
     toggle.textContent = open ? "Back to the picture" : "Zoom in time";
     if (graph || !open) return;
     const say = (x, points) => (values.textContent = x === null ? "Drag to zoom, double-click to see all; the strip below chooses a stretch of time."

@@ -46,6 +46,14 @@ TEST_CASE("many powers thin out, few are filled with 1, 2 and 5", "[axes]")
     CHECK(labels(ticks({1, 100, true}, 7)).size() == 3);
 }
 
+TEST_CASE("a log axis of less than half a power has even steps: 1, 2 and 5 would leave it bare", "[axes]")
+{
+    CHECK(labels(ticks({32e3, 77e3, true}, 7)) == Labels{"40000", "50000", "60000", "70000"});
+    const Ticks t = ticks({23e3, 39e3, true}, 7);
+    CHECK(labels(t) == Labels{"25000", "30000", "35000"});
+    CHECK(t.major[1].value == Approx(30e3));
+}
+
 TEST_CASE("a linear axis steps in 1, 2 or 5 and ends where the numbers end", "[axes]")
 {
     CHECK(labels(ticks({0, 10, false}, 6)) == Labels{"0", "2", "4", "6", "8", "10"});

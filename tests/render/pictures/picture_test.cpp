@@ -1,4 +1,5 @@
 #include "render/drawing/canvas.h"
+#include "render/pictures/line_scales.h"
 #include "render/pictures/scene.h"
 #include "render/render.h"
 #include "tests/render/example_report.h"
@@ -107,6 +108,25 @@ TEST_CASE("line charts skip what a log axis cannot show", "[picture]")
     CHECK(fault_in_markup(render(figure(chart)).svg) == "");
     chart.lines.clear();
     chart.x_marks.clear();
+    CHECK_THROWS_AS(render(figure(chart)), std::invalid_argument);
+}
+
+TEST_CASE("zero on a log axis lies on the lower edge and does not stretch it", "[picture]")
+{
+    LineChart chart;
+    chart.title = "demand";
+    chart.y_log = true;
+    chart.lines = {{"falls to none", {1, 2, 3, 4}, {1e4, 1e2, 1e-12, 0}}, {"none", {1, 2, 3, 4}, {0, 0, 0, 0}}};
+    const auto [x, y] = drawing::scales_of(chart);
+    CHECK(y.low > 1e-3);
+    CHECK(y.low < 1e2);
+    CHECK(y.high > 1e4);
+    const auto made = render(figure(chart));
+    CHECK(fault_in_markup(made.svg) == "");
+    // the second line runs along the edge and keeps its marks
+    CHECK_THAT(made.svg, Catch::Matchers::Contains("#d55e00"));
+    CHECK_THAT(made.csv, Catch::Matchers::Contains("none,4,0"));
+    chart.lines.erase(chart.lines.begin(), chart.lines.begin() + 1);
     CHECK_THROWS_AS(render(figure(chart)), std::invalid_argument);
 }
 

@@ -19,6 +19,7 @@ constexpr double watched = 1e-8;             ///< the same for a motion that is 
 constexpr double no_rate = 1e-14;            ///< per largest rate
 constexpr double by_the_linear_rate = 0.02;  ///< relative difference to the spectral abscissa
 constexpr int linear_turns = 20;             ///< in succession at that rate: the rest of the decay is known
+constexpr int most_idle_turns = 10;          ///< in succession: what happens lies below what doubles tell apart
 constexpr int settling_turns = 60;           ///< before a motion that neither closes nor settles is tested for repeats
 
 /// The longest time that bodies stick [s]: V_0 winds the springs up from what pushes them back to what drives them on.
@@ -101,6 +102,7 @@ class Follower {
     double last_growth_ = missing;                 ///< ln of the amplitude ratio of the last two turns
     double grows_at_ = 0, shrinks_at_ = infinity;  ///< amplitudes seen to grow and to shrink since the last wild turn
     int next_shot_ = 0, patience_ = 1;             ///< turns
+    int idle_turns_ = 0;                           ///< in succession that took no time
     int quiet_turns_ = 0;                          ///< turns since the amplitude was last scaled
 };
 
@@ -212,6 +214,8 @@ Attractor Follower::run(const FlowVector& y)
             case Turn::End::crossing:
                 break;
         }
+        idle_turns_ = turn.period() > 0 ? 0 : idle_turns_ + 1;
+        if (idle_turns_ > most_idle_turns) return ended(Kind::undecided, Reason::not_converged);
         points_.push_back(turn.state);
         turns_.push_back(turn);
         ++quiet_turns_;

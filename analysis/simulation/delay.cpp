@@ -103,6 +103,7 @@ void DelayMotion::start(double x, double V)
 {
     t_ = 0, x_ = x, V_ = V;
     stuck_ = false;
+    steps_left_ = most_steps;
     history_.clear();
     kinks_.clear();
     note_kink(0);
@@ -145,7 +146,8 @@ void DelayMotion::remember(Segment segment)
     while (history_.size() > 2 && history_[1].t + history_[1].h < t_ - 2 * joint_.lag) history_.pop_front();
 }
 
-/// One accepted step, no longer than the lag, since V is known no further; false where no step is small enough.
+/// One accepted step, no longer than the lag, since V is known no further; false where no step is small enough or too
+/// many have been taken.
 bool DelayMotion::step(double t_end)
 {
     const double passed = t_ + std::max(1e-12 * joint_.lag, 1e-14 * t_);  // what rounding leaves of a step is none
@@ -154,7 +156,7 @@ bool DelayMotion::step(double t_end)
     const double kink = kinks_.empty() ? infinity : *kinks_.begin();
     for (;;) {
         const double h = std::min({h_, joint_.lag, t_end - t_, kink - t_});
-        if (!(h > 1e-15 * std::max(t_, 1e-3 * joint_.lag))) return false;
+        if (--steps_left_ < 0 || !(h > 1e-15 * std::max(t_, 1e-3 * joint_.lag))) return false;
         double kx[stages], kV[stages], x = x_, V = V_;
         for (int i = 0; i < stages; ++i) {
             x = x_, V = V_;

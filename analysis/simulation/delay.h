@@ -57,6 +57,9 @@ class DelayMotion {
     /// Until V falls through V_0 again; ends `settled` where the motion of a whole lag stays within `settled_size` ·
     /// V_0.
     Turn turn(double t_end, double settled_size);
+    /// Of one motion; tens of thousands are usual. More means time scales so far apart that it never ends.
+    static constexpr int most_steps = 1'000'000;
+
     double time() const { return t_; }
     double position() const { return x_; }
     double excess_speed() const { return V_ - joint_.V0; }
@@ -90,6 +93,7 @@ class DelayMotion {
     double t_before_ = 0, x_before_ = 0, V_before_ = 0;
     double x_dense_[5] = {};
     bool stuck_ = false;
+    int steps_left_ = 0;
     std::deque<Segment> history_;
     std::set<double> kinks_;  ///< instants to come at which the friction has one, as V had a lag before
     Observer observer_;

@@ -48,7 +48,7 @@ class SlidingMotion {
     bool advance(double t_end, int most_steps);
 
     /// Of one turn; thousands are usual. More means time scales so far apart that rounding makes the solver creep.
-    static constexpr int most_steps_of_turn = 300'000;
+    static constexpr int most_steps_of_turn = 100'000;
 
     double time() const { return t_; }
     const FlowVector& state() const { return y_; }

@@ -168,7 +168,8 @@ std::optional<int> roots_right_of(const LinearJoint& j, double sigma)
     const int pieces = 32;
     for (int i = pieces; i-- > 0;) open.push_back({end * i / pieces, end * (i + 1) / pieces});
     double turned = 0;  // arg F along the line from σ to σ + i end
-    while (!open.empty()) {
+    for (int used = 0; !open.empty(); ++used) {
+        if (used > most_bands) return std::nullopt;
         const Band band = open.back();
         open.pop_back();
         if (!value_over(band).contains_zero()) {

@@ -86,6 +86,23 @@ GainLimit gain_limit(const LinearJoint& j)
     return {std::max(enough, 4 * std::abs(j.k_p)), infinity};
 }
 
+/// Intervals that need no look of their own, one probe in each: a delay can bring thousands of crossings, each of which
+/// takes a pair of roots over the axis. Counted at both ends; where the pairs between do not make up the difference,
+/// nothing is excluded.
+std::vector<bool> excluded_by_counts(const std::vector<LinearJoint>& probes, const std::vector<Crossing>& crossings)
+{
+    constexpr std::size_t few = 8;
+    std::vector<bool> excluded(probes.size(), false);
+    if (probes.size() <= few || probes.front().rational()) return excluded;
+    const auto first = roots_right_of(probes.front(), 0), last = roots_right_of(probes.back(), 0);
+    if (!first || !last) return excluded;
+    std::vector<int> count{*first};
+    for (std::size_t i = 0; i + 1 < probes.size(); ++i) count.push_back(count.back() + 2 * crossings[i].direction);
+    if (count.back() != *last || *std::min_element(count.begin(), count.end()) < 0) return excluded;
+    for (std::size_t i = 0; i < probes.size(); ++i) excluded[i] = count[i] > 0;
+    return excluded;
+}
+
 }  // namespace
 
 std::vector<Crossing> rational_crossings(const LinearJoint& j, Gain gain)
@@ -132,20 +149,25 @@ std::vector<Interval> stable_intervals(const LinearJoint& j, const std::vector<C
     std::vector<double> bounds{0};
     for (const auto& c : crossings) bounds.push_back(c.k_p);
     if (searched_to > bounds.back()) bounds.push_back(searched_to);
-    std::vector<Interval> intervals;
+    std::vector<LinearJoint> probes;
     for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
         const double low = bounds[i], high = bounds[i + 1];
-        LinearJoint probe = j;
         const double own = gain == Gain::k_p ? j.k_p : j.k_v;
-        (gain == Gain::k_p ? probe.k_p : probe.k_v) = low == 0 && high == infinity ? std::max(std::abs(own), 1.0)
-                                                      : high == infinity           ? 2 * low
-                                                      : low == 0                   ? high / 2
-                                                                                   : std::sqrt(low * high);
-        if (!is_stable(probe)) continue;
-        if (!intervals.empty() && intervals.back().high == low)
-            intervals.back().high = high;
+        probes.push_back(j);
+        (gain == Gain::k_p ? probes[i].k_p : probes[i].k_v) = low == 0 && high == infinity
+                                                                  ? std::max(std::abs(own), 1.0)
+                                                              : high == infinity ? 2 * low
+                                                              : low == 0         ? high / 2
+                                                                                 : std::sqrt(low * high);
+    }
+    const auto excluded = excluded_by_counts(probes, crossings);
+    std::vector<Interval> intervals;
+    for (std::size_t i = 0; i < probes.size(); ++i) {
+        if (excluded[i] || !is_stable(probes[i])) continue;
+        if (!intervals.empty() && intervals.back().high == bounds[i])
+            intervals.back().high = bounds[i + 1];
         else
-            intervals.push_back({low, high});
+            intervals.push_back({bounds[i], bounds[i + 1]});
     }
     return intervals;
 }

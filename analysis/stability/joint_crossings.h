@@ -16,7 +16,7 @@ std::vector<Crossing> rational_crossings(const LinearJoint& joint, Gain gain);
 CrossingSearch crossings(const LinearJoint& joint);
 
 /// The open intervals of the gain, from 0 up to `searched_to`, in which the joint is stable, decided by is_stable
-/// between neighbouring crossings.
+/// between neighbouring crossings, and among many by the roots that each crossing takes over the axis.
 std::vector<Interval> stable_intervals(const LinearJoint& joint, const std::vector<Crossing>& crossings,
                                        double searched_to, Gain gain = Gain::k_p);
 

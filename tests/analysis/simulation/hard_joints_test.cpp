@@ -147,3 +147,12 @@ TEST_CASE("lanes find the lowest speed of a stiff cycle as finely as CVODE that 
     CHECK(rows[0].velocity_min == Approx(truth.velocity_min).epsilon(1e-5));
     CHECK(rows[0].velocity_max == Approx(truth.velocity_max).epsilon(1e-5));
 }
+
+TEST_CASE("turns that take no time are no cycle")
+{
+    const auto joint = joint_with(stribeck(15, 5, 300, 100, 1), 1, 2e4, 10, 1e-150);
+    const auto verdict = nonlinear_verdict(joint, {});
+    CHECK(verdict.region == NonlinearRegion::undecided);
+    CHECK(verdict.reason == Reason::not_converged);
+    CHECK(std::isnan(verdict.period));
+}

@@ -56,6 +56,25 @@ TEST_CASE("a time lag has windows of stable gains", "[stability]")
     CHECK(enough.stable);
 }
 
+TEST_CASE("among many crossings the stable windows are those that a look at every gap finds", "[stability]")
+{
+    const double V0 = 1e-2 / std::sqrt(2.0);
+    for (const double k_v : {0.0, 60.0, 95.0}) {
+        const auto joint = with_law(falling(2e-2), V0, k_v, 1e5);
+        const auto verdict = linear_verdict(joint).state_variable;
+        CAPTURE(k_v);
+        REQUIRE(verdict.crossings.size() > 10);
+        for (std::size_t i = 0; i + 1 < verdict.crossings.size(); ++i) {
+            const double low = verdict.crossings[i].k_p, high = verdict.crossings[i + 1].k_p;
+            const double k_p = std::sqrt(low * high);
+            bool inside = false;
+            for (const auto& w : verdict.stable_intervals) inside = inside || (w.low < k_p && k_p < w.high);
+            const auto there = linear_verdict(with_law(falling(2e-2), V0, k_v, k_p)).state_variable;
+            CHECK((there.spectral_abscissa < 0) == inside);
+        }
+    }
+}
+
 TEST_CASE("roots of a lagging joint solve the characteristic equation, and none lies further right", "[stability]")
 {
     const double V0 = 1e-2 / std::sqrt(2.0);

@@ -1,6 +1,7 @@
 // What a nonlinear sweep says against its own linear chart.
 #include <catch2/catch.hpp>
 
+#include "tests/example_joint.h"
 #include "tests/program/run.h"
 
 using namespace program;
@@ -9,24 +10,8 @@ TEST_CASE("a report says where the linear chart is wrong, and by how much")
 {
     // a continuation program puts k_cr at 19449 N/m and the fold at 24849 N/m for k_v = 47.5 N·s/m, 1.278 times as much
     const Folder folder;
-    const auto spec = folder.write("spec.toml", R"(title = "strip"
-[joint]
-motion = "prismatic"
-model = "single-mass"
-inertia = 1.0
-[control]
-kind = "position"
-k_p = 2.2e4
-k_v = 47.5
-V0 = 1.0e-2
-[friction]
-law = "rate-and-state"
-f0 = 60.0
-A = 1.0
-B = 1.5
-L = 1.0e-5
-V_star = 1.0e-3
-[axes]
+    const auto spec =
+        folder.write("spec.toml", "title = \"strip\"\n" + example_joint_text(1, 2.2e4, 47.5, 1e-2) + R"([axes]
 "control.k_p" = { from = 1e4, to = 4e4, points = 15, scale = "log" }
 "control.k_v" = { from = 45.0, to = 47.5, points = 5 }
 [nonlinear]
@@ -48,24 +33,7 @@ enabled = true
 TEST_CASE("a report without bistable points finds no fault with its linear chart")
 {
     const Folder folder;
-    const auto spec = folder.write("spec.toml", R"(title = "supercritical"
-[joint]
-motion = "prismatic"
-model = "single-mass"
-inertia = 1.0
-[control]
-kind = "position"
-k_p = 6.0e4
-k_v = 0.0
-V0 = 1.0e-3
-[friction]
-law = "rate-and-state"
-f0 = 60.0
-A = 1.0
-B = 1.5
-L = 1.0e-5
-V_star = 1.0e-3
-[axes]
+    const auto spec = folder.write("spec.toml", example_joint_text(1, 6e4, 0, 1e-3) + R"([axes]
 "control.k_p" = { from = 1e4, to = 1e5, points = 15, scale = "log" }
 "control.V0" = { from = 1e-3, to = 1e-2, points = 5, scale = "log" }
 [nonlinear]

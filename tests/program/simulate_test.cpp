@@ -5,6 +5,7 @@
 #include <sstream>
 #include <vector>
 
+#include "tests/example_joint.h"
 #include "tests/program/run.h"
 
 using namespace program;
@@ -13,23 +14,7 @@ namespace {
 
 /// β = 1.5, M = 1 at 0.9 k_cr: a continuation program gives its cycle the period 9.54321087 L/V_0 and ln(V/V_0) within
 /// [−0.473805, 0.371977].
-constexpr const char* known_cycle = R"([joint]
-motion = "prismatic"
-model = "single-mass"
-inertia = 10.0
-[control]
-kind = "position"
-k_p = 9.0e4
-k_v = 0.0
-V0 = 1.0e-3
-[friction]
-law = "rate-and-state"
-f0 = 60.0
-A = 1.0
-B = 1.5
-L = 1.0e-5
-V_star = 1.0e-3
-)";
+const std::string known_cycle = example_joint_text(10, 9e4, 0, 1e-3);
 
 /// The column with this number of a table whose first line is a header.
 std::vector<double> column(const std::string& csv, int number)

@@ -3,6 +3,8 @@
 #include "sweep/check/boundaries.h"
 #include "sweep/files/spec_file.h"
 
+#include "tests/example_joint.h"
+
 #include <catch2/catch.hpp>
 
 using namespace stickslip;
@@ -33,25 +35,7 @@ Deviation::Kind compared(const WatchedBoundary& stored, const WatchedBoundary& n
 }
 
 /// One chart of the bistable strip, small enough for a test; at 10 mm/s with a disturbance of 20 slip distances.
-constexpr const char* strip = R"(
-title = "strip"
-[joint]
-motion = "prismatic"
-model = "single-mass"
-inertia = 1.0
-[control]
-kind = "position"
-k_p = 2.2e4
-k_v = 47.5
-V0 = 1.0e-2
-[friction]
-law = "rate-and-state"
-f0 = 60.0
-A = 1.0
-B = 1.5
-L = 1.0e-5
-V_star = 1.0e-3
-[axes]
+const std::string strip = "title = \"strip\"\n" + example_joint_text(1, 2.2e4, 47.5, 1e-2) + R"([axes]
 "control.k_p" = { from = 1.5e4, to = 3e4, points = 5 }
 [nonlinear]
 enabled = true
@@ -102,14 +86,13 @@ TEST_CASE("folds are watched where nonlinear outcomes are, in an order that no t
 
 TEST_CASE("a stated tolerance holds for every kind", "[check]")
 {
-    const Spec spec = read_spec_text(std::string(strip) + "[check]\ntolerance = 0.01\n", "strip");
+    const Spec spec = read_spec_text(strip + "[check]\ntolerance = 0.01\n", "strip");
     for (const auto& w : watched_boundaries(spec, forwards)) CHECK(w.tolerance == 0.01);
 }
 
 TEST_CASE("outcomes are watched where a disturbance has a size, to their own precision", "[check]")
 {
-    const Spec spec =
-        read_spec_text(std::string(strip) + "disturbance = { kind = \"position\", size = 2e-4 }\n", "strip");
+    const Spec spec = read_spec_text(strip + "disturbance = { kind = \"position\", size = 2e-4 }\n", "strip");
     std::vector<WatchedBoundary> outcomes;
     for (const auto& w : watched_boundaries(spec, forwards))
         if (w.theory == "outcome") outcomes.push_back(w);

@@ -1,6 +1,7 @@
 #include "sweep/check/baseline_file.h"
 
 #include "sweep/files/bad_input.h"
+#include "sweep/files/whole_file.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -57,18 +58,6 @@ const char* side(const WatchedBoundary& w)
     return w.point.direction < 0 ? "above" : w.point.direction > 0 ? "below" : "on a side that is not told, at";
 }
 
-void write_file(const std::filesystem::path& file, const std::string& text)
-{
-    const auto temporary = std::filesystem::path(file).concat(".part");
-    std::ofstream out(temporary, std::ios::binary);
-    out << text;
-    out.close();
-    std::error_code error;
-    if (out) std::filesystem::rename(temporary, file, error);
-    if (!out || error)
-        throw BadInput(fmt::format("{}: cannot be written{}", file.string(), error ? ": " + error.message() : ""));
-}
-
 std::string escaped(const std::string& text)
 {
     std::string out;
@@ -120,7 +109,7 @@ void write_baseline(const std::filesystem::path& file, const std::string& title,
 {
     Json json = {{"format", format_name}, {"title", title}, {"boundaries", Json::array()}};
     for (const auto& w : watched) json["boundaries"].push_back(json_of(w));
-    write_file(file, json.dump(1) + "\n");
+    write_whole(file, json.dump(1) + "\n");
 }
 
 std::string describe(const Deviation& d)
@@ -163,9 +152,9 @@ void write_junit(const std::filesystem::path& file, const std::string& title, co
                              escaped((appeared ? d.now : d.stored).name()));
         cases += within ? "/>\n" : fmt::format("><failure message=\"{}\"/></testcase>\n", escaped(describe(d)));
     }
-    write_file(file, fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" tests=\"{}\" "
-                                 "failures=\"{}\">\n{}</testsuite>\n",
-                                 escaped(title), deviations.size(), failed, cases));
+    write_whole(file, fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" tests=\"{}\" "
+                                  "failures=\"{}\">\n{}</testsuite>\n",
+                                  escaped(title), deviations.size(), failed, cases));
 }
 
 }  // namespace stickslip

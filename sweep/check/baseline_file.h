@@ -11,7 +11,8 @@ namespace stickslip {
 /// Reads a baseline. Throws BadInput naming file and position for anything that is not one.
 std::vector<WatchedBoundary> read_baseline(const std::filesystem::path& file);
 
-/// Writes a baseline beside the old one, then replaces it. Throws BadInput if the place cannot be written.
+/// Writes a baseline beside the old one, then replaces it. Throws
+/// std::filesystem::filesystem_error if the place cannot be written.
 void write_baseline(const std::filesystem::path& file, const std::string& title,
                     const std::vector<WatchedBoundary>& watched);
 

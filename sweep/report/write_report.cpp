@@ -2,28 +2,11 @@
 
 #include "render/render.h"
 #include "sweep/files/joint_file.h"
+#include "sweep/files/whole_file.h"
 
 #include <tbb/task_group.h>
 
-#include <fstream>
-#include <system_error>
-
 namespace stickslip {
-namespace {
-
-/// The file appears under its name only when all of it is written.
-void write_whole(const std::filesystem::path& file, const std::string& bytes)
-{
-    const auto temporary = std::filesystem::path(file).concat(".part");
-    std::ofstream out(temporary, std::ios::binary);
-    out << bytes;
-    out.close();
-    if (!out) throw std::system_error(errno, std::generic_category(), file.string() + ": cannot be written");
-    std::filesystem::rename(temporary, file);
-}
-
-}  // namespace
-
 std::filesystem::path write_report(const Report& report, const std::filesystem::path& directory)
 {
     const auto charts = directory / "charts";

@@ -8,7 +8,7 @@
 namespace stickslip {
 
 /// Renders the report into the directory, each file whole or not at all, and returns the path of the page.
-/// Throws std::system_error if it cannot be written.
+/// Throws std::filesystem::filesystem_error if it cannot be written.
 std::filesystem::path write_report(const Report& report, const std::filesystem::path& directory);
 
 /// The report of a sweep, and beside it joint.toml: the design, on which the page's commands run.

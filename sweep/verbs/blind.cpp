@@ -2,6 +2,7 @@
 // answers.
 #include "sweep/blind/score.h"
 #include "sweep/files/bad_input.h"
+#include "sweep/files/whole_file.h"
 #include "sweep/program.h"
 #include "sweep/verbs/verbs.h"
 
@@ -165,7 +166,7 @@ int run_cases(const Options& options, Invocation& invocation)
     for (auto& [name, answer] : answers) all[name] = answer;
     const fs::path file =
         options.answers.empty() ? fs::path(options.directory) / "answers.json" : fs::path(options.answers);
-    std::ofstream(file) << all.dump(2) << "\n";
+    write_whole(file, all.dump(2) + "\n");
     for (const auto& [name, answer] : answers)
         if (answer["verdict"] == "failed")
             fmt::print(stderr, "{} failed: {}\n", name, answer.value("log", std::string("no log")));
@@ -174,7 +175,7 @@ int run_cases(const Options& options, Invocation& invocation)
     if (options.truth.empty()) return exit_done;
     const auto score = blind::score(blind::parse_answers(all.dump()), blind::parse_truths(read_text(options.truth)));
     fmt::print("{}", blind::score_text(score));
-    if (!options.score.empty()) std::ofstream(options.score) << blind::score_json(score) << "\n";
+    if (!options.score.empty()) write_whole(options.score, blind::score_json(score) + "\n");
     return exit_done;
 }
 

@@ -2,6 +2,7 @@
 #include "sweep/files/asked_axes.h"
 #include "sweep/files/bad_input.h"
 #include "sweep/files/boundary_json.h"
+#include "sweep/files/whole_file.h"
 #include "sweep/program.h"
 #include "sweep/report/verdict_text.h"
 #include "sweep/report/write_report.h"
@@ -12,7 +13,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <fstream>
 #include <memory>
 
 namespace stickslip {
@@ -77,14 +77,6 @@ void choose_axes(const Asked& asked, std::vector<Axis>& rays, std::vector<std::a
         if (axis.values.size() > 1) rays.push_back(axis_from(asked, axis.path, "--along"));
     for (const auto& [x, y] : spec.report.charts)
         charts.push_back({axis_from(asked, x, "--over"), axis_from(asked, y, "--over")});
-}
-
-void write_text(const std::filesystem::path& file, const std::string& text)
-{
-    std::ofstream out(file, std::ios::binary);
-    out << text;
-    out.close();
-    if (!out) throw BadInput(file.string() + ": cannot be written");
 }
 
 int locate(const Options& options, const Invocation& invocation)
@@ -179,9 +171,8 @@ int locate(const Options& options, const Invocation& invocation)
         fmt::print("  could be missed: {}\n", could_be_missed(c));
     }
     if (!options.directory.empty()) {
-        std::filesystem::create_directories(options.directory);
-        write_text(std::filesystem::path(options.directory) / "boundary.json", json.dump(1) + "\n");
-        write_text(std::filesystem::path(options.directory) / "boundary.csv", boundary_csv(answer));
+        write_whole(std::filesystem::path(options.directory) / "boundary.json", json.dump(1) + "\n");
+        write_whole(std::filesystem::path(options.directory) / "boundary.csv", boundary_csv(answer));
         const auto page = write_report(boundary_report(answer, parallel_for_each), options.directory);
         if (!options.json) fmt::print("report: {}\n", page.string());
     }

@@ -2,6 +2,7 @@
 #include "sweep/files/asked_axes.h"
 #include "sweep/files/bad_input.h"
 #include "sweep/files/requirements_file.h"
+#include "sweep/files/whole_file.h"
 #include "sweep/program.h"
 #include "sweep/report/design_report.h"
 #include "sweep/report/verdict_text.h"
@@ -11,7 +12,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <memory>
 
 namespace stickslip {
@@ -84,12 +84,7 @@ int design(const Options& options, const Invocation& invocation)
         }
     }
     if (!options.directory.empty()) {
-        std::filesystem::create_directories(options.directory);
-        const auto file = std::filesystem::path(options.directory) / "design.json";
-        std::ofstream out(file, std::ios::binary);
-        out << json.dump(1) << "\n";
-        out.close();
-        if (!out) throw BadInput(file.string() + ": cannot be written");
+        write_whole(std::filesystem::path(options.directory) / "design.json", json.dump(1) + "\n");
         const auto page = write_report(design_report(answer), options.directory);
         if (!options.json) fmt::print("\nreport: {}\n", page.string());
     }

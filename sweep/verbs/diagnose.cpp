@@ -7,6 +7,7 @@
 #include "sweep/files/joint_file.h"
 #include "sweep/files/outcome_file.h"
 #include "sweep/files/record_file.h"
+#include "sweep/files/whole_file.h"
 #include "sweep/program.h"
 #include "sweep/report/diagnosis_report.h"
 #include "sweep/report/outcome_report.h"
@@ -19,7 +20,6 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 namespace stickslip {
@@ -32,19 +32,12 @@ struct Options {
     bool json = false, no_report = false;
 };
 
-void write_text(const std::filesystem::path& file, const std::string& text)
-{
-    std::ofstream out(file, std::ios::binary);
-    out << text;
-    if (!out.flush()) throw BadInput(file.string() + ": cannot be written");
-}
-
 void write_experiment(const std::filesystem::path& file, const NextExperiment& experiment)
 {
     std::string text = "time,reference_position\n";
     for (std::size_t k = 0; k < experiment.time.size(); ++k)
         text += fmt::format("{},{}\n", experiment.time[k], experiment.reference[k]);
-    write_text(file, text);
+    write_whole(file, text);
 }
 
 /// The settings that would tell two laws apart, in the columns of the table.
@@ -55,7 +48,7 @@ void write_next_outcome(const std::filesystem::path& file, const gap::OutcomeAns
         header += answer.outcomes.table.paths[k] + ",";
         row += fmt::format("{},", answer.next.settings[k]);
     }
-    write_text(file, header + "outcome\n" + row + "\n");
+    write_whole(file, header + "outcome\n" + row + "\n");
 }
 
 gap::ParallelFor on_threads()
@@ -97,13 +90,12 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
     d.notes.insert(d.notes.begin(), warnings.begin(), warnings.end());
     d.next_experiment.description = next_outcome_text(answer);
     const std::filesystem::path directory = options.directory;
-    std::filesystem::create_directories(directory);
     auto json = diagnosis_json(d, joint, answer.after);
     if (!answer.next.settings.empty()) {
         json["next_experiment"]["file"] = "next-outcome.csv";
         write_next_outcome(directory / "next-outcome.csv", answer);
     }
-    write_text(directory / "diagnosis.json", json.dump(2) + "\n");
+    write_whole(directory / "diagnosis.json", json.dump(2) + "\n");
     if (!options.no_report)
         write_report(outcome_report(answer, joint, {{"version", program_version()}, {"command", invocation.command}}),
                      directory);
@@ -167,9 +159,8 @@ int diagnose(const Options& options, const Invocation& invocation)
     d.notes.insert(d.notes.begin(), warnings.begin(), warnings.end());
 
     const std::filesystem::path directory = options.directory;
-    std::filesystem::create_directories(directory);
     const auto json = diagnosis_json(d, joint, result.after);
-    write_text(directory / "diagnosis.json", json.dump(2) + "\n");
+    write_whole(directory / "diagnosis.json", json.dump(2) + "\n");
     if (!d.next_experiment.reference.empty()) write_experiment(directory / "next-experiment.csv", d.next_experiment);
     if (!options.no_report)
         write_report(

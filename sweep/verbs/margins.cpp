@@ -2,6 +2,7 @@
 #include "sweep/files/asked_axes.h"
 #include "sweep/files/bad_input.h"
 #include "sweep/files/requirements_file.h"
+#include "sweep/files/whole_file.h"
 #include "sweep/program.h"
 #include "sweep/report/margins_report.h"
 #include "sweep/report/verdict_text.h"
@@ -11,7 +12,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <memory>
 
 namespace stickslip {
@@ -60,12 +60,7 @@ int margins(const Options& options, const Invocation& invocation)
                        answer.robust->points());
     }
     if (!options.directory.empty()) {
-        std::filesystem::create_directories(options.directory);
-        const auto file = std::filesystem::path(options.directory) / "margins.json";
-        std::ofstream out(file, std::ios::binary);
-        out << json.dump(1) << "\n";
-        out.close();
-        if (!out) throw BadInput(file.string() + ": cannot be written");
+        write_whole(std::filesystem::path(options.directory) / "margins.json", json.dump(1) + "\n");
         const auto page = write_report(margins_report(answer), options.directory);
         if (!options.json) fmt::print("report: {}\n", page.string());
     }

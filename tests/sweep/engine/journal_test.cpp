@@ -1,14 +1,12 @@
 // Whatever happens to a journal, a chunk is either there bit for bit or is computed again.
 #include "sweep/engine/journal.h"
 
-#include <sys/resource.h>
-
 #include <catch2/catch.hpp>
-#include <csignal>
 #include <cstring>
 #include <random>
 
 #include "sample_sweep.h"
+#include "tests/sweep/file_size_limit.h"
 
 using namespace sample;
 
@@ -193,32 +191,6 @@ TEST_CASE("packed rows come back as they were, all columns")
             }
     }
 }
-
-namespace {
-
-/// Stands for a full disk: no file of this process may grow beyond the limit, and writing says so instead of killing
-/// it.
-class FileSizeLimit {
-  public:
-    explicit FileSizeLimit(rlim_t most)
-    {
-        getrlimit(RLIMIT_FSIZE, &before_);
-        handler_ = std::signal(SIGXFSZ, SIG_IGN);
-        const rlimit limit{most, before_.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~FileSizeLimit()
-    {
-        setrlimit(RLIMIT_FSIZE, &before_);
-        std::signal(SIGXFSZ, handler_);
-    }
-
-  private:
-    rlimit before_{};
-    void (*handler_)(int);
-};
-
-}  // namespace
 
 TEST_CASE("a full disk ends the run in words, loses nothing, and the same run goes on when there is room")
 {

@@ -1,0 +1,48 @@
+// Files of the program appear whole, or what stood there stays.
+#include "sweep/files/whole_file.h"
+#include "tests/sweep/engine/sample_sweep.h"
+#include "tests/sweep/file_size_limit.h"
+
+#include <catch2/catch.hpp>
+
+using namespace stickslip;
+
+namespace {
+
+std::string content(const std::filesystem::path& file)
+{
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+TEST_CASE("a file is replaced whole, and its folders are made")
+{
+    const sample::TemporaryDirectory folder;
+    const auto file = folder / "new/design.json";
+    write_whole(file, "one");
+    write_whole(file, std::string_view("t\0wo", 4));
+    CHECK(content(file) == std::string("t\0wo", 4));
+    CHECK(std::distance(std::filesystem::directory_iterator(folder / "new"), {}) == 1);
+}
+
+TEST_CASE("on a full disk the old file stays, and the reason is told")
+{
+    const sample::TemporaryDirectory folder;
+    const auto file = folder / "design.json";
+    write_whole(file, "old");
+    const std::string large(1 << 20, 'x');
+    {
+        const FileSizeLimit full_disk(1000);
+        try {
+            write_whole(file, large);
+            FAIL("a full disk took a file");
+        } catch (const std::filesystem::filesystem_error& e) {
+            CHECK(e.path1() == file);
+            CHECK(e.code() == std::errc::file_too_large);
+        }
+    }
+    CHECK(content(file) == "old");
+    CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
+}

@@ -14,6 +14,8 @@ class Controller {
     {
     }
 
+    /// Forgets what it has read.
+    void restart() { count_ = 0, velocity_ = 0; }
     /// A new reading, one step after the last. `exact` is used where the estimate is the exact velocity.
     void read(double position, double step, double exact)
     {

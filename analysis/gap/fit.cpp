@@ -114,7 +114,8 @@ Evaluation evaluate(const std::vector<Case>& cases, const Candidate& candidate, 
     scaled.clear();
     Innovation innovation;
     for (const auto& c : cases) {
-        const Plant plant = flatten(edited(c.joint, candidate, si, c.number));
+        Plant plant = flatten(edited(c.joint, candidate, si, c.number));
+        plant.step_factor = c.step_factor;
         const auto command = known_command(plant, c.ticks);
         predict(plant, c.ticks, command, omega, innovation);
         const double per_floor = 1 / (c.sigma * std::sqrt(noise_amplification(omega, c.row_step)));
@@ -123,8 +124,7 @@ Evaluation evaluate(const std::vector<Case>& cases, const Candidate& candidate, 
         for (std::size_t k = 0; k < c.ticks.size(); ++k)
             if (c.ticks.logged[k]) {
                 const double e = innovation.position[k] * per_floor;
-                const bool skipped = c.ticks.time[k] >= c.skip_from && c.ticks.time[k] < c.skip_to;
-                scaled.push_back(skipped ? 0 : std::isfinite(e) ? std::clamp(e, -far, far) : far);
+                scaled.push_back(!c.judged(k) ? 0 : std::isfinite(e) ? std::clamp(e, -far, far) : far);
             }
         const std::size_t rows = scaled.size() - begin;
         Misfit misfit;
@@ -133,8 +133,7 @@ Evaluation evaluate(const std::vector<Case>& cases, const Candidate& candidate, 
             for (std::size_t k = 0; k < c.ticks.size(); ++k)
                 if (c.ticks.logged[k]) {
                     const double e = innovation.effort[k] / c.effort_sigma;
-                    const bool skipped = c.ticks.time[k] >= c.skip_from && c.ticks.time[k] < c.skip_to;
-                    scaled.push_back(!skipped && std::isfinite(e) ? std::clamp(e, -far, far) : 0);
+                    scaled.push_back(c.judged(k) && std::isfinite(e) ? std::clamp(e, -far, far) : 0);
                 }
             misfit.effort = add_blocks(scaled, begin + rows, rows, block, result.objective);
         }

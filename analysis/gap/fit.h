@@ -20,6 +20,12 @@ struct Case {
     bool supply_logged = false;
     bool noise_documented = true;                      ///< the sensor's own numbers set the floor
     double skip_from = infinity, skip_to = -infinity;  ///< s; rows held out of the fit
+    double step_factor = 1;                            ///< longer time steps for a first look
+    bool judged(std::size_t tick) const
+    {
+        return !(ticks.time[tick] >= skip_from && ticks.time[tick] < skip_to) &&
+               (ticks.judged.empty() || ticks.judged[tick]);
+    }
 };
 
 /// Bandwidths of the observer, rad/s: the horizons over which a prediction has to hold (9, 20 and 50 ms, in 1/ω).

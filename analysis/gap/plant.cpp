@@ -114,7 +114,7 @@ int substeps(const Plant& p, double tick)
         step = std::clamp(period_part, 15e-6, 0.125e-3);
         if (p.backlash > 0) step = std::min(step, 0.0625e-3);
     }
-    return std::clamp(static_cast<int>(std::ceil(tick / step - 1e-9)), 1, 400);
+    return std::clamp(static_cast<int>(std::ceil(tick / (step * p.step_factor) - 1e-9)), 1, 400);
 }
 
 }  // namespace stickslip::gap

@@ -35,6 +35,7 @@ struct Plant {
     Control control;
     Sensor sensor;
     bool feedback_link = false;
+    double step_factor = 1;  ///< by which time steps are longer than accuracy asks for
 
     bool dc_motor() const { return actuator.kind == ActuatorKind::dc_motor; }
 };

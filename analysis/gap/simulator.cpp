@@ -67,10 +67,12 @@ class Mechanics {
 
     State state;
 
-    void start(double reading)
+    /// Begins at tick k with this velocity.
+    void start(std::size_t k, double velocity)
     {
-        const double q = (reading - plant_.sensor.position_offset) / plant_.sensor.position_scale;
-        const double v = ticks_.initial_velocity / plant_.sensor.position_scale;
+        const double q = (ticks_.position[k] - plant_.sensor.position_offset) / plant_.sensor.position_scale;
+        const double v = velocity / plant_.sensor.position_scale;
+        state = {};
         state.motor = settled(plant_.motor, std::abs(v));
         state.link = settled(plant_.link, std::abs(v));
         if (!plant_.two_mass) {
@@ -79,7 +81,7 @@ class Mechanics {
             return;
         }
         const double link = plant_.feedback_link ? q : q / plant_.ratio;
-        const double stretch = -load_force(plant_.load, link, ticks_.time.front()) / plant_.stiffness;
+        const double stretch = -load_force(plant_.load, link, ticks_.time[k]) / plant_.stiffness;
         const double play = plant_.backlash == 0 || stretch == 0 ? 0 : std::copysign(0.5 * plant_.backlash, stretch);
         if (plant_.feedback_link) {
             state.link_position = q;
@@ -177,7 +179,7 @@ Trace closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t seed)
     Noise noise(seed);
     const Sensor& sensor = plant.sensor;
     Mechanics mechanics(plant, ticks, out.command);
-    mechanics.start(ticks.position[0]);
+    mechanics.start(0, ticks.initial_velocity);
     Controller controller(plant.control);
     for (std::size_t k = 0; k < n; ++k) {
         const double q = mechanics.seen_position();
@@ -221,7 +223,9 @@ std::vector<double> command_of(const Plant& plant, const Ticks& ticks)
     const auto logged_velocity = ticks.ticks_per_row > 1 && !ticks.rebuilt && ticks.has_velocity
                                      ? velocity_between_rows(ticks)
                                      : std::vector<double>();
+    auto restart = ticks.restarts.begin();
     for (std::size_t k = 0; k < ticks.size(); ++k) {
+        if (restart != ticks.restarts.end() && restart->tick == k) controller.restart(), ++restart;
         const double exact = is_set(ticks.velocity[k]) ? ticks.velocity[k]
                              : k == 0                  ? 0
                                       : (ticks.position[k] - ticks.position[k - 1]) / ticks.step[k - 1];
@@ -257,9 +261,14 @@ void predict(const Plant& plant, const Ticks& ticks, std::span<const double> com
     out.predicted_effort.resize(n);
     if (n == 0) return;
     Mechanics mechanics(plant, ticks, command);
-    mechanics.start(ticks.position[0]);
+    mechanics.start(0, ticks.initial_velocity);
     double since = 0;  // time since the last correction
+    auto restart = ticks.restarts.begin();
     for (std::size_t k = 0; k < n; ++k) {
+        if (restart != ticks.restarts.end() && restart->tick == k) {
+            mechanics.start(k, restart->velocity);
+            ++restart, since = 0;
+        }
         if (ticks.logged[k]) {
             const double predicted =
                 plant.sensor.position_scale * mechanics.seen_position() + plant.sensor.position_offset;

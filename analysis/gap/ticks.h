@@ -16,6 +16,12 @@ enum class CommandSource {
     none            ///< neither a command nor a reference: only a rig's friction can be judged
 };
 
+/// Where a prediction starts anew, because the ticks before it were left out.
+struct Restart {
+    std::size_t tick = 0;
+    double velocity = 0;
+};
+
 /// Arrays of one length, one entry a tick. Ticks between two rows of a slower log have logged = 0.
 struct Ticks {
     std::string name;
@@ -27,7 +33,9 @@ struct Ticks {
     std::vector<double> effort;                     ///< measured, NaN where it was not
     std::vector<double> supply;                     ///< V, NaN unknown
     std::vector<std::uint8_t> enabled, logged;
-    std::vector<std::size_t> jumps;  ///< ticks with a row after which the reference jumps before the next row
+    std::vector<std::size_t> jumps;    ///< ticks with a row after which the reference jumps before the next row
+    std::vector<Restart> restarts;     ///< none in a whole record
+    std::vector<std::uint8_t> judged;  ///< empty: every row; else 0 where a prediction has only just started anew
     CommandSource source = CommandSource::none;
     int ticks_per_row = 1;
     bool regular = true;   ///< equal steps

@@ -1,0 +1,139 @@
+#include "analysis/gap/search.h"
+
+#include "analysis/gap/excerpt.h"
+
+#include <algorithm>
+
+namespace stickslip::gap {
+namespace {
+
+constexpr std::size_t refine_ticks = 45000;
+
+}  // namespace
+
+bool jagged(const Candidate& candidate)
+{
+    return std::any_of(candidate.forms.begin(), candidate.forms.end(), [](const auto* f) { return f->rough; });
+}
+
+bool two_mass_edit(const Candidate& candidate)
+{
+    return std::any_of(candidate.effects.begin(), candidate.effects.end(),
+                       [](const auto* e) { return e->name == "compliance" || e->name == "backlash"; });
+}
+
+bool better(const Attribution& a, const Attribution& b)
+{
+    return a.score < b.score;
+}
+
+LevelFit improve(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales,
+                 const Eigen::VectorXd& x, double omega, int effort, int descents)
+{
+    if (jagged(candidate))
+        return search_rough(cases, candidate, scales, x, omega, effort * static_cast<int>(candidate.parameter_count()));
+    return descend(cases, candidate, scales, x, omega, descents);
+}
+
+LevelFit best_of(const std::vector<Case>& cases, const Scales& scales, const Candidate& candidate,
+                 const std::vector<Eigen::VectorXd>& from, double omega, int effort, int descents)
+{
+    std::vector<std::pair<double, std::size_t>> order;
+    constexpr std::size_t few = 3;
+    const bool rough = from.size() > few || jagged(candidate);
+    for (std::size_t i = 0; i < from.size(); ++i)
+        order.emplace_back(rough ? evaluate(cases, candidate, in_si(candidate, from[i], scales), omega).objective : 0,
+                           i);
+    std::stable_sort(order.begin(), order.end());
+    if (rough && order.size() > 2) order.resize(2);
+    LevelFit best;
+    int evaluations = rough ? static_cast<int>(from.size()) : 0;
+    for (const auto& [objective, i] : order) {
+        auto fit = improve(cases, candidate, scales, from[i], omega, effort, descents);
+        evaluations += fit.evaluations;
+        if (best.x.size() == 0 || fit.evaluation.objective < best.evaluation.objective) best = std::move(fit);
+    }
+    best.evaluations = evaluations;
+    return best;
+}
+
+Attribution as_screened(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
+                        const Candidate& candidate, const LevelFit& screened)
+{
+    Attribution a;
+    a.candidate = candidate;
+    a.screened = screened.evaluation.objective;
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+        a.x[l] = screened.x;
+        a.evaluation[l] = evaluate(cases, candidate, in_si(candidate, screened.x, scales), levels[l]);
+    }
+    a.evaluations = screened.evaluations + static_cast<int>(levels.size());
+    a.information = screened.information;
+    judge(a, nominal);
+    return a;
+}
+
+namespace {
+
+/// Carries a screened candidate through all levels, fastest first.
+void refine(const std::vector<Case>& cases, const std::vector<Case>& part, const Scales& scales, const Nominal& nominal,
+            Attribution& a)
+{
+    const Attribution screened = a;
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+        std::vector<Eigen::VectorXd> from{screened.x[l]};
+        if (l > 0 && a.x[l - 1] != screened.x[l]) from.push_back(a.x[l - 1]);
+        std::size_t start = 0;
+        double least = infinity;
+        for (std::size_t i = 0; i < from.size(); ++i)
+            if (const double o = evaluate(part, a.candidate, in_si(a.candidate, from[i], scales), levels[l]).objective;
+                o < least)
+                least = o, start = i;
+        auto fit = improve(part, a.candidate, scales, from[start], levels[l], 12);
+        a.evaluations += fit.evaluations;
+        // the middle level's numbers are the ones that are told: they and their errors come from all data
+        if (l == 1 && !jagged(a.candidate))
+            fit = descend(cases, a.candidate, scales, fit.x, levels[l], 1);
+        else
+            fit.evaluation = evaluate(cases, a.candidate, in_si(a.candidate, fit.x, scales), levels[l]);
+        a.x[l] = fit.x;
+        a.evaluation[l] = fit.evaluation;
+        if (l == 1 && fit.information.size()) a.information = fit.information;
+    }
+    judge(a, nominal);
+}
+
+}  // namespace
+
+void refine_best(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
+                 std::vector<Attribution>& ranked, std::size_t most, const ParallelFor& parallel)
+{
+    constexpr std::size_t few = 3;
+    constexpr double behind = 0.25;  // of score; rivals matter within a tenth of that
+    const auto part = excerpts(cases, levels[1], refine_ticks, 1);
+    const auto some = [&](std::size_t from, std::size_t to) {
+        parallel(to - from, [&](std::size_t i) {
+            Attribution& a = ranked[from + i];
+            if (!a.refined) refine(cases, part, scales, nominal, a);
+            a.refined = true;
+        });
+        std::stable_sort(ranked.begin(), ranked.end(), better);
+    };
+    most = std::min(most, ranked.size());
+    some(0, std::min(few, most));
+    while (most > few && !ranked.empty() && ranked[0].accepted && ranked[most - 1].score > ranked[0].score + behind)
+        --most;
+    some(0, most);
+}
+
+double screening_level(const Nominal& nominal)
+{
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+        double excess = 0;
+        for (const auto& m : nominal.evaluation[l].records) excess = std::max({excess, m.position - 1, m.effort - 1});
+        if (excess > 0.3) return levels[l];
+    }
+    return levels.back();
+}
+
+}  // namespace stickslip::gap

@@ -5,16 +5,16 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
-#include <functional>
 #include <numbers>
 
 namespace stickslip {
 namespace {
 
 constexpr double integral_precision = 1e-6;
-constexpr int deepest = 18;     ///< halvings of an interval of the integral
-constexpr double highest = 20;  ///< times the Nyquist frequency, beyond which the held noise moves nothing
+constexpr unsigned deepest = 10;  ///< halvings of a piece of the integral
+constexpr double highest = 20;    ///< times the Nyquist frequency, beyond which the held noise moves nothing
 
 /// X_link/U(s) of the closed loop: where the command's noise enters is where the controller acts.
 Complex command_response(const LinearJoint& j, Complex s)
@@ -57,30 +57,14 @@ double command_spectrum(const LinearJoint& j, const SensorNoise& n, double phase
     return x * std::norm(j.k_p + j.k_v * e.filter * e.difference);
 }
 
-using Function = std::function<double(double)>;
-
-double simpson(const Function& f, double a, double fa, double m, double fm, double b, double fb, double tolerance,
-               int depth)
-{
-    const double l = (a + m) / 2, r = (m + b) / 2, fl = f(l), fr = f(r);
-    const double whole = (b - a) / 6 * (fa + 4 * fm + fb);
-    const double halves = (b - a) / 12 * (fa + 4 * fl + 2 * fm + 4 * fr + fb);
-    if (depth == 0 || std::abs(halves - whole) <= 15 * tolerance) return halves + (halves - whole) / 15;
-    return simpson(f, a, fa, l, fl, m, fm, tolerance / 2, depth - 1) +
-           simpson(f, m, fm, r, fr, b, fb, tolerance / 2, depth - 1);
-}
-
+/// Over pieces within which f is smooth.
+template <class Function>
 double integral(const Function& f, const std::vector<double>& breaks)
 {
-    double estimate = 0;
-    for (std::size_t i = 1; i < breaks.size(); ++i)
-        estimate += (breaks[i] - breaks[i - 1]) / 6 *
-                    (f(breaks[i - 1]) + 4 * f((breaks[i - 1] + breaks[i]) / 2) + f(breaks[i]));
+    using Rule = boost::math::quadrature::gauss_kronrod<double, 15>;
     double sum = 0;
-    for (std::size_t i = 1; i < breaks.size(); ++i) {
-        const double a = breaks[i - 1], b = breaks[i], m = (a + b) / 2;
-        sum += simpson(f, a, f(a), m, f(m), b, f(b), integral_precision * estimate / breaks.size(), deepest);
-    }
+    for (std::size_t i = 1; i < breaks.size(); ++i)
+        if (breaks[i] > breaks[i - 1]) sum += Rule::integrate(f, breaks[i - 1], breaks[i], deepest, integral_precision);
     return sum;
 }
 

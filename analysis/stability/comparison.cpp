@@ -124,6 +124,7 @@ GainMix optimal_mix(const Joint& joint, double velocity_noise)
         const double k_p = least_position_gain(linear);
         return GainMix{k_p, k_v, std::hypot(k_p, velocity_noise * k_v)};
     };
+    if (crossings(linear).exhausted) return best;  // each of the many searches below would end like this
     const auto quieter = [&](const GainMix& m) {
         if (m.noise < best.noise || std::isnan(best.noise)) best = m;
     };

@@ -38,6 +38,7 @@ struct GainMix {
 /// The optimal mix of §5: of all pairs on the boundary with memory, that with the least effort noise
 /// σ_u/σ_x = √(k_p² + (ρ k_v)²), ρ = σ_v/σ_x [1/s]. A velocity differenced from positions at the sample time T has
 /// ρ = √2/T. The boundary is the lower end of the first stable interval in k_p; NaN where there is none for any k_v.
+/// Nothing where the search for crossings is given up, as for delays far beyond the joint's own times.
 GainMix optimal_mix(const Joint& joint, double velocity_noise);
 
 /// The least k_p, to be exceeded, with which the joint is stable at its k_v by memory; NaN if none is, 0 if any is.

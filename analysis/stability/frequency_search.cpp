@@ -10,8 +10,9 @@ namespace stickslip {
 namespace {
 
 using DualBox = Dual<Box>;
-constexpr double narrowest = 1e-9;     // relative width of a band that is given up
-constexpr int most_bands = 2'000'000;  // of one search
+constexpr double narrowest = 1e-9;            // relative width of a band that is given up
+constexpr int most_bands = 500'000;           // of one search
+constexpr std::size_t most_doubtful = 1'000;  // beyond, rounding decides everything and a search finds nothing
 
 /// G(σ + iω) and its derivative by ω for every ω of a band.
 DualBox transfer_over(const LinearFriction& f, double sigma, const Band& omega)
@@ -124,7 +125,8 @@ CrossingSearch search_crossings(const LinearJoint& j, double gain_limit)
     for (int used = 0; !open.empty(); ++used) {
         const Band band = open.back();
         open.pop_back();
-        if (used > most_bands) {
+        if (used > most_bands || found.doubtful.size() > most_doubtful) {
+            found.exhausted = true;
             found.searched_to = std::min(gain_limit, 0.5 * j.inertia[0] * band.low * band.low);
             break;
         }

@@ -91,8 +91,9 @@ inline double rub(const Rubbing& r, RubState& s, double v, double force, double 
         remember(r, s, 0.5 * std::abs(v + next), h);
         return next;
     }
-    const double free = (v + mobility * (force - 0.5 * slope * v)) / (1 + 0.5 * mobility * slope);
-    const double held = mobility * level / (1 + 0.5 * mobility * slope);
+    const double yielding = 1 / (1 + 0.5 * mobility * slope);
+    const double free = (v + mobility * (force - 0.5 * slope * v)) * yielding;
+    const double held = mobility * level * yielding;
     const double next = std::copysign(std::max(std::abs(free) - held, 0.0), free);
     remember(r, s, 0.5 * std::abs(v + next), h);
     return next;

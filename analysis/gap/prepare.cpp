@@ -76,7 +76,10 @@ Case prepare_with_effort(const Record& record, const Joint& joint, std::vector<s
                         (documented ? ": the readings are noisier than documented" : ": no documented noise") +
                         "; the floor uses the noise estimated from third differences");
         c.sigma = std::max(c.sigma, estimated);
-        c.joint.sensor.position_noise = std::max(c.joint.sensor.position_noise, estimated);
+        // what rounding adds is in the estimate, and a simulated reading will be rounded again
+        const double rounding = c.joint.sensor.encoder_quantum / std::sqrt(12.0);
+        const double white = std::sqrt(std::max(0.0, estimated * estimated - rounding * rounding));
+        c.joint.sensor.position_noise = std::max(c.joint.sensor.position_noise, white);
     }
     // what the unlogged commands of a slow log were is known up to the noise that the loop feeds through
     const Control& control = c.joint.control;

@@ -61,7 +61,7 @@ class HeldCommand {
 class Mechanics {
   public:
     Mechanics(const Plant& plant, const Ticks& ticks, std::span<const double> command)
-        : plant_(plant), ticks_(ticks), held_(ticks, command, plant.dead_time)
+        : plant_(plant), ticks_(ticks), held_(ticks, command, plant.dead_time), length_(plant, ticks.step[0])
     {
     }
 
@@ -112,6 +112,7 @@ class Mechanics {
         const double tick = ticks_.step[k];
         const int parts = substeps(plant_, tick);
         const double h = tick / parts, t0 = ticks_.time[k];
+        if (h != length_.h) length_ = StepLength(plant_, h);
         const double lag = plant_.actuator.lag;
         const double keep = lag > 0 ? std::exp(-h / lag) : 0, mean_keep = lag > 0 ? lag / h * (1 - keep) : 0;
         const bool steady = plant_.dead_time == 0 && lag == 0 && !plant_.dc_motor();
@@ -128,9 +129,9 @@ class Mechanics {
                 drive = push(k, arrived);
             }
             if (plant_.two_mass)
-                step_two_mass(plant_, state, drive, t, h);
+                step_two_mass(plant_, state, drive, t, length_);
             else
-                step_single(plant_, state, drive, t, h);
+                step_single(plant_, state, drive, t, length_);
         }
     }
 
@@ -164,6 +165,7 @@ class Mechanics {
     const Plant& plant_;
     const Ticks& ticks_;
     HeldCommand held_;
+    StepLength length_;
 };
 
 }  // namespace

@@ -13,6 +13,25 @@ struct State {
     double effort = 0;        ///< that reached the mechanism
 };
 
+/// What a time step of this length needs of a joint, divided once for all steps of a tick.
+struct StepLength {
+    double h, per_h;
+    double motor_mobility, link_mobility;  ///< step over inertia
+    double per_ratio, reduced = 1;         ///< two masses: inertia of the one against the other
+    double implicit = 0;                   ///< of the damper, at the end of the step
+    StepLength(const Plant& p, double step)
+        : h(step),
+          per_h(1 / step),
+          motor_mobility(step / p.motor_inertia),
+          link_mobility(step / p.link_inertia),
+          per_ratio(1 / p.ratio)
+    {
+        if (!p.two_mass) return;
+        reduced = 1 / (1 / p.link_inertia + 1 / (p.ratio * p.ratio * p.motor_inertia));
+        implicit = p.damping / (1 + h * p.damping / reduced);
+    }
+};
+
 /// What the drive does at a velocity v: effort = push − drag · v, within the limit.
 struct Push {
     double push = 0, drag = 0;
@@ -53,8 +72,9 @@ inline double load_force(const Load& l, double q, double t)
 
 /// Single mass. Constant forces, sliding, stopping and breaking away inside the step are exact; the rest is second
 /// order.
-inline void step_single(const Plant& p, State& s, const Push& drive, double t, double h)
+inline void step_single(const Plant& p, State& s, const Push& drive, double t, const StepLength& length)
 {
+    const double h = length.h, mobility = length.motor_mobility;
     double& v = s.motor_velocity;
     double& q = s.motor_position;
     const double middle = q + 0.5 * h * v;
@@ -62,7 +82,6 @@ inline void step_single(const Plant& p, State& s, const Push& drive, double t, d
     s.effort = drive.at(v);
     const Surroundings at{middle, t + 0.5 * h, s.effort};
     const double force = drive.push + load_force(p.load, middle, t + 0.5 * h);
-    const double mobility = h / p.motor_inertia;
     if (r.bristle_stiffness > 0) {
         v = rub(r, s.motor, v, force - drive.drag * v, mobility, h, at);
         q = middle + 0.5 * h * v;
@@ -94,8 +113,8 @@ inline void step_single(const Plant& p, State& s, const Push& drive, double t, d
     }
     q += travelled;
     v = next;
-    s.acceleration = (next - before) / h;
-    remember(r, s.motor, std::abs(travelled) / h, h);
+    s.acceleration = (next - before) * length.per_h;
+    remember(r, s.motor, std::abs(travelled) * length.per_h, h);
 }
 
 /// Deflection beyond the play, positive when the motor leads.
@@ -106,23 +125,22 @@ inline double beyond_play(double deflection, double backlash)
 }
 
 /// Two masses and a spring. The damper is implicit, so that a stiff one stays stable.
-inline void step_two_mass(const Plant& p, State& s, const Push& drive, double t, double h)
+inline void step_two_mass(const Plant& p, State& s, const Push& drive, double t, const StepLength& length)
 {
-    const double n = p.ratio;
+    const double h = length.h, per_ratio = length.per_ratio;
     const double motor_middle = s.motor_position + 0.5 * h * s.motor_velocity;
     const double link_middle = s.link_position + 0.5 * h * s.link_velocity;
-    const double stretch = beyond_play(motor_middle / n - link_middle, p.backlash);
+    const double stretch = beyond_play(motor_middle * per_ratio - link_middle, p.backlash);
     const bool touching = p.backlash == 0 || stretch != 0;
-    const double reduced = 1 / (1 / p.link_inertia + 1 / (n * n * p.motor_inertia));
-    const double rate = s.motor_velocity / n - s.link_velocity;
-    const double implicit = touching ? p.damping / (1 + h * p.damping / reduced) : 0;
-    double spring = p.stiffness * stretch + implicit * (rate - h * p.stiffness * stretch / reduced);
+    const double rate = s.motor_velocity * per_ratio - s.link_velocity;
+    double spring = p.stiffness * stretch;
+    if (touching) spring += length.implicit * (rate - h * spring / length.reduced);
     if (p.backlash > 0 && spring * stretch < 0) spring = 0;  // contact cannot pull
     s.effort = drive.at(s.motor_velocity);
-    s.motor_velocity = rub(p.motor, s.motor, s.motor_velocity, s.effort - spring / n, h / p.motor_inertia, h,
-                           {motor_middle, t + 0.5 * h, spring / n});
+    s.motor_velocity = rub(p.motor, s.motor, s.motor_velocity, s.effort - spring * per_ratio, length.motor_mobility, h,
+                           {motor_middle, t + 0.5 * h, spring * per_ratio});
     s.link_velocity = rub(p.link, s.link, s.link_velocity, spring + load_force(p.load, link_middle, t + 0.5 * h),
-                          h / p.link_inertia, h, {link_middle, t + 0.5 * h, spring});
+                          length.link_mobility, h, {link_middle, t + 0.5 * h, spring});
     s.motor_position = motor_middle + 0.5 * h * s.motor_velocity;
     s.link_position = link_middle + 0.5 * h * s.link_velocity;
 }

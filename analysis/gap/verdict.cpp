@@ -7,7 +7,12 @@ namespace stickslip::gap {
 namespace {
 
 constexpr double margin = 0.02;       // of score: rivals this close cannot be told apart
-constexpr double temperature = 0.03;  // of score: from margins to probabilities, set on generated cases
+constexpr double temperature = 0.01;  // of score: from margins to probabilities
+// A rival with one more parameter that gains nothing by it holds the winner as a special case. A true one would have
+// used its parameter: the odds against it.
+constexpr double needless_parameter = 3;
+// The chance that a cause is not the one although it is named: what is left is not noise.
+constexpr double doubt = 0.3;
 constexpr int runs = 3;
 
 /// Stick-slip amplifies what two integrators do differently, so slower levels get more room. Scores of misfit at which
@@ -102,10 +107,19 @@ std::vector<Ranked> rank(const std::vector<Attribution>& singles, const std::vec
     // far above the floor the margins between scores are model error, not noise
     const double width = std::max(temperature, 0.02 * best);
     double sum = 0;
-    for (auto& r : all) sum += r.probability = std::exp(-std::max(0.0, r.attribution->score - best) / width);
+    const auto parameters = [](const Ranked& r) {
+        return static_cast<double>(r.attribution->candidate.parameter_count());
+    };
+    for (auto& r : all) {
+        const double needless = std::max(0.0, parameters(r) - parameters(all.front()));
+        r.probability =
+            std::exp(-std::max(0.0, r.attribution->score - best) / width) * std::pow(needless_parameter, -needless);
+        sum += r.probability;
+    }
     // what the best leaves unexplained is the chance that it is something else
-    const double else_ =
-        decision.named ? 0.01 + 0.5 * std::clamp(1 - all.front().attribution->explained, 0.0, 1.0) : 0.9;
+    const Attribution& first = *all.front().attribution;
+    const double unexplained = 0.5 * std::clamp(1 - first.explained, 0.0, 1.0);
+    const double else_ = !decision.named ? 0.9 : first.accepted ? 0.01 + unexplained : doubt + unexplained;
     for (auto& r : all) r.probability *= (1 - else_) / sum;
     return all;
 }

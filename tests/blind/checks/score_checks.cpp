@@ -102,8 +102,10 @@ TEST_CASE("Brier score and calibration error of four forecasts", "[score]")
 
 TEST_CASE("shrinks are compared on named cases only", "[score]")
 {
-    const Score s = score({{"a", gap({{"viscous"}})}, {"b", gap({{"stribeck"}})}},
-                          {{"a", truth({"viscous"})}, {"b", truth({"viscous"})}});
+    const Truth outside{.verdict = "unknown", .gap_before = 10, .gap_after = 1};
+    const Answer abstained{.verdict = "unknown", .gap_before = 8, .gap_after = 8};
+    const Score s = score({{"a", gap({{"viscous"}})}, {"b", gap({{"stribeck"}})}, {"c", abstained}},
+                          {{"a", truth({"viscous"})}, {"b", truth({"viscous"})}, {"c", outside}});
     CHECK(s.median_shrink == Approx(0.105));
     CHECK(s.median_truth_shrink == Approx(0.1));
     CHECK(s.within_tenth.right == 1);

@@ -4,6 +4,7 @@
 #include "render/pictures/design_mark.h"
 #include "render/pictures/field.h"
 #include "render/pictures/picture.h"
+#include "render/pictures/region_raster.h"
 #include "render/pictures/regions.h"
 
 #include <algorithm>
@@ -73,17 +74,26 @@ Colouring colouring(const FieldMap& map, const Rectangle& plot)
     return result;
 }
 
-/// Every pixel has the colour of the class nearest to it.
-Raster class_raster(const Grid& grid, const std::vector<double>& values, int width, int height)
+/// Every pixel has the colour of its class.
+Raster class_raster(const RegionRaster& regions, const Rectangle& box)
 {
-    Raster raster{width, height, 3, {}};
-    for (int row = 0; row < height; ++row)
-        for (int column = 0; column < width; ++column) {
-            const auto node = grid.at((column + 0.5) / width, 1 - (row + 0.5) / height).nearest();
-            const Colour c = from_hex(class_colours[static_cast<std::size_t>(values[node])]);
+    Raster raster{static_cast<int>(box.width), static_cast<int>(box.height), 3, {}};
+    for (int row = 0; row < raster.height; ++row)
+        for (int column = 0; column < raster.width; ++column) {
+            const Region here = regions.at({box.left + column + 0.5, box.top + row + 0.5});
+            const auto index = std::find(class_textures.begin(), class_textures.end(), here) - class_textures.begin();
+            const Colour c = from_hex(class_colours[static_cast<std::size_t>(index)]);
             raster.pixels.insert(raster.pixels.end(), {c.red, c.green, c.blue});
         }
     return raster;
+}
+
+/// A class ends at the lines of the map, as a region of a stability map ends at its boundaries.
+RegionRaster classes_of(const FieldMap& map, const Grid& grid, const std::vector<Polyline>& lines, const Rectangle& box)
+{
+    std::vector<Region> regions;
+    for (const double value : map.values) regions.push_back(class_textures[static_cast<std::size_t>(value)]);
+    return RegionRaster(grid, regions, lines, box);
 }
 
 Pen pen_of(const FieldMap& map, std::size_t index)
@@ -141,27 +151,26 @@ Drawn draw(const FieldMap& map, const std::string& description, const Fonts& fon
     const Frame frame{{axis_margin, top, plot_width, plot_height},
                       {x, axis_label(map.x.name, map.x.symbol, map.x.quantity, map.motion, x)},
                       {y, axis_label(map.y.name, map.y.symbol, map.y.quantity, map.motion, y)}};
+    Obstacles obstacles;
+    std::vector<std::size_t> owners;
+    for (std::size_t i = 0; i < map.lines.size(); ++i)
+        for (Polyline& piece : visible(map.lines[i].x, map.lines[i].y, frame)) {
+            obstacles.lines.push_back(std::move(piece));
+            owners.push_back(i);
+        }
     if (map.classes.empty()) {
         const Colouring c = colouring(map, frame.box);
         canvas.image(frame.box, table_raster(grid, c.positions, *c.table, plot_width, plot_height));
         draw_colour_bar(canvas, c.bar, bar_colours(*c.table));
     } else {
-        canvas.image(frame.box, class_raster(grid, map.values, plot_width, plot_height));
+        const RegionRaster regions = classes_of(map, grid, obstacles.lines, frame.box);
+        canvas.image(frame.box, class_raster(regions, frame.box));
         for (std::size_t i = 0; i < map.classes.size(); ++i)
-            draw_texture(canvas, class_textures[i], frame.box, [&](Point p) {
-                const auto place =
-                    grid.at((p.x - frame.box.left) / frame.box.width, (frame.box.bottom() - p.y) / frame.box.height);
-                return map.values[place.nearest()] == static_cast<double>(i);
-            });
+            draw_texture(canvas, class_textures[i], frame.box,
+                         [&](Point p) { return regions.at(p) == class_textures[i]; });
     }
-    Obstacles obstacles;
-    std::vector<std::size_t> owners;
-    for (std::size_t i = 0; i < map.lines.size(); ++i)
-        for (const Polyline& piece : visible(map.lines[i].x, map.lines[i].y, frame)) {
-            obstacles.lines.push_back(piece);
-            owners.push_back(i);
-            canvas.line(piece, {field_halo, pen_of(map, i).width + 3, {}});
-        }
+    for (std::size_t k = 0; k < owners.size(); ++k)
+        canvas.line(obstacles.lines[k], {field_halo, pen_of(map, owners[k]).width + 3, {}});
     for (std::size_t k = 0; k < owners.size(); ++k) canvas.line(obstacles.lines[k], pen_of(map, owners[k]));
     if (map.has_design) draw_design(canvas, frame, map.design, obstacles);
     draw_axes(canvas, frame);

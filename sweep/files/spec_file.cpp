@@ -45,6 +45,12 @@ class SpecReader {
             reject_inline_tables(Place(file->source()));
             const std::filesystem::path path = folder_ / file->as_string()->get();
             spec_.joint_file = path.string();
+            std::error_code none;
+            if (!std::filesystem::exists(path, none)) {
+                complaints_.add(Place(file->source()), "joint",
+                                "names " + path.string() + ", which does not exist; the path starts at this file");
+                return;
+            }
             try {
                 spec_.joint = read_joint(path);
             } catch (const BadInput& bad) {
@@ -75,7 +81,8 @@ class SpecReader {
         const auto* axes = root_.get("axes");
         if (!axes)
             complaints_.add(Place(root_.source()), "axes",
-                            "is missing, allowed are one or more dotted paths of the joint");
+                            "is missing, allowed are one or more dotted paths of the joint, such as "
+                            "\"control.k_p\" = { from = 1e4, to = 1e5, points = 31 }");
         else if (const auto* table = table_at(root_, "axes", "", complaints_))
             spec_.axes = read_axes(*table, spec_.joint, limits_, spec_.nonlinear.enabled, complaints_);
         read_design();

@@ -97,6 +97,83 @@ Figure curve_figure(const BoundaryAnswer& answer, const std::vector<FollowedBoun
     return figure;
 }
 
+std::string kind_words(BoundaryKind kind)
+{
+    switch (kind) {
+        case BoundaryKind::velocity_only:
+            return "velocity-only boundary";
+        case BoundaryKind::state_variable:
+            return "linear boundary with memory";
+        case BoundaryKind::fold:
+            return "fold of limit cycles";
+        case BoundaryKind::v_min:
+            return "least stable velocity";
+        case BoundaryKind::outcome:
+            break;
+    }
+    return "boundary of the outcome";
+}
+
+/// Where a curve meets the design's own line along one of its axes, the other number held: the meeting nearest to the
+/// design, interpolated between located points; NaN where it does not.
+double meeting(const FollowedBoundary& c, const Joint& given, bool along_x)
+{
+    const Axis &along = along_x ? c.x : c.y, &across = along_x ? c.y : c.x;
+    Joint joint = given;
+    const auto drawn = [](const Axis& axis, double v) { return axis.log ? std::log(v) : v; };
+    const double own = drawn(along, *find_parameter(joint, along.path)),
+                 held = drawn(across, *find_parameter(joint, across.path));
+    double found = missing;
+    for (const auto& piece : c.pieces)
+        for (std::size_t i = 0; i + 1 < piece.points.size(); ++i) {
+            const auto &p = piece.points[i], &q = piece.points[i + 1];
+            const double a = drawn(across, along_x ? p.y : p.x) - held, b = drawn(across, along_x ? q.y : q.x) - held;
+            if (a * b > 0 || a == b) continue;
+            const double from = drawn(along, along_x ? p.x : p.y), to = drawn(along, along_x ? q.x : q.y);
+            const double at = from + (to - from) * a / (a - b);
+            if (std::isnan(found) || std::abs(at - own) < std::abs(found - own)) found = at;
+        }
+    return along.log ? std::exp(found) : found;
+}
+
+/// One number for each curve and axis on which it lies before or behind the design.
+std::vector<Headline> meeting_headlines(const BoundaryAnswer& answer)
+{
+    constexpr std::size_t most = 5;
+    std::vector<Headline> list;
+    Joint joint = answer.design;
+    const auto motion = joint.mechanism.motion;
+    for (const auto& c : answer.curves)
+        for (const bool along_x : {true, false}) {
+            const Axis& axis = along_x ? c.x : c.y;
+            const double own = *find_parameter(joint, axis.path), at = meeting(c, joint, along_x);
+            if (std::isnan(at) || own == 0 || list.size() == most) continue;
+            const double change = at / own - 1;
+            list.push_back(
+                {Tone::neutral, axis.symbol + (change < 0 ? " −" : " +") + plain_number(100 * std::abs(change)) + " %",
+                 "from the design to the " + kind_words(c.kind) + ": " + with_unit(own, axis.quantity, motion, 4) +
+                     " to " + with_unit(at, axis.quantity, motion, 4)});
+        }
+    return list;
+}
+
+/// "Through the design along k_{p}: linear boundary with memory at 19.45 kN/m, fold of limit cycles at 24.85 kN/m."
+std::string meeting_text(const BoundaryAnswer& answer)
+{
+    const auto motion = answer.design.mechanism.motion;
+    for (const bool along_x : {true, false}) {
+        std::string text;
+        for (const auto& c : answer.curves)
+            if (const double at = meeting(c, answer.design, along_x); !std::isnan(at)) {
+                const Axis& axis = along_x ? c.x : c.y;
+                text += (text.empty() ? "Through the design along " + axis.symbol + ": " : ", ") + kind_words(c.kind) +
+                        " at " + with_unit(at, axis.quantity, motion, 4);
+            }
+        if (!text.empty()) return text + ".";
+    }
+    return "No followed curve meets the design's own lines through the chart.";
+}
+
 /// The nearest linear boundary outside the range of a ray that has none.
 std::string outside_text(const Joint& design, const LocatedRay& ray)
 {
@@ -219,11 +296,14 @@ Report boundary_report(const BoundaryAnswer& answer, const ParallelFor& parallel
     report.subtitle = "boundaries, located";
     for (const auto& ray : answer.rays)
         report.verdict += (report.verdict.empty() ? "" : " ") + ray_text(answer.design, ray);
-    int points = 0;
-    for (const auto& c : answer.curves) points += c.points();
-    if (!answer.curves.empty())
-        report.verdict += (report.verdict.empty() ? "" : " ") + std::to_string(answer.curves.size()) +
-                          " kinds of boundary followed over the chart, " + std::to_string(points) + " located points.";
+    if (!answer.curves.empty()) {
+        report.verdict += (report.verdict.empty() ? "" : " ") + meeting_text(answer);
+        report.headlines = meeting_headlines(answer);
+    }
+    if (linear_point(answer.design).spectral_abscissa > 0) {
+        report.tone = Tone::bad;
+        report.alerts.push_back({Tone::bad, "The design itself is unstable: small disturbances of sliding grow."});
+    }
     Section curves{"curves", "Curves", "", {}, {}};
     for (std::size_t i = 0; i < answer.curves.size();) {
         std::vector<FollowedBoundary> together;
@@ -243,6 +323,8 @@ Report boundary_report(const BoundaryAnswer& answer, const ParallelFor& parallel
         report.not_checked.push_back(std::string(name_of(ray.kind)) + " along " + ray.axis.symbol + ": " +
                                      could_be_missed(ray) + ".");
     for (const auto& c : answer.curves) {
+        report.not_checked.push_back(std::string(name_of(c.kind)) + " over " + c.x.symbol + " and " + c.y.symbol +
+                                     ": " + could_be_missed(c) + ".");
         for (const auto& piece : c.pieces)
             for (const auto end : {piece.first, piece.last})
                 if (end == CurveEnd::lost)

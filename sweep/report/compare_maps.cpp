@@ -3,6 +3,7 @@
 #include "analysis/boundary/locate.h"
 #include "analysis/results/text.h"
 #include "sweep/report/map_figures.h"
+#include "sweep/report/nonlinear_findings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,14 +35,19 @@ FieldMap field_over(const Joint& before, const Slice& a, const Joint& after, con
     };
     add(before, a, "boundary before", true);
     add(after, b, "boundary after", false);
+    const auto add_folds = [&](const Joint& joint, const Slice& slice, const char* name, bool dashed) {
+        for (auto& fold : nonlinear_findings(joint, slice).folds)
+            map.lines.push_back({name, std::move(fold.x), std::move(fold.y), dashed});
+    };
+    add_folds(before, a, "fold of limit cycles before", true);
+    add_folds(after, b, "fold of limit cycles after", false);
     map.design = design_point(after, b);
     map.has_design = true;
     return map;
 }
 
-Figure class_figure(const Joint& before, const Slice& a, const Joint& after, const Slice& b)
+Figure class_figure(FieldMap map, const Slice& a, const Slice& b)
 {
-    FieldMap map = field_over(before, a, after, b);
     map.title = "What each point became, over (" + b.x.symbol + ", " + b.y.symbol + ")";
     map.name = "change";
     map.classes = {"smooth, as before", "stick-slip, as before",          "became smooth",
@@ -55,15 +61,15 @@ Figure class_figure(const Joint& before, const Slice& a, const Joint& after, con
     Figure figure;
     figure.id = chart_id("change", b.x, b.y);
     figure.finding = "Map of change over " + b.x.name + " and " + b.y.name + ": " + map.statement;
-    figure.caption = "How to read it: compared are the verdicts of the two runs at each point of the same grid. " +
-                     map.statement + " Dashed: boundary before. Solid: boundary after.";
+    figure.caption =
+        "How to read it: compared are the verdicts of the two runs at each point of the same grid. " + map.statement +
+        " Dashed: boundaries before. Solid: boundaries after; between the points of the grid a class ends at them.";
     figure.picture = std::move(map);
     return figure;
 }
 
-Figure difference_figure(const Joint& before, const Slice& a, const Joint& after, const Slice& b)
+Figure difference_figure(FieldMap map, const Slice& a, const Slice& b)
 {
-    FieldMap map = field_over(before, a, after, b);
     map.title = "Change of the spectral abscissa over (" + b.x.symbol + ", " + b.y.symbol + ")";
     map.name = "after − before, max Re s";
     map.quantity = Quantity::rate;
@@ -111,7 +117,8 @@ std::array<double, changes> change_shares(const Slice& before, const Slice& afte
 
 std::vector<Figure> change_figures(const Joint& before, const Slice& a, const Joint& after, const Slice& b)
 {
-    return {class_figure(before, a, after, b), difference_figure(before, a, after, b)};
+    const FieldMap field = field_over(before, a, after, b);
+    return {class_figure(field, a, b), difference_figure(field, a, b)};
 }
 
 }  // namespace stickslip

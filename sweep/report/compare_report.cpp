@@ -3,7 +3,9 @@
 #include "analysis/boundary/locate.h"
 #include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
+#include "analysis/simulation/nonlinear.h"
 #include "analysis/stability/verdict.h"
+#include "sweep/evaluate.h"
 #include "sweep/report/compare_maps.h"
 #include "sweep/report/first_screen.h"
 #include "sweep/report/verdict_text.h"
@@ -85,9 +87,36 @@ std::vector<ComparedNumber> boundary_numbers(const ComparedRun& before, const Jo
     return numbers;
 }
 
-std::string verdict_word(const LinearVerdict& v)
+/// What the design of a run is, the answer to large disturbances included where its points were simulated.
+Region region_of_design(const Spec& spec, const Joint& joint)
 {
-    return v.steady.reason != Reason::none ? "undecided" : v.state_variable.stable ? "stable" : "stick-slip";
+    PointResult row = linear_point(joint);
+    if (spec.nonlinear.enabled) write_nonlinear(nonlinear_verdict(joint, nonlinear_options(spec.nonlinear)), row);
+    return row.region;
+}
+
+std::string verdict_word(Region region)
+{
+    switch (region) {
+        case Region::stable:
+        case Region::memory_only:
+            return "stable";
+        case Region::bistable:
+            return "bistable (stable for small disturbances only)";
+        case Region::velocity_only:
+        case Region::unstable:
+            return "in stick-slip";
+        case Region::undecided:
+            break;
+    }
+    return "undecided";
+}
+
+/// How well off a design is: the tone of a comparison follows whether that rises or falls.
+int standing(Region region)
+{
+    const auto word = verdict_word(region);
+    return word == "stable" ? 3 : region == Region::bistable ? 2 : region == Region::undecided ? 1 : 0;
 }
 
 /// The largest relative move of a boundary that both runs have.
@@ -147,15 +176,16 @@ Report compare_report(const ComparedRun& before, const ComparedRun& after)
         for (auto& figure : change_figures(a, p, b, q)) maps.figures.push_back(std::move(figure));
     }
 
-    const auto was = verdict_word(then), is = verdict_word(now);
+    const auto region_then = region_of_design(before.spec, a), region_now = region_of_design(after.spec, b);
+    const auto was = verdict_word(region_then), is = verdict_word(region_now);
     const bool nothing = same_maps && nothing_changed(numbers) && nothing_changed(boundaries);
     report.verdict = nothing     ? "Nothing changed: boundaries, regions and numbers are the same."
                      : was != is ? "The design was " + was + " and is " + is + " now."
                                  : "The design is " + is + ", as before.";
-    report.tone = nothing || (was == is && is == "stable") ? Tone::good
-                  : is == "stable"                         ? Tone::good
-                  : was == is                              ? Tone::neutral
-                                                           : Tone::bad;
+    report.tone = nothing || is == "stable"                      ? Tone::good
+                  : standing(region_now) < standing(region_then) ? Tone::bad
+                  : was == is                                    ? Tone::neutral
+                                                                 : Tone::warning;
     if (const auto* moved = largest_move(boundaries); moved && moved->before != moved->after) {
         report.verdict += " The " + moved->name + " moved by " + relative_change(moved->before, moved->after) +
                           ", to " + with_unit(moved->after, moved->quantity, motion, 4) + ".";
@@ -182,7 +212,11 @@ Report compare_report(const ComparedRun& before, const ComparedRun& after)
     if (const auto changed = changed_parameters(a, b); !changed.empty())
         tables.tables.push_back(table_of("What differs between the two joints", changed, motion));
     report.sections.push_back(std::move(tables));
-    report.not_checked = {"Whether a change matters: set a tolerance with stickslip check."};
+    report.not_checked = {"Whether a change matters: set a tolerance with stickslip check.",
+                          "Changes between the points of the grid that no located boundary shows."};
+    if (!before.spec.nonlinear.enabled || !after.spec.nonlinear.enabled)
+        report.not_checked.push_back(
+            "Large disturbances: at least one of the runs was judged by the linear theory alone.");
     for (const auto* run : {&before, &after})
         for (const auto& [name, value] : run->summary.provenance)
             report.provenance.emplace_back((run == &before ? "before, " : "after, ") + name, value);

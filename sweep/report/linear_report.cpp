@@ -1,7 +1,10 @@
 #include "sweep/report/linear_report.h"
 
+#include "analysis/boundary/nearest.h"
 #include "analysis/results/text.h"
 #include "sweep/report/comparison_section.h"
+#include "sweep/report/first_screen.h"
+#include "sweep/report/nearest_text.h"
 #include "sweep/report/reduction_section.h"
 #include "sweep/report/verdict_text.h"
 
@@ -23,9 +26,10 @@ std::string model_name(Model model)
 
 Headline demand(const char* theory, double k_v, double own, Motion motion)
 {
-    if (std::isnan(k_v)) return {Tone::bad, "none", std::string("velocity gain is enough, ") + theory};
+    if (std::isnan(k_v)) return {Tone::bad, "no k_{v}", std::string("is enough for smooth sliding, ") + theory};
+    if (k_v == 0) return {Tone::good, "any k_{v}", std::string("is enough for smooth sliding, ") + theory};
     return {own > k_v ? Tone::good : Tone::neutral, with_unit(k_v, Quantity::damping, motion),
-            std::string("velocity gain to exceed, ") + theory};
+            std::string("velocity gain k_{v} to exceed for smooth sliding, ") + theory};
 }
 
 /// The worst reduction that still has the right number of boundaries, and how many have not.
@@ -61,20 +65,27 @@ Report linear_report(const Joint& joint, const LinearVerdict& linear, const Nonl
     const auto motion = joint.mechanism.motion;
     const bool decided = linear.steady.reason == Reason::none;
     Report report;
-    report.title = "One joint under the linear theory";
+    report.title = "One joint, both theories";
     report.subtitle = std::string(joint.control.kind == ControlKind::position ? "position control" : "force control") +
                       " · " + (motion == Motion::prismatic ? "prismatic" : "revolute") + " joint · " +
                       model_name(joint.mechanism.model);
-    report.verdict = verdict_text(joint, linear);
-    report.tone = !decided ? Tone::warning : linear.state_variable.stable ? Tone::good : Tone::bad;
+    const auto region = nonlinear.region == NonlinearRegion::bistable ? Region::bistable : Region::undecided;
+    const auto verdict = design_verdict(joint, linear, region);
+    report.verdict = verdict.text;
+    report.tone = verdict.tone;
     if (decided) {
         const auto& c = study.comparison;
-        report.headlines = {demand("by velocity alone", c.k_v_demanded_velocity_only(), joint.control.k_v, motion),
-                            demand("with memory", c.k_v_demanded_memory(), joint.control.k_v, motion)};
+        const bool stable = linear.state_variable.stable;
+        report.headlines = {
+            nearest_headline(nearest_boundary(joint, natural_coordinates(joint), affordable_search(joint)), motion),
+            demand("by velocity alone", c.k_v_demanded_velocity_only(), joint.control.k_v, motion),
+            demand("with memory", c.k_v_demanded_memory(), joint.control.k_v, motion)};
         if (std::isfinite(linear.state_variable.k_cr))
             report.headlines.push_back({Tone::neutral,
                                         with_unit(linear.state_variable.k_cr, Quantity::stiffness, motion),
                                         "critical position gain k_{cr}, at this k_{v} and velocity"});
+        if (auto slowest = velocity_headlines(joint, stable); !slowest.empty())
+            report.headlines.push_back(std::move(slowest.front()));
         reduction_alerts(report, study.reductions);
         report.sections = linear_sections(joint, study);
     }

@@ -1,10 +1,7 @@
 #include "sweep/report/map_figures.h"
 
 #include "analysis/boundary/locate.h"
-#include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
-#include "analysis/stability/joint_spectrum.h"
-#include "analysis/stability/steady.h"
 #include "analysis/stability/verdict.h"
 #include "sweep/report/map_motions.h"
 #include "sweep/report/nonlinear_findings.h"
@@ -51,20 +48,6 @@ std::string design_words(const DesignPoint& design)
 std::string held_words(const Slice& slice, Motion motion)
 {
     return slice.held.empty() ? "" : " Held: " + held_text(slice.held, motion) + ".";
-}
-
-/// max Re s along an axis with friction replaced by its steady-state curve.
-std::vector<double> velocity_only_abscissa(Joint joint, const Axis& axis)
-{
-    double* number = find_parameter(joint, axis.path);
-    std::vector<double> abscissa;
-    for (const double value : axis.values) {
-        *number = value;
-        const bool slides = steady_sliding(joint).reason == Reason::none;
-        abscissa.push_back(slides ? spectral_abscissa(velocity_only(linear_joint(joint, commanded_velocity(joint))))
-                                  : missing);
-    }
-    return abscissa;
 }
 
 Figure outcome_figure(const Joint& joint, const Slice& slice, const MapReading& reading, const char* id,
@@ -185,42 +168,6 @@ std::vector<Figure> outcome_figures(const Joint& joint, const Slice& slice)
                                              "Share of each turn at rest or below a hundredth of V_{0}."));
     }
     return figures;
-}
-
-Figure profile_figure(const Joint& joint, const Profile& profile)
-{
-    const auto motion = joint.mechanism.motion;
-    const auto& axis = profile.axis;
-    LineChart chart;
-    chart.title = "Decay and growth over " + axis.symbol;
-    chart.x_label = axis.name + " " + axis.symbol + " [" + std::string(unit_of(axis.quantity, motion)) + "]";
-    chart.y_label = "max Re s [1/s]";
-    chart.x_log = axis.log;
-    const Joint held = joint_at(joint, profile.held);
-    chart.lines.push_back({"with memory", axis.values, profile.abscissa});
-    chart.lines.push_back({"velocity alone", axis.values, velocity_only_abscissa(held, axis), true});
-    const auto located = [&](Curve::Kind theory) {
-        return locate_on_ray(held, axis.path, axis.values.front(), axis.values.back(), axis.log, theory);
-    };
-    std::string crossings, simple;
-    for (const auto& point : located(Curve::Kind::state_variable)) {
-        chart.x_marks.emplace_back(with_unit(point.value, axis.quantity, motion, 4), point.value);
-        crossings += (crossings.empty() ? "" : ", ") + with_unit(point.value, axis.quantity, motion, 6);
-    }
-    for (const auto& point : located(Curve::Kind::velocity_only))
-        simple += (simple.empty() ? "" : ", ") + with_unit(point.value, axis.quantity, motion, 6);
-    Figure figure;
-    figure.id = chart_id("profile", axis, axis);
-    figure.finding = (crossings.empty() ? "With memory no change of stability along " + axis.name
-                                        : "With memory stability changes at " + crossings) +
-                     (simple.empty() ? ", by velocity alone nowhere" : ", by velocity alone at " + simple);
-    figure.caption = "Largest real part of the spectrum along " + axis.symbol +
-                     " with memory and with friction that depends on velocity alone; below zero small disturbances "
-                     "decay. " +
-                     figure.finding + "." +
-                     (profile.held.empty() ? "" : " Held: " + held_text(profile.held, motion) + ".");
-    figure.picture = std::move(chart);
-    return figure;
 }
 
 Figure surface_figure(const Joint& joint, const Axis& x, const Axis& y)

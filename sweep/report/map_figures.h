@@ -14,9 +14,6 @@ Figure map_figure(const Joint& joint, const Slice& slice);
 /// Amplitude, period and time at rest of the limit cycles, where the sweep simulated its points.
 std::vector<Figure> outcome_figures(const Joint& joint, const Slice& slice);
 
-/// The spectral abscissa along a single axis, with the located boundaries.
-Figure profile_figure(const Joint& joint, const Profile& profile);
-
 /// The critical position gain over two axes.
 Figure surface_figure(const Joint& joint, const Axis& x, const Axis& y);
 

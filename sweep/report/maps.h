@@ -34,7 +34,8 @@ struct Slice {
 struct Profile {
     Axis axis;
     std::vector<Held> held;
-    std::vector<double> abscissa;  ///< 1/s
+    std::vector<double> abscissa;      ///< 1/s
+    std::vector<MapReading> readings;  ///< what the nonlinear joint does, where the sweep asked
 };
 
 /// "k_{v} = 10 N·s/m, V_{0} = 1 mm/s"

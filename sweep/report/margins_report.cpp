@@ -2,6 +2,7 @@
 
 #include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
+#include "analysis/stability/verdict.h"
 #include "sweep/files/symbols.h"
 #include "sweep/report/boundary_report.h"
 #include "sweep/report/nearest_text.h"
@@ -9,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace stickslip {
@@ -86,6 +88,93 @@ Figure robust_figure(const MarginsAnswer& a)
     return figure;
 }
 
+/// max Re s while one coordinate moves away from the joint, up to a little beyond its boundary.
+LineChart::Line growth_line(const Joint& joint, const Coordinate& coordinate, const std::string& name, double reach,
+                            double window)
+{
+    constexpr int steps = 240;
+    MovableJoint movable(joint, {coordinate});
+    LineChart::Line line{name, {}, {}};
+    for (int i = -steps; i <= steps; ++i) {
+        const double q = reach * i / steps;
+        const double growth = linear_point(movable.at({q / coordinate.scale})).spectral_abscissa;
+        line.x.push_back(std::exp(q));
+        line.y.push_back(std::abs(growth) <= window ? growth : missing);
+    }
+    return line;
+}
+
+/// How decay turns into growth along each parameter that has a boundary.
+Figure growth_figure(const MarginsAnswer& a)
+{
+    constexpr double beyond = 1.15;  // the logarithm of a change, past the farthest boundary
+    constexpr double tall = 4;  // the window, per |max Re s| of the joint: what grows faster would flatten the rest
+    const auto motion = a.joint.mechanism.motion;
+    const double own = linear_point(a.joint).spectral_abscissa, window = tall * std::abs(own);
+    LineChart chart;
+    chart.title = "Decay and growth while one parameter moves";
+    chart.x_label = "parameter, as a multiple of its value";
+    chart.y_label = "max Re s [1/s]";
+    chart.x_log = true;
+    double reach = 0;
+    std::string crossings;
+    for (const auto& n : a.alone)
+        if (n.found) reach = std::max(reach, beyond * std::abs(std::log(n.moves[0].to / n.moves[0].from)));
+    for (std::size_t i = 0; i < a.alone.size(); ++i) {
+        if (!a.alone[i].found) continue;
+        const auto& move = a.alone[i].moves[0];
+        const auto name = name_text(a.alone_of[i].path, a.alone_of[i].less, motion);
+        chart.lines.push_back(growth_line(a.joint, a.alone_of[i], name, reach, window));
+        crossings += (crossings.empty() ? "" : ", ") + name + " at " + plain_number(move.to / move.from) + " times";
+    }
+    chart.lines.push_back({"boundary", {std::exp(-reach), std::exp(reach)}, {0, 0}, true});
+    chart.x_marks.emplace_back("as given", 1);
+    Figure figure;
+    figure.id = "growth-by-parameter";
+    figure.finding =
+        "Largest real part of the spectrum while one parameter moves. It crosses zero for " + crossings + " its value.";
+    figure.caption =
+        "How to read it: all lines meet at the joint as given, and each follows one parameter; below zero disturbances "
+        "decay. Where a line crosses zero lies the boundary, and how steeply it does so says how soon a step beyond "
+        "hurts. Lines end where decay or growth exceeds " +
+        plain_number(tall) + " times that of the joint.";
+    figure.picture = std::move(chart);
+    return figure;
+}
+
+/// The parameter that has the shortest way to its boundary, alone.
+const NearestMove* shortest_alone(const MarginsAnswer& a)
+{
+    const NearestMove* found = nullptr;
+    const auto length = [](const NearestMove& m) { return std::abs(std::log(m.to / m.from)); };
+    for (const auto& n : a.alone)
+        if (n.found && (!found || length(n.moves[0]) < length(*found))) found = &n.moves[0];
+    return found;
+}
+
+void add_headlines(Report& report, const MarginsAnswer& a)
+{
+    using Tone = Headline::Tone;
+    const auto motion = a.joint.mechanism.motion;
+    report.headlines.push_back(nearest_headline(a.nearest, motion));
+    if (const auto* move = shortest_alone(a)) {
+        const auto quantity = quantity_of(a.joint, move->path);
+        report.headlines.push_back(
+            {Tone::neutral, name_text(move->path, move->less, motion) + " " + signed_percent(move->to / move->from - 1),
+             "is the shortest way to the boundary for one parameter alone: from " +
+                 with_unit(move->from, quantity, motion, 4) + " to " + with_unit(move->to, quantity, motion, 4)});
+    }
+    if (a.nearest.found)
+        report.headlines.push_back({Tone::neutral, plain_number(a.nearest.distance),
+                                    "distance to the nearest boundary: the root of the summed squares of the "
+                                    "logarithms of all changes"});
+    if (a.worst) {
+        const double growth = a.worst->instability;
+        report.headlines.push_back({growth < 0 ? Tone::good : Tone::bad, with_unit(growth, Quantity::rate, motion),
+                                    "max Re s of the worst joint within the stated uncertainty; stable below 0"});
+    }
+}
+
 }  // namespace
 
 MarginsAnswer margins_of(const Joint& joint)
@@ -138,7 +227,9 @@ Report margins_report(const MarginsAnswer& a)
     report.tone = !a.nearest.decided || (a.nearest.stable && doubtful) ? Headline::Tone::warning
                   : a.nearest.stable                                   ? Headline::Tone::good
                                                                        : Headline::Tone::bad;
+    if (a.nearest.decided) add_headlines(report, a);
     Section section{"margins", "Margins", "", {}, {alone_table(a)}};
+    if (shortest_alone(a)) section.figures.push_back(growth_figure(a));
     if (a.robust) section.figures.push_back(robust_figure(a));
     report.sections.push_back(std::move(section));
     report.not_checked = {

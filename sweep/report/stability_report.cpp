@@ -10,6 +10,7 @@
 #include "sweep/report/loop_figures.h"
 #include "sweep/report/map_figures.h"
 #include "sweep/report/nearest_text.h"
+#include "sweep/report/profile_figures.h"
 #include "sweep/report/reduction_map.h"
 #include "sweep/report/verdict_text.h"
 
@@ -137,6 +138,8 @@ Report stability_report(const Spec& spec, const SweepSummary& summary)
     Section outcomes{"outcomes", "Limit cycles", "", {}, {}};
     for (const auto& slice : summary.slices)
         for (auto& figure : outcome_figures(joint, slice)) outcomes.figures.push_back(std::move(figure));
+    for (const auto& profile : summary.profiles)
+        for (auto& figure : outcome_profiles(joint, profile)) outcomes.figures.push_back(std::move(figure));
     if (!outcomes.figures.empty()) report.sections.push_back(std::move(outcomes));
 
     Section gains{"critical-gain", "Critical position gain", "", {}, {}};

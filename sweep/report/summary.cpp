@@ -102,7 +102,12 @@ SweepSummary summarise(const Spec& spec, const ResultsFile& results)
         summary.slices.push_back(std::move(slice));
     }
     if (axes.size() == 1) {
-        summary.profiles.push_back({axes[0], held_besides(0, 0), results.line("spectral_abscissa", 0, at)});
+        Profile profile{axes[0], held_besides(0, 0), results.line("spectral_abscissa", 0, at), {}};
+        for (const auto& column : columns())
+            if (column.nonlinear && column.number && results.has(column.name))
+                profile.readings.push_back({std::string(column.long_name), column.quantity,
+                                            results.line(column.name, 0, at), std::string(column.name)});
+        summary.profiles.push_back(std::move(profile));
     }
     const auto reasons = results.count_codes("reason");
     for (std::size_t code = 1; code < reasons.size(); ++code) {

@@ -1,6 +1,7 @@
 #include "sweep/report/trajectory_report.h"
 
 #include "analysis/results/text.h"
+#include "sweep/report/ending.h"
 #include "sweep/report/verdict_text.h"
 
 #include <algorithm>
@@ -57,13 +58,6 @@ std::vector<LineChart::Line> friction_loop(const Joint& joint, const Trajectory&
     const auto [low, high] = std::minmax_element(lines[0].x.begin(), lines[0].x.end());
     if (*high - *low > still * t.commanded_velocity) lines.push_back(steady_curve(joint, *low, *high));
     return lines;
-}
-
-/// What the motion comes to when it is followed to its end, which may lie beyond the time drawn.
-std::string ending_text(const NonlinearVerdict& v)
-{
-    if (v.outcome == Outcome::undecided) return "How it ends is undecided: " + reason_text(v.reason) + ".";
-    return "Followed to its end: " + std::string(code_name("outcome", static_cast<std::uint8_t>(v.outcome))) + ".";
 }
 
 Figure line_figure(const char* id, LineChart chart, std::string caption, std::string finding)
@@ -158,8 +152,12 @@ Report trajectory_report(const Joint& joint, const Trajectory& t, const Nonlinea
     }
     const bool forced = surroundings.linear || !surroundings.normal_load.value.empty();
     const auto last_third = range(settled(t, t.velocity), Quantity::velocity, motion);
-    report.verdict = "In the last third of " + with_unit(t.time.back(), Quantity::time, motion) +
-                     " the velocity stays " + last_third + "." + (forced ? "" : " " + ending_text(verdict));
+    report.verdict = (forced ? "" : ending_words(verdict) + " ") + "In the last third of " +
+                     with_unit(t.time.back(), Quantity::time, motion) + " the velocity stays " + last_third + ".";
+    if (!forced) {
+        report.tone = ending_tone(verdict);
+        report.headlines = ending_headlines(joint, verdict);
+    }
     if (t.reason != Reason::none)
         report.alerts.push_back({Headline::Tone::warning, "The motion stops early: " + reason_text(t.reason) + "."});
     if (t.used_fallback)
@@ -191,6 +189,8 @@ Report trajectory_report(const Joint& joint, const Trajectory& t, const Nonlinea
     Section outcome{"outcome", "Where this disturbance ends", "", {}, {nonlinear_table(joint, verdict)}};
     if (forced) outcome.title = "Where the stated disturbance alone ends";
     report.sections.push_back(std::move(outcome));
+    report.not_checked = {"Other disturbances, and larger ones: one motion is one example.",
+                          "Sampling, saturation and quantisation of a digital loop."};
     return report;
 }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace stickslip {
@@ -40,14 +41,40 @@ std::vector<std::string> options_of(const CLI::App& verb)
     return names;
 }
 
+/// "fold outcome …" where an option or argument takes one of a few words; the library names them in its type.
+std::string allowed_words(const CLI::Option& option)
+{
+    const std::string type = option.get_type_name();
+    const auto open = type.find('{'), close = type.find('}');
+    if (open == std::string::npos || close == std::string::npos) return "";
+    std::string words = type.substr(open + 1, close - open - 1);
+    std::replace(words.begin(), words.end(), ',', ' ');
+    return words;
+}
+
+/// Words that may follow an option, or the verb itself where its argument is one of a few.
+std::string bash_words(const CLI::App& verb)
+{
+    std::string cases;
+    for (const auto* option : verb.get_options()) {
+        const auto words = allowed_words(*option);
+        if (words.empty()) continue;
+        const std::string before = option->get_positional() ? verb.get_name() : "--" + option->get_lnames().front();
+        cases += fmt::format("        {}:{}) COMPREPLY=($(compgen -W '{}' -- \"$word\")); return ;;\n", verb.get_name(),
+                             before, words);
+    }
+    return cases;
+}
+
 std::string bash(const CLI::App& app)
 {
-    std::string verbs, cases;
+    std::string verbs, cases, words;
     for (const auto* verb : verbs_of(app)) {
         verbs += (verbs.empty() ? "" : " ") + verb->get_name();
         std::string options;
         for (const auto& name : options_of(*verb)) options += (options.empty() ? "" : " ") + name;
         cases += fmt::format("        {}) options='{}' ;;\n", verb->get_name(), options);
+        words += bash_words(*verb);
     }
     return fmt::format(
         "# bash completion for stickslip\n"
@@ -60,13 +87,16 @@ std::string bash(const CLI::App& app)
         "    case ${{COMP_WORDS[1]}} in\n"
         "{}"
         "    esac\n"
+        "    case ${{COMP_WORDS[1]}}:${{COMP_WORDS[COMP_CWORD-1]}} in\n"
+        "{}"
+        "    esac\n"
         "    case $word in\n"
         "        -*) COMPREPLY=($(compgen -W \"$options\" -- \"$word\")) ;;\n"
         "        *) COMPREPLY=($(compgen -f -- \"$word\")); compopt -o filenames 2>/dev/null ;;\n"
         "    esac\n"
         "}}\n"
         "complete -F _stickslip stickslip\n",
-        verbs, cases);
+        verbs, cases, words);
 }
 
 std::string zsh(const CLI::App& app)
@@ -74,12 +104,16 @@ std::string zsh(const CLI::App& app)
     std::string verbs, cases;
     for (const auto* verb : verbs_of(app)) {
         verbs += fmt::format("        '{}:{}'\n", verb->get_name(), safe(verb->get_description()));
-        std::string options;
-        for (const auto* option : verb->get_options())
+        std::string options, argument = "_files";
+        for (const auto* option : verb->get_options()) {
+            const auto words = allowed_words(*option);
+            const std::string values = words.empty() ? "_files" : "(" + words + ")";
+            if (option->get_positional() && !words.empty()) argument = values;
             for (const auto& name : option->get_lnames())
                 options += fmt::format(" '--{}[{}]{}'", name, safe(option->get_description()),
-                                       option->get_items_expected_max() > 0 ? ":value:_files" : "");
-        cases += fmt::format("        {}) _arguments{} '*:file:_files' ;;\n", verb->get_name(), options);
+                                       option->get_items_expected_max() > 0 ? ":value:" + values : "");
+        }
+        cases += fmt::format("        {}) _arguments{} '*:argument:{}' ;;\n", verb->get_name(), options, argument);
     }
     return fmt::format(
         "#compdef stickslip\n"

@@ -2,6 +2,7 @@
 #include "analysis/results/text.h"
 #include "analysis/simulation/nonlinear.h"
 #include "analysis/stability/verdict.h"
+#include "sweep/engine/build.h"
 #include "sweep/files/joint_file.h"
 #include "sweep/files/nonlinear_json.h"
 #include "sweep/files/study_json.h"
@@ -77,7 +78,7 @@ nlohmann::ordered_json motion_json(const AskedDisturbance& asked, const Disturbe
             {"final", motion.memory.position.back()}};
 }
 
-int evaluate(const Options& options)
+int evaluate(const Options& options, const Invocation& invocation)
 {
     Joint joint = read_joint(options.joint);
     apply_settings(joint, options.settings);
@@ -95,6 +96,7 @@ int evaluate(const Options& options)
     std::filesystem::path page;
     if (!options.directory.empty()) {
         auto report = linear_report(joint, verdict, nonlinear, *study);
+        report.provenance = {{"version", program_version()}, {"command", invocation.command}};
         if (motion)
             for (auto& section : report.sections)
                 if (section.id == "response") section.figures.push_back(disturbance_figure(joint, force, *motion));
@@ -147,7 +149,7 @@ void add_evaluate(CLI::App& app, Invocation& invocation)
     verb->footer(
         "Example: stickslip evaluate examples/02-ball-screw/joint-with-memory.toml --set control.k_p=2e4 --json\n"
         "Example: stickslip evaluate examples/02-ball-screw/joint-with-memory.toml -o joint");
-    verb->callback([options, &invocation] { invocation.exit_code = evaluate(*options); });
+    verb->callback([options, &invocation] { invocation.exit_code = evaluate(*options, invocation); });
 }
 
 }  // namespace stickslip

@@ -3,6 +3,7 @@
 #include "analysis/simulation/nonlinear.h"
 #include "analysis/stability/steady.h"
 
+#include "sweep/engine/build.h"
 #include "sweep/files/joint_file.h"
 #include "sweep/program.h"
 #include "sweep/report/trajectory_report.h"
@@ -68,7 +69,7 @@ std::filesystem::path write_trajectory(const Joint& joint, const Trajectory& t, 
     return file;
 }
 
-int simulate_joint(const Options& options)
+int simulate_joint(const Options& options, const Invocation& invocation)
 {
     Joint joint = read_joint(options.joint);
     apply_settings(joint, options.settings);
@@ -80,7 +81,8 @@ int simulate_joint(const Options& options)
     NonlinearOptions outcome;
     outcome.disturbance = simulation.disturbance;
     outcome.rtol = simulation.rtol;
-    const auto report = trajectory_report(joint, trajectory, nonlinear_verdict(joint, outcome), surroundings);
+    auto report = trajectory_report(joint, trajectory, nonlinear_verdict(joint, outcome), surroundings);
+    report.provenance = {{"version", program_version()}, {"command", invocation.command}};
     fmt::print("{}\n", plain_text(report.verdict));
     if (trajectory.time.empty()) return exit_undecided;
     fmt::print("trajectory: {}\n", write_trajectory(joint, trajectory, options.directory).string());
@@ -111,7 +113,7 @@ void add_simulate(CLI::App& app, Invocation& invocation)
         "control.k_p=5e4 -o out\n"
         "Example: stickslip simulate joint.toml --force sine --force-size 0.1 --omega 60 -o out\n"
         "Example: stickslip simulate joint.toml --normal-load record.csv --nominal-load 250 -o out");
-    verb->callback([options, &invocation] { invocation.exit_code = simulate_joint(*options); });
+    verb->callback([options, &invocation] { invocation.exit_code = simulate_joint(*options, invocation); });
 }
 
 }  // namespace stickslip

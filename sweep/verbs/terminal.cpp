@@ -28,7 +28,12 @@ const char* code_of(Headline::Tone tone)
 
 bool colours()
 {
-    static const bool wanted = isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
+    // no-color.org: set and not empty
+    const auto set = [](const char* name, std::string_view unless) {
+        const char* value = std::getenv(name);
+        return value && value != unless;
+    };
+    static const bool wanted = isatty(STDOUT_FILENO) != 0 && !set("NO_COLOR", "") && set("TERM", "dumb");
     return wanted;
 }
 
@@ -51,10 +56,11 @@ std::string terminal_summary(const Report& report)
 {
     std::string text = toned(plain_text(report.verdict), report.tone) + "\n";
     for (const auto& alert : report.alerts) text += toned("! " + plain_text(alert.text), alert.tone) + "\n";
+    std::size_t widest = 0;
+    for (const auto& headline : report.headlines) widest = std::max(widest, letters(plain_text(headline.value)));
     for (const auto& headline : report.headlines) {
         const auto value = plain_text(headline.value);
-        text += "  " + toned(value, headline.tone) +
-                std::string(value.size() ? 13 - std::min<std::size_t>(12, letters(value)) : 1, ' ') +
+        text += "  " + toned(value, headline.tone) + std::string(widest + 2 - letters(value), ' ') +
                 plain_text(headline.meaning) + "\n";
     }
     return text;

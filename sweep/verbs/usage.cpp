@@ -2,6 +2,9 @@
 
 #include "analysis/joint/parameters.h"
 
+#include <fmt/format.h>
+
+#include <regex>
 #include <string_view>
 
 namespace stickslip {
@@ -44,20 +47,43 @@ std::vector<std::string> option_names(const CLI::App& verb)
     return names;
 }
 
-/// "--threads: x not in {a,b}" in the words of every other message of this program.
-std::string value_error(const std::string& message)
+std::vector<std::string> split_at_commas(std::string rest)
 {
-    const auto colon = message.find(": "), set = message.find(" not in {");
-    if (colon == std::string::npos || set == std::string::npos || message.back() != '}') return message;
-    const std::string given = message.substr(colon + 2, set - colon - 2);
-    std::vector<std::string> allowed;
-    std::string rest = message.substr(set + 9, message.size() - set - 10) + ",";
+    std::vector<std::string> parts;
+    rest += ',';
     for (auto comma = rest.find(','); comma != std::string::npos; comma = rest.find(',')) {
-        allowed.push_back(rest.substr(0, comma));
+        parts.push_back(rest.substr(0, comma));
         rest.erase(0, comma + 1);
     }
-    return message.substr(0, colon) + ": given is " + in_quotes(given) + ", allowed are " + listed(allowed) +
-           did_you_mean(given, allowed);
+    return parts;
+}
+
+/// "0 to 1", "a number above 0": the library prints such limits with all their digits.
+std::string range_words(const std::string& low, const std::string& high)
+{
+    constexpr double unlimited = 1e300;
+    const double from = std::stod(low), to = std::stod(high);
+    return to > unlimited ? fmt::format("a number above {:g}", from) : fmt::format("{:g} to {:g}", from, to);
+}
+
+/// "--threads: x not in {a,b}" and its like in the words of every other message of this program.
+std::string value_error(const std::string& message)
+{
+    std::smatch m;
+    const auto given = [&] { return m[1].str() + ": given is " + in_quotes(m[2]); };
+    if (std::regex_match(message, m, std::regex(R"((\S+): (.*) not in \{(.*)\})"))) {
+        const auto allowed = split_at_commas(m[3]);
+        return given() + ", allowed are " + listed(allowed) + did_you_mean(m[2], allowed);
+    }
+    if (std::regex_match(message, m, std::regex(R"((\S+): \((.*) not in \{(.*)\}\) OR \(File does not exist: .*\))"))) {
+        const auto allowed = split_at_commas(m[3]);
+        return given() + ", allowed are " + listed(allowed) + " or a file" + did_you_mean(m[2], allowed);
+    }
+    if (std::regex_match(message, m, std::regex(R"((\S+): Value (.*) not in range (\S+) to (\S+))")))
+        return given() + ", allowed is " + range_words(m[3], m[4]);
+    if (std::regex_match(message, m, std::regex(R"((\S+): At Most (\d+) required but received (\d+))")))
+        return m[1].str() + ": given are " + m[3].str() + ", allowed are at most " + m[2].str();
+    return message;
 }
 
 }  // namespace

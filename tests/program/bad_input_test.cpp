@@ -103,6 +103,11 @@ TEST_CASE("a wrong command line is told what is allowed and the nearest name", "
         {"evaluate a.toml b.toml", "\"b.toml\" is one argument too many"},
         {"simulate a.toml --disturbance posit", "given is \"posit\", allowed are position, velocity"},
         {"simulate a.toml --disturbance posit", "did you mean position?"},
+        {"sweep --max-undecided 7", "--max-undecided: given is \"7\", allowed is 0 to 1\n"},
+        {"sweep --threads many", "--threads: given is \"many\", allowed is 0 to 4096\n"},
+        {"simulate a.toml --duration -1", "--duration: given is \"-1\", allowed is a number above 0\n"},
+        {"simulate a.toml --force sin", "allowed are impulse, step, sine, noise or a file; did you mean sine?"},
+        {"report a b c", "DIR: given are 3, allowed are at most 2"},
         {"report /dev/null/out", "/dev/null/out: holds no finished sweep"},
     };
     for (const auto& wrong : cases) {

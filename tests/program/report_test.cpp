@@ -122,6 +122,11 @@ TEST_CASE("completions and manual know every verb", "[program]")
         "bash -c 'source \"" + script +
         "\"; COMP_WORDS=(stickslip sw); COMP_CWORD=1; _stickslip; test \"${COMPREPLY[*]}\" = sweep; a=$?; "
         "COMP_WORDS=(stickslip sweep --ti); COMP_CWORD=2; _stickslip; "
-        "test \"${COMPREPLY[*]}\" = --timestamp && exit $a'";
+        "test \"${COMPREPLY[*]}\" = --timestamp || exit 1; "
+        "COMP_WORDS=(stickslip boundary a.toml --kind fo); COMP_CWORD=4; _stickslip; "
+        "test \"${COMPREPLY[*]}\" = fold || exit 1; "
+        "COMP_WORDS=(stickslip list la); COMP_CWORD=2; _stickslip; "
+        "test \"${COMPREPLY[*]}\" = laws && exit $a'";
+    CHECK_THAT(zsh.output, Contains(":value:(velocity-only linear v-min fold outcome)"));
     CHECK(std::system(asks.c_str()) == 0);
 }

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <regex>
 
 using namespace stickslip;
 using Catch::Matchers::Contains;
@@ -59,6 +60,32 @@ TEST_CASE("a field map draws numbers on every scale, and classes", "[pictures]")
     CHECK_THROWS_AS(render(figure_of(map)), std::invalid_argument);
     map.values.pop_back();
     CHECK_THROWS_AS(render(figure_of(map)), std::invalid_argument);
+}
+
+TEST_CASE("classes end at the lines of the map, not half way between its points", "[pictures]")
+{
+    FieldMap map = field();
+    map.x = {"x", "x", "x", Quantity::number, false, {0, 1}};
+    map.y = {"y", "y", "y", Quantity::number, false, {0, 1}};
+    map.values = {0, 1, 0, 1};
+    map.classes = {"left", "right"};
+    map.lines = {{"boundary", {0.9, 0.9}, {0, 1}, false}};
+    const auto bounded = render(figure_of(map));
+    map.lines.clear();
+    const auto unaided = render(figure_of(map));
+    // ends of strokes, which only the hatching of the class to the right puts inside the chart
+    const auto strokes = [](const RenderedFigure& f, double from, double to) {
+        const std::regex pair("([0-9.]+)[, ]([0-9.]+)");
+        const auto within = [](double v, double low, double high) { return v > low && v < high; };
+        int found = 0;
+        for (std::sregex_iterator it(f.svg.begin(), f.svg.end(), pair), end; it != end; ++it)
+            found += within(std::stod((*it)[1]), f.plot.left + from * f.plot.width, f.plot.left + to * f.plot.width) &&
+                     within(std::stod((*it)[2]), f.plot.top + 3, f.plot.top + f.plot.height - 3);
+        return found;
+    };
+    CHECK(strokes(bounded, 0.45, 0.85) == 0);
+    CHECK(strokes(bounded, 0.85, 0.99) > 10);
+    CHECK(strokes(unaided, 0.45, 0.85) > 10);
 }
 
 TEST_CASE("a field without a single value is drawn, not refused", "[pictures]")

@@ -81,6 +81,7 @@ class Follower {
     Attractor ended(Attractor::Kind kind, Reason reason = Reason::none);
     Attractor from_turn(const Turn& turn);
     bool shoot(const FlowVector& guess);
+    bool makes_turn(const Cycle& cycle) const;
     bool jump(double growth);
     double still_amplitude(double growth) const;
     double amplitude() const { return distance(points_.back(), steady_); }
@@ -127,6 +128,18 @@ Attractor Follower::from_turn(const Turn& turn)
     return ended(Attractor::Kind::cycle);
 }
 
+/// Shooting continues the branch on which a body slides through its V = 0, where the body may stick: there a cycle is
+/// believed only if the motion itself goes around it without a stop.
+bool Follower::makes_turn(const Cycle& cycle) const
+{
+    const auto* sliding = dynamic_cast<const SlidingFlow*>(&flow_);
+    if (!(sliding && sliding->can_rest()) && !dynamic_cast<const SwitchingFlow*>(&flow_)) return true;
+    SlidingMotion motion(flow_, options_.solver, options_.rtol);
+    motion.start(cycle.start);
+    const Turn turn = motion.turn(2 * cycle.period);
+    return turn.end == Turn::End::crossing && smooth(turn) && std::abs(turn.period() / cycle.period - 1) < alike;
+}
+
 bool Follower::shoot(const FlowVector& guess)
 {
     // each miss doubles the wait: a motion that creeps past a fold would be shot at in every turn for nothing
@@ -139,6 +152,7 @@ bool Follower::shoot(const FlowVector& guess)
     if (!cycle || !cycle->attracts()) return false;
     const double size = distance(cycle->start, steady_);
     if (distance(cycle->start, guess) > 0.5 * size) return false;  // another orbit than the one at hand
+    if (!makes_turn(*cycle)) return false;
     result_.path = DecisionPath::shooting;
     result_.period = cycle->period;
     result_.velocity_min = cycle->velocity_min;

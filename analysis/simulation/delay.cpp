@@ -5,47 +5,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "analysis/simulation/dormand_prince.h"
 #include "analysis/stability/linear_joint.h"
 #include "analysis/stability/steady.h"
 
 namespace stickslip {
-namespace {
 
-constexpr int stages = 7;
-/// Dormand & Prince (1980), RK5(4)7M; the last row is the step itself.
-constexpr double node[stages] = {0, 1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1, 1};
-constexpr double weight[stages][stages - 1] = {
-    {},
-    {1.0 / 5},
-    {3.0 / 40, 9.0 / 40},
-    {44.0 / 45, -56.0 / 15, 32.0 / 9},
-    {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
-    {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
-    {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84},
-};
-/// Difference to the embedded method of order 4.
-constexpr double error_weight[stages] = {71.0 / 57600,      0,          -71.0 / 16695, 71.0 / 1920,
-                                         -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
-/// Fifth coefficient of the dense output (Hairer, Nørsett & Wanner, Solving ODEs I, II.6, program DOPRI5).
-constexpr double dense_weight[stages] = {-12715105075.0 / 11282082432,  0,
-                                         87487479700.0 / 32700410799,   -10690763975.0 / 1880347072,
-                                         701980252875.0 / 199316789632, -1453857185.0 / 822651844,
-                                         69997945.0 / 29380423};
-
-void fill_dense(double y0, double y1, const double* k, double h, double* c)
-{
-    const double difference = y1 - y0, bend = h * k[0] - difference;
-    double last = 0;
-    for (int i = 0; i < stages; ++i) last += dense_weight[i] * k[i];
-    c[0] = y0, c[1] = difference, c[2] = bend, c[3] = difference - h * k[6] - bend, c[4] = h * last;
-}
-
-double dense(const double* c, double f)
-{
-    return c[0] + f * (c[1] + (1 - f) * (c[2] + f * (c[3] + (1 - f) * c[4])));
-}
-
-}  // namespace
+using namespace dormand_prince;
 
 double DelayedJoint::friction(double delayed) const
 {
@@ -165,7 +131,7 @@ bool DelayMotion::step(double t_end)
             kx[i] = r.x, kV[i] = r.V;
         }
         double ex = 0, eV = 0;
-        for (int i = 0; i < stages; ++i) ex += h * error_weight[i] * kx[i], eV += h * error_weight[i] * kV[i];
+        for (int i = 0; i < stages; ++i) ex += h * error_weight[0][i] * kx[i], eV += h * error_weight[0][i] * kV[i];
         const double error = std::max(std::abs(ex) / (rtol_ * (x_scale + std::abs(x_))),
                                       std::abs(eV) / (rtol_ * (joint_.V0 + std::abs(V_))));
         const double factor = error < 1e30 ? std::clamp(0.9 * std::pow(std::max(error, 1e-10), -0.2), 0.2, 5.0) : 0.1;

@@ -111,9 +111,8 @@ std::unique_ptr<Flow> SlidingFlow::with_gain(double gain) const
     return copy;
 }
 
-double SlidingFlow::release_force(double x) const
+double SlidingFlow::release_force(double x, double excess) const
 {
-    constexpr double excess = 1e-12;
     const double forces = std::abs(steady_friction) + std::abs(force) + std::abs(k_v * V0) + std::abs(k_p * x);
     return static_force() + excess * forces;
 }

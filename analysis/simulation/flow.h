@@ -96,9 +96,11 @@ class SlidingFlow final : public Flow {
 
     /// What the friction must carry for the mass to keep its speed V = 0: f_ss + d + k_v V_0 − k_p x.
     double holding_force(double x) const { return steady_friction + force + k_v * V0 - k_p * x; }
-    /// The holding force at which rest ends. It exceeds the static friction by less than any tolerance and by more than
-    /// the rounding of the forces that balance there, which could else hold the mass again at once, and again.
-    double release_force(double x) const;
+    /// The holding force at which rest ends. It exceeds the static friction by `excess` of the forces that balance
+    /// there: by default less than any tolerance and more than their rounding, which could else hold the mass again at
+    /// once, and again.
+    double release_force(double x, double excess = least_excess) const;
+    static constexpr double least_excess = 1e-12;
     /// Largest friction at rest; 0 for a law that is a function at V = 0.
     double static_force() const;
     bool can_rest() const { return stickslip::can_rest(friction); }

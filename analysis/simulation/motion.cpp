@@ -12,7 +12,14 @@ namespace {
 /// Share of V_0 beyond which a negative velocity is reverse sliding rather than the error of a step that ends at rest.
 constexpr double reversal = 1e-6;
 
+/// Share by which the speed at the event `slow` may miss near_rest: what a root in time leaves of a steep speed.
+constexpr double slow_event = 1e-3;
+
 constexpr double at_rest_speed = 1e-9;  ///< share of V_0 to which an event finds rest
+
+/// A solver whose tolerance of V outweighs the first acceleration of a mass that breaks away puts it back to rest: each
+/// such bounce lets the spring wind up by so much more before the next try.
+constexpr double excess_growth = 4, largest_excess = 1e-6;
 
 constexpr int most_idle_switches = 100;  ///< of bodies that stop and go without time moving on
 
@@ -61,6 +68,8 @@ void SlidingMotion::start(const FlowVector& y, double t)
     release_position_ = missing;
     sticks_ = 0;
     stuck_ = false;
+    bounces_ = 0;
+    release_excess_ = SlidingFlow::least_excess;
     stepper_ = stepper(solver_, rtol_);
     idle_switches_ = 0;
     if (switching_) switching_->enter(y_);
@@ -111,8 +120,9 @@ void SlidingMotion::arrive_at_rest()
 {
     ++rests_;
     y_[1] = 0;
+    if (++bounces_ > 1) release_excess_ = std::min(largest_excess, release_excess_ * excess_growth);
     const double needed = mutable_flow_->holding_force(y_[0]);
-    if (std::abs(needed) < mutable_flow_->release_force(y_[0])) {
+    if (std::abs(needed) < mutable_flow_->release_force(y_[0], release_excess_)) {
         stuck_ = true;
         ++sticks_;
     } else {
@@ -123,7 +133,8 @@ void SlidingMotion::arrive_at_rest()
 /// Sticking: x falls at V_0, so the force needed changes at k_p V_0 until it overcomes the static friction of one side.
 bool SlidingMotion::stick(double t_end)
 {
-    const double needed = mutable_flow_->holding_force(y_[0]), limit = mutable_flow_->release_force(y_[0]);
+    const double needed = mutable_flow_->holding_force(y_[0]),
+                 limit = mutable_flow_->release_force(y_[0], release_excess_);
     const double rise = mutable_flow_->k_p * mutable_flow_->V0;
     const double wait = rise > 0 ? (limit - needed) / rise : rise < 0 ? (-limit - needed) / rise : infinity;
     if (!(std::isfinite(wait)) && !std::isfinite(t_end)) return false;
@@ -182,8 +193,9 @@ void SlidingMotion::measure_step(double from, const FlowVector& before, Turn& tu
         turn.velocity_min = std::min(turn.velocity_min, peak);
         turn.velocity_max = std::max(turn.velocity_max, peak);
     }
-    if (std::max(V, flow_->velocity(before)) <= near_rest * V0 * (1 + 1e-9)) rest_time_ += h;
+    if (std::max(V, flow_->velocity(before)) <= near_rest * V0 * (1 + slow_event)) rest_time_ += h;
     if (V < -reversal * V0) turn.reversed = true;
+    if (std::abs(V) > near_rest * V0) bounces_ = 0, release_excess_ = SlidingFlow::least_excess;
 }
 
 void SlidingMotion::tell()

@@ -1,12 +1,11 @@
 // The motion of a joint through sliding, sticking and reversal, turn by turn around the section V = V_0.
 #pragma once
+#include "analysis/simulation/near_rest.h"
 #include "analysis/simulation/stepper.h"
 
 #include <functional>
 
 namespace stickslip {
-
-inline constexpr double near_rest = 0.01;  ///< share of V_0 below which motion counts as (near) sticking
 
 /// One revolution, from one downward crossing of V = V_0 to the next.
 struct Turn {
@@ -79,6 +78,8 @@ class SlidingMotion {
     bool stuck_ = false, used_fallback_ = false;
     double rest_time_ = 0, release_position_ = missing;
     int sticks_ = 0, rests_ = 0, restarts_ = 0;
+    int bounces_ = 0;  ///< rests since the mass last moved faster than near_rest
+    double release_excess_ = SlidingFlow::least_excess;
     int steps_left_ = 0;     ///< of the present turn or advance
     int idle_switches_ = 0;  ///< since time last moved on
     std::function<void(const Instant&)> observer_;

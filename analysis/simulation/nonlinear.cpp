@@ -37,7 +37,22 @@ constexpr double degenerate_lyapunov = 1e-6;
 /// states.
 constexpr double probe_size = 1e-3;
 
+/// To which a small disturbance that grows is lifted, in units of the flow's scale; and the size below which it excites
+/// its mode so little that the lifted one would drown in the solver's tolerance.
+constexpr double lifted = 0.1, hidden = 1e-3 * small_disturbance;
+
 constexpr double neutral_abscissa = 1e-12;  ///< per |s|
+
+/// The size of a small disturbance in units of the flow's scale: its own, or that of the mode that it excites, which
+/// may be far larger, as a position that balances at V_0 starts without a change of speed and brings one about.
+double size_of(const Flow& flow, const SlowMode& mode, const FlowVector& offset)
+{
+    const FlowVector per_scale = flow.scale().cwiseInverse();
+    const double own = offset.cwiseProduct(per_scale).lpNorm<Eigen::Infinity>();
+    const double of_mode = mode.right.cwiseProduct(per_scale.cast<std::complex<double>>()).lpNorm<Eigen::Infinity>();
+    const double share = mode.size(mode.steady + offset) / std::abs((mode.left.transpose() * mode.right)(0));
+    return std::max(own, std::min(share * of_mode, small_disturbance));
+}
 
 struct Growth {
     double rate = missing;
@@ -50,9 +65,7 @@ struct Growth {
 Growth measure_growth(const Flow& flow, const SlowMode& mode, FlowVector probe, const FollowOptions& options)
 {
     Growth growth;
-    // a position that balances at V_0 starts without a change of speed and brings one about
-    const double size = std::max(small_disturbance, probe.cwiseQuotient(flow.scale()).lpNorm<Eigen::Infinity>());
-    probe *= probe_size / size;
+    probe *= probe_size / size_of(flow, mode, probe);
     const double window = mode.window();
     // tolerances relative to the disturbance, not to the motion that it may grow into, and to what it changes by
     const double change = std::min(1.0, clear_change * std::abs(mode.s.real()) * window);
@@ -188,7 +201,8 @@ void judge(const Joint& joint, const AnyFlow& flow, double abscissa, const Nonli
     } else {
         // a small disturbance that grows need not be watched while it is linear: its direction is known, its size is
         // not
-        const double lift = stated_small ? 0.1 / small_disturbance : 1;
+        const double size = size_of(flow, mode, y0 - mode.steady);
+        const double lift = stated_small ? lifted / (size < hidden ? size : small_disturbance) : 1;
         stated = follow(flow, mode.steady + lift * (y0 - mode.steady), decays, follow_options);
     }
     verdict.outcome = outcome_of(stated);

@@ -115,7 +115,7 @@ std::string reason_text(Reason reason)
         case Reason::solver_failed:
             return "both solvers failed";
         case Reason::unsupported:
-            return "this law on this joint cannot be evaluated";
+            return "this combination of friction law, joint and disturbance is not computed";
     }
     return "unknown";
 }

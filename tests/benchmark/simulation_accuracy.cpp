@@ -142,8 +142,12 @@ int main(int argc, char** argv)
     std::printf("seed %u\n", seed);
     bool good = default_map();
     for (const bool region : {false, true}) {
-        const auto joints = random_joints(count / 2, seed + region);
-        good &= print(region ? "three regions" : "one small disturbance", joints, on_two_threads(joints, region));
+        const auto slip = random_joints(count / 2, seed + region);
+        good &= print(region ? "slip law, three regions" : "slip law, one small disturbance", slip,
+                      on_two_threads(slip, region));
+        const auto stribeck = random_stribeck_joints(count / 2, seed + region);
+        good &= print(region ? "Stribeck, three regions" : "Stribeck, one small disturbance", stribeck,
+                      on_two_threads(stribeck, region));
     }
     return good ? 0 : 1;
 }

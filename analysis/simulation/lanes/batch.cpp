@@ -1,10 +1,13 @@
 #include "analysis/simulation/lanes/batch.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <vector>
+
+#include "analysis/simulation/lanes/grouping.h"
+#include "analysis/simulation/lanes/stribeck_batch.h"
 
 #include "analysis/simulation/mode.h"
 #include "analysis/stability/polynomial.h"
@@ -13,22 +16,7 @@
 namespace stickslip::lanes {
 namespace {
 
-constexpr double finest = 1e-5;      ///< share of rtol where growth is too small to be measured anyway
 constexpr double slow_start = 1e-4;  ///< as in the reference: the share of V_0 from which V_0 is commanded
-
-double rounded(double value)
-{
-    const auto bits = std::bit_cast<std::uint64_t>(value);
-    constexpr std::uint64_t lost = 8;  // of 52
-    return std::bit_cast<double>((bits + (std::uint64_t{1} << (lost - 1))) >> lost << lost);
-}
-
-bool plain(const Friction& f, const Load& l)
-{
-    return f.asymmetry.coulomb == 0 && f.asymmetry.viscous == 0 && f.load_coefficient == 0 && f.ripple.amplitude == 0 &&
-           f.drift.change == 0 && f.bristle.stiffness == 0 && f.memory.A == 0 && f.memory.B == 0 && f.memory.lag == 0 &&
-           l.gravity_amplitude == 0 && l.cogging.amplitude == 0 && l.disturbance.amplitude == 0;
-}
 
 bool less(const Groups& a, const Groups& b)
 {
@@ -43,9 +31,7 @@ bool less(const Groups& a, const Groups& b)
 std::optional<Scaled> scaled(const Joint& joint)
 {
     const auto* law = std::get_if<RateAndState>(&joint.friction.law);
-    const bool single = joint.mechanism.model == Model::single_mass && joint.control.contact_stiffness == 0 &&
-                        joint.control.force_gain == 0;
-    if (!law || law->B.size != 1 || !single || !plain(joint.friction, joint.load)) return {};
+    if (!law || law->B.size != 1 || !single(joint) || !plain(joint.friction, joint.load)) return {};
     const auto sliding = steady_sliding(joint);
     if (sliding.reason != Reason::none) return {};
     const double A = joint.friction.normal_load * law->A, L = law->L[0], V0 = sliding.velocity;
@@ -81,8 +67,8 @@ Job job(const Groups& g, bool search)
     for (int i = 0; i < 3; ++i) job.left[i][0] = left[i].real(), job.left[i][1] = left[i].imag();
     job.rate = s.real();
     job.magnitude = std::abs(s);
-    job.window = std::min(2 * std::numbers::pi / std::abs(s.imag()), std::log(3.0) / std::abs(s.real()));
-    job.fineness = std::clamp(clear_change * std::abs(s.real()) * job.window, finest, 1.0);
+    job.window = growth_window(s);
+    job.fineness = growth_fineness(s, job.window);
     const double X = probe / job.magnitude;
     job.start[0] = X, job.start[1] = 0, job.start[2] = -g.K * X;
     job.search = search;
@@ -111,40 +97,58 @@ bool write(const Answer& a, const Scaled& s, const Job& job, bool searched, Poin
     return true;
 }
 
-void answer(std::span<const Joint> joints, const NonlinearOptions& options, std::span<PointResult> points,
-            std::vector<std::size_t>& left_over)
+namespace {
+
+/// Answers those joints among `open` that have such groups, each set of groups once; the numbers of the others stay.
+template <class Scale>
+void answer_those(std::optional<Scale> (*scaled)(const Joint&), std::span<const Joint> joints,
+                  const NonlinearOptions& options, std::span<PointResult> points, std::vector<std::size_t>& open)
 {
     struct Entry {
-        Scaled scale;
+        Scale scale;
         std::size_t number;
     };
     std::vector<Entry> entries;
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-        const auto s = covers(options) ? scaled(joints[i]) : std::nullopt;
-        if (s)
+    std::vector<std::size_t> others;
+    for (const auto i : open)
+        if (const auto s = scaled(joints[i]))
             entries.push_back({*s, i});
         else
-            left_over.push_back(i);
-    }
+            others.push_back(i);
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
         return a.scale.groups == b.scale.groups ? a.number < b.number : less(a.scale.groups, b.scale.groups);
     });
-    std::vector<Job> jobs;
+    std::vector<typename Scale::Job> jobs;
     std::vector<std::size_t> job_of(entries.size());
     for (std::size_t i = 0; i < entries.size(); ++i) {
         if (i == 0 || !(entries[i].scale.groups == entries[i - 1].scale.groups))
             jobs.push_back(job(entries[i].scale.groups, options.region));
         job_of[i] = jobs.size() - 1;
     }
-    std::vector<Answer> answers(jobs.size());
+    std::vector<typename Scale::Answer> answers(jobs.size());
     Settings settings;
     settings.rtol = options.rtol;
     run(jobs.data(), answers.data(), jobs.size(), settings, best_instructions());
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const auto& e = entries[i];
         if (!write(answers[job_of[i]], e.scale, jobs[job_of[i]], options.region, points[e.number]))
-            left_over.push_back(e.number);
+            others.push_back(e.number);
     }
+    open = std::move(others);
+}
+
+}  // namespace
+
+void answer(std::span<const Joint> joints, const NonlinearOptions& options, std::span<PointResult> points,
+            std::vector<std::size_t>& left_over)
+{
+    std::vector<std::size_t> open(joints.size());
+    std::iota(open.begin(), open.end(), std::size_t{0});
+    if (covers(options)) {
+        answer_those<Scaled>(scaled, joints, options, points, open);
+        answer_those<StribeckScaled>(stribeck_scaled, joints, options, points, open);
+    }
+    left_over.insert(left_over.end(), open.begin(), open.end());
     std::sort(left_over.begin(), left_over.end());
 }
 

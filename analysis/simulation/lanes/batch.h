@@ -10,6 +10,8 @@ namespace stickslip::lanes {
 
 /// A joint in the units of its law.
 struct Scaled {
+    using Job = lanes::Job;
+    using Answer = lanes::Answer;
     Groups groups;
     double length;      ///< L
     double velocity;    ///< V_0

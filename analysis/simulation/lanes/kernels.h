@@ -1,11 +1,14 @@
 // One kernel for each instruction set, each in a source file of its own with its own compile flags.
 #pragma once
-#include "analysis/simulation/lanes/job.h"
+#include "analysis/simulation/lanes/stribeck_job.h"
 
 namespace stickslip::lanes {
 
 void run_baseline(const Job* jobs, Answer* answers, std::size_t count, const Settings& settings);
+void run_baseline(const StribeckJob* jobs, StribeckAnswer* answers, std::size_t count, const Settings& settings);
 void run_avx2(const Job* jobs, Answer* answers, std::size_t count, const Settings& settings);
+void run_avx2(const StribeckJob* jobs, StribeckAnswer* answers, std::size_t count, const Settings& settings);
 void run_avx512(const Job* jobs, Answer* answers, std::size_t count, const Settings& settings);
+void run_avx512(const StribeckJob* jobs, StribeckAnswer* answers, std::size_t count, const Settings& settings);
 
 }  // namespace stickslip::lanes

@@ -107,7 +107,7 @@ double Program::slow_size(const double y[3]) const
     return std::hypot(real, imaginary);
 }
 
-void Program::floors(double floor[3]) const
+void Program::floors(double* floor) const
 {
     const auto& g = job_->groups;
     const double share = phase_ == Phase::grow ? settings_->floor : 1;

@@ -4,6 +4,7 @@
 #pragma once
 #include "analysis/simulation/lanes/job.h"
 #include "analysis/simulation/lanes/secant.h"
+#include "analysis/simulation/near_rest.h"
 #include "analysis/simulation/rodas5p_table.h"
 
 namespace stickslip::lanes {
@@ -19,9 +20,10 @@ struct StepView {
 /// Why the kernel stops at a step.
 struct EventFlags {
     bool time = false;     ///< the phase's end time is reached
-    bool section = false;  ///< w changed sign
-    bool turning = false;  ///< w has an extremum in this or the last step
-    bool slow = false;     ///< w crossed ln(1/100)
+    bool section = false;  ///< V passed V_0
+    bool turning = false;  ///< V has an extremum in this or the last step
+    bool slow = false;     ///< V passed a hundredth of V_0
+    bool rest = false;     ///< V fell to 0
     bool settled = false;  ///< back at steady sliding
 };
 
@@ -35,11 +37,11 @@ struct Action {
 
 enum class Phase : std::uint8_t { grow, cycle, search };
 
-inline constexpr double near_rest_logarithm = -4.605170185988091;  ///< ln(1/100)
 inline constexpr double settled_size = 1e-3;  ///< of X K, w, p/β, below which the linear theory holds
 
 class Program {
   public:
+    using View = StepView;
     Program();  // like all members out of line: no kernel may emit a copy in its own instructions
     /// Starts a job: where from, with what first step.
     Action begin(const Job& job, const Settings& settings);
@@ -51,7 +53,7 @@ class Program {
     double end_time() const;
     double tolerance() const;
     /// Size that errors are measured against, beside that of y itself.
-    void floors(double floor[3]) const;
+    void floors(double* floor) const;
     const Answer& answer() const;
 
   private:

@@ -11,7 +11,11 @@ Instructions best_instructions()
     return Instructions::baseline;
 }
 
-void run(const Job* jobs, Answer* answers, std::size_t count, const Settings& settings, Instructions instructions)
+namespace {
+
+template <class Job, class Answer>
+void run_widest(const Job* jobs, Answer* answers, std::size_t count, const Settings& settings,
+                Instructions instructions)
 {
     if (count == 0) return;
     switch (instructions) {
@@ -22,6 +26,19 @@ void run(const Job* jobs, Answer* answers, std::size_t count, const Settings& se
         case Instructions::baseline:
             return run_baseline(jobs, answers, count, settings);
     }
+}
+
+}  // namespace
+
+void run(const Job* jobs, Answer* answers, std::size_t count, const Settings& settings, Instructions instructions)
+{
+    run_widest(jobs, answers, count, settings, instructions);
+}
+
+void run(const StribeckJob* jobs, StribeckAnswer* answers, std::size_t count, const Settings& settings,
+         Instructions instructions)
+{
+    run_widest(jobs, answers, count, settings, instructions);
 }
 
 }  // namespace stickslip::lanes

@@ -39,12 +39,39 @@ inline std::vector<Joint> random_joints(std::size_t count, unsigned seed)
     return joints;
 }
 
+/// Stribeck joints: V_0 from a thirtieth of c3 to six of them, both exponents that lanes have, two thirds of them
+/// without k_v, so that half slide steadily and some stick beside steady sliding.
+inline std::vector<Joint> random_stribeck_joints(std::size_t count, unsigned seed)
+{
+    std::mt19937_64 random(seed);
+    const auto uniform = [&](double a, double b) {
+        return a + (b - a) * std::ldexp(static_cast<double>(random() >> 11), -53);
+    };
+    std::vector<Joint> joints;
+    while (joints.size() < count) {
+        Stribeck law;
+        law.c3 = std::pow(10, uniform(-4, -1));
+        law.c2 = std::pow(10, uniform(-1, 1.5));
+        law.c0 = std::pow(10, uniform(0, 2));
+        law.c1 = 0.3 * law.c2 / law.c3 * std::pow(10, uniform(-2, 0.5));
+        law.c4 = random() % 2 == 0 ? 1 : 2;
+        const double m = std::pow(10, uniform(-1, 1)), V0 = law.c3 * std::pow(10, uniform(-1.5, 0.8));
+        const double k_v = random() % 3 == 0 ? uniform(0, 0.75) * law.c2 / law.c3 : 0;
+        Joint joint = stribeck_joint(m * std::pow(10, uniform(1, 5)), k_v, V0);
+        joint.mechanism.inertia = m;
+        joint.friction.law = law;
+        joints.push_back(joint);
+    }
+    return joints;
+}
+
 /// One joint, both answers, and how far they are apart where both have a number (relative; 0 elsewhere).
 struct Compared {
     PointResult row;
     NonlinearVerdict truth;
     double true_growth = missing;  ///< 1/s, by CVODE counting from steady sliding
     double growth = 0, period = 0, amplitude = 0;
+    double rest = 0;                              ///< difference of the shares of the period at rest
     double row_spectrum = 0, truth_spectrum = 0;  ///< growth rates of both against the spectral abscissa
     double path_spectrum = 0;  ///< the same of the product's CVODE path, which works in SI and carries whole forces
 
@@ -59,6 +86,7 @@ struct Compared {
 inline double growth_by_cvode(const Joint& joint)
 {
     constexpr double rtol = 1e-13;
+    if (!std::holds_alternative<RateAndState>(joint.friction.law)) return missing;  // its spectrum is a closed form
     const auto& law = std::get<RateAndState>(joint.friction.law);
     const double A = law.A, L = law.L[0], V0 = joint.control.V0;
     const lanes::Groups groups{joint.control.k_p * L / A, joint.mechanism.inertia * V0 * V0 / (L * A), law.B[0] / A,
@@ -89,6 +117,7 @@ inline std::vector<Compared> compare_with_cvode(std::span<const Joint> joints, b
         c.truth_spectrum = relative_error(c.true_growth, abscissa);
         c.path_spectrum = relative_error(c.truth.growth_rate, abscissa);
         c.period = relative_error(c.row.period, c.truth.period);
+        c.rest = std::isnan(c.row.period) ? 0 : std::abs(c.row.stick_fraction - c.truth.stick_fraction);
         const double swing = std::log(c.row.velocity_max / c.row.velocity_min);
         c.amplitude = std::max(relative_error(c.row.amplitude, c.truth.amplitude),
                                relative_error(swing, std::log(c.truth.velocity_max / c.truth.velocity_min)));

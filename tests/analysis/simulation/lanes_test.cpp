@@ -5,6 +5,7 @@
 
 #include "analysis/simulation/lanes/batch.h"
 #include "analysis/simulation/lanes/functions.h"
+#include "analysis/simulation/lanes/stribeck_batch.h"
 #include "analysis/stability/verdict.h"
 #include "tests/analysis/simulation/lanes_comparison.h"
 
@@ -12,9 +13,10 @@ using namespace stickslip;
 
 namespace {
 
-std::vector<lanes::Answer> answers_of(const std::vector<lanes::Job>& jobs, lanes::Instructions set)
+template <class Answer, class Job>
+std::vector<Answer> answers_of(const std::vector<Job>& jobs, lanes::Instructions set)
 {
-    std::vector<lanes::Answer> answers(jobs.size());
+    std::vector<Answer> answers(jobs.size());
     lanes::run(jobs.data(), answers.data(), jobs.size(), {}, set);
     return answers;
 }
@@ -31,20 +33,71 @@ bool same_bits(const lanes::Answer& a, const lanes::Answer& b)
            same_bits(a.period, b.period) && same_bits(a.rest_time, b.rest_time) && a.turns == b.turns;
 }
 
-void check_against_cvode(std::size_t count, unsigned seed, bool region)
+bool same_bits(const lanes::StribeckAnswer& a, const lanes::StribeckAnswer& b)
 {
-    CAPTURE(count, seed, region);
+    return a.ending == b.ending && same_bits(a.growth, b.growth) && same_bits(a.u_min, b.u_min) &&
+           same_bits(a.u_max, b.u_max) && same_bits(a.x_min, b.x_min) && same_bits(a.x_max, b.x_max) &&
+           same_bits(a.period, b.period) && same_bits(a.rest_time, b.rest_time) && a.turns == b.turns;
+}
+
+std::vector<lanes::Job> slip_jobs(std::size_t count, unsigned seed)
+{
+    std::vector<lanes::Job> jobs;
+    for (const auto& joint : random_joints(count, seed)) jobs.push_back(lanes::job(lanes::scaled(joint)->groups, true));
+    return jobs;
+}
+
+std::vector<lanes::StribeckJob> stribeck_jobs(std::size_t count, unsigned seed)
+{
+    std::vector<lanes::StribeckJob> jobs;
+    for (const auto& joint : random_stribeck_joints(count, seed))
+        if (const auto s = lanes::stribeck_scaled(joint)) jobs.push_back(lanes::job(s->groups, true));
+    return jobs;
+}
+
+template <class Answer, class Job>
+void check_independence(const std::vector<Job>& jobs)
+{
+    const auto set = lanes::best_instructions();
+    const auto forwards = answers_of<Answer>(jobs, set);
+    const std::vector<Job> backwards(jobs.rbegin(), jobs.rend());
+    const auto reversed = answers_of<Answer>(backwards, set);
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+        CHECK(same_bits(forwards[i], reversed[jobs.size() - 1 - i]));
+        if (i % 7 == 0) CHECK(same_bits(forwards[i], answers_of<Answer>(std::vector<Job>{jobs[i]}, set)[0]));
+    }
+}
+
+template <class Answer, class Job>
+void check_instruction_sets(const std::vector<Job>& jobs)
+{
+    const auto baseline = answers_of<Answer>(jobs, lanes::Instructions::baseline);
+    for (const auto set : {lanes::Instructions::avx2, lanes::Instructions::avx512}) {
+        if (set > lanes::best_instructions()) continue;
+        const auto wide = answers_of<Answer>(jobs, set);
+        for (std::size_t i = 0; i < jobs.size(); ++i) {
+            CHECK(wide[i].ending == baseline[i].ending);
+            CHECK(wide[i].growth == Approx(baseline[i].growth).epsilon(1e-6));
+            CHECK(wide[i].period == Approx(baseline[i].period).epsilon(1e-5));
+        }
+    }
+}
+
+void check_against_cvode(const std::vector<Joint>& joints, bool region)
+{
     int by_lanes = 0, undecided = 0;
-    for (const auto& c : compare_with_cvode(random_joints(count, seed), region)) {
+    for (const auto& c : compare_with_cvode(joints, region)) {
         CHECK(c.same_outcome());
         CHECK(c.growth < 1e-5);
+        CHECK(c.row_spectrum < 1e-5);
+        CHECK(c.rest < 1e-4);  // the reference counts by steps, of which the last before a slip may be missed
         CHECK(c.period < 1e-5);
         CHECK(c.amplitude < 1e-3);
         by_lanes += c.row.path == DecisionPath::lanes;
         undecided += c.undecided();
     }
     CHECK(undecided == 0);
-    CHECK(by_lanes > 0.9 * static_cast<double>(count));
+    CHECK(by_lanes > 0.7 * static_cast<double>(joints.size()));
 }
 
 }  // namespace
@@ -64,32 +117,14 @@ TEST_CASE("packs: e^w and e^w − 1 against libm", "[lanes]")
 
 TEST_CASE("an answer depends on its job alone, not on lane, neighbours or order", "[lanes]")
 {
-    std::vector<lanes::Job> jobs;
-    for (const auto& joint : random_joints(60, 11)) jobs.push_back(lanes::job(lanes::scaled(joint)->groups, true));
-    const auto set = lanes::best_instructions();
-    const auto forwards = answers_of(jobs, set);
-    std::vector<lanes::Job> backwards(jobs.rbegin(), jobs.rend());
-    const auto reversed = answers_of(backwards, set);
-    for (std::size_t i = 0; i < jobs.size(); ++i) {
-        CHECK(same_bits(forwards[i], reversed[jobs.size() - 1 - i]));
-        if (i % 7 == 0) CHECK(same_bits(forwards[i], answers_of({jobs[i]}, set)[0]));
-    }
+    check_independence<lanes::Answer>(slip_jobs(60, 11));
+    check_independence<lanes::StribeckAnswer>(stribeck_jobs(90, 13));
 }
 
 TEST_CASE("every instruction set gives the same outcomes", "[lanes]")
 {
-    std::vector<lanes::Job> jobs;
-    for (const auto& joint : random_joints(100, 12)) jobs.push_back(lanes::job(lanes::scaled(joint)->groups, true));
-    const auto baseline = answers_of(jobs, lanes::Instructions::baseline);
-    for (const auto set : {lanes::Instructions::avx2, lanes::Instructions::avx512}) {
-        if (set > lanes::best_instructions()) continue;
-        const auto wide = answers_of(jobs, set);
-        for (std::size_t i = 0; i < jobs.size(); ++i) {
-            CHECK(wide[i].ending == baseline[i].ending);
-            CHECK(wide[i].growth == Approx(baseline[i].growth).epsilon(1e-6));
-            CHECK(wide[i].period == Approx(baseline[i].period).epsilon(1e-5));
-        }
-    }
+    check_instruction_sets<lanes::Answer>(slip_jobs(100, 12));
+    check_instruction_sets<lanes::StribeckAnswer>(stribeck_jobs(150, 14));
 }
 
 TEST_CASE("joints of equal groups have equal rows but for their units", "[lanes]")
@@ -111,7 +146,8 @@ TEST_CASE("joints of equal groups have equal rows but for their units", "[lanes]
 
 TEST_CASE("what lanes do not cover falls to the reference and says so", "[lanes]")
 {
-    const Joint stribeck = stribeck_joint(1e4, 0, 1e-3);
+    Joint stribeck = stribeck_joint(1e4, 0, 1e-3);
+    std::get<Stribeck>(stribeck.friction.law).c4 = 1.5;
     const Joint joints[] = {stribeck, example_joint(20000, 0, 1e-3)};
     PointResult points[2];
     nonlinear_points(joints, {}, points);
@@ -123,6 +159,27 @@ TEST_CASE("what lanes do not cover falls to the reference and says so", "[lanes]
 // more of them, with figures: benchmark_simulation_accuracy
 TEST_CASE("lanes against CVODE at rtol 1e-11: random joints", "[lanes]")
 {
-    check_against_cvode(30, 21, false);
-    check_against_cvode(15, 22, true);
+    check_against_cvode(random_joints(30, 21), false);
+    check_against_cvode(random_joints(15, 22), true);
+    check_against_cvode(random_stribeck_joints(60, 23), false);
+    check_against_cvode(random_stribeck_joints(60, 24), true);
+}
+
+TEST_CASE("stick-slip of a Stribeck joint with its sticking in closed form", "[lanes]")
+{
+    // fixed steps of 2 µs by the classical Runge-Kutta method, rest in closed form, written apart from the program
+    Joint joint = stribeck_joint(27868.50771, 0, 0.004577163113);
+    joint.mechanism.inertia = 2.368116353;
+    auto& law = std::get<Stribeck>(joint.friction.law);
+    law.c0 = 3.822399009, law.c1 = 7.530392332, law.c2 = 0.1090494649, law.c3 = 0.003558268387;
+    const auto by_cvode = nonlinear_verdict(joint, {});  // shooting once went on through V = 0 and found a reversal
+    CHECK(by_cvode.outcome == Outcome::stick_slip);
+    CHECK(by_cvode.period == Approx(0.0580574710).epsilon(1e-6));
+    PointResult row = linear_point(joint);
+    nonlinear_points({&joint, 1}, {}, {&row, 1});
+    CHECK(row.path == DecisionPath::lanes);
+    CHECK(row.outcome == Outcome::stick_slip);
+    CHECK(row.period == Approx(0.0580574710).epsilon(1e-8));
+    CHECK(row.velocity_max == Approx(0.0093087604).epsilon(1e-8));
+    CHECK(row.velocity_min == 0);
 }

@@ -1,0 +1,49 @@
+// What turns joints into jobs of the lanes, whatever their law.
+#pragma once
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "analysis/joint/joint.h"
+#include "analysis/simulation/mode.h"
+
+namespace stickslip::lanes {
+
+/// To 44 bits, so that points which differ by roundoff only are one.
+inline double rounded(double value)
+{
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    constexpr std::uint64_t lost = 8;  // of 52
+    return std::bit_cast<double>((bits + (std::uint64_t{1} << (lost - 1))) >> lost << lost);
+}
+
+/// A law with nothing beside it.
+inline bool plain(const Friction& f, const Load& l)
+{
+    return f.asymmetry.coulomb == 0 && f.asymmetry.viscous == 0 && f.load_coefficient == 0 && f.ripple.amplitude == 0 &&
+           f.drift.change == 0 && f.bristle.stiffness == 0 && f.memory.A == 0 && f.memory.B == 0 && f.memory.lag == 0 &&
+           l.gravity_amplitude == 0 && l.cogging.amplitude == 0 && l.disturbance.amplitude == 0;
+}
+
+/// A single mass under position feedback alone.
+inline bool single(const Joint& joint)
+{
+    return joint.mechanism.model == Model::single_mass && joint.control.contact_stiffness == 0 &&
+           joint.control.force_gain == 0;
+}
+
+/// One turn of the mode s, or a factor of 3 if that comes first.
+inline double growth_window(std::complex<double> s)
+{
+    return std::min(2 * std::numbers::pi / std::abs(s.imag()), std::log(3.0) / std::abs(s.real()));
+}
+/// Share of rtol that holds while its growth is measured.
+inline double growth_fineness(std::complex<double> s, double window)
+{
+    constexpr double finest = 1e-5;  // where growth is too small to be measured anyway
+    return std::clamp(clear_change * std::abs(s.real()) * window, finest, 1.0);
+}
+
+}  // namespace stickslip::lanes

@@ -1,0 +1,51 @@
+// What the lanes of Stribeck joints are asked and what they answer: plain numbers in dimensionless groups.
+#pragma once
+#include "analysis/simulation/lanes/job.h"
+
+namespace stickslip::lanes {
+
+/// A single mass under Stribeck friction f(V) = c0 + c1 V + c2 exp(−(V/c3)^n), n = 1 or 2. With T = √(m/k_p),
+/// X = x/(V_0 T), u = V/V_0 − 1 and time in T, sliding forwards is
+///   X' = u,   u' = −X − ζ u − α (e^{−ρ q(u)} − 1),   q = (1 + u)^n − 1,
+/// and at rest X falls at speed 1 until the spring overcomes the static friction.
+struct StribeckGroups {
+    double zeta;     ///< (k_v + c1) T/m
+    double alpha;    ///< c2 e^{−ρ} T/(m V_0)
+    double rho;      ///< (V_0/c3)^n
+    double reverse;  ///< X beyond which a mass that stops is pushed backwards
+    int power;       ///< n
+    bool operator==(const StribeckGroups&) const = default;
+
+    /// Where the mass leaves rest: u' = 0 at u = −1.
+    double release() const;
+    /// ∂u'/∂u of steady sliding, with its sign turned.
+    double damping() const;
+};
+
+struct StribeckJob {
+    StribeckGroups groups;
+    double start[2];    ///< X, u: small where `window` is set
+    double left[2][2];  ///< left eigenvector of the slow mode, real and imaginary parts
+    double window;      ///< time over which the growth of the small disturbance is measured
+    double fineness;    ///< share of rtol that holds in that time
+    double rate;        ///< real part of the slow eigenvalue, decides where the measured growth is too small
+    double magnitude;   ///< |s| of the slow eigenvalue
+    bool search;        ///< where small disturbances decay, also follow a start from rest
+};
+
+struct StribeckAnswer {
+    Ending ending = Ending::left_over;
+    double growth = missing;      ///< per unit of time
+    double u_min = 0, u_max = 0;  ///< of the cycle, like all that follows
+    double x_min = 0, x_max = 0;
+    double period = 0;
+    double rest_time = 0;   ///< with V below a hundredth of V_0
+    double multiplier = 0;  ///< Floquet multiplier as the secants see it; 0 of a cycle that sticks
+    int turns = 0;
+    long steps = 0;
+};
+
+void run(const StribeckJob* jobs, StribeckAnswer* answers, std::size_t count, const Settings& settings,
+         Instructions instructions);
+
+}  // namespace stickslip::lanes

@@ -100,6 +100,7 @@ std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, 
         position.floor = c.sigma * c.sigma * noise_amplification(slow, c.row_step);
         effort.difference /= std::max(n, 1.0);
         effort.floor = c.effort_sigma * c.effort_sigma;
+        position.rows = effort.rows = n;
         squares.push_back(position);
         if (c.effort_sigma > 0) squares.push_back(effort);
         return squares;
@@ -128,6 +129,7 @@ std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, 
         if (n == 0) return;
         s.difference *= factor * factor / n;
         s.floor *= factor * factor / n;
+        s.rows = n;
         squares.push_back(s);
     };
     add("position", position_unit, t.position, &Trace::position);

@@ -29,6 +29,7 @@ bool closed_loop_at_floor(const std::vector<Case>& cases, const Candidate& candi
 struct SignalSquares {
     std::string signal, unit;
     double difference = 0, floor = 0;
+    double rows = 0;  ///< that these are means over
 };
 
 /// One entry a logged signal (position, command, effort). Rows outside [from, to) are left out. Without a reference the

@@ -204,7 +204,7 @@ LevelFit descend(const std::vector<Case>& cases, const Candidate& candidate, con
 }
 
 LevelFit search_rough(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales,
-                      Eigen::VectorXd x, double omega, int evaluations)
+                      Eigen::VectorXd x, double omega, int evaluations, double first_step)
 {
     LevelFit fit;
     const auto n = static_cast<Eigen::Index>(candidate.parameter_count());
@@ -222,7 +222,7 @@ LevelFit search_rough(const std::vector<Case>& cases, const Candidate& candidate
         const auto& p = candidate.parameter(static_cast<std::size_t>(i));
         rough.bounds.low.push_back(p.logarithmic ? std::log(p.low) : p.low);
         rough.bounds.high.push_back(p.logarithmic ? std::log(p.high) : p.high);
-        rough.first_step.push_back(p.logarithmic ? 0.3 : 0.3 * std::max(0.1, std::abs(p.prior)));
+        rough.first_step.push_back(first_step * (p.logarithmic ? 1 : std::max(0.1, std::abs(p.prior))));
         start.push_back(x[i]);
     }
     start = minimum(rough, objective, std::move(start));

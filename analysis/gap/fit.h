@@ -101,8 +101,9 @@ struct LevelFit {
 LevelFit descend(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales, Eigen::VectorXd x,
                  double omega, int iterations);
 
-/// NLopt's Nelder-Mead from x, for misfits without usable gradients (play, saturation).
+/// NLopt's Nelder-Mead from x, for misfits without usable gradients (play, saturation). The first step is in logarithms
+/// or in parts of what is usual.
 LevelFit search_rough(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales,
-                      Eigen::VectorXd x, double omega, int evaluations);
+                      Eigen::VectorXd x, double omega, int evaluations, double first_step = 0.3);
 
 }  // namespace stickslip::gap

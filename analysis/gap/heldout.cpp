@@ -67,7 +67,11 @@ HeldOut hold_out(const std::vector<Case>& cases, const std::vector<Joint>& docum
             const auto rest = without(cases, folds[i]);
             bool rough = false;
             for (const auto* f : found.candidate.forms) rough = rough || f->rough;
-            const auto refit = rough ? search_rough(rest, found.candidate, scales, found.x[level], levels[level], 30)
+            // the start is near: a long first step would only lose it where these records say little
+            constexpr double first_step = 0.03;
+            constexpr int evaluations = 40;
+            const auto refit = rough ? search_rough(rest, found.candidate, scales, found.x[level], levels[level],
+                                                    evaluations, first_step)
                                      : descend(rest, found.candidate, scales, found.x[level], levels[level], few);
             after = edited(after, found.candidate, in_si(found.candidate, refit.x, scales), c.number);
         }
@@ -78,6 +82,7 @@ HeldOut hold_out(const std::vector<Case>& cases, const std::vector<Joint>& docum
 
     // per signal: mean squares before, after, floor, summed over folds
     std::map<std::string, std::array<double, 3>> all;
+    std::map<std::string, double> rows;
     std::map<std::string, std::string> units;
     std::vector<double> gains, parts;
     for (const auto& r : results) {
@@ -87,15 +92,18 @@ HeldOut hold_out(const std::vector<Case>& cases, const std::vector<Joint>& docum
             const double floor = std::max(std::min(r.before[s].floor, r.after[s].floor), 1e-300);
             own[r.before[s].signal] = {r.before[s].difference, r.after[s].difference, floor};
             units[r.before[s].signal] = r.before[s].unit;
-            for (std::size_t k = 0; k < 3; ++k) all[r.before[s].signal][k] += own[r.before[s].signal][k];
+            const double n = r.before[s].rows;
+            rows[r.before[s].signal] += n;
+            for (std::size_t k = 0; k < 3; ++k) all[r.before[s].signal][k] += n * own[r.before[s].signal][k];
         }
         const double before = overall(own, 0), after = overall(own, 1);
         if (before > 0) gains.push_back(1 - after / before), parts.push_back(explained_part(before, after, 1));
     }
     HeldOut held;
-    const double n = static_cast<double>(std::max<std::size_t>(results.size(), 1));
-    for (const auto& [signal, s] : all) {
-        SignalGap g{signal, units[signal], std::sqrt(s[0] / n), std::sqrt(s[1] / n), std::sqrt(s[2] / n)};
+    for (auto& [signal, s] : all) {
+        const double n = rows[signal];
+        for (double& x : s) x /= n;
+        SignalGap g{signal, units[signal], std::sqrt(s[0]), std::sqrt(s[1]), std::sqrt(s[2])};
         g.explained = explained_part(g.before, g.after, g.floor);
         held.signals.push_back(g);
     }

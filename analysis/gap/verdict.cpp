@@ -1,7 +1,9 @@
 #include "analysis/gap/verdict.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 namespace stickslip::gap {
 namespace {
@@ -24,6 +26,17 @@ bool divided(const Attribution& a)
     for (const auto* e : a.candidate.effects)
         if (e->name == "backlash" || e->name == "compliance") return true;
     return false;
+}
+
+/// Two free functions of position, or of time, are a short Fourier series: together they come near any smooth force.
+bool flexible(const Attribution& a)
+{
+    constexpr std::array<std::string_view, 5> shapes{"gravity", "cogging", "sensor-offset",
+                                                     "position-dependent-friction", "periodic-disturbance"};
+    std::size_t n = 0;
+    for (const auto* e : a.candidate.effects)
+        n += static_cast<std::size_t>(std::count(shapes.begin(), shapes.end(), e->name));
+    return n > 1;
 }
 
 double worst_at(const Attribution& a, std::size_t level)
@@ -52,9 +65,15 @@ void confirm(const std::vector<Case>& cases, std::vector<Attribution>& ranked, c
              const Scales& scales, const ParallelFor& parallel)
 {
     constexpr std::size_t few = 2;
-    for (std::size_t i = 0; i < std::min(few, ranked.size()); ++i)
-        if (!ranked[i].accepted && ranked[i].refined && at_floor(cases, ranked[i], nominal, scales, parallel))
-            ranked[i].accepted = true;
+    constexpr double clear = 0.04;  // of score: so little is left that nothing else can be in it
+    for (std::size_t i = 0; i < std::min(few, ranked.size()); ++i) {
+        Attribution& a = ranked[i];
+        if (!a.refined || (a.accepted && a.score < clear)) continue;
+        const auto si = in_si(a.candidate, a.x[1], scales);
+        a.accepted = flexible(a)
+                         ? within(spread_of(cases, a.candidate, si, runs, parallel), a.evaluation, levels.size())
+                         : at_floor(cases, a, nominal, scales, parallel);
+    }
     std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.score < b.score; });
 }
 
@@ -70,9 +89,9 @@ Decision decide(const std::vector<Attribution>& singles, const std::vector<Attri
     if (single && best_single->accepted) {
         d.winner = best_single;
         from = &singles;
-    } else if (best_pair && (best_pair->accepted || best_pair->explained > explained_pair)) {
+    } else if (best_pair && (best_pair->accepted || (best_pair->explained > explained_pair && !flexible(*best_pair)))) {
         // a second effect must earn its place: else the first alone is the answer with a rest
-        constexpr double worth = 0.15;
+        const double worth = best_pair->accepted ? 0.06 : 0.15;
         const bool alone =
             best_single && best_single->explained > explained_single && best_single->score < best_pair->score + worth;
         d.winner = alone ? best_single : best_pair;

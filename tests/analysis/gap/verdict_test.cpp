@@ -1,0 +1,73 @@
+#include "analysis/gap/verdict.h"
+#include "analysis/gap/prepare.h"
+#include "tests/analysis/gap/small_machine.h"
+
+#include <catch2/catch.hpp>
+
+using namespace stickslip;
+using namespace stickslip::gap;
+
+namespace {
+
+Attribution found(std::initializer_list<const char*> names, double score, double explained, bool accepted)
+{
+    Attribution a;
+    for (const char* name : names) {
+        a.candidate.effects.push_back(effect_named(name));
+        a.candidate.forms.push_back(&a.candidate.effects.back()->forms[0]);
+    }
+    a.score = score, a.explained = explained, a.accepted = accepted, a.refined = true;
+    return a;
+}
+
+}  // namespace
+
+TEST_CASE("two free functions of position are named only when nothing is left", "[gap]")
+{
+    const std::vector<Attribution> singles{found({"gravity"}, 1.8, 0.65, false)};
+    std::vector<Attribution> pairs{found({"gravity", "cogging"}, 0.08, 0.999, false)};
+    CHECK_FALSE(decide(singles, pairs).named);
+    pairs[0].accepted = true;
+    CHECK(decide(singles, pairs).named);
+    // a shape and a slope cannot bend into anything
+    CHECK(decide(singles, {found({"viscous", "cogging"}, 0.08, 0.999, false)}).named);
+}
+
+TEST_CASE("a pair that leaves nothing wins over a single that leaves little, one that leaves much does not", "[gap]")
+{
+    const std::vector<Attribution> singles{found({"frictional-memory"}, 0.19, 0.975, false)};
+    const auto with = [&](double score, bool accepted) {
+        const std::vector<Attribution> pairs{found({"viscous", "frictional-memory"}, score, 0.99, accepted)};
+        return decide(singles, pairs).winner->candidate.effects.size();
+    };
+    CHECK(with(0.01, true) == 2);
+    CHECK(with(0.15, true) == 1);
+    CHECK(with(0.08, false) == 1);
+}
+
+TEST_CASE("probabilities fall with the misfit, with a needless parameter and where something is left", "[gap]")
+{
+    std::vector<Attribution> singles{found({"constant-load"}, 0.010, 1, true),
+                                     found({"asymmetric-friction"}, 0.013, 1, true),
+                                     found({"viscous"}, 0.4, 0.6, false)};
+    const auto ranked = rank(singles, {}, decide(singles, {}));
+    CHECK(ranked[0].probability > 3 * ranked[1].probability);
+    CHECK(ranked[1].probability > 0.01);
+    CHECK(ranked[2].probability < 1e-6);
+    CHECK(ranked[0].probability + ranked[1].probability + ranked[2].probability == Approx(0.99));
+    singles[0].accepted = false, singles[0].explained = 0.98;
+    CHECK(rank(singles, {}, decide(singles, {}))[0].probability < 0.7);
+}
+
+TEST_CASE("noise estimated from rounded readings is that before rounding", "[gap]")
+{
+    test::Machine m;
+    m.noise = 4e-5, m.quantum = 8e-5;
+    Joint joint = test::nominal_joint();
+    joint.sensor.position_noise = 0;
+    joint.sensor.encoder_quantum = m.quantum;
+    std::vector<std::string> notes;
+    const Case c = prepare(test::record_of(m, 5), joint, notes);
+    CHECK(c.joint.sensor.position_noise == Approx(m.noise).epsilon(0.05));
+    CHECK(c.sigma == Approx(std::hypot(m.noise, m.quantum / std::sqrt(12.0))).epsilon(0.05));
+}

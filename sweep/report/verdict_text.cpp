@@ -1,6 +1,7 @@
 #include "sweep/report/verdict_text.h"
 
 #include "analysis/results/text.h"
+#include "sweep/report/line_figure.h"
 
 #include <cmath>
 
@@ -14,6 +15,29 @@ std::string stiffness(double k, Motion motion)
 std::string damping(double k, Motion motion)
 {
     return with_unit(k, Quantity::damping, motion);
+}
+
+/// The stable set in k_p where it is no single half-line above a critical gain.
+std::string stable_gains(const Joint& joint, const StateVariableVerdict& memory)
+{
+    const auto motion = joint.mechanism.motion;
+    const auto& stable = memory.stable_intervals;
+    const bool limited = std::isfinite(memory.searched_to);
+    if (stable.empty()) return limited ? "" : " No k_{p} makes it stable.";
+    const bool all = stable.size() == 1 && stable[0].low == 0 && stable[0].high == infinity;
+    if (all && memory.stable) return " So they do at every k_{p} > 0.";
+    return " k_{p} = " + stiffness(joint.control.k_p, motion) +
+           (memory.stable ? " is one of the stable gains: " : " is none of the stable gains: ") +
+           intervals_text(stable, Quantity::stiffness, motion) +
+           (limited ? ", searched up to " + stiffness(memory.searched_to, motion) + "." : ".");
+}
+
+/// What friction of velocity alone would ask for where it says no, and memory does not.
+std::string asked_by_velocity(const Joint& joint, double k_v_min)
+{
+    if (std::isnan(k_v_min)) return " at every k_{v}.";
+    if (joint.control.k_v > k_v_min) return " at this k_{v}.";
+    return " and ask for k_{v} > " + damping(k_v_min, joint.mechanism.motion) + ".";
 }
 
 }  // namespace
@@ -30,11 +54,12 @@ std::string verdict_text(const Joint& joint, const LinearVerdict& v)
         text += " k_{p} = " + stiffness(joint.control.k_p, motion) + " is " +
                 plain_number(joint.control.k_p / memory.k_cr) +
                 " times the critical gain k_{cr} = " + stiffness(memory.k_cr, motion) + ".";
+    else
+        text += stable_gains(joint, memory);
     if (v.velocity_only.stable != memory.stable)
-        text += v.velocity_only.stable
-                    ? " Friction that depends on velocity alone would call it stable."
-                    : " Friction that depends on velocity alone would call it stick-slip and ask for k_{v} > " +
-                          damping(v.velocity_only.k_v_min, motion) + ".";
+        text += v.velocity_only.stable ? " Friction that depends on velocity alone would call it stable."
+                                       : " Friction that depends on velocity alone would call it stick-slip" +
+                                             asked_by_velocity(joint, v.velocity_only.k_v_min);
     return text;
 }
 
@@ -51,12 +76,17 @@ Table linear_table(const Joint& joint, const LinearVerdict& v)
                   row("friction of steady sliding f_{ss}(V_{0})", v.steady.friction, Quantity::effort),
                   row("steady deflection δ_{ss}", v.steady.deflection, Quantity::position),
                   row("slope of the steady curve f_{ss}'(V_{0})", v.velocity_only.slope, Quantity::damping),
-                  row("least k_{v} by velocity alone", v.velocity_only.k_v_min, Quantity::damping),
+                  std::isnan(v.velocity_only.k_v_min)
+                      ? std::vector<std::string>{"least k_{v} by velocity alone", "none is enough"}
+                      : row("least k_{v} by velocity alone", v.velocity_only.k_v_min, Quantity::damping),
                   row("direct effect f_{v}", v.state_variable.f_v, Quantity::damping),
                   row("kernel integral ∫g", v.state_variable.kernel_integral, Quantity::damping),
                   row("critical position gain k_{cr}", v.state_variable.k_cr, Quantity::stiffness),
                   row("spectral abscissa max Re s", v.state_variable.spectral_abscissa, Quantity::rate)};
-    if (!v.state_variable.crossings.empty())
+    if (std::isnan(v.state_variable.k_cr))
+        table.rows.push_back(
+            {"stable k_{p}", intervals_text(v.state_variable.stable_intervals, Quantity::stiffness, motion)});
+    else
         table.rows.push_back(row("frequency at the critical gain ω", v.state_variable.crossings.back().omega,
                                  Quantity::angular_frequency));
     return table;

@@ -1,0 +1,89 @@
+// The verdict in words where no single critical gain exists, and where no velocity gain is enough.
+#include "sweep/report/verdict_text.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+#include "tests/analysis/joint/sample_joints.h"
+
+using namespace stickslip;
+
+namespace {
+
+bool has(const std::string& text, const char* part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+std::string cell(const Table& table, const std::string& name)
+{
+    for (const auto& row : table.rows)
+        if (row[0] == name) return row[1];
+    return "no such row";
+}
+
+/// m = 1 kg, a lag of 5 ms on a curve that falls by 100 N·s/m at V_0.
+Joint lagged(double k_p)
+{
+    Joint joint = samples::single_mass(1);
+    TimeLag law;
+    law.lag = 5e-3;
+    // exp(−(V/c_3)) at V = c_3 = 1 mm/s has the slope −c_2/(c_3 e)
+    law.curve.law = Stribeck{1, 0, 100 * 1e-3 * std::exp(1.0), 1e-3, 1};
+    joint.friction.law = law;
+    joint.control.V0 = 1e-3;
+    joint.control.k_p = k_p;
+    joint.control.k_v = 0;
+    return joint;
+}
+
+}  // namespace
+
+TEST_CASE("the verdict names the windows of stable gains of a lag", "[report]")
+{
+    // ωτ = 2πn ± π/2, k_p = mω² + ω|f'| sin ωτ: 130112 … 794017, 2624481 … 4616195 N/m, …
+    for (const double k_p : {2e5, 1e6}) {
+        const Joint joint = lagged(k_p);
+        const auto verdict = linear_verdict(joint);
+        const auto text = plain_text(verdict_text(joint, verdict));
+        CAPTURE(text);
+        CHECK(has(text, k_p == 2e5 ? "one of the stable gains" : "none of the stable gains"));
+        CHECK(has(text, "130.1 kN/m … 794 kN/m, 2.624 MN/m … 4.616 MN/m"));
+        CHECK(has(text, "searched up to"));
+        const auto table = linear_table(joint, verdict);
+        CHECK(has(cell(table, "stable k_{p}"), "130.1 kN/m … 794 kN/m"));
+        // a frequency at a gain that does not exist would mislead
+        CHECK(cell(table, "frequency at the critical gain ω") == "no such row");
+    }
+}
+
+TEST_CASE("the verdict asks for no velocity gain where none is enough", "[report]")
+{
+    // with friction on the link alone the motor's damping reaches it only through the spring: too little for −500 N·s/m
+    Joint joint = samples::two_mass();
+    joint.mechanism.transmission.stiffness = 5e5;
+    joint.mechanism.transmission.damping = 20;
+    joint.mechanism.motor_inertia = 0.2;
+    joint.frictions.motor.law = CoulombViscous{2, 10};
+    joint.control.k_p = 1e5;
+    joint.control.k_v = 50;
+    const auto verdict = linear_verdict(joint);
+    REQUIRE(verdict.state_variable.stable);
+    REQUIRE(std::isnan(verdict.velocity_only.k_v_min));
+    const auto text = plain_text(verdict_text(joint, verdict));
+    CAPTURE(text);
+    CHECK(has(text, "would call it stick-slip at every k_v."));
+    CHECK(cell(linear_table(joint, verdict), "least k_{v} by velocity alone") == "none is enough");
+}
+
+TEST_CASE("a joint that slides at every gain is said to", "[report]")
+{
+    Joint joint = samples::single_mass(1);
+    joint.control.V0 = 1e-3;
+    joint.control.k_p = 1e4;
+    joint.control.k_v = 600;  // above (B − A)/V_0 = 500 N·s/m, (37)
+    const auto text = plain_text(verdict_text(joint, linear_verdict(joint)));
+    CAPTURE(text);
+    CHECK(has(text, "So they do at every k_p > 0."));
+}

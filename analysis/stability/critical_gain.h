@@ -16,7 +16,7 @@ struct CriticalGain {
 ///   k_cr = m ω² + ω · γω/(λ² + ω²) = ω² (m + C/|λ|)
 /// For (4)-(5), γ = B/L and λ = −V_0/L, this reads k_cr = ((B − A − k_v V_0)/L)(1 + m V_0/(L C)).
 /// Nothing where the imaginary axis is not crossed: C ≥ γ/|λ| (stable for every k_p > 0), or C ≤ 0 (unstable for every
-/// k_p). Source: Dupont (1991), (33)-(37).
+/// k_p), or beyond all numbers. Source: Dupont (1991), (33)-(37).
 inline std::optional<CriticalGain> critical_gain(double inertia, double k_v, const LinearFriction& friction)
 {
     if (friction.states != 1) return std::nullopt;
@@ -24,7 +24,9 @@ inline std::optional<CriticalGain> critical_gain(double inertia, double k_v, con
     const double gamma = friction.weight(0), decay = -friction.lambda[0];
     const double omega_squared = decay * (gamma - C * decay) / C;
     if (!(C > 0 && decay > 0 && omega_squared > 0)) return std::nullopt;
-    return CriticalGain{omega_squared * (inertia + C / decay), std::sqrt(omega_squared)};
+    const double k_cr = omega_squared * (inertia + C / decay);
+    if (!std::isfinite(k_cr)) return std::nullopt;
+    return CriticalGain{k_cr, std::sqrt(omega_squared)};
 }
 
 }  // namespace stickslip

@@ -152,11 +152,12 @@ std::vector<Interval> stable_intervals(const LinearJoint& j, const std::vector<C
     std::vector<LinearJoint> probes;
     for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
         const double low = bounds[i], high = bounds[i + 1];
+        // next to a crossing at next to nothing rounding decides: hence the own gain where it lies further off
         const double own = gain == Gain::k_p ? j.k_p : j.k_v;
         probes.push_back(j);
         (gain == Gain::k_p ? probes[i].k_p : probes[i].k_v) = low == 0 && high == infinity
                                                                   ? std::max(std::abs(own), 1.0)
-                                                              : high == infinity ? 2 * low
+                                                              : high == infinity ? std::max(2 * low, own)
                                                               : low == 0         ? high / 2
                                                                                  : std::sqrt(low * high);
     }

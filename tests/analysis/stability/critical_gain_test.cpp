@@ -138,3 +138,12 @@ TEST_CASE("where the closed form has no critical gain the stable set is all or n
     CHECK(std::isnan(negative.k_cr));
     CHECK_FALSE(negative.stable);
 }
+
+TEST_CASE("a critical gain beyond all numbers is none", "[stability]")
+{
+    // B/L = 1e300 N/m and hardly any damping: k_cr is about 1e300 (B/A)(V_0/L) m
+    const auto row = linear_point(slip_law_joint(1, 1e4, 0, 1e-3, 1e-20, 1e290, 1e-10));
+    CHECK(row.reason == Reason::none);
+    CHECK(row.region == Region::unstable);
+    CHECK(std::isnan(row.k_cr));
+}

@@ -232,3 +232,28 @@ TEST_CASE("a point without sliding or with numbers out of range has a reason and
     CHECK(beyond.reason == Reason::not_finite);
     CHECK(beyond.state_variable_stable == verdict_missing);
 }
+
+TEST_CASE("a joint that is stable without any velocity gain has a least one", "[stability]")
+{
+    // the motor's own mass hardly resonates: at k_v → 0 its damping is below rounding, and a crossing is found there
+    Joint joint;
+    auto& m = joint.mechanism;
+    m.motion = Motion::revolute;
+    m.model = Model::lever;
+    m.motor_inertia = 2.3249525578105274e-06;
+    m.link_inertia = 0.4623478239456445;
+    m.transmission_inertia = 9.272801729755332e-05;
+    m.lever_arm = 0.24322156532462258;
+    m.motor_transmission = {1892.4862034031116, 0, 0.012093320826996419, 0};
+    m.transmission_link = {433176.62240385433, 0.7349398587776951, 0.9640616268916673, 0};
+    joint.frictions.motor.law = CoulombViscous{1, 0};
+    joint.frictions.transmission.law = CoulombViscous{1, 0};
+    joint.frictions.link.law = CoulombViscous{1, 75017.37068326058};
+    joint.control.k_p = 7078.373426030025;
+    joint.control.k_v = 1.991538715545744;
+    joint.control.V0 = 0.010118713328095424;
+    const auto row = linear_point(joint);
+    REQUIRE(row.reason == Reason::none);
+    REQUIRE(row.velocity_only_stable);
+    CHECK(row.k_v_min < joint.control.k_v);
+}

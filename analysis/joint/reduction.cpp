@@ -48,8 +48,9 @@ std::optional<FrictionLaw> with_level(const FrictionLaw& law, double level, doub
         law);
 }
 
-/// The friction of two bodies that move as one; `turns` is the displacement of the first per that of the second.
-Friction joined(const Friction& first, double turns, const Friction& second)
+/// One law for two bodies that move as one, where there is one; `turns` is the displacement of the first per that of
+/// the second.
+std::optional<Friction> single_law(const Friction& first, double turns, const Friction& second)
 {
     if (is_zero(first)) return second;
     if (is_zero(second) && turns == 1) return first;
@@ -57,16 +58,13 @@ Friction joined(const Friction& first, double turns, const Friction& second)
     const bool first_is_simple = simple(first) != nullptr;
     const auto* level = first_is_simple ? simple(first) : turns == 1 ? simple(second) : nullptr;
     const Friction& other = first_is_simple ? second : first;
-    require(level && !other.has_bristle() && !other.has_memory() && !other.has_lag(),
-            "the frictions of two bodies join only where one is coulomb-viscous");
+    if (!level || other.has_bristle() || other.has_memory() || other.has_lag()) return std::nullopt;
     const double by = first_is_simple ? turns : 1;
     const double first_share = first.normal_load / other.normal_load;
     const double second_share = second.normal_load / other.normal_load;
     const double share = first_is_simple ? first_share : second_share;
     const auto law = with_level(other.law, share * by * level->coulomb, share * by * by * level->viscous);
-    require(law.has_value(),
-            "coulomb-viscous friction joins coulomb-viscous and Stribeck friction, and without a "
-            "viscous part kinetic-static, rate-and-state and ageing friction");
+    if (!law) return std::nullopt;
     Friction sum = second;
     sum.law = *law;
     sum.normal_load = other.normal_load;
@@ -76,12 +74,39 @@ Friction joined(const Friction& first, double turns, const Friction& second)
     return sum;
 }
 
+/// Room for states and histories is that of one friction.
+void require_room(Reduction& r)
+{
+    for (const bool on_link : {false, true}) {
+        if (!on_link && r.joint.mechanism.model == Model::single_mass) continue;
+        const Friction& own = on_link ? link_friction(r.joint) : r.joint.frictions.motor;
+        int total = states(own), late = info(own.law).needs_history;
+        for (const auto& j : r.joined)
+            if (j.on_link == on_link) total += states(j.friction), late += info(j.friction.law).needs_history;
+        require(total <= max_states, "the frictions that meet on one body have more states than one body may have");
+        require(late <= 1, "two frictions that remember by delays or tables meet on one body");
+    }
+}
+
+/// Makes the friction of one body act on another that moves with it.
+void join(Reduction& r, const Friction& first, double turns, Friction& second, bool on_link)
+{
+    if (auto one = single_law(first, turns, second))
+        second = std::move(*one);
+    else
+        r.joined.push_back({first, turns, on_link});
+    require_room(r);
+}
+
 }  // namespace
 
 Reduction lever_to_three_mass(const Joint& joint)
 {
     require(joint.mechanism.model == Model::lever, "the reduction to three masses starts from the lever");
-    Reduction r{joint, "lever to three masses (Fig. 4 to 5)", {"turning of the lever beyond small displacements"}};
+    Reduction r;
+    r.joint = joint;
+    r.name = "lever to three masses (Fig. 4 to 5)";
+    r.neglected = {"turning of the lever beyond small displacements"};
     auto& m = r.joint.mechanism;
     const double N = m.motor_transmission.ratio;
     m.model = Model::three_mass;
@@ -109,13 +134,13 @@ Reduction three_mass_to_two_mass(const Joint& joint, Placement placement)
         m.transmission = from.transmission_link;
         m.transmission.ratio = N;
         m.motor_inertia = from.motor_inertia + from.transmission_inertia / (N * N);
-        r.joint.frictions.motor = joined(joint.frictions.transmission, 1 / N, joint.frictions.motor);
+        join(r, joint.frictions.transmission, 1 / N, r.joint.frictions.motor, false);
     } else {
         r.name = "three masses to two, transmission at the joint (Fig. 5 to 6)";
         r.neglected = {"the compliance between transmission and link, k_tr-l against k_m-tr"};
         m.transmission = from.motor_transmission;
         m.link_inertia = from.link_inertia + from.transmission_inertia;
-        r.joint.frictions.link = joined(joint.frictions.transmission, 1, joint.frictions.link);
+        join(r, joint.frictions.transmission, 1, r.joint.frictions.link, true);
     }
     return r;
 }
@@ -128,6 +153,7 @@ Reduction two_mass_to_single_mass(const Joint& joint)
     r.joint.mechanism.model = Model::single_mass;
     r.joint.mechanism.inertia = joint.mechanism.link_inertia;
     r.joint.friction = joint.frictions.link;
+    r.motor = Reduction::Motor::ideal;
     auto& c = r.joint.control;
     if (c.kind == ControlKind::position) {
         r.name = "ideal motor as a position source (Fig. 6 to 7a)";
@@ -144,12 +170,33 @@ Reduction two_mass_to_single_mass(const Joint& joint)
 Reduction rigid_transmission(const Joint& joint)
 {
     require(joint.mechanism.model == Model::two_mass, "the reduction to one mass starts from two masses");
-    Reduction r{
-        joint, "rigid transmission (Fig. 6 to one mass)", {"the compliance of the transmission, k_tr against k_p"}};
+    Reduction r;
+    r.joint = joint;
+    r.name = "rigid transmission (Fig. 6 to one mass)";
+    r.neglected = {"the compliance of the transmission, k_tr against k_p"};
+    r.motor = Reduction::Motor::joins_link;
     const double N = joint.mechanism.transmission.ratio;
     r.joint.mechanism.model = Model::single_mass;
     r.joint.mechanism.inertia = joint.mechanism.link_inertia + N * N * joint.mechanism.motor_inertia;
-    r.joint.friction = joined(joint.frictions.motor, N, joint.frictions.link);
+    r.joint.friction = joint.frictions.link;
+    join(r, joint.frictions.motor, N, r.joint.friction, true);
+    return r;
+}
+
+Reduction in_sequence(Reduction first, const std::function<Reduction(const Joint&)>& second)
+{
+    Reduction r = second(first.joint);
+    for (auto& j : first.joined) {
+        if (!j.on_link && r.motor == Reduction::Motor::ideal) continue;
+        if (!j.on_link && r.motor == Reduction::Motor::joins_link) {
+            j.turns *= first.joint.mechanism.transmission.ratio;
+            j.on_link = true;
+        }
+        r.joined.push_back(std::move(j));
+    }
+    require_room(r);
+    r.name = first.name + ", then " + r.name;
+    r.neglected.insert(r.neglected.begin(), first.neglected.begin(), first.neglected.end());
     return r;
 }
 

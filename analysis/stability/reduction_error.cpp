@@ -7,6 +7,7 @@
 #include "analysis/boundary/root.h"
 #include "analysis/joint/parameters.h"
 #include "analysis/stability/joint_crossings.h"
+#include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/steady.h"
 #include "analysis/stability/verdict.h"
 
@@ -29,10 +30,10 @@ std::vector<double> sign_changes(Function&& f, double low, double high, int scan
 }
 
 /// The ends of the stable set in k_p: exact where the spectrum's real parts drown in rounding, and faster than a scan.
-std::vector<double> gain_boundaries(const Joint& joint, double low, double high)
+std::vector<double> gain_boundaries(const Reduction& joint, double low, double high)
 {
     std::vector<double> found;
-    const auto steady = steady_sliding(joint);
+    const auto steady = steady_sliding(joint.joint);
     if (steady.reason != Reason::none) return found;
     const auto linear = linear_joint(joint, steady.velocity);
     const auto search = crossings(linear);
@@ -42,7 +43,42 @@ std::vector<double> gain_boundaries(const Joint& joint, double low, double high)
     return found;
 }
 
+/// Two frictions on one body at one velocity. There must be room (three_mass_to_two_mass).
+LinearFriction sum(LinearFriction a, const LinearFriction& b)
+{
+    a.f_v += b.f_v;
+    for (int i = 0; i < b.states; ++i, ++a.states) {
+        a.lambda[a.states] = b.lambda[i];
+        a.b[a.states] = b.b[i];
+        a.h[a.states] = b.h[i];
+    }
+    for (const auto& d : b.delays) a.delays.push_back(d);
+    if (b.table) a.table = b.table, a.table_scale = b.table_scale;
+    return a;
+}
+
 }  // namespace
+
+LinearJoint linear_joint(const Reduction& reduced, double V)
+{
+    auto linear = linear_joint(reduced.joint, V);
+    const Chain chain = chain_of(reduced.joint);
+    for (const auto& j : reduced.joined) {
+        const int at = j.on_link ? linear.link() : 0;
+        const auto& body = chain.body[at];
+        auto own = reflected(linearise(j.friction, j.turns * body.velocity(V)), j.turns * body.ratio);
+        linear.friction[at] = sum(std::move(linear.friction[at]), own);
+    }
+    return linear;
+}
+
+double growth_rate(const Reduction& reduced)
+{
+    if (reduced.joined.empty()) return growth_rate(reduced.joint);
+    const auto steady = steady_sliding(reduced.joint);
+    if (steady.reason != Reason::none) return missing;
+    return spectral_abscissa(linear_joint(reduced, steady.velocity));
+}
 
 ReductionError compare_reduction(const Joint& full, const std::function<Reduction(const Joint&)>& reduce,
                                  std::string_view path, double low, double high, int scan)
@@ -52,13 +88,15 @@ ReductionError compare_reduction(const Joint& full, const std::function<Reductio
     if (!parameter) throw std::invalid_argument("the joint has no parameter " + std::string(path));
     const auto abscissa = [&](double value, bool reduced) {
         *parameter = value;
-        return growth_rate(reduced ? reduce(joint).joint : joint);
+        return reduced ? growth_rate(reduce(joint)) : growth_rate(joint);
     };
     ReductionError result;
-    const Joint small = reduce(full).joint;
+    const Reduction small = reduce(full);
     // crossings in k_p are those at one velocity, and of a reduction that leaves the loop as it is
-    if (path == "control.k_p" && small.control.k_p == full.control.k_p && !is_set(full.control.force_rate)) {
-        result.full = gain_boundaries(full, low, high);
+    if (path == "control.k_p" && small.joint.control.k_p == full.control.k_p && !is_set(full.control.force_rate)) {
+        Reduction whole;
+        whole.joint = full;
+        result.full = gain_boundaries(whole, low, high);
         result.reduced = gain_boundaries(small, low, high);
     } else {
         result.full = sign_changes([&](double v) { return abscissa(v, false); }, low, high, scan);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/joint/reduction.h"
+#include "analysis/stability/linear_joint.h"
 
 namespace stickslip {
 
@@ -14,6 +15,12 @@ struct ReductionError {
     /// Largest relative distance between boundaries that correspond; infinity where their number differs.
     double error = 0;
 };
+
+/// The reduced joint about steady sliding at V, with every friction that it carries.
+LinearJoint linear_joint(const Reduction& reduced, double V);
+
+/// max Re s of the reduced joint with memory at its commanded velocity; NaN where there is no verdict.
+double growth_rate(const Reduction& reduced);
 
 /// Moves the parameter at `path` of the *full* joint over [low, high] (logarithmic scan, then bisection to 1e-10; for
 /// k_p of the loop the crossings themselves); the

@@ -11,14 +11,10 @@ namespace {
 
 using Reduce = std::function<Reduction(const Joint&)>;
 
-/// One after the other; what either neglects is neglected.
 Reduce chained(Reduce first, Reduce second)
 {
     return [first = std::move(first), second = std::move(second)](const Joint& joint) {
-        Reduction a = first(joint), b = second(a.joint);
-        b.name = a.name + ", then " + b.name;
-        b.neglected.insert(b.neglected.begin(), a.neglected.begin(), a.neglected.end());
-        return b;
+        return in_sequence(first(joint), second);
     };
 }
 

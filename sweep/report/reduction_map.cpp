@@ -30,7 +30,7 @@ GrowthAt growth_over(const Joint& joint, const Slice& slice, std::function<Reduc
         *find_parameter(there, slice.x.path) = x;
         *find_parameter(there, slice.y.path) = y;
         try {
-            return growth_rate(reduce ? reduce(there).joint : there);
+            return reduce ? growth_rate(reduce(there)) : growth_rate(there);
         } catch (const std::invalid_argument&) {
             return missing;
         }

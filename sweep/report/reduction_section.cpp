@@ -123,12 +123,18 @@ Section reduction_section(const Joint& joint, const std::vector<ReductionStudy>&
     Table table;
     table.title = "Reductions of this joint";
     table.columns = {"reduction", "assumes", "boundary, full", "boundary, reduced", "error here", "good"};
-    std::string neglects, refused;
+    std::string neglects;
+    std::vector<std::pair<std::string, std::string>> refused;  // why, and which
     std::size_t number = 0;
     for (const auto& study : studies) {
         ++number;
         if (!study.refused.empty()) {
-            refused += " Not applicable (" + study.name + "): " + study.refused + ".";
+            const auto same = std::find_if(refused.begin(), refused.end(),
+                                           [&](const auto& entry) { return entry.first == study.refused; });
+            if (same == refused.end())
+                refused.emplace_back(study.refused, study.name);
+            else if (same->second.find(study.name) == std::string::npos)
+                same->second += ", " + study.name;
             continue;
         }
         const auto boundary = named(joint, study.boundary_path);
@@ -149,8 +155,9 @@ Section reduction_section(const Joint& joint, const std::vector<ReductionStudy>&
         if (measured)
             section.figures.push_back(error_figure(joint, study, "reduction-error-" + std::to_string(number)));
     }
-    section.text += neglects + (neglects.empty() ? "" : ".") + refused;
-    section.tables.push_back(std::move(table));
+    section.text += neglects + (neglects.empty() ? "" : ".");
+    for (const auto& [why, which] : refused) section.text += " Not applicable (" + which + "): " + why + ".";
+    if (!table.rows.empty()) section.tables.push_back(std::move(table));
     return section;
 }
 

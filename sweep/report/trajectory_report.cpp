@@ -1,6 +1,7 @@
 #include "sweep/report/trajectory_report.h"
 
 #include "analysis/results/text.h"
+#include "analysis/stability/linear_joint.h"
 #include "sweep/report/ending.h"
 #include "sweep/report/verdict_text.h"
 
@@ -29,16 +30,18 @@ std::string range(const std::vector<double>& values, Quantity quantity, Motion m
     return "between " + with_unit(*low, quantity, motion) + " and " + with_unit(*high, quantity, motion);
 }
 
-const Friction& link_friction(const Joint& joint)
+/// The friction on the link, which the loop of friction over velocity shows.
+const Friction& shown_friction(const Joint& joint)
 {
-    return joint.mechanism.model == Model::single_mass ? joint.friction : joint.frictions.link;
+    const Chain chain = chain_of(joint);
+    return *chain.body[chain.bodies - 1].friction;
 }
 
 /// f_ss between the least and the largest velocity, on both sides of rest where the motion reverses.
 LineChart::Line steady_curve(const Joint& joint, double low, double high)
 {
     constexpr int points = 240;
-    const auto& friction = link_friction(joint);
+    const auto& friction = shown_friction(joint);
     const double from = info(friction.law).needs_motion ? std::max(low, 1e-3 * high) : low;
     LineChart::Line line{"steady sliding f_{ss}(V)", {}, {}, true};
     for (int i = 0; i <= points; ++i) {
@@ -141,7 +144,7 @@ Report trajectory_report(const Joint& joint, const Trajectory& t, const Nonlinea
                friction = label("friction f", Quantity::effort, motion);
     Report report;
     report.title = "One motion of the joint";
-    report.subtitle = std::string(info(link_friction(joint).law).name) +
+    report.subtitle = std::string(info(shown_friction(joint).law).name) +
                       " friction · V_{0} = " + with_unit(t.commanded_velocity, Quantity::velocity, motion) +
                       " · k_{p} = " + with_unit(joint.control.k_p, Quantity::stiffness, motion) +
                       " · k_{v} = " + with_unit(joint.control.k_v, Quantity::damping, motion);

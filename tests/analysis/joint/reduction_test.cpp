@@ -73,14 +73,58 @@ TEST_CASE("every reduction says what it neglects", "[joint]")
     CHECK_FALSE(two_mass_to_single_mass(samples::two_mass()).neglected.empty());
     auto two = samples::two_mass();
     two.frictions.motor.law = CoulombViscous{1, 2};
-    CHECK_THROWS_AS(rigid_transmission(two), std::invalid_argument);  // no viscous part in rate-and-state
+    CHECK(rigid_transmission(two).joined.size() == 1);  // no viscous part in rate-and-state
     two.frictions.motor.law = CoulombViscous{0, 0};
     CHECK_FALSE(rigid_transmission(two).neglected.empty());
     auto three = samples::three_mass();
     CHECK_FALSE(three_mass_to_two_mass(three, Placement::at_motor).neglected.empty());
-    // two laws with memory on one body have no common law
+    // two laws with memory on one body have no common law, but act side by side
     three.frictions.transmission = three.frictions.link;
+    CHECK(three_mass_to_two_mass(three, Placement::at_joint).joined.size() == 1);
+    // room is that of one body
+    auto& law = std::get<RateAndState>(three.frictions.transmission.law);
+    while (law.B.size < max_states) law.B.push_back(0.1), law.L.push_back(1e-4);
     CHECK_THROWS_AS(three_mass_to_two_mass(three, Placement::at_joint), std::invalid_argument);
+    TimeLag late;
+    late.lag = 1e-3;
+    three.frictions.transmission.law = three.frictions.motor.law = late;
+    CHECK_THROWS_AS(three_mass_to_two_mass(three, Placement::at_motor), std::invalid_argument);
+}
+
+TEST_CASE("joints with a law of its own on each body are reduced as the neglected spring stiffens", "[joint]")
+{
+    // the oracle is the full joint: three rate-and-state laws, two of which meet on one body without a common law
+    const auto at = [](Placement placement) {
+        return [placement](const Joint& j) { return three_mass_to_two_mass(j, placement); };
+    };
+    for (const auto placement : {Placement::at_motor, Placement::at_joint}) {
+        double last = infinity;
+        for (const double stiffness : {1e8, 1e10}) {
+            auto joint = samples::nine_states();
+            joint.mechanism.motor_transmission.ratio = 3;
+            auto& spring = placement == Placement::at_motor ? joint.mechanism.motor_transmission
+                                                            : joint.mechanism.transmission_link;
+            spring.stiffness = stiffness;
+            REQUIRE(at(placement)(joint).joined.size() == 1);
+            const auto compared = compare_reduction(joint, at(placement), "control.k_p", 1e3, 1e7);
+            CAPTURE(stiffness, compared.full, compared.reduced);
+            REQUIRE_FALSE(compared.full.empty());
+            CHECK(compared.error < 0.05 * last);
+            last = compared.error;
+        }
+        CHECK(last < 1e-4);
+    }
+    // and on to one mass, everything rigid: what met on the motor goes on to the link
+    auto rigid = samples::nine_states();
+    rigid.mechanism.motor_transmission.ratio = 3;
+    rigid.mechanism.motor_transmission.stiffness = rigid.mechanism.transmission_link.stiffness = 1e11;
+    const auto both = [&](const Joint& j) { return in_sequence(at(Placement::at_motor)(j), rigid_transmission); };
+    REQUIRE(both(rigid).joined.size() == 2);
+    const auto compared = compare_reduction(rigid, both, "control.k_p", 1e3, 1e7);
+    REQUIRE_FALSE(compared.full.empty());
+    CHECK(compared.error < 1e-4);
+    // an ideal motor takes what it carries with it
+    CHECK(in_sequence(at(Placement::at_motor)(rigid), two_mass_to_single_mass).joined.empty());
 }
 
 TEST_CASE("frictions that move as one add up in sliding", "[joint]")
@@ -97,8 +141,12 @@ TEST_CASE("frictions that move as one add up in sliding", "[joint]")
                   Approx(3 * steady_force(joint.frictions.motor, 3 * V) + steady_force(joint.frictions.link, V)));
         // the same inside out: the law at the motor keeps its numbers only without a reduction
         std::swap(joint.frictions.motor, joint.frictions.link);
-        if (!std::holds_alternative<CoulombViscous>(law))
-            CHECK_THROWS_AS(rigid_transmission(joint), std::invalid_argument);
+        if (!std::holds_alternative<CoulombViscous>(law)) {
+            const auto beside = rigid_transmission(joint);
+            REQUIRE(beside.joined.size() == 1);
+            CHECK(beside.joined[0].turns == 3);
+            CHECK(steady_force(beside.joined[0].friction, 1e-3) == steady_force(joint.frictions.motor, 1e-3));
+        }
         joint.mechanism.transmission.ratio = 1;
         const auto other = rigid_transmission(joint).joint.friction;
         CHECK(steady_force(other, 1e-3) ==

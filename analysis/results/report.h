@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "analysis/results/line_drawing.h"
 #include "analysis/results/stability_panels.h"
 
 namespace stickslip {
@@ -29,7 +30,7 @@ struct Table {
     std::vector<std::vector<std::string>> rows;  ///< mark-up
 };
 
-using Picture = std::variant<StabilityMap, CriticalGainSurface, LineChart, FieldMap, StabilityPanels>;
+using Picture = std::variant<StabilityMap, CriticalGainSurface, LineChart, FieldMap, StabilityPanels, LineDrawing>;
 
 /// A chart with the words under it.
 struct Figure {

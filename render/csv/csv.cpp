@@ -99,6 +99,11 @@ std::string csv(const CriticalGainSurface& surface)
     return text;
 }
 
+std::string csv(const LineDrawing&)
+{
+    return "";
+}
+
 std::string csv(const LineChart& chart)
 {
     std::string text = "line," + field(plain_text(chart.x_label)) + "," + field(plain_text(chart.y_label)) + "\n";

@@ -195,6 +195,12 @@ std::string data(const LineChart& chart, const RenderedFigure& rendered)
         .close();
 }
 
+/// Nothing behind the picture.
+std::string data(const LineDrawing&, const RenderedFigure&)
+{
+    return "";
+}
+
 }  // namespace
 
 bool zoomable(const Picture& picture)

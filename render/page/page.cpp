@@ -107,12 +107,13 @@ std::string how_to_read(const Picture& picture)
 
 std::string figure(const Figure& f, const RenderedFigure& rendered, int number)
 {
-    const std::string data =
-        "<script type=\"application/json\">" + figure_data(f, rendered) + "</script>\n<div class=\"tools\"></div>\n";
+    const std::string numbers = figure_data(f, rendered);
+    const std::string data = (numbers.empty() ? "" : "<script type=\"application/json\">" + numbers + "</script>\n") +
+                             "<div class=\"tools\"></div>\n";
     const std::string picture = rendered.missing.empty()
                                     ? "<div class=\"stage\"><div class=\"sheet\">" + rendered.svg + "</div></div>"
                                     : "<p class=\"left-out\">This picture was left out: " + escape(rendered.missing) +
-                                          ". Its numbers are here.</p>";
+                                          (numbers.empty() ? ".</p>" : ". Its numbers are here.</p>");
     const std::string help = rendered.missing.empty() ? how_to_read(f.picture) : "";
     const std::string how_to = help.empty() ? "" : " <span class=\"how-to\">" + help + "</span>";
     return fill(figure_html.text, {{"id", f.id},

@@ -1,5 +1,6 @@
 // What every picture hands back, and the pictures.
 #pragma once
+#include "analysis/results/line_drawing.h"
 #include "analysis/results/stability_panels.h"
 #include "render/drawing/canvas.h"
 
@@ -23,5 +24,6 @@ Drawn draw(const StabilityPanels& panels, const std::string& description, const 
 Drawn draw(const CriticalGainSurface& surface, const std::string& description, const Fonts& fonts);
 Drawn draw(const FieldMap& map, const std::string& description, const Fonts& fonts);
 Drawn draw(const LineChart& chart, const std::string& description, const Fonts& fonts);
+Drawn draw(const LineDrawing& drawing, const std::string& description, const Fonts& fonts);
 
 }  // namespace stickslip::drawing

@@ -3,6 +3,7 @@
 #include "analysis/results/text.h"
 #include "analysis/stability/reduction_study.h"
 #include "analysis/stability/verdict.h"
+#include "sweep/report/model_drawing.h"
 #include "sweep/report/reduction_section.h"
 
 #include <algorithm>
@@ -35,15 +36,17 @@ Joint chain_joint(Model model)
 
 Section models_section()
 {
-    Section section{"models",
-                    "Lumped models (Figs. 4 to 7)",
-                    "Drawn with their parameters in the files models/*.svg beside this page.",
-                    {},
-                    {}};
+    Section section{
+        "models",
+        "Lumped models (Figs. 4 to 7)",
+        "One joint with its parameters, from the lever to one mass; also in the files models/*.svg beside this page.",
+        {},
+        {}};
     Table table;
     table.title = "One joint, lumped more and more coarsely";
     table.columns = {"figure", "model", "slides at k_{p} =", "stable k_{p}", "max Re s"};
     for (const auto& model : paper_models()) {
+        section.figures.push_back(model_drawing_figure(model.joint, model.id));
         const auto verdict = linear_verdict(model.joint);
         std::string gains;
         for (const auto& i : verdict.state_variable.stable_intervals)

@@ -4,6 +4,8 @@
 #include "analysis/results/text.h"
 #include "sweep/report/comparison_section.h"
 #include "sweep/report/first_screen.h"
+#include "sweep/report/loop_figures.h"
+#include "sweep/report/model_drawing.h"
 #include "sweep/report/nearest_text.h"
 #include "sweep/report/reduction_section.h"
 #include "sweep/report/verdict_text.h"
@@ -16,6 +18,8 @@ namespace stickslip {
 namespace {
 
 using Tone = Headline::Tone;
+
+constexpr double locus_span = 100;  // k_p to either side of its own value
 
 std::string model_name(Model model)
 {
@@ -88,10 +92,15 @@ Report linear_report(const Joint& joint, const LinearVerdict& linear, const Nonl
             report.headlines.push_back(std::move(slowest.front()));
         reduction_alerts(report, study.reductions);
         report.sections = linear_sections(joint, study);
+        for (auto& section : report.sections)
+            if (section.id == "response")
+                for (auto& figure : loop_figures(joint, joint.control.k_p / locus_span, joint.control.k_p * locus_span))
+                    section.figures.push_back(std::move(figure));
     }
     Section design{"numbers", "Numbers", "", {}, {}};
     if (decided) design.tables.push_back(linear_table(joint, linear));
     design.tables.push_back(nonlinear_table(joint, nonlinear));
+    report.sections.insert(report.sections.begin(), model_section(joint));
     report.sections.push_back(std::move(design));
     report.not_checked = {
         "Terms locked to position or time (ripple, cogging, drift, periodic forces) are no part of the linear theory.",

@@ -9,6 +9,7 @@
 #include "sweep/report/linear_report.h"
 #include "sweep/report/loop_figures.h"
 #include "sweep/report/map_figures.h"
+#include "sweep/report/model_drawing.h"
 #include "sweep/report/nearest_text.h"
 #include "sweep/report/profile_figures.h"
 #include "sweep/report/reduction_map.h"
@@ -32,11 +33,21 @@ std::string grid_words(const Spec& spec, std::uint64_t points)
     return spec.axes.size() > 1 ? text + " (" + shape + ")" : text;
 }
 
+/// "rate-and-state friction", or one law a body.
+std::string friction_words(const Joint& joint)
+{
+    const auto name = [](const Friction& f) { return std::string(info(f.law).name); };
+    if (joint.mechanism.model == Model::single_mass) return name(joint.friction) + " friction";
+    const auto& f = joint.frictions;
+    return "friction " + name(f.motor) + " on the motor, " +
+           (f.has_transmission ? name(f.transmission) + " on the transmission, " : "") + name(f.link) + " on the link";
+}
+
 std::string subtitle(const Spec& spec, const Joint& joint, std::uint64_t points)
 {
     return std::string(joint.control.kind == ControlKind::position ? "position control" : "force control") + " · " +
            (joint.mechanism.motion == Motion::prismatic ? "prismatic" : "revolute") + " joint · " +
-           std::string(info(joint.friction.law).name) + " friction · " + grid_words(spec, points);
+           friction_words(joint) + " · " + grid_words(spec, points);
 }
 
 Headline disagreement_headline(const StabilityMap& map)
@@ -151,7 +162,7 @@ Report stability_report(const Spec& spec, const SweepSummary& summary)
             gains.figures.push_back(std::move(figure));
     if (!gains.figures.empty()) report.sections.push_back(std::move(gains));
 
-    Section design{"design", "The design point", "", {}, {}};
+    Section design{"design", "The design point", "", {model_drawing_figure(joint, "lumped-model")}, {}};
     if (!margins.empty()) design.tables.push_back(margin_table(margins, motion));
     if (slides) design.tables.push_back(linear_table(joint, linear));
     if (spec.nonlinear.enabled) design.tables.push_back(nonlinear_table(joint, nonlinear));

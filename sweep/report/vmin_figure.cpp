@@ -11,13 +11,15 @@
 namespace stickslip {
 namespace {
 
-/// Velocity gains worth a line: parts and multiples of what velocity alone asks for here, or of the joint's own.
+/// Velocity gains worth a line: the joint's own, and parts and multiples of what velocity alone asks for here.
 std::vector<double> shown_gains(const Joint& joint, const LinearStudy& study)
 {
     const double asked = study.comparison.k_v_demanded_velocity_only();
-    const double unit = asked > 0 ? asked : std::abs(joint.control.k_v);
-    if (!(unit > 0)) return {joint.control.k_v};
-    return {unit / 4, unit / 2, unit, 2 * unit};
+    const double own = joint.control.k_v, unit = asked > 0 ? asked : std::abs(own);
+    std::vector<double> gains{own};
+    for (const double k_v : {unit / 2, unit, 2 * unit})
+        if (std::abs(k_v - own) > 1e-3 * unit) gains.push_back(k_v);
+    return gains;
 }
 
 }  // namespace
@@ -26,7 +28,7 @@ Figure vmin_figure(const Joint& given, const LinearStudy& study)
 {
     const auto motion = given.mechanism.motion;
     const bool rational = linear_joint(given, commanded_velocity(given)).rational();
-    const int gains = rational ? 41 : 9, scan = rational ? 60 : 20;
+    const int gains = rational ? 61 : 31, scan = rational ? 60 : 20;
     const auto [low, high] = study.velocities;
     Joint joint = given;
     LineChart chart;

@@ -1,13 +1,11 @@
 // stickslip figures: the paper's figures and numbers, computed anew.
 #include "sweep/program.h"
 #include "sweep/report/figures_report.h"
-#include "sweep/report/model_drawing.h"
 #include "sweep/report/verdict_text.h"
 #include "sweep/report/write_report.h"
 #include "sweep/verbs/verbs.h"
 
 #include <fmt/format.h>
-#include <fmt/os.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -26,9 +24,13 @@ int figures(const Options& options)
 {
     const std::filesystem::path directory = options.directory;
     std::filesystem::create_directories(directory / "models");
-    for (const auto& model : paper_models())
-        fmt::output_file((directory / "models" / (model.id + ".svg")).string()).print("{}", model_drawing(model.joint));
     const auto page = write_report(figures_report(), directory);
+    for (const auto& model : paper_models()) {
+        const auto drawn = directory / "charts" / (model.id + ".svg");
+        if (std::filesystem::exists(drawn))
+            std::filesystem::copy_file(drawn, directory / "models" / drawn.filename(),
+                                       std::filesystem::copy_options::overwrite_existing);
+    }
 
     bool met = true;
     auto json = nlohmann::ordered_json::array();

@@ -207,3 +207,36 @@ TEST_CASE("child: a surface where no EGL vendor is", "[.][draw-surface]")
     CHECK(surface.missing == "this machine offers no off-screen OpenGL (EGL without a surface)");
     CHECK_FALSE(surface.csv.empty());
 }
+
+TEST_CASE("a drawing is well-formed whatever its words are, and has no numbers", "[picture]")
+{
+    LineDrawing drawing;
+    drawing.title = "<script>alert(1)</script> \"k_{p}\" & 'more'";
+    drawing.width = 760, drawing.height = 200;
+    drawing.lines = {{{10, 10}, {700, 10}, {700, 150}}};
+    drawing.boxes = {{20, 40, 120, 60}};
+    drawing.rings = {{300, 100, 6}};
+    drawing.labels = {{80, 70, drawing.title, LineDrawing::Anchor::left},
+                      {700, 180, "k_{tr}", LineDrawing::Anchor::right}};
+    drawing.notes = {"</svg><img src=x onerror=alert(1)>", std::string(400, 'x') + " wraps " + std::string(90, 'y')};
+    const Figure f = figure(drawing);
+    const RenderedFigure r = render(f);
+    REQUIRE(r.missing.empty());
+    CHECK(fault_in_markup(r.svg) == "");
+    CHECK_FALSE(holds(r.svg, "<script"));
+    CHECK_FALSE(holds(r.svg, "<img"));
+    CHECK(r.csv.empty());
+    CHECK(r.width == 760);
+    CHECK(png(r).size() > 1000);
+
+    Report report;
+    report.sections = {{"one", "One", "", {f}, {}}};
+    const std::string html = page(report, {r});
+    CHECK_FALSE(holds(html, "<script type=\"application/json\">"));  // no table of numbers is offered
+    CHECK_FALSE(holds(html, "<img"));
+
+    drawing.width = 1e9;
+    CHECK_THROWS_AS(render(figure(drawing)), std::invalid_argument);
+    drawing.width = std::nan("");
+    CHECK_THROWS_AS(render(figure(drawing)), std::invalid_argument);
+}

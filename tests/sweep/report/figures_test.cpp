@@ -63,18 +63,38 @@ TEST_CASE("reductions of Figs. 4 to 7 keep the boundary roughly where it was", "
     }
 }
 
-TEST_CASE("each lumped model is drawn with its own parts", "[figures]")
+TEST_CASE("each lumped model is drawn with its own parts and numbers", "[figures]")
 {
     for (const auto& model : paper_models()) {
-        const auto svg = model_drawing(model.joint);
+        const auto drawing = model_drawing(model.joint);
         CAPTURE(model.id);
-        const auto has = [&](const char* text) { return svg.find(text) != std::string::npos; };
-        CHECK(has("<svg"));
-        CHECK(has("rate-and-state"));
+        std::string words;
+        for (const auto& label : drawing.labels) words += label.text + "\n";
+        for (const auto& note : drawing.notes) words += note + "\n";
+        const auto has = [&](const char* text) { return words.find(text) != std::string::npos; };
+        CHECK(drawing.boxes.size() == (model.id == "fig-5" ? 3 : model.id.starts_with("fig-7") ? 1 : 2));
+        CHECK(has("A = 1 N, B = 1.5 N, L = 10 µm, V* = 1 mm/s"));
+        CHECK(has("coulomb-viscous, F_{c} = ") == !model.id.starts_with("fig-7"));
         CHECK(has("reduction N = 10") == (model.id == "fig-5" || model.id.starts_with("fig-6")));
-        CHECK(has("J<tspan") == (model.id == "fig-4"));
-        CHECK(has("F<tspan") == (model.id != "fig-7a"));
+        CHECK(has("J_{tr} = ") == (model.id == "fig-4"));
+        CHECK(has("F_{m}") == (model.id != "fig-7a"));
+        CHECK(has("normal_load") == false);
+        // nothing hangs over the edge
+        for (const auto& label : drawing.labels)
+            CHECK((label.x > 0 && label.x < drawing.width && label.y < drawing.height));
+        for (const auto& line : drawing.lines)
+            for (const auto& [x, y] : line) CHECK((x >= 0 && x <= drawing.width && y >= 0 && y <= drawing.height));
     }
+    // further terms are named where they are not at rest, and a ramp says its rate
+    Joint joint = paper_joint();
+    joint.friction.normal_load = 2;
+    joint.control.kind = ControlKind::force;
+    joint.control.force_rate = 60;
+    joint.control.V0 = not_set;
+    const auto drawing = model_drawing(joint);
+    REQUIRE(drawing.notes.size() == 2);
+    CHECK(drawing.notes[0].find("slides at V_{0} = 3 mm/s: the force rises by 60 N/s") != std::string::npos);
+    CHECK(drawing.notes[1].find("normal_load = 2") != std::string::npos);
 }
 
 TEST_CASE("the page of a joint has the sections that the joint has", "[figures]")
@@ -86,11 +106,14 @@ TEST_CASE("the page of a joint has the sections that the joint has", "[figures]"
         std::set<std::string> ids;
         for (const auto& section : report.sections) ids.insert(section.id);
         CAPTURE(model.id);
+        CHECK(ids.count("model") == 1);
         CHECK(ids.count("comparison") == 1);
         CHECK(ids.count("reductions") == (model.joint.mechanism.model == Model::single_mass ? 0 : 1));
         CHECK(ids.count("ramps") == (model.joint.control.kind == ControlKind::force ? 1 : 0));
     }
     Joint unset = paper_joint();
     unset.control.V0 = not_set;
-    CHECK(linear_report(unset, linear_verdict(unset), {}, linear_study(unset)).tone == Headline::Tone::warning);
+    const auto undecided = linear_report(unset, linear_verdict(unset), {}, linear_study(unset));
+    CHECK(undecided.tone == Headline::Tone::warning);
+    CHECK(undecided.sections.front().id == "model");
 }

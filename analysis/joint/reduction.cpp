@@ -7,6 +7,8 @@
 namespace stickslip {
 namespace {
 
+constexpr const char* three_masses = "Fig. 5";
+
 void require(bool fits, const char* wanted)
 {
     if (!fits) throw std::invalid_argument(wanted);
@@ -106,6 +108,7 @@ Reduction lever_to_three_mass(const Joint& joint)
     Reduction r;
     r.joint = joint;
     r.name = "lever to three masses (Fig. 4 to 5)";
+    r.model = three_masses;
     r.neglected = {"turning of the lever beyond small displacements"};
     auto& m = r.joint.mechanism;
     const double N = m.motor_transmission.ratio;
@@ -130,6 +133,7 @@ Reduction three_mass_to_two_mass(const Joint& joint, Placement placement)
     const double N = from.motor_transmission.ratio;
     if (placement == Placement::at_motor) {
         r.name = "three masses to two, transmission at the motor (Fig. 5 to 6)";
+        r.model = "Fig. 6, transmission at the motor";
         r.neglected = {"the compliance between motor and transmission, k_m-tr against k_tr-l"};
         m.transmission = from.transmission_link;
         m.transmission.ratio = N;
@@ -137,6 +141,7 @@ Reduction three_mass_to_two_mass(const Joint& joint, Placement placement)
         join(r, joint.frictions.transmission, 1 / N, r.joint.frictions.motor, false);
     } else {
         r.name = "three masses to two, transmission at the joint (Fig. 5 to 6)";
+        r.model = "Fig. 6, transmission at the joint";
         r.neglected = {"the compliance between transmission and link, k_tr-l against k_m-tr"};
         m.transmission = from.motor_transmission;
         m.link_inertia = from.link_inertia + from.transmission_inertia;
@@ -157,11 +162,13 @@ Reduction two_mass_to_single_mass(const Joint& joint)
     auto& c = r.joint.control;
     if (c.kind == ControlKind::position) {
         r.name = "ideal motor as a position source (Fig. 6 to 7a)";
+        r.model = "Fig. 7a, ideal motor";
         r.neglected = {"the motor's inertia and friction", "the compliance of the motor's own loop, k_p against k_tr"};
         c.k_p = joint.mechanism.transmission.stiffness;
         c.k_v = joint.mechanism.transmission.damping;
     } else {
         r.name = "ideal motor as a force source (Fig. 6 to 7b)";
+        r.model = "Fig. 7b, ideal motor";
         r.neglected = {"the motor's inertia and friction", "the compliance of the transmission, k_c against k_tr"};
     }
     return r;
@@ -173,6 +180,7 @@ Reduction rigid_transmission(const Joint& joint)
     Reduction r;
     r.joint = joint;
     r.name = "rigid transmission (Fig. 6 to one mass)";
+    r.model = "one mass, all rigid";
     r.neglected = {"the compliance of the transmission, k_tr against k_p"};
     r.motor = Reduction::Motor::joins_link;
     const double N = joint.mechanism.transmission.ratio;
@@ -196,6 +204,7 @@ Reduction in_sequence(Reduction first, const std::function<Reduction(const Joint
     }
     require_room(r);
     r.name = first.name + ", then " + r.name;
+    if (first.model != three_masses) r.model = first.model + ", then " + r.model;
     r.neglected.insert(r.neglected.begin(), first.neglected.begin(), first.neglected.end());
     return r;
 }

@@ -70,7 +70,7 @@ std::vector<int> signs(const GrowthAt& growth, const Axis& x, const Axis& y)
 
 /// One reduction over the chart.
 struct Compared {
-    std::string name, assumption;
+    std::string name, model, assumption;
     LineChart::Line line;
     double wrong_stable = 0, wrong_unstable = 0;  ///< shares of the chart that it calls so wrongly
 };
@@ -90,13 +90,15 @@ std::optional<Figure> reduction_map(const Joint& design, const Slice& slice)
     for (const auto& reduction : reductions_of(joint)) {
         Compared c;
         try {
-            c.name = reduction.reduce(joint).name;
+            const auto reduced = reduction.reduce(joint);
+            c.name = reduced.name;
+            c.model = reduced.model;
         } catch (const std::invalid_argument&) {
             continue;  // the section on reductions says why
         }
         c.assumption = reduction.assumption;
         const auto growth = growth_over(joint, slice, reduction.reduce);
-        c.line = boundary_line(growth, slice, c.name);
+        c.line = boundary_line(growth, slice, c.model);
         const auto judged = signs(growth, x, y);
         for (std::size_t i = 0; i < judged.size(); ++i) {
             if (judged[i] * truth[i] >= 0) continue;

@@ -12,7 +12,7 @@
 namespace stickslip {
 namespace {
 
-constexpr int locus_gains = 400;
+constexpr int locus_gains = 400, late_gains = 120;  // where roots have no end, each gain costs a search
 
 std::vector<double> log_steps(double low, double high, int count)
 {
@@ -38,6 +38,8 @@ double reach(const std::vector<std::vector<std::complex<double>>>& rows)
     return size;
 }
 
+constexpr double longest = 0.02;  // step of a branch, per |s| of what is drawn
+
 struct Locus {
     std::vector<double> gains;
     std::vector<std::vector<std::complex<double>>> rows;
@@ -48,11 +50,15 @@ struct Locus {
 /// root of the gain.
 Locus smooth_locus(const LinearJoint& linear, double low, double high)
 {
-    constexpr int rounds = 8;
-    constexpr double longest = 0.02;  // step of a branch, per |s| of what is drawn
-    Locus locus{log_steps(low, high, locus_gains), {}, 0};
+    const int rounds = linear.rational() ? 8 : 3;
+    Locus locus{log_steps(low, high, linear.rational() ? locus_gains : late_gains), {}, 0};
     for (int round = 0;; ++round) {
         locus.rows = root_locus(linear, locus.gains);
+        std::size_t least =
+            locus.rows.front().size();  // of roots without end the rightmost are known, now more now less
+        for (const auto& row : locus.rows) least = std::min(least, row.size());
+        for (auto& row : locus.rows) row.resize(least);
+        if (least == 0) return locus;
         if (round == 0) locus.limit = 1.2 * reach(locus.rows);
         std::vector<double> finer{locus.gains.front()};
         for (std::size_t i = 1; i < locus.gains.size(); ++i) {
@@ -70,10 +76,24 @@ Locus smooth_locus(const LinearJoint& linear, double low, double high)
     }
 }
 
+/// Many branches of one kind, one after the other.
+LineChart::Line one_line(const std::vector<LineChart::Line>& branches)
+{
+    LineChart::Line all{"rightmost roots", {}, {}};
+    for (const auto& branch : branches) {
+        all.x.insert(all.x.end(), branch.x.begin(), branch.x.end());
+        all.y.insert(all.y.end(), branch.y.begin(), branch.y.end());
+        all.x.push_back(missing), all.y.push_back(missing);
+    }
+    return all;
+}
+
 Figure root_locus_figure(const Joint& joint, const LinearJoint& linear, double low, double high)
 {
     const auto motion = joint.mechanism.motion;
-    const auto [gains, rows, limit] = smooth_locus(linear, low, high);
+    const auto locus = smooth_locus(linear, low, high);
+    const auto& rows = locus.rows;
+    const double limit = locus.limit;
     LineChart chart;
     chart.title = "Root locus over k_{p}";
     chart.fixed = "k_{p} from " + stiffness(low, motion) + " to " + stiffness(high, motion) + ", roots with |s| < " +
@@ -83,15 +103,21 @@ Figure root_locus_figure(const Joint& joint, const LinearJoint& linear, double l
     for (std::size_t branch = 0; branch < rows.front().size(); ++branch) {
         LineChart::Line line;
         line.name = "root " + std::to_string(branch + 1);
-        for (const auto& row : rows) {
-            const bool near = std::abs(row[branch]) <= limit;
-            line.x.push_back(near ? row[branch].real() : missing);
-            line.y.push_back(near ? row[branch].imag() : missing);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const auto s = rows[i][branch];
+            // another root has taken the place of one that went out of sight
+            const bool leaps = i > 0 && std::abs(s - rows[i - 1][branch]) > 5 * longest * limit;
+            if (leaps) line.x.push_back(missing), line.y.push_back(missing);
+            const bool near = std::abs(s) <= limit;
+            line.x.push_back(near ? s.real() : missing);
+            line.y.push_back(near ? s.imag() : missing);
         }
         if (std::any_of(line.x.begin(), line.x.end(), [](double v) { return std::isfinite(v); }))
             chart.lines.push_back(std::move(line));
     }
+    if (!linear.rational() && !chart.lines.empty()) chart.lines = {one_line(chart.lines)};
     chart.x_marks.emplace_back("boundary Re s = 0", 0);
+    if (chart.lines.empty()) return {"root-locus", std::move(chart), "", ""};
     std::string crossing;
     for (const auto& p : locate_on_ray(joint, "control.k_p", low, high, true, Curve::Kind::state_variable))
         crossing += (crossing.empty() ? "" : ", ") + with_unit(p.value, Quantity::stiffness, motion, 4);
@@ -103,6 +129,7 @@ Figure root_locus_figure(const Joint& joint, const LinearJoint& linear, double l
     figure.caption =
         "How to read it: each line follows one root of the design's characteristic equation while k_{p} "
         "alone changes; left of the dashed mark it decays. " +
+        std::string(linear.rational() ? "" : "A delay has roots without end; those furthest to the right are drawn. ") +
         figure.finding;
     figure.picture = std::move(chart);
     return figure;
@@ -115,8 +142,11 @@ std::vector<Figure> loop_figures(const Joint& joint, double low, double high)
     const auto steady = steady_sliding(joint);
     if (steady.reason != Reason::none || !(steady.velocity > 0) || !(low > 0)) return {};
     const LinearJoint linear = linear_joint(joint, steady.velocity);
-    if (!linear.rational()) return {};
-    return {root_locus_figure(joint, linear, low, high)};
+    Figure figure = root_locus_figure(joint, linear, low, high);
+    if (std::get<LineChart>(figure.picture).lines.empty()) return {};
+    std::vector<Figure> figures;
+    figures.push_back(std::move(figure));
+    return figures;
 }
 
 }  // namespace stickslip

@@ -7,7 +7,8 @@
 
 namespace stickslip {
 
-/// The roots over a range of k_p. Empty where the joint has infinitely many (delays, tables) or no steady sliding.
+/// The roots over a range of k_p, the rightmost ones where they have no end (delays, tables). Empty without steady
+/// sliding.
 std::vector<Figure> loop_figures(const Joint& joint, double low, double high);
 
 }  // namespace stickslip

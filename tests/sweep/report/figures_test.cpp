@@ -1,10 +1,12 @@
 // The paper's page: every number met, every joint drawn.
 #include "sweep/report/figures_report.h"
 #include "sweep/report/linear_report.h"
+#include "sweep/report/loop_figures.h"
 #include "sweep/report/model_drawing.h"
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <set>
 
 using namespace stickslip;
@@ -116,4 +118,25 @@ TEST_CASE("the page of a joint has the sections that the joint has", "[figures]"
     const auto undecided = linear_report(unset, linear_verdict(unset), {}, linear_study(unset));
     CHECK(undecided.tone == Headline::Tone::warning);
     CHECK(undecided.sections.front().id == "model");
+}
+
+TEST_CASE("the root locus of a lag crosses the axis at the ends of its windows", "[figures]")
+{
+    // a lag of 5 ms on a slope of −100 N·s/m: crossings at ωτ = π/2 and 3π/2, k_p = m ω² ± ω |f_ss'|
+    Joint joint = paper_joint();
+    TimeLag law;
+    law.lag = 5e-3;
+    law.curve.law = Stribeck{1, 0, 100 * 1e-3 * std::exp(1.0), 1e-3, 1};
+    joint.friction.law = law;
+    const auto figures = loop_figures(joint, 2e4, 2e6);
+    REQUIRE(figures.size() == 1);
+    CHECK(figures[0].finding.find("130.1 kN/m, 794 kN/m") != std::string::npos);
+    const auto& line = std::get<LineChart>(figures[0].picture).lines.at(0);
+    std::set<int> crossed;
+    for (std::size_t i = 1; i < line.x.size(); ++i)
+        if (line.x[i - 1] * line.x[i] <= 0 && line.y[i] > 0)
+            crossed.insert(static_cast<int>(std::lround(line.y[i] * 5e-3 / M_PI_2)));
+    CHECK(crossed.count(1) == 1);
+    CHECK(crossed.count(3) == 1);
+    CHECK(crossed.count(2) == 0);
 }

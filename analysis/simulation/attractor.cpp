@@ -15,6 +15,7 @@ constexpr double settled_distance = 1e-6;    ///< of steady sliding, in units of
 constexpr double alike = 0.05;               ///< gap of two turns, per amplitude, from which shooting is tried
 constexpr double closed = 1e-7;              ///< gap of a closed orbit, per amplitude
 constexpr double longest_turn = 1e4;         ///< of which a turn is given up, in times of the slowest linear rate
+constexpr double shortest_turn = 1e-6;       ///< in times of the fastest linear rate: less is rounding on the section
 constexpr double watched = 1e-8;             ///< the same for a motion that is only watched, at the noise of its steps
 constexpr double no_rate = 1e-14;            ///< per largest rate
 constexpr double by_the_linear_rate = 0.02;  ///< relative difference to the spectral abscissa
@@ -38,7 +39,7 @@ double wind_up_time(const Flow& flow)
 
 /// The smallest |s| of a mode and the largest Re s; states that do not evolve are no modes.
 struct LinearRates {
-    double slowest = infinity, abscissa = -infinity;
+    double slowest = infinity, fastest = 0, abscissa = -infinity;
 };
 LinearRates linear_rates(const Flow& flow)
 {
@@ -47,6 +48,7 @@ LinearRates linear_rates(const Flow& flow)
     const Eigen::VectorXcd modes = J.eigenvalues();
     const double largest = modes.cwiseAbs().maxCoeff();
     LinearRates rates;
+    rates.fastest = largest;
     for (const auto& s : modes)
         if (std::abs(s) > no_rate * largest) {
             rates.slowest = std::min(rates.slowest, std::abs(s));
@@ -69,6 +71,7 @@ class Follower {
         const auto rates = linear_rates(flow);
         turn_limit_ = longest_turn / rates.slowest + wind_up_time(flow);
         abscissa_ = rates.abscissa;
+        least_turn_ = shortest_turn / rates.fastest;
     }
 
     Attractor run(const FlowVector& y);
@@ -97,13 +100,13 @@ class Follower {
     Attractor result_;
     std::deque<FlowVector> points_;  ///< on the section, newest last
     std::deque<Turn> turns_;
-    double turn_limit_ = 0;                        ///< s
+    double turn_limit_ = 0, least_turn_ = 0;       ///< s
     double abscissa_ = 0;                          ///< 1/s
     int linear_turns_ = 0;                         ///< in succession that decayed at the linear rate
     double last_growth_ = missing;                 ///< ln of the amplitude ratio of the last two turns
     double grows_at_ = 0, shrinks_at_ = infinity;  ///< amplitudes seen to grow and to shrink since the last wild turn
     int next_shot_ = 0, patience_ = 1;             ///< turns
-    int idle_turns_ = 0;                           ///< in succession that took no time
+    int idle_turns_ = 0;                           ///< in succession that were shorter
     int quiet_turns_ = 0;                          ///< turns since the amplitude was last scaled
 };
 
@@ -228,7 +231,7 @@ Attractor Follower::run(const FlowVector& y)
             case Turn::End::crossing:
                 break;
         }
-        idle_turns_ = turn.period() > 0 ? 0 : idle_turns_ + 1;
+        idle_turns_ = turn.period() > least_turn_ ? 0 : idle_turns_ + 1;
         if (idle_turns_ > most_idle_turns) return ended(Kind::undecided, Reason::not_converged);
         points_.push_back(turn.state);
         turns_.push_back(turn);

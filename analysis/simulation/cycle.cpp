@@ -122,6 +122,8 @@ Eigen::VectorXcd floquet_multipliers(const Flow& flow, const Revolution& closed)
     return values;
 }
 
+constexpr double amplitude_precision = 1e-4;  ///< of a cycle, per amplitude
+
 std::optional<Cycle> find_cycle(const Flow& flow, const FlowVector& guess, const CycleOptions& options)
 {
     const int n = flow.size();
@@ -138,7 +140,10 @@ std::optional<Cycle> find_cycle(const Flow& flow, const FlowVector& guess, const
         if (size <= options.closure * std::max(1.0, distance)) {
             Cycle cycle = turn->path;
             cycle.multipliers = floquet_multipliers(flow, *turn);
-            return cycle;
+            // near neutral modes every orbit nearly closes: what is left of the gap tells how far the closed one is
+            const double contraction = std::abs(1 - std::abs(cycle.multipliers[0]));
+            if (size <= amplitude_precision * distance * contraction) return cycle;
+            if (size >= last_gap) return {};
         }
         if (k > 4 && size > 10 * last_gap) return {};
         last_gap = size;

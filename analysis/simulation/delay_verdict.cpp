@@ -208,7 +208,8 @@ NonlinearVerdict delayed_verdict(const Joint& joint, const DelayedJoint& delayed
         if (large.outcome == Outcome::stable_sliding)
             verdict.region = NonlinearRegion::stable;
         else if (oscillates(large.outcome))
-            verdict.region = NonlinearRegion::bistable, describe(delayed, large, verdict);
+            verdict.region = NonlinearRegion::bistable, verdict.reason = large.reason,
+            describe(delayed, large, verdict);
         else
             verdict.reason = large.reason;
     }

@@ -12,6 +12,8 @@ namespace {
 /// oversteps V = 0.
 constexpr double rest_speed = 1e-12;
 
+constexpr double least_change = 1e-6;  ///< of a state by a relative change of V of order one, per its level
+
 }  // namespace
 
 bool has_unsteady_terms(const Friction& f, const Load& l)
@@ -53,7 +55,8 @@ FlowVector SlidingFlow::scale() const
     for (int i = 0; i < states; ++i) {
         const double change = std::abs(r.rate_by_velocity[i] * V0 / r.rate_by_state[i]);
         const double level = std::abs(steady_state(friction, V0)[i]);
-        s[2 + i] = change > 0 && std::isfinite(change) ? change : std::max(level, 1e-300);
+        // a state that hardly depends on V there still has its level: rounding moves it by more than its change
+        s[2 + i] = change > least_change * level && std::isfinite(change) ? change : std::max(level, 1e-300);
         effort += std::abs(r.by_state[i]) * s[2 + i];
     }
     s[0] = k_p != 0 ? effort / std::abs(k_p) : V0;

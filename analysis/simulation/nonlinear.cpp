@@ -118,14 +118,13 @@ bool oscillates(const Attractor& a)
     return a.kind == Kind::cycle || a.kind == Kind::period_n || a.kind == Kind::irregular || a.kind == Kind::held;
 }
 
-void describe_cycle(const Attractor& a, double deflection, NonlinearVerdict& verdict)
+void describe_cycle(const Attractor& a, NonlinearVerdict& verdict)
 {
     verdict.period = a.period;
     verdict.amplitude = 0.5 * (a.position_max - a.position_min);
     verdict.velocity_min = a.velocity_min;
     verdict.velocity_max = a.velocity_max;
     verdict.stick_fraction = a.rest_time / a.period;
-    verdict.overshoot = std::max(0.0, a.position_max) / std::abs(deflection);
     verdict.multipliers.assign(a.multipliers.begin(), a.multipliers.end());
     verdict.repeats = a.repeats;
     verdict.path = a.path;
@@ -177,6 +176,13 @@ void judge(const Joint& joint, const AnyFlow& flow, double abscissa, const Nonli
     const bool stated_small = !is_set(options.disturbance.size);
     if (stated_small) verdict.disturbance.size = default_size(flow, mode, kind);
 
+    const FlowVector y0 = disturbed(flow, mode, kind, verdict.disturbance.size);
+    const bool no_states = kind == DisturbanceKind::state && (y0 - mode.steady).isZero(0);
+    if (no_states || !y0.allFinite()) {
+        verdict.outcome = Outcome::undecided;
+        verdict.reason = no_states ? Reason::unsupported : Reason::law_needs_motion;
+        return;
+    }
     const FlowVector small = disturbed(flow, mode, kind, default_size(flow, mode, kind));
     const auto growth = measure_growth(flow, mode, small - mode.steady, follow_options);
     verdict.growth_rate = growth.rate;
@@ -191,7 +197,6 @@ void judge(const Joint& joint, const AnyFlow& flow, double abscissa, const Nonli
     const bool decays = measurable ? growth.rate < 0 : abscissa <= neutral_abscissa * std::abs(mode.s);
 
     // the stated disturbance
-    const FlowVector y0 = disturbed(flow, mode, kind, verdict.disturbance.size);
     Attractor stated;
     if (stated_small && decays) {
         stated.kind = Attractor::Kind::steady;
@@ -209,8 +214,9 @@ void judge(const Joint& joint, const AnyFlow& flow, double abscissa, const Nonli
     verdict.reason = stated.reason;
     verdict.path = stated.path;
     verdict.used_fallback |= stated.used_fallback;
-    verdict.overshoot = std::max(0.0, stated.first_peak) / std::abs(deflection);
-    if (oscillates(stated)) describe_cycle(stated, deflection, verdict);
+    // fmax ignores what is missing
+    verdict.overshoot = std::fmax(0, std::fmax(stated.first_peak, stated.position_max)) / std::abs(deflection);
+    if (oscillates(stated)) describe_cycle(stated, verdict);
     FlowVector cycle_start = stated.start;
 
     if (!decays) {
@@ -224,7 +230,7 @@ void judge(const Joint& joint, const AnyFlow& flow, double abscissa, const Nonli
         if (large.kind == Attractor::Kind::steady) verdict.region = NonlinearRegion::stable;
         if (oscillates(large)) {
             verdict.region = NonlinearRegion::bistable;
-            describe_cycle(large, deflection, verdict);
+            describe_cycle(large, verdict);
             cycle_start = large.start;
         }
         if (verdict.region == NonlinearRegion::undecided) verdict.reason = large.reason;

@@ -33,8 +33,8 @@ struct NonlinearVerdict {
     double amplitude = missing;    ///< half peak to peak in position
     double velocity_min = missing, velocity_max = missing;
     double period = missing;
-    double stick_fraction = missing;                ///< share of the period at rest or below a hundredth of V_0
-    double overshoot = missing;                     ///< largest excess of position over the steady path, per δ_ss
+    double stick_fraction = missing;  ///< share of the period at rest or below a hundredth of V_0
+    double overshoot = missing;  ///< largest excess of position over the steady path after the disturbance, per δ_ss
     std::vector<std::complex<double>> multipliers;  ///< Floquet, where shooting found the cycle
     int repeats = 1;                                ///< turns after which a period-n motion repeats
     Criticality criticality = Criticality::none;

@@ -1,12 +1,16 @@
 #include "analysis/simulation/repeats.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace stickslip {
 namespace {
 
 constexpr double slowest_closing = 0.999;  ///< ratio of successive gaps that is still believed
-constexpr double least_turn = 0.1;         ///< range of position, per largest, of a turn that counts
+constexpr double clear_ratio = 0.5;        ///< of successive gaps, that a few of them suffice to tell
+constexpr double lasting = 0.5;            ///< gap of neighbours, per the same some rounds before
+constexpr int most_rounds = 16;
+constexpr double least_turn = 0.1;  ///< range of position, per largest, of a turn that counts
 
 }  // namespace
 
@@ -15,10 +19,17 @@ int turns_to_repeat(int count, const std::function<double(int, int)>& gap, doubl
     for (int m = 1; m <= longest_repeat && 2 * m < count; ++m) {
         double largest = 0;
         for (int i = 0; i < m; ++i) largest = std::max(largest, gap(count - 1 - i, count - 1 - i - m));
-        const double before = gap(count - 1 - m, count - 1 - 2 * m);
-        const double ratio = largest > 0 ? std::min(largest / before, slowest_closing) : 0;
+        // over several rounds, as a single ratio of gaps that creep is mostly noise
+        const int rounds = std::min(most_rounds, (count - 1) / m - 1);
+        const double before = gap(count - 1 - rounds * m, count - 1 - (rounds + 1) * m);
+        double ratio = largest > 0 ? std::min(std::pow(largest / before, 1.0 / rounds), slowest_closing) : 0;
+        if (ratio > clear_ratio && rounds < most_rounds / 2) ratio = slowest_closing;
         const double rest = m > 1 ? largest : largest / (1 - ratio);
-        if (rest <= allowed) return m;
+        // turns that are to differ keep their difference; those that close in alternating lose it
+        const int earlier = std::min(most_rounds, count - 2);
+        const bool several =
+            m == 1 || gap(count - 1, count - 2) > lasting * gap(count - 1 - earlier, count - 2 - earlier);
+        if (rest <= allowed && several) return m;
     }
     return 0;
 }

@@ -66,7 +66,6 @@ nlohmann::ordered_json nonlinear_json(const NonlinearVerdict& v)
             {"period", json_number(v.period)},
             {"stick_fraction", json_number(v.stick_fraction)},
             {"overshoot", json_number(v.overshoot)},
-            {"overshoot", json_number(v.overshoot)},
             {"repeats", v.repeats},
             {"multipliers", multipliers_json(v.multipliers)},
             {"criticality", criticality_json(v.criticality)},

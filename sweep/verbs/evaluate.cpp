@@ -125,7 +125,8 @@ int evaluate(const Options& options, const Invocation& invocation)
                 fmt::print("  {:<40} {}\n", plain_text(row[0]), plain_text(row[1]));
         if (!page.empty()) fmt::print("report:  {}\n", page.string());
     }
-    const bool failed = nonlinear.outcome == Outcome::undecided || nonlinear.outcome == Outcome::solver_failure;
+    const bool half = nonlinear.outcome == Outcome::stable_sliding && nonlinear.region == NonlinearRegion::undecided;
+    const bool failed = nonlinear.outcome == Outcome::undecided || nonlinear.outcome == Outcome::solver_failure || half;
     return decided && !failed ? exit_done : exit_undecided;
 }
 

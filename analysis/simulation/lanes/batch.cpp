@@ -93,7 +93,7 @@ bool write(const Answer& a, const Scaled& s, const Job& job, bool searched, Poin
     point.velocity_max = s.velocity * std::exp(a.w_max);
     point.period = a.period * s.length / s.velocity;
     point.stick_fraction = a.rest_time / a.period;
-    point.overshoot = std::max(0.0, a.x_max) * s.length / std::abs(s.deflection);
+    if (a.ending == Ending::cycle) point.overshoot = std::max(0.0, a.x_max) * s.length / std::abs(s.deflection);
     return true;
 }
 

@@ -81,7 +81,7 @@ bool write(const StribeckAnswer& a, const StribeckScaled& s, const StribeckJob& 
     point.velocity_max = s.velocity * (1 + a.u_max);
     point.period = a.period * s.time;
     point.stick_fraction = a.rest_time / a.period;
-    point.overshoot = std::max(0.0, a.x_max) * length / std::abs(s.deflection);
+    if (a.ending == Ending::cycle) point.overshoot = std::max(0.0, a.x_max) * length / std::abs(s.deflection);
     return true;
 }
 

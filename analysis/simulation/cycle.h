@@ -12,7 +12,7 @@ struct CycleOptions {
     int turns = 1;  ///< of the orbit around the section: 2 for an orbit of twice the period
     int newton_steps = 20;
     double closure = 1e-9;    ///< largest gap of a closed cycle, in units of the flow's scale
-    int step_limit = 200000;  ///< of one revolution
+    int step_limit = 50000;  ///< of one revolution; thousands are usual
 };
 
 /// A closed orbit. It starts where V falls through V_0, that is at its largest position.

@@ -12,7 +12,7 @@
 namespace stickslip {
 namespace {
 
-constexpr int most_steps = 1'000'000;  ///< each is a row of the trajectory
+constexpr int most_steps = 300'000;  ///< each is a row of the trajectory
 constexpr int default_turns = 50;
 constexpr int most_turns = 400;       ///< of a default duration: pages of longer motions are hard to read
 constexpr double lead = 14;           ///< e-folds from the small disturbance to a cycle: ln(1/small_disturbance)

@@ -75,12 +75,16 @@ TEST_CASE("classes end at the lines of the map, not half way between its points"
     const auto unaided = render(figure_of(map));
     // ends of strokes, which only the hatching of the class to the right puts inside the chart
     const auto strokes = [](const RenderedFigure& f, double from, double to) {
-        const std::regex pair("([0-9.]+)[, ]([0-9.]+)");
+        const std::regex pair("([0-9.]+)[, ]([0-9.]+)"), size("viewBox=\"0 0 ([0-9.]+) [0-9.]+\" width=\"([0-9.]+)\"");
+        std::smatch found_size;
+        REQUIRE(std::regex_search(f.svg, found_size, size));
+        const double unit = std::stod(found_size[1]) / std::stod(found_size[2]);  // of coordinates, per pixel
         const auto within = [](double v, double low, double high) { return v > low && v < high; };
         int found = 0;
         for (std::sregex_iterator it(f.svg.begin(), f.svg.end(), pair), end; it != end; ++it)
-            found += within(std::stod((*it)[1]), f.plot.left + from * f.plot.width, f.plot.left + to * f.plot.width) &&
-                     within(std::stod((*it)[2]), f.plot.top + 3, f.plot.top + f.plot.height - 3);
+            found += within(std::stod((*it)[1]) / unit, f.plot.left + from * f.plot.width,
+                            f.plot.left + to * f.plot.width) &&
+                     within(std::stod((*it)[2]) / unit, f.plot.top + 3, f.plot.top + f.plot.height - 3);
         return found;
     };
     CHECK(strokes(bounded, 0.45, 0.85) == 0);

@@ -134,7 +134,7 @@ Reduction three_mass_to_two_mass(const Joint& joint, Placement placement)
     if (placement == Placement::at_motor) {
         r.name = "three masses to two, transmission at the motor (Fig. 5 to 6)";
         r.model = "Fig. 6, transmission at the motor";
-        r.neglected = {"the compliance between motor and transmission, k_m-tr against k_tr-l"};
+        r.neglected = {"the compliance between motor and transmission, k_{m-tr} against k_{tr-l}"};
         m.transmission = from.transmission_link;
         m.transmission.ratio = N;
         m.motor_inertia = from.motor_inertia + from.transmission_inertia / (N * N);
@@ -142,7 +142,7 @@ Reduction three_mass_to_two_mass(const Joint& joint, Placement placement)
     } else {
         r.name = "three masses to two, transmission at the joint (Fig. 5 to 6)";
         r.model = "Fig. 6, transmission at the joint";
-        r.neglected = {"the compliance between transmission and link, k_tr-l against k_m-tr"};
+        r.neglected = {"the compliance between transmission and link, k_{tr-l} against k_{m-tr}"};
         m.transmission = from.motor_transmission;
         m.link_inertia = from.link_inertia + from.transmission_inertia;
         join(r, joint.frictions.transmission, 1, r.joint.frictions.link, true);
@@ -163,13 +163,13 @@ Reduction two_mass_to_single_mass(const Joint& joint)
     if (c.kind == ControlKind::position) {
         r.name = "ideal motor as a position source (Fig. 6 to 7a)";
         r.model = "Fig. 7a, ideal motor";
-        r.neglected = {"the motor's inertia and friction", "the compliance of the motor's own loop, k_p against k_tr"};
+        r.neglected = {"the motor's inertia and friction", "the compliance of the motor's own loop, k_{p} against k_{tr}"};
         c.k_p = joint.mechanism.transmission.stiffness;
         c.k_v = joint.mechanism.transmission.damping;
     } else {
         r.name = "ideal motor as a force source (Fig. 6 to 7b)";
         r.model = "Fig. 7b, ideal motor";
-        r.neglected = {"the motor's inertia and friction", "the compliance of the transmission, k_c against k_tr"};
+        r.neglected = {"the motor's inertia and friction", "the compliance of the transmission, k_{c} against k_{tr}"};
     }
     return r;
 }
@@ -181,7 +181,7 @@ Reduction rigid_transmission(const Joint& joint)
     r.joint = joint;
     r.name = "rigid transmission (Fig. 6 to one mass)";
     r.model = "one mass, all rigid";
-    r.neglected = {"the compliance of the transmission, k_tr against k_p"};
+    r.neglected = {"the compliance of the transmission, k_{tr} against k_{p}"};
     r.motor = Reduction::Motor::joins_link;
     const double N = joint.mechanism.transmission.ratio;
     r.joint.mechanism.model = Model::single_mass;

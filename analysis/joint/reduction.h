@@ -24,7 +24,7 @@ struct Reduction {
     Joint joint;
     std::string name;                    ///< "lever to three masses (Fig. 4 to 5)"
     std::string model;                   ///< what it leads to, short: "Fig. 5"
-    std::vector<std::string> neglected;  ///< half sentences; empty for an exact reduction
+    std::vector<std::string> neglected;  ///< half sentences, mark-up; empty for an exact reduction
     std::vector<JoinedFriction> joined;  ///< beside the frictions of `joint`
     Motor motor = Motor::stays;          ///< what became of it
 };

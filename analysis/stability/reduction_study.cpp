@@ -47,6 +47,7 @@ ReductionStudy study_of(Joint joint, const NamedReduction& c, const StudyOptions
     try {
         const auto reduced = c.reduce(joint);
         study.name = reduced.name;
+        study.model = reduced.model;
         study.neglected = reduced.neglected;
     } catch (const std::invalid_argument& e) {
         study.name = c.assumption;

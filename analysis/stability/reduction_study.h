@@ -24,7 +24,8 @@ std::vector<NamedReduction> reductions_of(const Joint& joint);
 /// reduced one at each value.
 struct ReductionStudy {
     std::string name;                    ///< "three masses to one, ideal motor … (Fig. 5 to 7a)"
-    std::vector<std::string> neglected;  ///< half sentences
+    std::string model;                   ///< short: "Fig. 6, transmission at the motor, then Fig. 7a, ideal motor"
+    std::vector<std::string> neglected;  ///< half sentences, mark-up
     std::string refused;                 ///< why the reduction does not apply; all below is empty then
     std::string boundary_path;           ///< the number whose boundary is compared: "control.k_p"
     std::string assumption_path;         ///< the number that is assumed large; empty for an exact reduction

@@ -50,6 +50,7 @@ Json reduction_json(const ReductionStudy& r)
         json["refused"] = r.refused;
         return json;
     }
+    json["model"] = r.model;
     json["neglected"] = r.neglected;
     json["assumption"] = r.assumption;
     json["boundary_of"] = r.boundary_path;

@@ -44,7 +44,7 @@ void reduction_alerts(Report& report, const std::vector<ReductionStudy>& studies
         if (study.refused.empty() && study.own.error > poor)
             report.alerts.push_back(
                 {Tone::warning,
-                 "The reduction \"" + study.name + "\" " +
+                 "The reduction to " + study.model + " " +
                      (std::isinf(study.own.error) ? std::string("changes the number of boundaries of this joint")
                                                   : "moves the boundary by " + percent(study.own.error)) +
                      ": its assumption does not hold here."});

@@ -63,7 +63,7 @@ Figure boundary_figure(const Joint& joint, const ReductionStudy& study, const st
     const auto motion = joint.mechanism.motion;
     const auto moved = named(joint, study.assumption_path), boundary = named(joint, study.boundary_path);
     LineChart chart;
-    chart.title = "Boundary before and after: " + study.name;
+    chart.title = "Boundary of the full joint and of " + study.model;
     chart.fixed = "assumed: " + study.assumption;
     chart.x_label = axis_label(moved.symbol, moved.quantity, motion);
     chart.y_label = axis_label(boundary.symbol + " at the boundary", boundary.quantity, motion);
@@ -82,7 +82,7 @@ Figure boundary_figure(const Joint& joint, const ReductionStudy& study, const st
     chart.x_marks.emplace_back("here", moved.value);
     return line_figure(
         id, std::move(chart),
-        "The reduction \"" + study.name + "\" moves the boundary of this joint by " + error_text(study.own.error) + ".",
+        "The reduction to " + study.model + " moves the boundary of this joint by " + error_text(study.own.error) + ".",
         "Solid: the full joint. Dashed: the reduced one. A boundary is where stability changes along " +
             boundary.symbol + "; a line ends where there is none within three decades of this joint.");
 }
@@ -92,7 +92,7 @@ Figure error_figure(const Joint& joint, const ReductionStudy& study, const std::
     const auto motion = joint.mechanism.motion;
     const auto moved = named(joint, study.assumption_path);
     LineChart chart;
-    chart.title = "Error of the boundary: " + study.name;
+    chart.title = "Error of the boundary of " + study.model;
     chart.fixed = "assumed: " + study.assumption;
     chart.x_label = axis_label(moved.symbol, moved.quantity, motion);
     chart.y_label = "relative error of the boundary [1]";

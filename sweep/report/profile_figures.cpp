@@ -93,15 +93,18 @@ std::vector<Figure> outcome_profiles(const Joint& joint, const Profile& profile)
             LineChart chart;
             chart.title = std::string(kind.title) + " over " + axis.symbol;
             chart.x_label = axis_label(axis.name + " " + axis.symbol, axis.quantity, motion);
-            chart.y_label = axis_label(reading.name, reading.quantity, motion);
+            chart.y_label = reading.quantity == Quantity::number ? reading.name
+                                                                 : axis_label(reading.name, reading.quantity, motion);
             chart.x_log = axis.log;
             chart.lines.push_back({reading.name, axis.values, values});
-            // the ends keep the whole axis in sight where cycles fill a part of it
-            for (const auto& [name, at] : {std::pair{"from", axis.values.front()}, {"to", axis.values.back()}})
-                chart.x_marks.emplace_back(name, at);
+            Joint design = joint;
+            if (const double own = *find_parameter(design, axis.path);
+                own >= axis.values.front() && own <= axis.values.back())
+                chart.x_marks.emplace_back("design", own);
             double low = infinity, high = -infinity;
             for (const double v : values)
                 if (!std::isnan(v)) low = std::min(low, v), high = std::max(high, v);
+            if (high == 0) continue;  // cycles that never rest: nothing to see
             const auto finding = std::string(kind.title) + ": from " + with_unit(low, reading.quantity, motion) +
                                  " to " + with_unit(high, reading.quantity, motion) + " on " + std::to_string(cycles) +
                                  " of " + std::to_string(values.size()) + " points; none elsewhere.";

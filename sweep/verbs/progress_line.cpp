@@ -17,6 +17,14 @@ std::string duration(double seconds)
     return fmt::format("{} h {:02} min", s / 3600, s / 60 % 60);
 }
 
+/// Three digits: "631 k", "12.5", "0.31".
+std::string rate(double per_second)
+{
+    return per_second < 1e3   ? fmt::format("{:.3g}", per_second)
+           : per_second < 1e6 ? fmt::format("{:.3g} k", per_second / 1e3)
+                              : fmt::format("{:.3g} M", per_second / 1e6);
+}
+
 }  // namespace
 
 ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0) {}
@@ -24,8 +32,8 @@ ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0) {}
 void ProgressLine::update(const Progress& p)
 {
     if (!terminal_ || p.total == 0) return;
-    fmt::print(stderr, "\r\033[K{:5.1f} %  {} of {} points  {:.3g} points/s  {} left",
-               100.0 * static_cast<double>(p.done) / static_cast<double>(p.total), p.done, p.total, p.rate,
+    fmt::print(stderr, "\r\033[K{:5.1f} %  {} of {} points  {} points/s  {} left",
+               100.0 * static_cast<double>(p.done) / static_cast<double>(p.total), p.done, p.total, rate(p.rate),
                duration(p.seconds_left));
     std::fflush(stderr);
     drawn_ = true;

@@ -41,10 +41,11 @@ class Report(unittest.TestCase):
         stickslip("sweep", "-o", cls.out / "linear")
         stickslip("sweep", "examples/03-bistable-strip/spec.toml", "-o", cls.out / "nonlinear")
         stickslip("simulate", cls.out / "linear/joint.toml", "--set", "control.k_p=2e4", "-o", cls.out / "motion")
-        softer = (ROOT / "examples/03-bistable-strip/spec.toml").read_text().replace("L = 1.0e-5", "L = 1.1e-5")
-        (cls.out / "softer.toml").write_text(softer)
-        stickslip("sweep", cls.out / "softer.toml", "-o", cls.out / "softer")
-        stickslip("report", cls.out / "nonlinear", cls.out / "softer", "-o", cls.out / "comparison")
+        linear = (ROOT / "examples/03-bistable-strip/spec.toml").read_text().replace("enabled = true", "enabled = false")
+        for name, text in (("before", linear), ("after", linear.replace("L = 1.0e-5", "L = 1.1e-5"))):
+            (cls.out / f"{name}.toml").write_text(text)
+            stickslip("sweep", cls.out / f"{name}.toml", "-o", cls.out / name)
+        stickslip("report", "before", "after", "-o", "comparison", cwd=cls.out)
         cls.pages = {name: cls.out / name / "report.html" for name in ("linear", "nonlinear", "motion", "comparison")}
         cls.results = netCDF4.Dataset(cls.out / "linear/results.nc")
         cls.browser = Browser()

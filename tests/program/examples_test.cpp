@@ -1,6 +1,6 @@
 // Every spec under examples/ runs and says what it said before. `STICKSLIP_UPDATE=1 tests_program "[examples]"` stores
 // what they say now.
-#include "tests/program/run.h"
+#include "tests/program/said.h"
 
 #include <catch2/catch.hpp>
 
@@ -12,18 +12,6 @@ using program::stickslip;
 namespace {
 
 const std::string root = SOURCE_ROOT;
-
-/// The lines of a summary that do not name files or times.
-std::string lasting_lines(const std::string& output)
-{
-    std::istringstream in(output);
-    std::string kept;
-    for (std::string line; std::getline(in, line);)
-        if (line.find("computed now") == std::string::npos && !line.starts_with("results:") &&
-            !line.starts_with("report:"))
-            kept += line + "\n";
-    return kept;
-}
 
 std::set<std::string> example_specs()
 {
@@ -48,9 +36,35 @@ TEST_CASE("every example runs and says what it said", "[program][examples]")
         INFO(spec << "\n" << run.output);
         CHECK(run.exit_code == 0);
         const auto path = std::filesystem::path(spec);
-        const auto kept = root + "/tests/program/expected/" + path.parent_path().filename().string() + "-" +
-                          path.stem().string() + ".txt";
-        if (std::getenv("STICKSLIP_UPDATE")) std::ofstream(kept) << lasting_lines(run.output);
-        CHECK(lasting_lines(run.output) == program::read(kept));
+        program::check_said(path.parent_path().filename().string() + "-" + path.stem().string(), run.output);
     }
+}
+
+TEST_CASE("the pipeline step passes, and fails where a boundary has moved", "[program][examples]")
+{
+    Folder folder;
+    const auto step = [&](const std::string& name) {
+        return program::shell("STICKSLIP='" + std::string(STICKSLIP) + "' examples/ci/run.sh '" + (folder / name) +
+                              "'");
+    };
+    const auto run = step("stability");
+    INFO(run.output);
+    CHECK(run.exit_code == 0);
+    program::check_said("ci-run", run.output);
+    CHECK_THAT(program::read(folder / "stability/stability.xml"), Catch::Matchers::Contains("failures=\"0\""));
+    CHECK(std::filesystem::exists(folder / "stability/report.html"));
+}
+
+TEST_CASE("shards by GNU parallel give the summary of one sweep", "[program][examples]")
+{
+    if (program::shell("command -v parallel >/dev/null").exit_code != 0) {
+        WARN("GNU parallel is not installed here");
+        return;
+    }
+    Folder folder;
+    const auto run = program::shell("SPEC=examples/02-ball-screw/spec.toml OUT='" + (folder / "out") +
+                                    "' SHARDS=3 STICKSLIP='" + STICKSLIP + "' examples/05-cluster/parallel.sh");
+    INFO(run.output);
+    CHECK(run.exit_code == 0);
+    CHECK(std::filesystem::exists(folder / "out/results.nc"));
 }

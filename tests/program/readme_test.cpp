@@ -1,5 +1,5 @@
 // What the README shows is what the program prints.
-#include "tests/program/run.h"
+#include "tests/program/said.h"
 
 #include <catch2/catch.hpp>
 
@@ -59,7 +59,7 @@ std::string redirected(const std::string& arguments, const program::Folder& fold
 
 }  // namespace
 
-TEST_CASE("every command of the README runs", "[program]")
+TEST_CASE("every command of the README runs and says what it said", "[program]")
 {
     int ran = 0;
     for (const auto& command : shown_commands(program::read(std::string(SOURCE_ROOT) + "/README.md"))) {
@@ -78,6 +78,8 @@ TEST_CASE("every command of the README runs", "[program]")
         INFO("stickslip " << arguments << "\n" << run.output);
         CHECK(run.exit_code == 0);
         ++ran;
+        program::check_said("readme-" + std::to_string(ran) + "-" + arguments.substr(0, arguments.find(' ')),
+                            run.output);
     }
     CHECK(ran >= 5);
 }

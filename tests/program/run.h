@@ -19,10 +19,10 @@ struct Run {
     std::string output;  ///< standard output and error together
 };
 
-/// `stickslip ARGUMENTS`, arguments as a shell reads them, from the root of the sources.
-inline Run stickslip(const std::string& arguments)
+/// A line of shell, from the root of the sources.
+inline Run shell(const std::string& line)
 {
-    const std::string command = std::string("cd '") + SOURCE_ROOT + "' && '" + STICKSLIP + "' " + arguments + " 2>&1";
+    const std::string command = std::string("cd '") + SOURCE_ROOT + "' && { " + line + "; } 2>&1";
     FILE* pipe = popen(command.c_str(), "r");
     if (!pipe) throw std::runtime_error("no shell");
     Run run;
@@ -31,6 +31,12 @@ inline Run stickslip(const std::string& arguments)
     const int status = pclose(pipe);
     run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return run;
+}
+
+/// `stickslip ARGUMENTS`, arguments as a shell reads them.
+inline Run stickslip(const std::string& arguments)
+{
+    return shell(std::string("'") + STICKSLIP + "' " + arguments);
 }
 
 /// A folder of its own, removed at the end.

@@ -14,14 +14,15 @@ const addZoom = (figure, data, button) => {
   const values = element("p", { class: "zoom-values", role: "status", hidden: "" }, "");
   picture.after(box, values);
   let graph = null;
-  const toggle = button("Zoom in time", () => {
+  const name = data.xLabel.startsWith("time") ? "Zoom in time" : "Zoom in";
+  const toggle = button(name, () => {
     const open = box.hidden;
     box.hidden = values.hidden = !open;
     picture.classList.toggle("away", open);
     for (const part of figure.querySelectorAll(".reader, .tip")) part.hidden = open;
-    toggle.textContent = open ? "Back to the picture" : "Zoom in time";
+    toggle.textContent = open ? "Back to the picture" : name;
     if (graph || !open) return;
-    const say = (x, points) => (values.textContent = x === null ? "Drag to zoom, double-click to see all; the strip below chooses a stretch of time."
+    const say = (x, points) => (values.textContent = x === null ? "Drag to zoom, double-click to see all; the strip below chooses a stretch."
       : `${data.xLabel} ${digits(x)}: ` + points.map((p) => `${p.name} = ${digits(p.yval)}`).join(", "));
     const ink = getComputedStyle(document.documentElement).getPropertyValue("--muted");
     // its legend writes style attributes, which the page's policy forbids; the values stand below instead

@@ -45,24 +45,6 @@ Eigen::VectorXd join(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
     return x;
 }
 
-/// Mean square of the scaled residuals inside one fold.
-double square_in(const Case& c, const Fold& fold, const Scales& scales, const Candidate& candidate,
-                 const Eigen::VectorXd& x)
-{
-    std::vector<double> residuals;
-    evaluate({c}, candidate, in_si(candidate, x, scales), levels[level], &residuals);
-    const auto rows = static_cast<std::size_t>(std::count(c.ticks.logged.begin(), c.ticks.logged.end(), 1));
-    double sum = 0, n = 0;
-    std::size_t row = 0;
-    for (std::size_t k = 0; k < c.ticks.size(); ++k) {
-        if (!c.ticks.logged[k]) continue;
-        if (c.ticks.time[k] >= fold.from && c.ticks.time[k] < fold.to)
-            for (std::size_t i = row; i < residuals.size(); i += rows) sum += residuals[i] * residuals[i], n += 1;
-        ++row;
-    }
-    return sum / std::max(n, 1.0);
-}
-
 /// What the contestant, refitted without each fold, leaves there.
 std::vector<double> squares_of(const std::vector<Case>& cases, const std::vector<Fold>& folds, const Scales& scales,
                                const Attribution& a)
@@ -70,7 +52,7 @@ std::vector<double> squares_of(const std::vector<Case>& cases, const std::vector
     std::vector<double> squares;
     for (const auto& fold : folds) {
         const auto x = descend(without(cases, fold), a.candidate, scales, a.x[level], levels[level], again).x;
-        squares.push_back(square_in(cases[fold.record], fold, scales, a.candidate, x));
+        squares.push_back(square_in(cases[fold.record], fold, scales, a.candidate, x, levels[level]));
     }
     return squares;
 }
@@ -83,25 +65,6 @@ void fit(const std::vector<Case>& cases, const Scales& scales, int iterations, A
     a.evaluation[level] = found.evaluation;
     a.information = found.information;
     a.evaluations += found.evaluations;
-}
-
-ConfidenceInterval spread_of(const std::vector<double>& before, const std::vector<double>& after)
-{
-    ConfidenceInterval spread{1, -infinity};
-    for (std::size_t f = 0; f < before.size(); ++f) {
-        const double gain = 1 - std::sqrt(after[f] / before[f]);
-        spread.low = std::min(spread.low, gain), spread.high = std::max(spread.high, gain);
-    }
-    return spread;
-}
-
-/// What a fit leaves in each record is the noise of this contest: no record drowns the others.
-void raise_floor(std::vector<Case>& cases, const Evaluation& now)
-{
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        cases[i].sigma *= std::sqrt(std::max(now.records[i].position, 1e-12));
-        if (cases[i].effort_sigma > 0) cases[i].effort_sigma *= std::sqrt(std::max(now.records[i].effort, 1e-12));
-    }
 }
 
 /// Every cause once more on top of the refitted numbers; the best few of a first look are fitted in full.
@@ -144,20 +107,56 @@ std::vector<Contestant> contestants(const std::vector<Case>& cases, const Scales
 
 }  // namespace
 
+ConfidenceInterval spread_of(const std::vector<double>& before, const std::vector<double>& after)
+{
+    ConfidenceInterval spread{1, -infinity};
+    for (std::size_t f = 0; f < before.size(); ++f) {
+        const double gain = 1 - std::sqrt(after[f] / before[f]);
+        spread.low = std::min(spread.low, gain), spread.high = std::max(spread.high, gain);
+    }
+    return spread;
+}
+
+double square_in(const Case& c, const Fold& fold, const Scales& scales, const Candidate& candidate,
+                 const Eigen::VectorXd& x, double omega)
+{
+    std::vector<double> residuals;
+    evaluate({c}, candidate, in_si(candidate, x, scales), omega, &residuals);
+    const auto rows = static_cast<std::size_t>(std::count(c.ticks.logged.begin(), c.ticks.logged.end(), 1));
+    double sum = 0, n = 0;
+    std::size_t row = 0;
+    for (std::size_t k = 0; k < c.ticks.size(); ++k) {
+        if (!c.ticks.logged[k]) continue;
+        if (c.ticks.time[k] >= fold.from && c.ticks.time[k] < fold.to)
+            for (std::size_t i = row; i < residuals.size(); i += rows) sum += residuals[i] * residuals[i], n += 1;
+        ++row;
+    }
+    return sum / std::max(n, 1.0);
+}
+
+void raise_floor(std::vector<Case>& cases, const Evaluation& now)
+{
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        cases[i].sigma *= std::sqrt(std::max(now.records[i].position, 1e-12));
+        if (cases[i].effort_sigma > 0) cases[i].effort_sigma *= std::sqrt(std::max(now.records[i].effort, 1e-12));
+    }
+}
+
 Contest hold_contest(const std::vector<Case>& documented, const Scales& scales, const std::vector<Attribution>& singles,
                      const ParallelFor& parallel)
 {
     Contest contest;
     std::vector<Case> cases = documented;
     const auto folds = folds_of(cases);
-    Attribution nominal, base;
+    Attribution nominal;
+    Attribution& base = contest.base;
     base.candidate = numbers_of(cases);
     nominal.x[level] = Eigen::VectorXd();
     // factors are logarithms, so zero leaves every number as it is
     base.x[level] = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(base.candidate.parameter_count()));
     raise_floor(cases, evaluate(cases, {}, {}, levels[level]));
     std::vector<double> before;
-    for (const auto& f : folds) before.push_back(square_in(cases[f.record], f, scales, {}, {}));
+    for (const auto& f : folds) before.push_back(square_in(cases[f.record], f, scales, {}, {}, levels[level]));
     fit(cases, scales, full_fit, base);
     contest.refit = spread_of(before, squares_of(cases, folds, scales, base));
     raise_floor(cases, base.evaluation[level]);

@@ -1,6 +1,7 @@
 #include "analysis/gap/diagnose.h"
 
 #include "analysis/gap/contest.h"
+#include "analysis/gap/drive_force.h"
 #include "analysis/gap/experiment.h"
 #include "analysis/gap/heldout.h"
 #include "analysis/gap/inspect.h"
@@ -9,6 +10,7 @@
 #include "analysis/gap/prepare.h"
 #include "analysis/gap/rig.h"
 #include "analysis/gap/verdict.h"
+#include "analysis/gap/withdraw.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,6 +81,8 @@ Cause cause_of(const Work& w, const Contestant& one, std::size_t own_numbers, do
     c.misfit = std::log1p(-std::min(one.gain, 0.999));
     c.heldout_gain = one.gain;
     c.heldout_gain_interval = one.spread;
+    c.force_gain = one.force_gain;
+    c.force_gain_interval = one.force_spread;
     return c;
 }
 
@@ -230,6 +234,11 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
                 "the controller differs from its document, and something that the catalogue does not explain remains");
     }
     if (contest.decided) {
+        if (const double corner = drive_force_corner(w.cases); corner > 0) {
+            const double before = hold_out_drive_force(w.cases, w.scales, contest, parallel);
+            d.drive_force = {std::string(unit_of(Quantity::effort, d.motion)), corner, before,
+                             contest.ranked[0].force_rms};
+        }
         const auto p = probabilities(contest);
         for (std::size_t i = 0; i < contest.ranked.size(); ++i)
             d.effects.push_back(cause_of(w, contest.ranked[i], contest.own_numbers, p[i]));
@@ -250,7 +259,8 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
             "there is a gap, and no effect of the catalogue, nor two together, explain it: the best leaves " +
             std::to_string(static_cast<int>(std::lround(100 * (1 - decision.best_explained)))) + " % of it");
     if (shown) {
-        d.remainder = winner.candidate.effects.empty() ? 0 : std::max(0.0, 1 - winner.explained);
+        d.remainder = winner.candidate.effects.empty() ? quiet ? 0 : std::clamp(1 - held.overall.explained, 0.0, 1.0)
+                                                       : std::max(0.0, 1 - winner.explained);
         for (const auto* rival : decision.ambiguous) d.ambiguous_with.push_back(names_of(rival->candidate));
         for (const auto* rival : contest.decided ? contest.ambiguous : std::vector<const Contestant*>{})
             d.ambiguous_with.push_back({std::string(rival->fit.candidate.effects.back()->name)});
@@ -260,11 +270,15 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
                                                                                 : nullptr;
         if (rival && !winner.candidate.effects.empty())
             d.next_experiment = design_experiment(w.cases[0], w.scales, winner, *rival);
+        // the refitted numbers of a contest are no part of what is told apart
+        if (contest.decided && !d.next_experiment.separates.empty())
+            d.next_experiment.separates = {{d.effects[0].names[0], d.effects[1].names[0]}};
         Joint after = w.cases[0].joint;
         if (!winner.candidate.effects.empty())
             after = edited(after, winner.candidate, in_si(winner.candidate, winner.x[1], w.scales), 0);
         result.after = after;
     }
+    if (withdraw_if_worse(d)) result.after = joint;
     progress("done", 1);
     return result;
 }

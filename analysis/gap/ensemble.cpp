@@ -76,6 +76,13 @@ bool within(const NoiseSpread& spread, const std::array<Evaluation, levels.size(
     return true;
 }
 
+CommandUnit command_unit(const Joint& joint)
+{
+    if (joint.actuator.kind == ActuatorKind::effort)
+        return {joint.actuator.effort_gain, std::string(unit_of(Quantity::effort, joint.mechanism.motion))};
+    return {1, joint.actuator.signal == DriveSignal::duty ? "1" : "V"};
+}
+
 std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, double from, double to, Trace* first)
 {
     const Plant plant = flatten(joint);
@@ -107,8 +114,7 @@ std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, 
     }
     std::vector<Trace> traces;
     for (int r = 0; r < runs; ++r) traces.push_back(closed_loop(plant, t, static_cast<std::uint64_t>(1 + r)));
-    // what drives an effort source is counted in effort, whatever its own unit
-    const double drive = joint.actuator.kind == ActuatorKind::effort ? c.joint.actuator.effort_gain : 1;
+    const CommandUnit command = command_unit(c.joint);
     const auto add = [&](const char* name, const std::string& unit, const std::vector<double>& measured,
                          std::vector<double> Trace::*column, double factor = 1) {
         SignalSquares s{name, unit};
@@ -133,7 +139,7 @@ std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, 
         squares.push_back(s);
     };
     add("position", position_unit, t.position, &Trace::position);
-    add("effort_command", effort_unit, t.command, &Trace::command, drive);
+    add("effort_command", command.unit, t.command, &Trace::command, command.factor);
     if (c.effort_sigma > 0) add("effort_measured", effort_unit, t.effort, &Trace::effort);
     for (auto& s : squares)
         if (s.signal == "position") s.floor = std::max(s.floor, 2 * c.sigma * c.sigma * 0.25);

@@ -32,6 +32,14 @@ struct SignalSquares {
     double rows = 0;  ///< that these are means over
 };
 
+/// How a command is counted: what drives an effort source as the effort that it asks for, whatever its own unit; a
+/// motor's drive as it is.
+struct CommandUnit {
+    double factor = 1;
+    std::string unit;  ///< N | N·m | V | "1" for a duty cycle
+};
+CommandUnit command_unit(const Joint& joint);
+
 /// One entry a logged signal (position, command, effort). Rows outside [from, to) are left out. Without a reference the
 /// slow observer's prediction stands in for the closed loop, and the names say so.
 std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, double from, double to,

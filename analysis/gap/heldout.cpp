@@ -121,6 +121,10 @@ HeldOut hold_out(const std::vector<Case>& cases, const std::vector<Joint>& docum
         const Ticks& t = cases[i].ticks;
         DiagnosedTrace trace;
         trace.file = t.name;
+        const CommandUnit command = command_unit(cases[i].joint);
+        trace.effort_name = t.has_effort ? "measured effort" : "command";
+        trace.effort_unit =
+            t.has_effort ? std::string(unit_of(Quantity::effort, cases[i].joint.mechanism.motion)) : command.unit;
         constexpr std::size_t most = 4000;  // points a chart can show
         const std::size_t stride = std::max<std::size_t>(1, t.size() / most);
         for (std::size_t k = 0; k < t.size(); k += stride) {
@@ -128,13 +132,14 @@ HeldOut hold_out(const std::vector<Case>& cases, const std::vector<Joint>& docum
             trace.measured.push_back(t.position[k]);
             trace.before.push_back(results[i].trace_before.position[k]);
             trace.after.push_back(results[i].trace_after.position[k]);
-            if (is_set(t.command[k]) || is_set(t.effort[k])) {
-                const bool effort = is_set(t.effort[k]);
-                trace.effort_measured.push_back(effort ? t.effort[k] : t.command[k]);
-                trace.effort_before.push_back(effort ? results[i].trace_before.effort[k]
-                                                     : results[i].trace_before.command[k]);
-                trace.effort_after.push_back(effort ? results[i].trace_after.effort[k]
-                                                    : results[i].trace_after.command[k]);
+            if (t.has_effort) {
+                trace.effort_measured.push_back(t.effort[k]);
+                trace.effort_before.push_back(results[i].trace_before.effort[k]);
+                trace.effort_after.push_back(results[i].trace_after.effort[k]);
+            } else if (t.source == CommandSource::logged) {
+                trace.effort_measured.push_back(command.factor * t.command[k]);
+                trace.effort_before.push_back(command.factor * results[i].trace_before.command[k]);
+                trace.effort_after.push_back(command.factor * results[i].trace_after.command[k]);
             }
         }
         held.traces.push_back(std::move(trace));

@@ -129,6 +129,8 @@ DiagnosedTrace trace_of(const Rig& rig, const std::string& name, RigLaw law, con
 {
     DiagnosedTrace trace;
     trace.file = name;
+    trace.effort_name = "friction";
+    trace.effort_unit = "as logged";
     double level = 0;
     const auto force = rig_force(rig, law, p);
     rig_square(rig, force, -1, false, &level);

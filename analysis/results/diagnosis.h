@@ -54,6 +54,8 @@ struct Cause {
     std::vector<FittedParameter> parameters;
     double heldout_gain = 0;  ///< 1 − after/before of held-out RMS
     ConfidenceInterval heldout_gain_interval;
+    double force_gain = std::numeric_limits<double>::quiet_NaN();  ///< the same for the drive force, see DriveForceGap
+    ConfidenceInterval force_gain_interval;
     bool signature = false;  ///< its tell-tale is in the records
     bool plausible = true;   ///< its numbers are not at a bound and not out of all proportion
     std::string tell_tale;   ///< what the signature is
@@ -68,7 +70,15 @@ struct SignalGap {
 
 struct OverallGap {
     double before = 0, after = 0, floor = 0, explained = 0;  ///< in floors
-    ConfidenceInterval interval;                                       ///< of explained
+    ConfidenceInterval interval;                             ///< of explained
+};
+
+/// The force that drives the joint, low-passed, against what the model asks for along the measured motion: RMS over
+/// held-out data with the joint's own numbers refitted, without and with the first cause. corner 0: not judged.
+struct DriveForceGap {
+    std::string unit;
+    double corner = 0;  ///< Hz
+    double before = 0, after = 0;
 };
 
 struct NextExperiment {
@@ -87,6 +97,7 @@ struct DiagnosedTrace {
     std::string file;
     std::vector<double> time, measured, before, after;
     std::vector<double> effort_measured, effort_before, effort_after;
+    std::string effort_name, effort_unit;  ///< "measured effort", "command"
 };
 
 /// Everything that the report and diagnosis.json say. Boundary numbers are added by who can compute maps.
@@ -100,6 +111,7 @@ struct Diagnosis {
     NextExperiment next_experiment;
     std::vector<SignalGap> gap;
     OverallGap overall;
+    DriveForceGap drive_force;
     double remainder = 0;  ///< part of the gap that the best cause leaves
     std::vector<std::string> notes;
     std::vector<DiagnosedTrace> traces;

@@ -3,7 +3,8 @@
 #include "analysis/stability/verdict.h"
 #include "sweep/files/verdict_json.h"
 
-#include <exception>
+#include <cmath>
+#include <stdexcept>
 
 namespace stickslip {
 namespace {
@@ -19,16 +20,21 @@ Json cause_json(const Cause& cause)
     for (const auto& p : cause.parameters)
         parameters[p.name] = {
             {"value", json_number(p.value)}, {"stderr", json_number(p.standard_error)}, {"unit", p.unit}};
-    return {{"names", cause.names},
-            {"form", cause.form},
-            {"probability", json_number(cause.probability)},
-            {"parameters", parameters},
-            {"heldout_gain", json_number(cause.heldout_gain)},
-            {"heldout_gain_interval", interval(cause.heldout_gain_interval)},
-            {"signature", cause.signature},
-            {"plausible", cause.plausible},
-            {"tell_tale", cause.tell_tale},
-            {"misfit", json_number(cause.misfit)}};
+    Json json = {{"names", cause.names},
+                 {"form", cause.form},
+                 {"probability", json_number(cause.probability)},
+                 {"parameters", parameters},
+                 {"heldout_gain", json_number(cause.heldout_gain)},
+                 {"heldout_gain_interval", interval(cause.heldout_gain_interval)},
+                 {"signature", cause.signature},
+                 {"plausible", cause.plausible},
+                 {"tell_tale", cause.tell_tale},
+                 {"misfit", json_number(cause.misfit)}};
+    if (std::isfinite(cause.force_gain)) {
+        json["drive_force_gain"] = json_number(cause.force_gain);
+        json["drive_force_gain_interval"] = interval(cause.force_gain_interval);
+    }
+    return json;
 }
 
 Json shares_json(const std::vector<Share>& shares)
@@ -64,6 +70,8 @@ Json boundary_json(const Joint& given, double speed)
 
 Json diagnosis_json(const Diagnosis& d, const Joint& before, const Joint& after)
 {
+    if (d.verdict == Verdict::gap && d.overall.after > d.overall.before)
+        throw std::logic_error("a diagnosis names a cause that makes held-out data worse");
     Json json;
     json["verdict"] = name_of(d.verdict);
     json["reasons"] = d.reasons;
@@ -92,6 +100,11 @@ Json diagnosis_json(const Diagnosis& d, const Joint& before, const Joint& after)
                       {"explained", json_number(d.overall.explained)},
                       {"interval", interval(d.overall.interval)}};
     json["gap"] = gap;
+    if (d.drive_force.corner > 0)
+        json["drive_force"] = {{"unit", d.drive_force.unit},
+                               {"below_hz", json_number(d.drive_force.corner)},
+                               {"before", json_number(d.drive_force.before)},
+                               {"after", json_number(d.drive_force.after)}};
     json["remainder"] = json_number(d.remainder);
     json["boundary"] = {{"before", boundary_json(before, d.usual_speed)},
                         {"after", boundary_json(after, d.usual_speed)}};

@@ -46,7 +46,10 @@ std::vector<double> differentiated(const Record& r)
 
 class Checks {
   public:
-    Checks(const Record& record, const Joint& joint) : r_(record), joint_(joint), motion_(joint.mechanism.motion) {}
+    Checks(const Record& record, const Joint& joint, bool unit_named)
+        : r_(record), joint_(joint), motion_(joint.mechanism.motion), unit_named_(unit_named)
+    {
+    }
 
     std::vector<Suspicion> all()
     {
@@ -54,7 +57,9 @@ class Checks {
         compare("link_position", spread(r_.link_position), "position", spread(r_.position));
         if (!r_.velocity.empty())
             compare("velocity", spread(r_.velocity), "the rate of position", spread(differentiated(r_)));
+        direction();
         command();
+        dead_signals();
         travel();
         clock();
         return std::move(found_);
@@ -70,8 +75,8 @@ class Checks {
         if (factor == 0) return;
         const std::string& larger = factor > 1 ? a : b;
         found_.push_back({"suspected " + std::string(foreign_unit()) + ": " + larger + " moves " +
-                              number_text(std::round(10 * std::max(spread_a / spread_b, spread_b / spread_a)) / 10) +
-                              " times as far as " + (factor > 1 ? b : a) + "; [record] can name the unit",
+                              rounded(std::max(spread_a / spread_b, spread_b / spread_a)) + " times as far as " +
+                              (factor > 1 ? b : a) + "; [record] can name the unit",
                           true});
     }
 
@@ -93,15 +98,73 @@ class Checks {
         }
         if (!(squares > 0) || !(command > 0)) return;
         const double ratio = squares / together, alike = together / std::sqrt(squares * command);
-        constexpr double surely = 0.9;  // correlation
-        if (alike > surely && ratio > 1 && wrong_factor(ratio, motion_) != 0)
+        constexpr double surely = 0.9;       // correlation
+        constexpr double another_joint = 4;  // no gain of the same controller is documented as wrong as that
+        command_explained_ = alike > surely && ratio < near_factor && ratio > 1 / near_factor;
+        if (std::abs(alike) < surely) return;
+        const std::string times = rounded(std::max(std::abs(ratio), 1 / std::abs(ratio)));
+        if (alike < 0)
+            found_.push_back(
+                {"suspected sign: with the gains of the joint the logged motion asks for the opposite of the "
+                 "logged command; scale = -1 under [record.columns] turns a signal round",
+                 true});
+        else if (ratio > 1 && wrong_factor(ratio, motion_) != 0)
             found_.push_back({"suspected " + std::string(foreign_unit()) +
-                                  ": with the gains of the joint the logged motion "
-                                  "asks for " +
-                                  number_text(std::round(10 * ratio) / 10) +
+                                  ": with the gains of the joint the logged motion asks for " + times +
                                   " times the logged command; [record] can name the unit",
                               true});
+        else if (ratio > another_joint || ratio < 1 / another_joint)
+            found_.push_back(
+                {"suspected record of another joint: with the gains of the joint the logged motion asks for " + times +
+                     (ratio > 1 ? " times" : " times less than") +
+                     " the logged command; per record, [record.files] can give other gains",
+                 true});
     }
+
+    /// A position that runs against its reference.
+    void direction()
+    {
+        if (!found_.empty() || r_.reference_position.empty() || r_.position.empty()) return;
+        const double a = spread(r_.reference_position), b = spread(r_.position);
+        double mean_a = 0, mean_b = 0, n = 0, product = 0;
+        for (std::size_t k = 0; k < r_.rows(); ++k) {
+            const double p = r_.reference_position[k], q = r_.position[k];
+            if (!std::isfinite(p) || !std::isfinite(q)) continue;
+            mean_a += p, mean_b += q, product += p * q, n += 1;
+        }
+        if (n == 0 || a == 0 || b == 0) return;
+        constexpr double surely = -0.9;
+        if ((product / n - mean_a / n * mean_b / n) / (a * b) < surely)
+            found_.push_back(
+                {"suspected sign: position runs against reference_position; scale = -1 under "
+                 "[record.columns] turns a signal round",
+                 true});
+    }
+
+    /// A signal that stays at one value although the joint moves was not connected.
+    void dead_signals()
+    {
+        if (r_.position.empty() || spread(r_.position) == 0) return;
+        constexpr std::size_t few = 20;
+        const auto dead = [&](const char* name, const std::vector<double>& values) {
+            if (values.size() < few || !std::isfinite(values[0]) || spread(values) > 1e-12 * std::abs(values[0]))
+                return;
+            found_.push_back({std::string(name) + " stays at " + number_text(values[0]) +
+                                  " while position moves: leave the column away if it was not connected",
+                              true});
+        };
+        dead("velocity", r_.velocity);
+        dead("effort_measured", r_.effort_measured);
+        dead("current", r_.current);
+        dead("link_position", r_.link_position);
+        // a constant command moves a joint, too; not one whose controller follows a reference
+        if (spread(r_.reference_position) > 0 && joint_.control.k_p != 0) {
+            dead("effort_command", r_.effort_command);
+            dead("the drive signal", r_.drive);
+        }
+    }
+
+    static std::string rounded(double value) { return number_text(std::round(10 * value) / 10); }
 
     void travel()
     {
@@ -112,11 +175,14 @@ class Checks {
             if (q > high) high = q;
         }
         const double travel = high - low, limit = motion_ == Motion::revolute ? many_turns : long_axis;
-        if (travel > limit)
-            found_.push_back({"suspected " + std::string(foreign_unit()) + ": position travels " + number_text(travel) +
-                                  " " + std::string(unit_of(Quantity::position, motion_)) +
-                                  "; [record] can name the unit",
-                              false});
+        // degrees and radians alike make a motion that a joint can be fitted to; only someone who knows can tell
+        const std::string unit(unit_of(Quantity::position, motion_));
+        if (travel > limit && !unit_named_ && !command_explained_)
+            found_.push_back({"suspected " + std::string(foreign_unit()) + ": position travels " + rounded(travel) +
+                                  " " + unit + "; position = { unit = \"" +
+                                  (motion_ == Motion::revolute ? "deg" : "mm") +
+                                  "\" } under [record.columns] says so, unit = \"" + unit + "\" that it is right",
+                              true});
     }
 
     void clock()
@@ -138,14 +204,16 @@ class Checks {
     const Record& r_;
     const Joint& joint_;
     Motion motion_;
+    bool unit_named_ = false;
+    bool command_explained_ = false;  ///< by the documented gains, in the documented units
     std::vector<Suspicion> found_;
 };
 
 }  // namespace
 
-std::vector<Suspicion> suspicions(const Record& record, const Joint& joint)
+std::vector<Suspicion> suspicions(const Record& record, const Joint& joint, bool unit_named)
 {
-    std::vector<Suspicion> found = Checks(record, joint).all();
+    std::vector<Suspicion> found = Checks(record, joint, unit_named).all();
     const auto off = std::count(record.torque_enable.begin(), record.torque_enable.end(), 0.0);
     if (off > 0)
         found.push_back({std::to_string(off) + " of " + std::to_string(record.rows()) +

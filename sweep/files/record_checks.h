@@ -13,7 +13,8 @@ struct Suspicion {
     bool contradiction = false;  ///< two things that were given cannot both be in their units
 };
 
-/// One sentence each. Suspicions of units compare signals with one another and with the joint; they never change data.
-std::vector<Suspicion> suspicions(const Record& record, const Joint& joint);
+/// One sentence each. Suspicions compare signals with one another and with the joint; they never change data.
+/// `unit_named`: the layout says in which unit the position is, so that long travel is no sign of another one.
+std::vector<Suspicion> suspicions(const Record& record, const Joint& joint, bool unit_named = false);
 
 }  // namespace stickslip::files

@@ -100,7 +100,7 @@ class RecordReader {
             if (slot.signal) slot.values = &(reading_.record.*slot.signal->column);
         std::string_view line;
         while (lines_.next(line)) {
-            if (trimmed(line).empty()) continue;
+            if (trimmed(line).empty() || trimmed(line).starts_with('#')) continue;
             if (++rows_ > limits_.rows)
                 throw BadInput(name_ + ":" + std::to_string(lines_.line_number()) + ":1: has more than " +
                                std::to_string(limits_.rows) + " rows, split the record or keep every n-th row");
@@ -191,7 +191,9 @@ class RecordReader {
                 reading_.warnings.push_back(
                     signal + ": the file has this column, the constant of [record.constants] is not used");
         }
-        for (auto& suspicion : suspicions(record, joint_)) {
+        const bool unit_named = std::any_of(rule_.columns.begin(), rule_.columns.end(),
+                                            [](const auto& c) { return c.signal == "position" && c.unit_named; });
+        for (auto& suspicion : suspicions(record, joint_, unit_named)) {
             if (suspicion.contradiction) reading_.contradictions.push_back(record.name + ": " + suspicion.text);
             reading_.warnings.push_back(std::move(suspicion.text));
         }

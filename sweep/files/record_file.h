@@ -27,7 +27,8 @@ struct RecordLimits {
     std::uint64_t rows = 10'000'000;
 };
 
-/// Reads a table with a header row; commas, semicolons or tabs between the columns, `#` comments above the header, rows
+/// Reads a table with a header row; commas, semicolons or tabs between the columns, lines that begin
+/// with `#` are comments, rows
 /// in ascending time, an empty cell or "nan" for a missing value. Columns carry the names of signals() or those of the
 /// layout; others are ignored with a warning. Rows with torque_enable = 0 are kept.
 /// Throws BadInput (`file:line:column: signal: …`, up to 20 errors) for: no header, no time, no measured signal, rows

@@ -136,6 +136,7 @@ class LayoutReader {
             complaints_.add(Place(table.get("scale")->source()), path + ".scale",
                             "is 0, which says nothing about the signal");
         Unit conversion;
+        column.unit_named = !unit.empty();
         if (!unit.empty()) {
             const UnitReading reading = signal.any_unit ? parse_unit(unit) : unit_for(unit, signal.quantity, motion_);
             if (!reading.error.empty())

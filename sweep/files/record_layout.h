@@ -24,6 +24,7 @@ struct RecordLayout {
         std::string signal, name;
         Scaling scaling;
         std::string where;  ///< file:line:column of the entry, for messages
+        bool unit_named = false;
     };
     /// What holds for the files whose name matches the pattern (`*`, `?`, `[…]`).
     struct Rule {

@@ -1,133 +1,121 @@
 #include "sweep/report/diagnosis_report.h"
 
-#include "analysis/stability/verdict.h"
+#include "sweep/report/diagnosis_figures.h"
+#include "sweep/report/diagnosis_tables.h"
+#include "sweep/report/moved_boundary.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace stickslip {
 namespace {
 
-std::string together(const std::vector<std::string>& names)
-{
-    return fmt::format("{}", fmt::join(names, " with "));
-}
+using Tone = Headline::Tone;
 
-std::string percent(double part)
-{
-    return std::isfinite(part) ? fmt::format("{:.0f} %", 100 * part) : "–";
-}
-std::string number(double value)
-{
-    return std::isfinite(value) ? fmt::format("{:.4g}", value) : "–";
-}
-
-const Share* largest(const std::vector<Share>& shares)
+const Share* largest(const std::vector<Share>& shares, std::size_t among)
 {
     const Share* best = nullptr;
-    for (const auto& s : shares)
-        if (!best || s.share > best->share) best = &s;
+    for (std::size_t i = 0; i < std::min(among, shares.size()); ++i)
+        if (!best || shares[i].share > best->share) best = &shares[i];
     return best;
 }
 
-Table causes_table(const Diagnosis& d)
+bool judged_by_force(const Diagnosis& d)
 {
-    Table t{
-        "Causes, most probable first",
-        {"cause", "form", "probability", "held-out gain", "its tell-tale is there", "plausible", "misfit (0 is noise)"},
-        {}};
-    for (const auto& c : d.effects)
-        t.rows.push_back({together(c.names), c.form.empty() ? "–" : c.form, fmt::format("{:.3f}", c.probability),
-                          c.heldout_gain != 0
-                              ? fmt::format("{} ({} … {})", percent(c.heldout_gain),
-                                            percent(c.heldout_gain_interval.low), percent(c.heldout_gain_interval.high))
-                              : "not held out",
-                          c.signature ? "yes" : "no", c.plausible ? "yes" : "no", number(c.misfit)});
-    return t;
+    return d.verdict == Verdict::gap && d.drive_force.corner > 0 && d.drive_force.after < d.drive_force.before;
 }
 
-Table parameters_table(const Diagnosis& d)
+/// "2.31", "2.4e+04": a gap in noise floors, which can be anything.
+std::string floors(double gap)
 {
-    Table t{"Parameters of the named cause", {"parameter", "value", "standard error", "unit"}, {}};
-    if (!d.effects.empty())
-        for (const auto& p : d.effects[0].parameters)
-            t.rows.push_back({p.name, number(p.value), number(p.standard_error), p.unit});
-    return t;
+    constexpr double long_number = 1000;
+    return gap < long_number ? fmt::format("{:.2f}", gap) : fmt::format("{:.2g}", gap);
 }
 
-Table shares_table(const char* title, const std::vector<Share>& shares)
+std::string rivals_text(const Diagnosis& d)
 {
-    Table t{title, {"where", "share of the gap", "95 % interval", "RMS", "noise floor", "unit"}, {}};
-    for (const auto& s : shares)
-        t.rows.push_back({s.name, percent(s.share), percent(s.interval.low) + " … " + percent(s.interval.high),
-                          number(s.rms), number(s.floor), s.unit});
-    return t;
-}
-
-Table gap_table(const Diagnosis& d)
-{
-    Table t{"Measured against simulated, held-out data",
-            {"signal", "before", "after", "noise floor", "explained", "unit"},
-            {}};
-    for (const auto& g : d.gap)
-        t.rows.push_back({g.signal, number(g.before), number(g.after), number(g.floor), percent(g.explained), g.unit});
-    t.rows.push_back({"overall", number(d.overall.before), number(d.overall.after), number(d.overall.floor),
-                      percent(d.overall.explained), "floors"});
-    return t;
-}
-
-Table boundary_table(const Diagnosis& d, const Joint& before, const Joint& after)
-{
-    Table t{"Stability boundary", {"", "nominal joint", "with the cause"}, {}};
-    const auto verdict = [&](Joint joint) {
-        if (!is_set(joint.control.V0) && !is_set(joint.control.force_rate)) joint.control.V0 = 0.1 * d.usual_speed;
-        return linear_verdict(joint);
-    };
-    const auto one = verdict(before), two = verdict(after);
-    const auto gain = [](double k) { return std::isfinite(k) ? number(k) : std::string("none"); };
-    t.rows.push_back({"critical position gain k_{cr}", gain(one.state_variable.k_cr), gain(two.state_variable.k_cr)});
-    t.rows.push_back({"least velocity gain (velocity-only theory)", number(one.velocity_only.k_v_min),
-                      number(two.velocity_only.k_v_min)});
-    t.rows.push_back({"spectral abscissa [1/s]", number(one.state_variable.spectral_abscissa),
-                      number(two.state_variable.spectral_abscissa)});
-    return t;
-}
-
-void add_traces(const Diagnosis& d, Section& section)
-{
-    const std::string position(unit_of(Quantity::position, d.motion)), effort(unit_of(Quantity::effort, d.motion));
-    int n = 0;
-    for (const auto& trace : d.traces) {
-        const std::string id = "record-" + std::to_string(++n);
-        const auto residual = [](const std::vector<double>& a, const std::vector<double>& b) {
-            std::vector<double> r;
-            for (std::size_t k = 0; k < a.size(); ++k) r.push_back(a[k] - b[k]);
-            return r;
-        };
-        LineChart motion;
-        motion.title = "What the simulation gets wrong in position: " + trace.file;
-        motion.x_label = "time [s]";
-        motion.y_label = "measured minus simulated [" + position + "]";
-        motion.lines = {{"before", trace.time, residual(trace.measured, trace.before), true},
-                        {"after", trace.time, residual(trace.measured, trace.after), false}};
-        section.figures.push_back({id + "-position", motion,
-                                   "Each curve is measured minus one noisy closed-loop simulation.",
-                                   "Position residual over time before and after the cause is added"});
-        if (trace.effort_measured.empty()) continue;
-        LineChart force;
-        force.title = "Effort: " + trace.file;
-        force.x_label = "time [s]";
-        force.y_label = "effort [" + effort + "]";
-        force.lines = {{"measured", trace.time, trace.effort_measured, false},
-                       {"simulated before", trace.time, trace.effort_before, true},
-                       {"simulated after", trace.time, trace.effort_after, true}};
-        section.figures.push_back({id + "-effort", force,
-                                   "Measured effort, or the command where no effort was measured.",
-                                   "Effort over time, measured and simulated before and after"});
-        constexpr int most_records = 3;
-        if (n >= most_records) break;
+    std::string text;
+    for (const auto& names : d.ambiguous_with) {
+        const bool same = !d.effects.empty() && names == d.effects[0].names;
+        text += (text.empty() ? "" : ", ") + together(names) + (same ? " by another law" : "");
     }
+    return text;
+}
+
+Headline what_card(const Diagnosis& d)
+{
+    if (d.verdict == Verdict::no_gap) return {Tone::good, "nothing", "what: the nominal joint is enough"};
+    if (d.verdict == Verdict::unknown || d.effects.empty())
+        return {Tone::bad, "none of the catalogue", "what: no named effect explains the gap"};
+    std::string numbers;
+    constexpr std::size_t most = 2;
+    const auto& parameters = d.effects[0].parameters;
+    for (std::size_t i = 0; i < std::min(most, parameters.size()); ++i) {
+        const auto& p = parameters[i];
+        numbers += (i ? ", " : "") + p.name.substr(p.name.rfind('.') + 1) + fmt::format(" {:.3g}", p.value);
+        if (std::isfinite(p.standard_error)) numbers += fmt::format(" ± {:.1g}", p.standard_error);
+        if (p.unit != "1") numbers += " " + p.unit;
+    }
+    return {Tone::warning, together(d.effects[0].names), "what: the most probable cause; " + numbers};
+}
+
+Headline where_card(const Diagnosis& d)
+{
+    constexpr std::size_t exclusive = 3;  // stuck, low speed, sliding
+    const Share* s = largest(d.signals, d.signals.size());
+    const Share* r = largest(d.regimes, exclusive);
+    std::string meaning = fmt::format("where: the stage that holds {} of the gap", whole_percent(s->share));
+    if (r && r->share > 0) meaning += fmt::format("; {} of the motion's while {}", whole_percent(r->share), r->name);
+    return {Tone::neutral, s->name, meaning};
+}
+
+Headline how_much_card(const Diagnosis& d)
+{
+    if (judged_by_force(d))
+        return {Tone::neutral, fmt::format("− {}", whole_percent(1 - d.drive_force.after / d.drive_force.before)),
+                fmt::format("how much: held-out drive force that the model gets wrong, {:.3g} → {:.3g} {}",
+                            d.drive_force.before, d.drive_force.after, d.drive_force.unit)};
+    if (d.verdict == Verdict::gap)
+        return {Tone::neutral, fmt::format("− {}", whole_percent(1 - d.overall.after / d.overall.before)),
+                fmt::format("how much: held-out gap, {} → {} noise floors", floors(d.overall.before),
+                            floors(d.overall.after))};
+    return {Tone::neutral, floors(d.overall.before) + " floors",
+            "how much: the gap on held-out data; 1 is what noise alone makes"};
+}
+
+Headline how_sure_card(const Diagnosis& d)
+{
+    const auto& first = d.effects[0];
+    std::string meaning = "how sure: its probability; ";
+    if (!d.ambiguous_with.empty())
+        meaning += "these data cannot tell it from " + rivals_text(d);
+    else if (d.effects.size() > 1)
+        meaning += fmt::format("next best is {} with {}", together(d.effects[1].names),
+                               whole_percent(d.effects[1].probability));
+    else
+        meaning += "no rival was left";
+    return {Tone::neutral, whole_percent(first.probability), meaning};
+}
+
+Section next_section(const Diagnosis& d)
+{
+    const auto& e = d.next_experiment;
+    Section next{"next", "What to measure next", "", {}, {}};
+    if (e.description.empty() || e.separates.empty()) {
+        next.text = d.verdict == Verdict::gap || d.verdict == Verdict::no_gap
+                        ? "Nothing is left to tell apart."
+                        : "No motion was found that would decide between named causes.";
+        return next;
+    }
+    constexpr double beyond_doubt = 100;
+    const auto& [one, two] = e.separates[0];
+    next.text = fmt::format("Move along {}: there {} and {} differ by {}.", e.description, one, two,
+                            e.distance > beyond_doubt ? std::string("more than a hundred noise standard deviations")
+                                                      : fmt::format("{:.1f} noise standard deviations", e.distance));
+    if (!e.reference.empty()) next.figures.push_back(experiment_figure(d));
+    return next;
 }
 
 }  // namespace
@@ -137,14 +125,15 @@ std::string diagnosis_sentence(const Diagnosis& d)
     switch (d.verdict) {
         case Verdict::gap: {
             std::string text = fmt::format("The gap comes from {}", together(d.effects[0].names));
-            if (d.overall.before > 0)
-                text += fmt::format(": on held-out data it shrinks from {:.2f} to {:.2f} noise floors",
-                                    d.overall.before, d.overall.after);
-            if (!d.ambiguous_with.empty()) {
-                text += "; these records cannot tell it from ";
-                for (std::size_t i = 0; i < d.ambiguous_with.size(); ++i)
-                    text += (i ? ", " : "") + together(d.ambiguous_with[i]);
-            }
+            if (judged_by_force(d))
+                text += fmt::format(
+                    ": on held-out data the drive force that the model gets wrong shrinks from {:.3g} "
+                    "to {:.3g} {}",
+                    d.drive_force.before, d.drive_force.after, d.drive_force.unit);
+            else if (d.overall.before > 0)
+                text += fmt::format(": on held-out data it shrinks from {} to {} noise floors",
+                                    floors(d.overall.before), floors(d.overall.after));
+            if (!d.ambiguous_with.empty()) text += "; these records cannot tell it from " + rivals_text(d);
             return text + ".";
         }
         case Verdict::no_gap:
@@ -161,67 +150,61 @@ Report diagnosis_report(const Diagnosis& d, const Joint& before, const Joint& af
 {
     Report r;
     r.title = "Sim-to-real gap of one joint";
-    r.subtitle = fmt::format("{} record(s), every effect of the catalogue fitted", d.records.size());
+    r.subtitle =
+        d.records.size() == 1 ? "One record: " + d.records[0].file : fmt::format("{} records", d.records.size());
     r.verdict = diagnosis_sentence(d);
-    r.tone = d.verdict == Verdict::no_gap ? Headline::Tone::good
-             : d.verdict == Verdict::gap  ? Headline::Tone::warning
-                                          : Headline::Tone::bad;
-    if (!d.effects.empty() && d.verdict == Verdict::gap) {
-        r.headlines.push_back({Headline::Tone::warning, together(d.effects[0].names), "what: the most probable cause"});
-        r.headlines.push_back(
-            {Headline::Tone::neutral, percent(d.effects[0].probability), "how sure: its probability"});
-    }
-    if (const Share* s = largest(d.signals))
-        r.headlines.push_back(
-            {Headline::Tone::neutral, s->name, "where: the stage that holds " + percent(s->share) + " of the gap"});
-    if (d.overall.before > 0)
-        r.headlines.push_back({Headline::Tone::neutral,
-                               fmt::format("{:.2f} → {:.2f}", d.overall.before, d.overall.after),
-                               "how much: held-out gap in noise floors, before → after"});
-    for (const auto& reason : d.reasons) r.alerts.push_back({Headline::Tone::warning, reason});
+    r.tone = d.verdict == Verdict::no_gap ? Tone::good : d.verdict == Verdict::gap ? Tone::warning : Tone::bad;
+    for (const auto& reason : d.reasons) r.alerts.push_back({Tone::warning, reason});
+    r.not_checked = gathered_notes(d);
+    r.provenance = std::move(provenance);
+    // nothing was concluded: pages of empty tables would hide the reason
+    if (d.verdict == Verdict::insufficient_data && d.signals.empty()) return r;
+
+    if (!d.signals.empty()) r.headlines.push_back(where_card(d));
+    r.headlines.push_back(what_card(d));
+    if (d.overall.before > 0) r.headlines.push_back(how_much_card(d));
+    if (d.verdict == Verdict::gap) r.headlines.push_back(how_sure_card(d));
 
     Section where{"where",
                   "Where the gap lies",
-                  "Each stage is fed with the measured signals before it; shares of efforts.",
+                  "Each stage is fed with the measured signals before it; shares of efforts. Full blocks are sure, "
+                  "light ones lie within the 95 % interval.",
                   {},
-                  {}};
-    where.tables = {shares_table("By stage of the chain", d.signals),
-                    shares_table("By regime of the motion", d.regimes)};
-    Section what{"what", "What causes it", "", {}, {causes_table(d), parameters_table(d)}};
-    for (const auto& c : d.effects) {
-        if (d.verdict != Verdict::gap) break;
-        what.text = "Tell-tale: " + c.tell_tale + ".";
-        break;
-    }
+                  {shares_table("By stage of the chain", d.signals)}};
+    if (!d.regimes.empty())
+        where.tables.push_back(shares_table("By regime: stuck, low speed and sliding exclude each other", d.regimes));
     Section much{
         "how-much", "How far it shrinks", "Every number is from data that the fit has not seen.", {}, {gap_table(d)}};
-    add_traces(d, much);
-    Section next{"next",
-                 "What to measure next",
-                 d.next_experiment.description.empty() ? "Nothing is left to tell apart." : "",
-                 {},
-                 {}};
-    if (!d.next_experiment.description.empty()) {
-        next.text = fmt::format("Move along {}: there {} and {} differ by {:.1f} noise standard deviations.",
-                                d.next_experiment.description, d.next_experiment.separates[0].first,
-                                d.next_experiment.separates[0].second, d.next_experiment.distance);
-        LineChart motion;
-        motion.title = "Next experiment";
-        motion.x_label = "time [s]";
-        motion.y_label = "reference [" + std::string(unit_of(Quantity::position, d.motion)) + "]";
-        motion.lines = {{"reference", d.next_experiment.time, d.next_experiment.reference, false}};
-        next.figures.push_back({"next-experiment", motion, "The reference is beside the page as next-experiment.csv.",
-                                "Reference of the next experiment over time"});
+    much.figures = trace_figures(d);
+    r.sections.push_back(std::move(where));
+    if (!d.effects.empty()) {
+        Section what{"what", "What causes it", "", {}, {causes_table(d), parameters_table(d)}};
+        what.text = d.verdict == Verdict::gap ? "Tell-tale of the first: " + d.effects[0].tell_tale + "."
+                                              : "Nothing here is named as the cause; this is how far each one came.";
+        r.sections.push_back(std::move(what));
     }
-    Section boundary{"boundary",
-                     "What it does to the stability map",
-                     "Friction, inertia and gains move the boundary; delays and sampling are not in this theory.",
-                     {},
-                     {}};
-    boundary.tables.push_back(boundary_table(d, before, after));
-    r.sections = {where, what, much, next, boundary};
-    r.not_checked = d.notes;
-    r.provenance = std::move(provenance);
+    r.sections.push_back(std::move(much));
+    r.sections.push_back(next_section(d));
+    if (d.verdict == Verdict::gap) {
+        const bool given = is_set(before.control.V0);
+        constexpr double slow_part = 0.1;  // where stick-slip is to be feared
+        auto moved = moved_boundary(before, after, given ? before.control.V0 : slow_part * d.usual_speed,
+                                    "with " + together(d.effects[0].names));
+        Section boundary{"boundary",
+                         "What it does to the stability map",
+                         moved.sentence +
+                             " Friction, inertia and gains move the boundary; delays, sampling and what "
+                             "depends on place or time are not in this theory.",
+                         std::move(moved.figures),
+                         {}};
+        if (!moved.table.rows.empty()) boundary.tables.push_back(std::move(moved.table));
+        r.sections.push_back(std::move(boundary));
+    }
+    r.sections.push_back({"data",
+                          "The data behind it",
+                          "diagnosis.json beside this page holds every number of it under stable names.",
+                          {},
+                          {records_table(d)}});
     return r;
 }
 

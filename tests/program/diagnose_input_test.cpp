@@ -57,6 +57,11 @@ TEST_CASE("a record in a foreign unit is suspected and not explained by a cause"
         {record([](Row& r) { r.position *= degrees, r.reference *= degrees, r.velocity *= degrees; }),
          "suspected degrees: with the gains of the joint"},
         {record([](Row& r) { r.time *= 1e3; }), "suspected milliseconds"},
+        {record([](Row& r) { r.command *= -1; }), "suspected sign: with the gains of the joint"},
+        {record([](Row& r) { r.position *= -1, r.velocity *= -1; }), "suspected sign: position runs against"},
+        {record([](Row& r) { r.command *= 7; }), "suspected record of another joint"},
+        {record([](Row& r) { r.command = 0; }), "effort_command stays at 0 while position moves"},
+        {record([](Row& r) { r.velocity = 2; }), "velocity stays at 2 while position moves"},
     };
     for (const auto& [text, says] : cases) {
         Folder folder;
@@ -65,6 +70,67 @@ TEST_CASE("a record in a foreign unit is suspected and not explained by a cause"
         CHECK(run.exit_code == 0);
         CHECK_THAT(run.output, Contains(says));
         CHECK_THAT(program::read(folder / "out/diagnosis.json"), Contains("\"verdict\": \"insufficient-data\""));
+    }
+}
+
+TEST_CASE("long travel is suspected where nothing confirms the unit, and believed where it is named",
+          "[program][diagnose]")
+{
+    // 100 rad and no reference to compare the command with: a wheel, or degrees
+    std::string text = "time,position,effort_command\n";
+    for (int k = 0; k < 400; ++k)
+        text += std::to_string(1e-3 * k) + "," + std::to_string(50 * std::sin(0.02 * k)) + "," +
+                std::to_string(std::cos(0.02 * k)) + "\n";
+    Folder folder;
+    const auto run = diagnose(folder, text);
+    INFO(run.output);
+    CHECK(run.exit_code == 0);
+    CHECK_THAT(run.output, Contains("suspected degrees: position travels 100 rad"));
+    CHECK_THAT(program::read(folder / "out/diagnosis.json"), Contains("\"verdict\": \"insufficient-data\""));
+    folder.write("record.toml", "[columns]\nposition = { unit = \"rad\" }\n");
+    const auto named = diagnose(folder, text);
+    INFO(named.output);
+    CHECK(named.exit_code == 0);
+    CHECK_THAT(named.output, !Contains("suspected degrees"));
+}
+
+TEST_CASE("line ends, separators, marks and remarks do not change the answer", "[program][diagnose]")
+{
+    const auto replaced = [](std::string text, const std::string& a, const std::string& b) {
+        for (std::size_t i = 0; (i = text.find(a, i)) != std::string::npos; i += b.size()) text.replace(i, a.size(), b);
+        return text;
+    };
+    const std::string plain = record();
+    std::string answer;
+    std::string remark = plain;
+    remark.insert(remark.find("\n0.1,") + 1, "# the lamp went on here\n\n");
+    for (const auto& text :
+         {plain, replaced(plain, "\n", "\r\n"), replaced(plain, ",", ";"), replaced(plain, ",", "\t"),
+          "# rig 7\n\n" + plain, "\xef\xbb\xbf" + plain, remark, replaced(plain, ",", " , ")}) {
+        Folder folder;
+        const auto run = diagnose(folder, text);
+        INFO(text.substr(0, 80) << run.output);
+        CHECK(run.exit_code == 0);
+        const auto json = program::read(folder / "out/diagnosis.json");
+        if (answer.empty()) answer = json;
+        CHECK(json == answer);
+    }
+}
+
+TEST_CASE("the answer does not depend on the number of threads", "[program][diagnose]")
+{
+    Folder folder;
+    const auto spec = folder.write("joint.toml", joint), file = folder.write("run.csv", record());
+    std::string answer;
+    for (const char* threads : {"1", "2", "7"}) {
+        const auto run = stickslip("diagnose '" + spec + "' '" + file + "' --no-report --threads " + threads + " -o '" +
+                                   (folder / "out") + "'");
+        INFO(run.output);
+        CHECK(run.exit_code == 0);
+        const auto json = program::read(folder / "out/diagnosis.json");
+        CHECK_THAT(json, !Contains("insufficient-data"));
+        if (answer.empty()) answer = json;
+        CHECK(json == answer);
     }
 }
 

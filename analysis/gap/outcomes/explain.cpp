@@ -1,236 +1,20 @@
 #include "analysis/gap/outcomes/explain.h"
 
+#include "analysis/gap/outcomes/rows.h"
+#include "analysis/gap/outcomes/share.h"
 #include "analysis/gap/outcomes/side.h"
-#include "analysis/joint/parameters.h"
+#include "analysis/gap/withdraw.h"
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <set>
-#include <stdexcept>
 
 namespace stickslip::gap {
 namespace {
 
 constexpr std::size_t fewest_rows = 8, fewest_of_either = 3;
-constexpr double margin = 3;             // log-likelihood: odds of twenty to one
 constexpr double most_misjudged = 0.12;  // of the rows, beyond those that contradict each other
 constexpr double most_contradicting = 0.15;
-
-double middle(std::vector<double> values)
-{
-    double sum = 0;
-    for (double v : values) sum += std::log(v);
-    return std::exp(sum / static_cast<double>(values.size()));
-}
-
-void refuse_unfit(const Joint& joint, const OutcomeTable& table)
-{
-    if (joint.mechanism.model != Model::single_mass)
-        throw std::invalid_argument(
-            table.name + ": a table of outcomes is read against a single-mass joint (Fig. 7); reduce this joint first");
-    if (joint.control.contact_stiffness != 0 || joint.control.force_gain != 0)
-        throw std::invalid_argument(
-            table.name +
-            ": a table of outcomes is read against one spring; add contact_stiffness to k_p and leave force_gain 0");
-}
-
-/// The joint with the settings of a row; a commanded force rate becomes the velocity that it means.
-Joint joint_at(const Joint& nominal, const OutcomeTable& table, const std::vector<double>& settings)
-{
-    Joint joint = nominal;
-    bool by_force = false;
-    for (std::size_t k = 0; k < table.paths.size(); ++k) {
-        double* setting = find_parameter(joint, table.paths[k]);
-        if (!setting) throw std::invalid_argument(table.name + ": the joint has no number " + table.paths[k]);
-        *setting = settings[k];
-        by_force = by_force || table.paths[k] == "control.force_rate";
-    }
-    auto& c = joint.control;
-    if (by_force || (is_set(c.force_rate) && !is_set(c.V0))) c.V0 = c.force_rate / c.k_p;
-    c.force_rate = not_set;
-    return joint;
-}
-
-Outcomes prepared(const Joint& nominal, const OutcomeTable& table)
-{
-    Outcomes o{table, {}, {}};
-    std::vector<double> stiffness, velocity, inertia;
-    for (const auto& row : table.rows) {
-        Joint joint = joint_at(nominal, table, row.settings);
-        const std::string place = table.name + ":" + std::to_string(row.line) + ":1: ";
-        if (!(joint.control.V0 > 0))
-            throw std::invalid_argument(place + "V0 is not set or not above 0, neither in the row nor in the joint");
-        if (!(joint.control.k_p > 0)) throw std::invalid_argument(place + "k_p is not above 0");
-        stiffness.push_back(joint.control.k_p), velocity.push_back(joint.control.V0);
-        inertia.push_back(joint.mechanism.inertia);
-        o.joints.push_back(std::move(joint));
-    }
-    o.scales.stiffness = middle(stiffness), o.scales.velocity = middle(velocity), o.scales.inertia = middle(inertia);
-    const double level = std::abs(steady_force(nominal.friction, o.scales.velocity));
-    // a level keeps the friction positive and cancels in the boundary
-    o.scales.level = std::isfinite(level) && level > 0 ? level : 100 * o.scales.damping() * o.scales.velocity;
-    return o;
-}
-
-bool same_settings(const OutcomeRow& a, const OutcomeRow& b)
-{
-    for (std::size_t k = 0; k < a.settings.size(); ++k)
-        if (std::abs(a.settings[k] - b.settings[k]) > 1e-6 * std::max(std::abs(a.settings[k]), std::abs(b.settings[k])))
-            return false;
-    return true;
-}
-
-/// Rows that say the opposite of most rows with the same settings; half of them where they are equally many.
-int contradictions(const OutcomeTable& table, std::vector<std::string>& notes)
-{
-    std::vector<bool> seen(table.rows.size());
-    int against = 0;
-    for (std::size_t i = 0; i < table.rows.size(); ++i) {
-        if (seen[i]) continue;
-        int yes = 0, no = 0;
-        std::string lines;
-        for (std::size_t j = i; j < table.rows.size(); ++j)
-            if (same_settings(table.rows[i], table.rows[j])) {
-                seen[j] = true;
-                (table.rows[j].stick_slip ? yes : no) += 1;
-                lines += (lines.empty() ? "" : ", ") + std::to_string(table.rows[j].line);
-            }
-        if (yes > 0 && no > 0) {
-            against += std::min(yes, no);
-            notes.push_back(table.name + ": lines " + lines + " have the same settings and both outcomes");
-        }
-    }
-    return against;
-}
-
-/// 95 % interval of a ratio of sums over rows, the rows drawn anew with a fixed seed.
-ConfidenceInterval bootstrap(std::size_t rows, const std::function<double(const std::vector<std::size_t>&)>& statistic)
-{
-    constexpr int draws = 400;
-    std::mt19937 random(1991);
-    std::vector<double> values;
-    std::vector<std::size_t> drawn(rows);
-    for (int d = 0; d < draws; ++d) {
-        for (auto& i : drawn) i = random() % rows;
-        const double v = statistic(drawn);
-        if (std::isfinite(v)) values.push_back(v);
-    }
-    if (values.empty()) return {};
-    std::sort(values.begin(), values.end());
-    return {values[values.size() / 40], values[values.size() - 1 - values.size() / 40]};
-}
-
-double row_cost(const Outcomes& o, const LawFit& f, std::size_t i)
-{
-    return -std::log(o.table.rows[i].stick_slip ? f.probability[i] : 1 - f.probability[i]);
-}
-bool row_wrong(const Outcomes& o, const LawFit& f, std::size_t i)
-{
-    return (f.probability[i] > 0.5) != o.table.rows[i].stick_slip;
-}
-
-Cause cause_of(const OutcomeAnswer& a, const LawFit& fit, const LawFit* other_kind)
-{
-    const auto& o = a.outcomes;
-    Cause c;
-    c.names = {std::string(fit.rival->effect)};
-    c.form = fit.rival->law;
-    c.probability = fit.posterior;
-    c.tell_tale = fit.rival->tell_tale;
-    c.misfit = -fit.total() / static_cast<double>(o.size());
-    for (std::size_t k = 0; k < fit.rival->numbers.size(); ++k) {
-        const auto& n = fit.rival->numbers[k];
-        c.parameters.push_back({c.names[0] + "." + std::string(n.name), fit.values[k], fit.standard_error[k],
-                                std::string(unit_of(n.quantity, a.diagnosis.motion))});
-        constexpr double at_bound = 0.02;
-        const double share = (fit.x[k] - n.low) / (n.high - n.low);
-        if (share < at_bound || share > 1 - at_bound) c.plausible = false;
-    }
-    const auto gain = [&](const std::vector<std::size_t>& rows) {
-        double mine = 0, nominal = 0;
-        for (std::size_t i : rows) mine += row_cost(o, fit, i), nominal += row_cost(o, a.nominal, i);
-        return 1 - mine / nominal;
-    };
-    std::vector<std::size_t> all(o.size());
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-    c.heldout_gain = gain(all);
-    c.heldout_gain_interval = bootstrap(o.size(), gain);
-    c.signature = other_kind && fit.total() > other_kind->total() + margin;
-    return c;
-}
-
-void locate(OutcomeAnswer& a)
-{
-    const auto& o = a.outcomes;
-    const auto n = static_cast<double>(o.size());
-    Diagnosis& d = a.diagnosis;
-    const double floor = std::max(wrong_rows, a.contradictions / n);
-    double outcome_cost = -a.nominal.held_out, amplitude_cost = -a.nominal.amplitude_held_out;
-    const double both = outcome_cost + amplitude_cost;
-    d.signals.push_back({"outcome", outcome_cost / both, {}, a.nominal.misjudged / n, floor, "share of rows"});
-    const auto squares = [&](const LawFit& f) {
-        double sum = 0, count = 0;
-        for (std::size_t i = 0; i < o.size(); ++i)
-            if (f.amplitude[i] > 0) {
-                const double e = std::log(f.amplitude[i] / o.table.rows[i].amplitude);
-                sum += e * e, count += 1;
-            }
-        return count > 0 ? std::sqrt(sum / count) : not_set;
-    };
-    const double amplitude_before = squares(a.nominal);
-    if (amplitude_cost > 0)
-        d.signals.push_back({"amplitude", amplitude_cost / both, {}, amplitude_before, 0.15, "of its logarithm"});
-    for (std::size_t k = 0; k < o.table.paths.size(); ++k) {
-        std::set<double> values;
-        for (const auto& row : o.table.rows) values.insert(row.settings[k]);
-        if (values.size() < 3) continue;
-        const std::vector<double> sorted(values.begin(), values.end());
-        const double low = sorted[sorted.size() / 3], high = sorted[2 * sorted.size() / 3];
-        const std::string key = o.table.paths[k].substr(o.table.paths[k].rfind('.') + 1);
-        const auto part_of = [&](double v) { return v < low ? 0 : v < high ? 1 : 2; };
-        const char* names[] = {"low ", "middle ", "high "};
-        for (int part = 0; part < 3; ++part) {
-            const auto share = [&](const std::vector<std::size_t>& rows) {
-                double here = 0, all = 0;
-                for (std::size_t i : rows) {
-                    const double c = row_cost(o, a.nominal, i);
-                    all += c;
-                    if (part_of(o.table.rows[i].settings[k]) == part) here += c;
-                }
-                return here / all;
-            };
-            std::vector<std::size_t> all(o.size());
-            double wrong = 0, count = 0;
-            for (std::size_t i = 0; i < all.size(); ++i) {
-                all[i] = i;
-                if (part_of(o.table.rows[i].settings[k]) != part) continue;
-                wrong += row_wrong(o, a.nominal, i), count += 1;
-            }
-            d.regimes.push_back({names[part] + key, share(all), bootstrap(o.size(), share),
-                                 count > 0 ? wrong / count : 0, floor, "share of its rows"});
-        }
-    }
-    const LawFit& winner = d.verdict == Verdict::gap ? a.laws.front() : a.nominal;
-    const auto explained = [&](double before, double after, double least) {
-        const double whole = before * before - least * least;
-        return whole > 0 ? (before * before - after * after) / whole : 0.0;
-    };
-    const double before = a.nominal.misjudged / n, after = winner.misjudged / n;
-    d.gap.push_back({"outcome", "share of rows", before, after, floor, explained(before, after, floor)});
-    if (std::isfinite(amplitude_before)) {
-        const double left = squares(winner);
-        d.gap.push_back({"amplitude", "RMS of its logarithm", amplitude_before, left, 0.15,
-                         explained(amplitude_before, left, 0.15)});
-    }
-    d.overall = {before / floor, after / floor, 1, explained(before, after, floor), {}};
-    d.overall.interval = bootstrap(o.size(), [&](const std::vector<std::size_t>& rows) {
-        double b = 0, w = 0;
-        for (std::size_t i : rows) b += row_wrong(o, a.nominal, i), w += row_wrong(o, winner, i);
-        return explained(b / n, w / n, floor);
-    });
-    d.remainder = before > 0 ? std::min(1.0, after / before) : 0;
-}
 
 /// The place within three times the range of the rows where two explanations differ most.
 NextOutcome next_of(const OutcomeAnswer& a, const LawFit& one, const LawFit& two)
@@ -282,7 +66,7 @@ void decide(OutcomeAnswer& a)
     const LawFit& winner = a.laws.front();
     std::set<std::string_view> effects{winner.rival->effect};
     for (const auto& f : a.laws) {
-        if (&f == &winner || f.total() < winner.total() - margin || !explains(f)) continue;
+        if (&f == &winner || f.total() < winner.total() - clear_margin || !explains(f)) continue;
         effects.insert(f.rival->effect);
         d.ambiguous_with.push_back({std::string(f.rival->effect)});
         if (f.rival->effect == winner.rival->effect)
@@ -295,7 +79,7 @@ void decide(OutcomeAnswer& a)
         d.reasons.push_back(
             std::to_string(a.contradictions) + " of " + std::to_string(o.size()) +
             " rows contradict others with the same settings: what decides the outcome is not in the table");
-    } else if (explains(a.nominal) && a.nominal.total() > winner.total() - margin) {
+    } else if (explains(a.nominal) && a.nominal.total() > winner.total() - clear_margin) {
         d.verdict = Verdict::no_gap;
         d.reasons = {"the nominal joint explains the rows as well as any law fitted to them"};
     } else if (!explains(winner)) {
@@ -356,10 +140,11 @@ OutcomeAnswer explain(const Joint& nominal, const OutcomeTable& table, const Par
     if (progress) progress("ranking", 0.95);
     double best = -infinity, sum = 0;
     for (const auto& f : a.laws) best = std::max(best, f.total());
-    // "none of these" guesses the share of stick-slip
+    // "none of these" guesses the share of stick-slip, and every amplitude to be the middle one
     const double share = static_cast<double>(stuck) / static_cast<double>(table.rows.size());
     const double guess =
-        static_cast<double>(table.rows.size()) * (share * std::log(share) + (1 - share) * std::log(1 - share));
+        static_cast<double>(table.rows.size()) * (share * std::log(share) + (1 - share) * std::log(1 - share)) +
+        guessed_amplitudes(a.outcomes);
     sum = std::exp(std::min(0.0, guess - best));
     for (const auto& f : a.laws) sum += std::exp(f.total() - best);
     for (auto& f : a.laws) f.posterior = std::exp(f.total() - best) / sum;
@@ -372,6 +157,7 @@ OutcomeAnswer explain(const Joint& nominal, const OutcomeTable& table, const Par
     };
     for (const auto& f : a.laws) d.effects.push_back(cause_of(a, f, best_of(!f.rival->memory)));
     locate(a);
+    withdraw_if_worse(d);
     const LawFit& winner = a.laws.front();
     if (d.verdict == Verdict::gap) {
         a.after = with_law(nominal, winner.law);

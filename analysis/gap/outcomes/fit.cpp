@@ -154,6 +154,23 @@ double amplitude_score(double predicted, double measured)
     return -std::min(worst_amplitude, std::abs(std::log(predicted / measured)) / amplitude_spread);
 }
 
+/// Rows with a measured amplitude: every second of the first few is fitted to, the rest judge.
+struct AmplitudeRows {
+    std::vector<std::size_t> fitted, held;
+};
+
+AmplitudeRows amplitude_rows(const Outcomes& o)
+{
+    AmplitudeRows rows;
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < o.size(); ++i)
+        if (o.table.rows[i].stick_slip && o.table.rows[i].amplitude > 0)
+            (k++ % 2 == 0 ? rows.fitted : rows.held).push_back(i);
+    constexpr std::size_t most_fitted = 4;
+    while (rows.fitted.size() > most_fitted) rows.held.push_back(rows.fitted.back()), rows.fitted.pop_back();
+    return rows;
+}
+
 }  // namespace
 
 double probability_at(double distance, double softness)
@@ -219,16 +236,20 @@ LawFit judge_nominal_law(const Outcomes& o, const Joint& nominal)
     return fit;
 }
 
+double guessed_amplitudes(const Outcomes& o)
+{
+    const auto rows = amplitude_rows(o).held;
+    double middle = 0, score = 0;
+    for (std::size_t i : rows) middle += std::log(o.table.rows[i].amplitude) / static_cast<double>(rows.size());
+    for (std::size_t i : rows) score += amplitude_score(std::exp(middle), o.table.rows[i].amplitude);
+    return score;
+}
+
 void confirm_by_motion(const Outcomes& o, LawFit& fit)
 {
     fit.followed = true;
-    std::vector<std::size_t> measured;
-    for (std::size_t i = 0; i < o.size(); ++i)
-        if (o.table.rows[i].stick_slip && o.table.rows[i].amplitude > 0) measured.push_back(i);
-    std::vector<std::size_t> fitted, held;
-    for (std::size_t k = 0; k < measured.size(); ++k) (k % 2 == 0 ? fitted : held).push_back(measured[k]);
-    constexpr std::size_t most_fitted = 4;
-    while (fitted.size() > most_fitted) held.push_back(fitted.back()), fitted.pop_back();
+    const AmplitudeRows measured = amplitude_rows(o);
+    const auto &fitted = measured.fitted, &held = measured.held;
     const bool stretch = fit.rival && fit.rival->scale >= 0 && !fitted.empty();
     if (stretch) {
         const auto place = static_cast<std::size_t>(fit.rival->scale);

@@ -51,6 +51,9 @@ LawFit fit_law(const Outcomes& outcomes, const RivalLaw& rival);
 /// The nominal joint: only the softness of its boundary is fitted.
 LawFit judge_nominal_law(const Outcomes& outcomes, const Joint& nominal);
 
+/// What the amplitudes that judge would score if all were guessed to be their middle one: what a law has to beat.
+double guessed_amplitudes(const Outcomes& outcomes);
+
 /// Follows the motion from rest at every row where the law has memory, and the amplitudes where they were measured.
 /// With amplitudes the number that stretches motion alone is fitted to every other one of them, and the rest judge it.
 void confirm_by_motion(const Outcomes& outcomes, LawFit& fit);

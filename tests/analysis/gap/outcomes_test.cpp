@@ -201,3 +201,17 @@ TEST_CASE("rows that cannot tell are not answered with a law", "[gap][outcomes]"
     wrong.rows[4].settings[2] = 0;
     CHECK_THROWS_WITH(answer_of(nominal, wrong), Catch::Contains("rows.csv:6:1"));
 }
+
+TEST_CASE("guessing the middle amplitude costs as much as the amplitudes differ", "[gap][outcomes]")
+{
+    Outcomes o;
+    o.table = table_by([](double, double, double) { return true; });
+    o.joints.resize(o.table.rows.size());
+    for (auto& row : o.table.rows) row.amplitude = 1e-4;
+    CHECK(guessed_amplitudes(o) == Approx(0).margin(1e-12));
+    // two sizes, far apart: every row that judges is wrong by as much as a row can be
+    for (std::size_t i = 0; i < o.size(); i += 4) o.table.rows[i].amplitude = o.table.rows[i + 1].amplitude = 1;
+    CHECK(guessed_amplitudes(o) == Approx(-worst_amplitude * (36 - 4)));
+    for (auto& row : o.table.rows) row.amplitude = not_set;
+    CHECK(guessed_amplitudes(o) == 0);
+}

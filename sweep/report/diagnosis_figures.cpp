@@ -1,0 +1,100 @@
+#include "sweep/report/diagnosis_figures.h"
+
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+constexpr int most_records = 3;
+
+std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b)
+{
+    std::vector<double> r;
+    for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) r.push_back(a[k] - b[k]);
+    return r;
+}
+
+double rms(const std::vector<double>& values)
+{
+    double sum = 0, n = 0;
+    for (double v : values)
+        if (std::isfinite(v)) sum += v * v, n += 1;
+    return n > 0 ? std::sqrt(sum / n) : 0;
+}
+
+/// One signal of one record: measured, and simulated before and after.
+struct Signal {
+    const DiagnosedTrace& trace;
+    std::string name, unit, id;
+    const std::vector<double>&measured, &before, &after;
+};
+
+Figure overlay(const Signal& s)
+{
+    LineChart chart;
+    chart.title = "Measured and simulated " + s.name + ": " + s.trace.file;
+    chart.x_label = "time [s]";
+    chart.y_label = s.name + " [" + s.unit + "]";
+    chart.lines = {{"measured", s.trace.time, s.measured, false},
+                   {"simulated before", s.trace.time, s.before, true},
+                   {"simulated after", s.trace.time, s.after, true}};
+    return {s.id, chart, "The simulation follows the reference on its own; the measured motion is no part of it.",
+            "Measured " + s.name + " over time and two simulations, before and after the cause is added"};
+}
+
+Figure residual(const Signal& s)
+{
+    const auto before = difference(s.measured, s.before), after = difference(s.measured, s.after);
+    LineChart chart;
+    chart.title = "What the simulation gets wrong in " + s.name + ": " + s.trace.file;
+    chart.x_label = "time [s]";
+    chart.y_label = "measured minus simulated [" + s.unit + "]";
+    chart.lines = {{"before", s.trace.time, before, true}, {"after", s.trace.time, after, false}};
+    const double was = rms(before), is = rms(after);
+    std::string words = "Residual of " + s.name + " over time, before and after";
+    if (was > 0) words += ": its RMS goes to " + std::to_string(std::lround(100 * is / was)) + " % of what it was";
+    return {s.id + "-residual", chart, words + ".", words};
+}
+
+}  // namespace
+
+std::vector<Figure> trace_figures(const Diagnosis& d)
+{
+    const std::string position(unit_of(Quantity::position, d.motion));
+    std::vector<Figure> figures;
+    int n = 0;
+    for (const auto& trace : d.traces) {
+        if (++n > most_records) break;
+        const std::string id = "record-" + std::to_string(n);
+        const Signal motion{trace, "position", position, id + "-position", trace.measured, trace.before, trace.after};
+        const Signal effort{trace,
+                            trace.effort_name,
+                            trace.effort_unit,
+                            id + "-effort",
+                            trace.effort_measured,
+                            trace.effort_before,
+                            trace.effort_after};
+        const bool forces = !trace.effort_measured.empty();
+        // a rig's load point moves as it was told: there is nothing to get wrong
+        const bool moves = rms(difference(trace.measured, trace.before)) > 0;
+        if (moves) figures.push_back(residual(motion));
+        if (forces) figures.push_back(residual(effort));
+        if (n > 1) continue;
+        if (moves) figures.push_back(overlay(motion));
+        if (forces) figures.push_back(overlay(effort));
+    }
+    return figures;
+}
+
+Figure experiment_figure(const Diagnosis& d)
+{
+    LineChart motion;
+    motion.title = "Next experiment";
+    motion.x_label = "time [s]";
+    motion.y_label = "reference [" + std::string(unit_of(Quantity::position, d.motion)) + "]";
+    motion.lines = {{"reference", d.next_experiment.time, d.next_experiment.reference, false}};
+    return {"next-experiment", motion, "The reference is beside the page as next-experiment.csv.",
+            "Reference of the next experiment over time"};
+}
+
+}  // namespace stickslip

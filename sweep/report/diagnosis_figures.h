@@ -1,0 +1,15 @@
+// The charts of a diagnosis. Internal to the page.
+#pragma once
+#include "analysis/results/diagnosis.h"
+#include "analysis/results/report.h"
+
+namespace stickslip {
+
+/// Per record, of the first few: what the simulation gets wrong in position and in effort before and after, and for the
+/// first one the measured signals themselves beside the simulated ones.
+std::vector<Figure> trace_figures(const Diagnosis& d);
+
+/// The motion to measure next.
+Figure experiment_figure(const Diagnosis& d);
+
+}  // namespace stickslip

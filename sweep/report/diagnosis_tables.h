@@ -1,0 +1,23 @@
+// The tables of a diagnosis: where, which causes, which numbers, how far. Internal to the page.
+#pragma once
+#include "analysis/results/diagnosis.h"
+#include "analysis/results/report.h"
+
+namespace stickslip {
+
+/// "asymmetric-friction with delay"
+std::string together(const std::vector<std::string>& names);
+/// "38 %", "–" where there is none.
+std::string whole_percent(double part);
+/// A share as ten blocks that a glance can compare, and its interval in lighter ones: "██████▒▒··".
+std::string share_bar(double share, const ConfidenceInterval& interval);
+
+Table causes_table(const Diagnosis& d);
+Table parameters_table(const Diagnosis& d);
+Table shares_table(const char* title, const std::vector<Share>& shares);
+Table gap_table(const Diagnosis& d);
+Table records_table(const Diagnosis& d);
+/// What was assumed or could not be done; a note that many records share is said once, with their number.
+std::vector<std::string> gathered_notes(const Diagnosis& d);
+
+}  // namespace stickslip

@@ -1,0 +1,20 @@
+// What a cause does to the stability map: the critical gain without and with it. Shared by the pages of a diagnosis.
+#pragma once
+#include "analysis/joint/joint.h"
+#include "analysis/results/report.h"
+
+#include <string>
+
+namespace stickslip {
+
+struct MovedBoundary {
+    Table table;
+    std::vector<Figure> figures;  ///< k_cr over V_0 for both joints, where either has one
+    std::string sentence;         ///< what happens to the safe gains
+};
+
+/// Linear theory at `speed` and from a hundredth to twice of it. `with` names the second joint: "with stribeck". A
+/// joint without a verdict (no such theory for its model, no velocity) says why in its column; nothing is thrown.
+MovedBoundary moved_boundary(const Joint& before, const Joint& after, double speed, const std::string& with);
+
+}  // namespace stickslip

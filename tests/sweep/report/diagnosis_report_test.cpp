@@ -1,0 +1,117 @@
+#include "sweep/report/diagnosis_report.h"
+
+#include "sweep/files/diagnosis_json.h"
+#include "sweep/report/diagnosis_tables.h"
+#include "sweep/report/moved_boundary.h"
+
+#include <catch2/catch.hpp>
+
+#include <set>
+
+using namespace stickslip;
+using Catch::Matchers::Contains;
+
+namespace {
+
+Joint joint_with(const RateAndState& law)
+{
+    Joint j;
+    j.mechanism.inertia = 1;
+    j.control.k_p = 2e4;
+    j.control.V0 = 1e-3;
+    j.friction.law = law;
+    return j;
+}
+
+RateAndState slip_law(double L)
+{
+    RateAndState law;
+    law.f0 = 60;
+    law.A = 1;
+    law.B.size = law.L.size = 1;
+    law.B[0] = 1.5;
+    law.L[0] = L;
+    law.V_star = 1e-3;
+    return law;
+}
+
+Diagnosis named()
+{
+    Diagnosis d;
+    d.verdict = Verdict::gap;
+    d.records = {{"a.csv", "held-out"}, {"b.csv", "held-out"}};
+    Cause c;
+    c.names = {"frictional-memory"};
+    c.probability = 0.9;
+    d.effects = {c};
+    d.signals = {{"command", 0.1, {0.05, 0.2}, 1, 0.1, "N"}, {"motion", 0.9, {0.8, 0.95}, 2, 0.1, "N"}};
+    d.overall = {5, 1.2, 1, 0.98, {0.95, 0.99}};
+    d.usual_speed = 1e-2;
+    d.notes = {"a.csv: no effort was measured", "b.csv: no effort was measured", "b.csv: irregular sampling"};
+    return d;
+}
+
+}  // namespace
+
+TEST_CASE("the first screen of a diagnosis says where, what, how much and how sure", "[report]")
+{
+    const auto r = diagnosis_report(named(), joint_with(slip_law(1e-5)), joint_with(slip_law(2e-5)), {});
+    REQUIRE(r.headlines.size() == 4);
+    const char* questions[] = {"where:", "what:", "how much:", "how sure:"};
+    for (std::size_t i = 0; i < 4; ++i) CHECK(r.headlines[i].meaning.starts_with(questions[i]));
+    CHECK(r.headlines[0].value == "motion");
+    CHECK(r.headlines[1].value == "frictional-memory");
+    CHECK(r.headlines[2].value == "− 76 %");
+    CHECK(r.headlines[3].value == "90 %");
+    // anchors of a page are its own
+    std::set<std::string> ids;
+    for (const auto& section : r.sections) {
+        CHECK(ids.insert(section.id).second);
+        for (const auto& figure : section.figures) CHECK(ids.insert(figure.id).second);
+    }
+    CHECK(ids.count("moved-boundary") == 1);
+    CHECK(r.not_checked ==
+          std::vector<std::string>{"2 of 2 records: no effort was measured", "b.csv: irregular sampling"});
+}
+
+TEST_CASE("a diagnosis whose cause makes held-out data worse is not written", "[report]")
+{
+    Diagnosis d = named();
+    const Joint j = joint_with(slip_law(1e-5));
+    CHECK_NOTHROW(diagnosis_json(d, j, j));
+    d.overall.after = 5.1;
+    CHECK_THROWS_AS(diagnosis_json(d, j, j), std::logic_error);
+    d.verdict = Verdict::unknown;
+    CHECK_NOTHROW(diagnosis_json(d, j, j));
+}
+
+TEST_CASE("the page shows that the critical gain moves with the memory's length", "[report]")
+{
+    // k_cr of the quasi-static slip law is (B − A)/L
+    const auto moved =
+        moved_boundary(joint_with(slip_law(1e-5)), joint_with(slip_law(2e-5)), 1e-6, "with frictional-memory");
+    CHECK_THAT(moved.sentence, Contains("from 50 kN/m to 25 kN/m"));
+    REQUIRE(moved.figures.size() == 1);
+    CHECK(std::get<LineChart>(moved.figures[0].picture).lines.size() == 2);
+}
+
+TEST_CASE("a joint for which the linear theory has no verdict is said to have none", "[report]")
+{
+    Joint broken = joint_with(slip_law(1e-5));
+    broken.mechanism.inertia = not_set;
+    for (const auto& after : {broken, joint_with(slip_law(not_set))}) {
+        const auto moved = moved_boundary(joint_with(slip_law(1e-5)), after, 1e-3, "with the cause");
+        CHECK_THAT(moved.sentence, Contains("no verdict for the joint with the cause"));
+        REQUIRE(moved.table.rows.size() == 4);
+        CHECK(moved.table.rows[0][2].starts_with("no verdict: "));
+    }
+    CHECK(moved_boundary(broken, broken, 0, "with the cause").table.rows.empty());
+    CHECK_NOTHROW(diagnosis_report(named(), broken, broken, {}));
+}
+
+TEST_CASE("bars show a share and how sure it is", "[report]")
+{
+    CHECK(share_bar(0.5, {0.3, 0.7}) == "███▒▒▒▒···");
+    CHECK(share_bar(1, {}) == "██████████");
+    CHECK(share_bar(0, {0, 0}) == "··········");
+}

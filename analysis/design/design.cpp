@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 namespace stickslip {
@@ -109,7 +110,13 @@ bool is_demanded(const Requirements& r, int i)
     return i == 0 || (i == 1 ? std::isfinite(r.effort_limit) : is_set(r.least_velocity));
 }
 
-DemandReport report_on(Judge& judge, const GainChoice& best, const Place& place, int i, bool feasible)
+/// How a demand fares, and where it fares best.
+struct Fared {
+    DemandReport report;
+    GainChoice at;
+};
+
+Fared fared(Judge& judge, const GainChoice& best, const Place& place, int i, bool feasible)
 {
     const auto& r = judge.requirements();
     const auto index = static_cast<std::size_t>(i);
@@ -125,8 +132,36 @@ DemandReport report_on(Judge& judge, const GainChoice& best, const Place& place,
         at = local_minimum([&](const Place& t) { return offends(judge.at(t)); }, judge.bounds(), place, 0.2,
                            local_evaluations);
     }
-    report.attainable = reached(judged_at(judge, at), i);
-    return report;
+    const auto choice = judged_at(judge, at);
+    report.attainable = reached(choice, i);
+    return {report, choice};
+}
+
+/// Where nothing is feasible: of the gains that give up one demand only, those that give up least of it.
+GainChoice nearest_feasible(Judge& judge, const std::vector<Fared>& demands, const GainChoice& otherwise)
+{
+    const Fared* least = nullptr;
+    const auto lacking = [&](const Fared& f) { return worst_of(judge.violations(f.at)); };
+    for (const auto& f : demands)
+        if (f.report.others_met && !f.report.met && std::isfinite(f.at.cost))
+            if (!least || lacking(f) < lacking(*least)) least = &f;
+    return least ? least->at : otherwise;
+}
+
+/// Ascending in margin: choices that another one beats in both margin and cost are searched again from its gains, and
+/// left out if they stay beaten.
+void keep_undominated(std::vector<GainChoice>& front, const std::function<GainChoice(GainChoice, GainChoice)>& again)
+{
+    std::sort(front.begin(), front.end(), [](const auto& a, const auto& b) { return a.margin < b.margin; });
+    for (std::size_t i = front.size(); i-- > 1;) {
+        auto &quiet = front[i - 1], &far = front[i];
+        if (quiet.cost < far.cost) continue;
+        const auto better = again(quiet, far);
+        if (better.cost < far.cost && better.margin < far.margin)
+            quiet = better;
+        else
+            front.erase(front.begin() + static_cast<std::ptrdiff_t>(i) - 1);
+    }
 }
 
 void check_sense(const Joint& joint, const Requirements& r)
@@ -136,8 +171,23 @@ void check_sense(const Joint& joint, const Requirements& r)
         refuse("position_noise: neither it nor velocity_noise is set, and without noise every gain is as quiet as any");
     if (!(r.noise.period > 0)) refuse("sample_time: is not set; noise of samples needs the time between them");
     const auto range = gain_range(joint, r);
-    if (!(range.k_p.low > 0 && range.k_p.low < range.k_p.high)) refuse("k_p: needs 0 < from < to");
-    if (!(range.k_v.low >= 0 && range.k_v.low < range.k_v.high)) refuse("k_v: needs 0 ≤ from < to");
+    const auto ends = [](const char* name, double low, double high, bool stated) {
+        std::ostringstream text;
+        text << name << "_from: is " << low << ", " << name << "_to is " << high
+             << (stated ? "" : " (not stated, from the joint's own gains)") << "; needed is a start below the end";
+        return text.str();
+    };
+    if (!(range.k_p.low > 0 && range.k_p.low < range.k_p.high))
+        refuse(ends("k_p", range.k_p.low, range.k_p.high, is_set(r.k_p_high)));
+    if (!(range.k_v.low >= 0 && range.k_v.low < range.k_v.high))
+        refuse(ends("k_v", range.k_v.low, range.k_v.high, is_set(r.k_v_high)));
+    const auto steady = steady_sliding(joint);
+    if (steady.reason == Reason::none && is_set(r.least_velocity) && !(r.least_velocity <= std::abs(steady.velocity))) {
+        std::ostringstream text;
+        text << "least_velocity: is " << r.least_velocity << ", above the commanded velocity " << steady.velocity
+             << "; a joint that slides there says nothing of it";
+        refuse(text.str());
+    }
 }
 
 }  // namespace
@@ -174,15 +224,25 @@ GainDesign design_gains(const Joint& joint, const Requirements& r, const Paralle
     if (steady_sliding(joint).reason != Reason::none) return design;
     design.decided = true;
     Judge judge(joint, r, Curve::Kind::state_variable);
+    design.margin_reach = judge.reach();
+    design.steady_effort = judge.steady_effort();
     const auto range = gain_range(joint, r);
     const auto own = judge.place_of(std::clamp(joint.control.k_p, range.k_p.low, range.k_p.high),
                                     std::clamp(joint.control.k_v, range.k_v.low, range.k_v.high));
     design.as_joint = judge.thorough(joint.control.k_p, joint.control.k_v);
     const auto best = Search(judge, log_cost).run({own}, true);
     design.best = judged_at(judge, best);
-    design.feasible = worst_of(judge.violations(design.best)) <= tolerance;
+    design.feasible = worst_of(judge.violations(design.best)) <= tolerance && std::isfinite(std::log(design.best.cost));
+    std::vector<Fared> demands;
     for (int i = 0; i < demand_count; ++i)
-        if (is_demanded(r, i)) design.demands.push_back(report_on(judge, design.best, best, i, design.feasible));
+        if (is_demanded(r, i)) demands.push_back(fared(judge, design.best, best, i, design.feasible));
+    if (!design.feasible) design.best = nearest_feasible(judge, demands, design.best);
+    for (auto& d : demands) {
+        const auto i = std::find(demand_names.begin(), demand_names.end(), d.report.name) - demand_names.begin();
+        d.report.reached = reached(design.best, static_cast<int>(i));
+        d.report.met = judge.violations(design.best)[static_cast<std::size_t>(i)] <= tolerance;
+        design.demands.push_back(d.report);
+    }
     design.evaluations = judge.evaluations();
 
     // the front: from the margin that the least cost has by itself, each margin demanded in turn up to the largest
@@ -205,8 +265,15 @@ GainDesign design_gains(const Joint& joint, const Requirements& r, const Paralle
         if (is_set(front[i].cost)) design.front.push_back(front[i]);
         design.evaluations += counts[i];
     }
-    std::sort(design.front.begin(), design.front.end(),
-              [](const GainChoice& a, const GainChoice& b) { return a.margin < b.margin; });
+    keep_undominated(design.front, [&](const GainChoice& quiet, const GainChoice& far) {
+        Requirements step = r;
+        step.margin = quiet.margin;
+        Judge own_judge(joint, step, Curve::Kind::state_variable);
+        const auto at = Search(own_judge, log_cost).run({own_judge.place_of(far.k_p, far.k_v)}, false);
+        const auto choice = judged_at(own_judge, at);
+        design.evaluations += own_judge.evaluations();
+        return worst_of(own_judge.violations(choice)) <= 1e-3 ? choice : quiet;
+    });
 
     Judge simple(joint, r, Curve::Kind::velocity_only);
     const auto thought = Search(simple, log_cost).run({own}, true);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int velocity_steps = 12;      ///< a decade, when the least velocity is looked for
 constexpr double velocity_decades = 4;  ///< below V_0, as far as it is looked for without a demand
-constexpr double no_noise = 1e9;        ///< cost, per noise of a joint at rest, of gains that have none
+constexpr double beyond_demand = 1.25;  ///< how far a margin is looked for, per demanded one
 
 }  // namespace
 
@@ -20,7 +20,7 @@ Judge::Judge(const Joint& joint, const Requirements& requirements, Curve::Kind t
     : joint_(joint), requirements_(requirements), theory_(theory)
 {
     coordinates_ = requirements.uncertain.empty() ? friction_coordinates(joint) : requirements.uncertain;
-    reach_ = default_reach(coordinates_);
+    reach_ = std::max(default_reach(coordinates_), beyond_demand * requirements.margin);
     range_ = gain_range(joint, requirements);
     damping_unit_ = 1e-4 * range_.k_v.high;
     const auto steady = steady_sliding(joint);

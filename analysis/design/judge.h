@@ -28,6 +28,8 @@ class Judge {
     std::vector<double> place_of(double k_p, double k_v) const;
     int evaluations() const { return evaluations_; }
     const Requirements& requirements() const { return requirements_; }
+    double reach() const { return reach_; }
+    double steady_effort() const { return steady_effort_; }
 
   private:
     GainChoice judged(double k_p, double k_v, bool thoroughly);

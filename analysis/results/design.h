@@ -31,7 +31,11 @@ struct DemandReport {
 struct GainDesign {
     bool decided = false;  ///< the joint slides and can be judged
     bool feasible = false;
-    GainChoice best;  ///< infeasible: the gains that violate the demands least
+    /// Infeasible: all demands but one met and that one violated least, or where no such gains exist, all violated
+    /// least. Its cost is NaN or infinite where the objective is no number for any gains.
+    GainChoice best;
+    double margin_reach = missing;   ///< margins are looked for up to here; that much means: at least that much
+    double steady_effort = missing;  ///< what steady sliding takes without any noise
     std::vector<DemandReport> demands;
     std::vector<GainChoice> front;     ///< least cost for each margin, ascending; the other demands met
     bool velocity_only_found = false;  ///< whether velocity-only thinking finds gains at all

@@ -22,7 +22,7 @@ struct RequirementsTable {
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        constexpr Range margins{0, 3, false, false}, counts{2, 200, false, false, true};
+        constexpr Range margins{0, 100, false, false}, counts{2, 200, false, false, true};
         auto& r = self.r;
         visit.choice("objective", "which noise is made least", r.objective, objectives);
         visit.number({"position_noise", Quantity::position, not_negative, Need::optional,

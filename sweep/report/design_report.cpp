@@ -31,23 +31,37 @@ std::string demand_name(const std::string& name)
     return name == "margin" ? "margin" : name == "effort_limit" ? "peak effort" : "least stable velocity";
 }
 
-std::string demand_value(const DemandReport& d, double value, const Units& u)
+/// A margin as large as was looked for is at least that large.
+std::string margin_text(double margin, const GainDesign& d)
+{
+    return (margin >= d.margin_reach ? "> " : "") + plain_number(margin, 3);
+}
+
+std::string demand_value(const DemandReport& d, double value, const DesignAnswer& a, const Units& u)
 {
     if (d.name == "effort_limit") return u.effort(value);
-    return d.name == "margin" ? plain_number(value, 3) : u.velocity(value);
+    return d.name == "margin" ? margin_text(value, a.design) : u.velocity(value);
 }
 
 std::string infeasible_text(const DesignAnswer& a, const Units& u)
 {
+    if (!std::isfinite(std::log(a.design.best.cost)) && a.design.best.margin > 0)
+        return "No gains: the noise to be made least is no finite number above zero, with any gains of the range "
+               "(position noise " +
+               u.position(a.requirements.noise.position) + ", sample time " +
+               with_unit(a.requirements.noise.period, Quantity::time, u.motion) + ").";
     std::string text = "No gains within the range meet every demand.";
+    if (a.requirements.effort_limit <= a.design.steady_effort)
+        text += " Steady sliding alone takes " + u.effort(a.design.steady_effort) + ".";
     for (const auto& d : a.design.demands) {
+        if (d.met) continue;
         std::string others;
         for (const auto& o : a.design.demands)
             if (o.name != d.name) others += (others.empty() ? "" : " and ") + demand_name(o.name);
         if (d.others_met)
             text += (others.empty() ? " The " : " With " + others + " as demanded, the ") + demand_name(d.name) +
-                    " can be " + demand_value(d, d.attainable, u) + " (demanded: " + demand_value(d, d.demanded, u) +
-                    ").";
+                    " can be " + demand_value(d, d.attainable, a, u) +
+                    " (demanded: " + demand_value(d, d.demanded, a, u) + ").";
         else
             text += " No gains give " + others + " as demanded, whatever the " + demand_name(d.name) + ".";
     }
@@ -66,7 +80,7 @@ std::string cost_of_simple_thinking(const DesignAnswer& a, const Units& u)
     return text + ": " + plain_number(ratio) + " times the " + (motion ? "motion" : "effort") + " noise.";
 }
 
-std::vector<std::string> row_of(const char* name, const GainChoice& c, const Units& u)
+std::vector<std::string> row_of(const char* name, const GainChoice& c, const GainDesign& d, const Units& u)
 {
     return {name,
             u.stiffness(c.k_p),
@@ -74,7 +88,7 @@ std::vector<std::string> row_of(const char* name, const GainChoice& c, const Uni
             c.margin < 0 ? "unstable" : u.position(c.motion_noise),
             u.effort(c.effort_noise),
             u.effort(c.peak_effort),
-            plain_number(c.margin, 3),
+            margin_text(c.margin, d),
             c.margin < 0 ? "–" : u.velocity(c.least_velocity)};
 }
 
@@ -117,15 +131,16 @@ std::vector<Table> design_tables(const DesignAnswer& a)
     choices.title = "Choices, all judged with memory";
     choices.columns = {"gains",       "k_{p}",  "k_{v}",         "motion noise, rms", "effort noise, rms",
                        "peak effort", "margin", "stable down to"};
-    choices.rows = {row_of(d.feasible ? "best" : "nearest to feasible", d.best, u),
-                    row_of("velocity-only thinking", d.velocity_only, u), row_of("as in the joint", d.as_joint, u)};
+    choices.rows = {row_of(d.feasible ? "best" : "nearest to feasible", d.best, d, u),
+                    row_of("velocity-only thinking", d.velocity_only, d, u),
+                    row_of("as in the joint", d.as_joint, d, u)};
     Table demands;
     demands.title = "Demands";
     demands.columns = {"demand", "asked", "reached", "attainable, others kept", ""};
     for (const auto& r : d.demands)
-        demands.rows.push_back({demand_name(r.name), demand_value(r, r.demanded, u), demand_value(r, r.reached, u),
-                                demand_value(r, r.attainable, u) + (r.others_met ? "" : " (alone)"),
-                                r.met ? "met" : "not met"});
+        demands.rows.push_back(
+            {demand_name(r.name), demand_value(r, r.demanded, a, u), demand_value(r, r.reached, a, u),
+             demand_value(r, r.attainable, a, u) + (r.others_met ? "" : " (alone)"), r.met ? "met" : "not met"});
     return {choices, demands};
 }
 

@@ -132,9 +132,53 @@ TEST_CASE("a demand that cannot be met is named with what could be", "[design]")
     REQUIRE(d.demands.size() == 2);
     CHECK(d.demands[1].name == "effort_limit");
     CHECK(d.demands[1].others_met);
+    // the nearest to feasible gives up the limit only, and no more of it than it has to
+    CHECK(d.best.margin >= 0.2 - 1e-4);
+    CHECK(d.best.peak_effort == Approx(d.demands[1].attainable).epsilon(1e-9));
+    CHECK(d.steady_effort == Approx(60));
     CHECK(d.demands[1].attainable == Approx(60 + 3e-6 * 5e4 * std::exp(0.2 * std::sqrt(2.0))).epsilon(1e-4));
     // and the margin that 60.1 N allow: 3e-6 k_p = 0.1
     CHECK(d.demands[0].attainable == Approx(std::log(0.1 / 3e-6 / 5e4) / std::sqrt(2.0)).margin(2e-2));
+}
+
+TEST_CASE("a front holds no choice that another one beats in both", "[design]")
+{
+    auto r = noisy();
+    r.noise.position = 2e-7, r.noise.period = 1e-3, r.noise.filter = 2e-3;
+    r.effort_limit = 80, r.margin = 1, r.least_velocity = 1e-9, r.k_p_low = 2e4;
+    r.front_points = 7;
+    r.uncertain = {{"friction.L", "", 0.2}, {"friction.B", "friction.A", 0.1}, {"friction.A", "", 0.1}};
+    const auto d = design_gains(example_joint(6e4, 10, 1e-3), r, one_by_one);
+    REQUIRE(d.feasible);
+    REQUIRE(d.front.size() >= 4);
+    for (std::size_t i = 1; i < d.front.size(); ++i) {
+        CHECK(d.front[i].margin > d.front[i - 1].margin);
+        CHECK(d.front[i].cost > d.front[i - 1].cost);
+    }
+}
+
+TEST_CASE("a margin beyond a factor of ten is looked for as far as it is demanded", "[design]")
+{
+    // almost no inertia: margin = ln(k_p L/(B − A))/√2, and k_p may grow by e^{√2·4} = 286
+    Joint joint = example_joint(6e4, 0, 1e-3);
+    joint.mechanism.inertia = 1e-9;
+    auto r = noisy();
+    r.objective = DesignObjective::effort;
+    r.margin = 4;
+    r.noise.velocity = 1e3;
+    const auto d = design_gains(joint, r, one_by_one);
+    REQUIRE(d.feasible);
+    CHECK(d.best.k_p == Approx(5e4 * std::exp(4 * std::sqrt(2.0))).epsilon(2e-2));
+    CHECK(d.margin_reach > 4);
+}
+
+TEST_CASE("noise beyond all numbers is answered at once, as no feasible design", "[design]")
+{
+    auto r = noisy(1e300);
+    const auto d = design_gains(example_joint(6e4, 10, 1e-3), r, one_by_one);
+    CHECK(d.decided);
+    CHECK_FALSE(d.feasible);
+    CHECK_FALSE(std::isfinite(d.best.cost));
 }
 
 TEST_CASE("requirements that mean nothing are refused", "[design]")
@@ -143,5 +187,8 @@ TEST_CASE("requirements that mean nothing are refused", "[design]")
     CHECK_THROWS_AS(design_gains(joint, Requirements{}, one_by_one), std::invalid_argument);
     auto r = noisy();
     r.k_p_low = 2, r.k_p_high = 1;
+    CHECK_THROWS_AS(design_gains(joint, r, one_by_one), std::invalid_argument);
+    r = noisy();
+    r.least_velocity = 2e-3;  // twice the commanded one
     CHECK_THROWS_AS(design_gains(joint, r, one_by_one), std::invalid_argument);
 }

@@ -4,8 +4,8 @@
 #include "analysis/results/text.h"
 #include "analysis/stability/verdict.h"
 #include "sweep/files/symbols.h"
-#include "sweep/report/boundary_report.h"
 #include "sweep/report/nearest_text.h"
+#include "sweep/report/robust_figure.h"
 #include "sweep/report/verdict_text.h"
 
 #include <fmt/format.h>
@@ -56,36 +56,6 @@ std::string worst_text(const MarginsAnswer& a)
            (growth < 0 ? " it stays stable; least so at " + at + ", where disturbances still decay at "
                        : " it can turn unstable: at " + at + " disturbances grow at ") +
            plain_number(std::abs(growth)) + " 1/s.";
-}
-
-LineChart::Line line_of(const char* name, const FollowedBoundary& boundary, bool dashed)
-{
-    auto curve = curve_of(boundary);
-    return {name, std::move(curve.x), std::move(curve.y), dashed};
-}
-
-Figure robust_figure(const MarginsAnswer& a)
-{
-    const auto& b = *a.robust;
-    const auto motion = a.joint.mechanism.motion;
-    const auto label = [&](const Axis& axis) {
-        return axis.name + " " + axis.symbol + " [" + std::string(unit_of(axis.quantity, motion)) + "]";
-    };
-    LineChart chart;
-    chart.title = "Robustly stable set over (" + b.x.symbol + ", " + b.y.symbol + ")";
-    chart.x_label = label(b.x), chart.y_label = label(b.y);
-    chart.x_log = b.x.log, chart.y_log = b.y.log;
-    if (!b.pieces.empty()) chart.lines.push_back(line_of("worst case", b, false));
-    if (a.nominal && !a.nominal->pieces.empty()) chart.lines.push_back(line_of("nominal", *a.nominal, true));
-    Figure figure;
-    figure.id = "robust-set";
-    figure.caption =
-        "Dashed: the boundary of the joint as described. Solid: where the worst case within the uncertainty turns "
-        "unstable; on its stable side every joint of the uncertainty slides. Could be missed: " +
-        could_be_missed(b) + ".";
-    figure.finding = chart.title;
-    figure.picture = std::move(chart);
-    return figure;
 }
 
 /// max Re s while one coordinate moves away from the joint, up to a little beyond its boundary.
@@ -229,8 +199,8 @@ Report margins_report(const MarginsAnswer& a)
                                                                        : Headline::Tone::bad;
     if (a.nearest.decided) add_headlines(report, a);
     Section section{"margins", "Margins", "", {}, {alone_table(a)}};
+    if (a.robust && a.nominal) section.figures.push_back(robust_figure(a));
     if (shortest_alone(a)) section.figures.push_back(growth_figure(a));
-    if (a.robust) section.figures.push_back(robust_figure(a));
     report.sections.push_back(std::move(section));
     report.not_checked = {
         "Large disturbances: margins are those of the linear theory.",

@@ -126,6 +126,32 @@ TEST_CASE("the worst case over a box is its worst corner, over an ellipsoid a ta
               (factor > 1));
 }
 
+TEST_CASE("the worst of an ellipsoid is that of dense samples of its surface", "[boundary][nearest]")
+{
+    // closed form with inertia: k_cr = ((B − A)/L)(1 + m V_0²/(L A))
+    constexpr double V0 = 3e-3;
+    const auto k_cr = [](double excess, double L, double A) { return excess / L * (1 + V0 * V0 / (L * A)); };
+    Uncertainty u;
+    u.coordinates = {{"friction.B", "friction.A"}, {"friction.L", ""}, {"friction.A", ""}};
+    u.share = {0.1, 0.2, 0.3};
+    u.shape = UncertaintyShape::ellipsoid;
+    double worst = 0;
+    constexpr int rings = 1200;
+    for (int i = 0; i <= rings; ++i)
+        for (int j = 0; j < 2 * rings; ++j) {
+            const double polar = M_PI * i / rings, around = M_PI * j / rings;
+            worst =
+                std::max(worst, k_cr(0.5 * (1 + 0.1 * std::sin(polar) * std::cos(around)),
+                                     1e-5 * (1 + 0.2 * std::sin(polar) * std::sin(around)), 1 + 0.3 * std::cos(polar)));
+        }
+    REQUIRE(worst > 1.3 * k_cr(0.5, 1e-5, 1));
+    for (const double factor : {1 - 1e-4, 1 + 1e-4})
+        for (const bool global : {true, false})
+            CHECK(
+                (worst_case(example_joint(factor * worst, 0, V0), u, Curve::Kind::state_variable, global).instability <
+                 0) == (factor > 1));
+}
+
 TEST_CASE("the robustly stable set ends where the worst corner turns unstable", "[boundary][nearest]")
 {
     Uncertainty u;

@@ -1,6 +1,7 @@
 // What a sweep is to compute, validated and in SI: the joint, the axes, and what is asked at each point.
 #pragma once
 #include "analysis/joint/joint.h"
+#include "analysis/results/boundary.h"
 #include "analysis/results/stability_map.h"
 #include "analysis/simulation/disturbance.h"
 
@@ -54,16 +55,20 @@ struct NonlinearSpec {
     }
 };
 
-/// Boundaries located point by point along one parameter.
+/// What `stickslip boundary SPEC` is asked where its command line says nothing.
 struct BoundarySpec {
-    std::string axis;         ///< dotted path that is moved; empty: the y axis of each chart
-    double precision = 1e-6;  ///< largest relative width of the final bracket
+    std::vector<BoundaryKind> kinds;  ///< empty: both linear theories
+    std::vector<std::string> along;   ///< "PATH" or "PATH=FROM..TO", as in --along
+    std::vector<std::string> over;    ///< two of the same; both empty: the axes and charts of the spec
+    double guard = not_set;           ///< cells along each axis of the guarding grid
+    double precision = not_set;       ///< largest relative width of the final brackets, for kinds that can be as fine
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        constexpr Range precisions{1e-12, 0.1, false, false};
-        visit.text("axis", "dotted path along which the boundary is located", self.axis);
+        constexpr Range precisions{1e-12, 0.1, false, false}, cells{2, 512, false, false, true};
+        visit.number({"guard", Quantity::number, cells, Need::optional, "cells along each axis of the guarding grid"},
+                     self.guard);
         visit.number({"precision", Quantity::number, precisions, Need::optional, "relative bracket width"},
                      self.precision);
     }

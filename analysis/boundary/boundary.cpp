@@ -63,6 +63,7 @@ BoundaryRequest completed(BoundaryRequest request)
 {
     if (!is_set(request.precision)) request.precision = default_precision(request.kind);
     if (request.scan == 0) request.scan = default_scan(request.kind);
+    if (request.following.guard == 0) request.following.guard = default_guard(is_linear(request.kind));
     if (!request.parallel)
         request.parallel = [](std::size_t n, const std::function<void(std::size_t)>& task) {
             for (std::size_t i = 0; i < n; ++i) task(i);

@@ -149,6 +149,7 @@ class FoldSearch {
         BoundaryRequest linear = request_;
         linear.kind = BoundaryKind::state_variable;
         linear.precision = not_set;
+        linear.following.guard = 0;
         const auto boundary = follow_boundaries(joint_, result_.x, result_.y, linear);
         const UnitAxis x(result_.x), y(result_.y);
         for (const auto& piece : boundary.pieces) {

@@ -120,10 +120,30 @@ class Guard {
 
 }  // namespace
 
-FollowedBoundary follow_boundary(const Sides& sides, const Axis& x, const Axis& y, const FollowingOptions& asked)
+namespace {
+
+/// The precision asked for, or what the steps need: a walk would take the scatter of wide brackets for turns.
+double fine_enough(double precision, const Axis& x, const Axis& y, double step)
+{
+    constexpr double of_a_step = 0.05;
+    for (const auto* axis : {&x, &y}) {
+        const UnitAxis unit(*axis);
+        const double span = unit.log ? std::log(unit.high / unit.low)
+                                     : (unit.high - unit.low) / std::max(std::abs(unit.low), std::abs(unit.high));
+        precision = std::min(precision, of_a_step * step * span);
+    }
+    return precision;
+}
+
+}  // namespace
+
+FollowedBoundary follow_boundary(const Sides& asked_sides, const Axis& x, const Axis& y, const FollowingOptions& asked)
 {
     FollowingOptions options = asked;
+    Sides sides = asked_sides;
+    if (options.guard == 0) options.guard = default_guard(sides.continuous);
     if (options.longest_step == 0) options.longest_step = default_step(sides.continuous);
+    sides.precision = fine_enough(sides.precision, x, y, options.longest_step);
     Tracer tracer(sides, x, y, options);
     auto followed = Guard(sides, tracer, options.guard).run();
     followed.x = x;

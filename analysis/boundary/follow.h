@@ -18,7 +18,7 @@ struct Sides {
 };
 
 struct FollowingOptions {
-    int guard = 16;           ///< cells of the guarding grid along each axis
+    int guard = 0;            ///< cells of the guarding grid along each axis; 0: default_guard
     double longest_step = 0;  ///< as a share of an axis; 0: default_step
     double shortest_step = 1e-4;
     double turn = 0.3;  ///< rad between neighbouring steps before the step is shortened
@@ -28,7 +28,13 @@ struct FollowingOptions {
 /// As many points as a fine grid has rows where the measure is continuous, fewer where each one is searched by sides.
 inline double default_step(bool continuous)
 {
-    return continuous ? 1.0 / 80 : 1.0 / 24;
+    return continuous ? 1.0 / 80 : 1.0 / 48;
+}
+
+/// Cells of the guarding grid along each axis; fewer where each node is a motion.
+inline int default_guard(bool continuous)
+{
+    return continuous ? 16 : 8;
 }
 
 /// Every piece that the guard or its climbs reveal, followed to its ends. Each point is bracketed along the axis which

@@ -3,6 +3,7 @@
 #pragma once
 #include "analysis/results/stability_map.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -76,6 +77,12 @@ struct CurveGuard {
     int evaluations = 0;
 };
 
+/// What lies beyond the ends of a range that holds no boundary.
+struct OutsideOfRay {
+    double low = 0, high = 0;  ///< the range that was looked at
+    std::optional<BoundaryPoint> nearest;
+};
+
 /// Every boundary of one kind along an axis.
 struct LocatedRay {
     BoundaryKind kind = BoundaryKind::state_variable;
@@ -86,6 +93,7 @@ struct LocatedRay {
     int climbed = 0;    ///< extrema between nodes that were searched for a pair of boundaries
     int evaluations = 0;
     double stable_share = 0;  ///< of the scanned nodes: tells all stable from none where there is no boundary
+    std::optional<OutsideOfRay> outside;  ///< where there is none: what lies beyond, if that was looked for
 };
 
 /// A boundary followed over a chart.

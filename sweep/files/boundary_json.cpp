@@ -40,6 +40,12 @@ Json ray_json(const Joint& design, const LocatedRay& ray)
     for (const auto& p : ray.points) json["points"].push_back(point_json(p));
     json["evaluations"] = ray.evaluations;
     json["scanned"] = {{"points", ray.nodes}, {"undecided", ray.undecided}, {"stable_share", ray.stable_share}};
+    if (ray.outside) {
+        const auto& nearest = ray.outside->nearest;
+        json["outside"] = {{"from", ray.outside->low},
+                           {"to", ray.outside->high},
+                           {"nearest", nearest ? point_json(*nearest) : Json(nullptr)}};
+    }
     json["could_be_missed"] = could_be_missed(ray);
     json["answer"] = plain_text(ray_text(design, ray));
     return json;

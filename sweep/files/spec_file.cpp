@@ -3,6 +3,7 @@
 #include "analysis/joint/parameters.h"
 #include "sweep/files/axes_reader.h"
 #include "sweep/files/bad_input.h"
+#include "sweep/files/boundary_table.h"
 #include "sweep/files/joint_file.h"
 #include "sweep/files/joint_keys.h"
 #include "sweep/files/joint_table.h"
@@ -137,13 +138,9 @@ class SpecReader {
     {
         if (!root_.contains("boundary")) return;
         spec_.boundary.emplace();
-        read_struct("boundary", *spec_.boundary);
-        const std::string& axis = spec_.boundary->axis;
-        if (axis.empty() || find_parameter(spec_.joint, axis)) return;
-        const auto* node = root_.get("boundary")->as_table()->get("axis");
-        complaints_.add(
-            Place(node->source()), "boundary.axis",
-            "is \"" + axis + "\", which is no number of this joint" + did_you_mean(axis, numeric_paths(spec_.joint)));
+        read_struct("boundary", *spec_.boundary, boundary_lists);
+        if (const auto* table = root_.get("boundary")->as_table())
+            read_boundary_lists(*table, spec_.joint, *spec_.boundary, complaints_);
     }
 
     void read_report()
@@ -206,7 +203,7 @@ class SpecReader {
     }
 
     template <class Struct>
-    void read_struct(const std::string& key, Struct& s)
+    void read_struct(const std::string& key, Struct& s, const std::vector<std::string>& also_allowed = {})
     {
         const auto explain = [](const std::string& path, const std::vector<std::string>& siblings) {
             return "unknown key, allowed here are " + listed(siblings) +
@@ -215,7 +212,7 @@ class SpecReader {
         const auto* table = table_at(root_, key, "", complaints_);
         if (!table) return;
         StructReader reader(complaints_, spec_.joint.mechanism.motion, Mode::whole, explain);
-        reader.read(*table, key, s);
+        reader.read(*table, key, s, also_allowed);
     }
 
     const toml::table& root_;

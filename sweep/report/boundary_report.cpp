@@ -4,6 +4,8 @@
 #include "analysis/results/text.h"
 #include "analysis/stability/verdict.h"
 #include "sweep/files/spec_file.h"
+#include "sweep/report/curve_margins.h"
+#include "sweep/report/map_figures.h"
 #include "sweep/report/verdict_text.h"
 
 #include <fmt/format.h>
@@ -16,7 +18,6 @@ namespace {
 
 using Tone = Headline::Tone;
 constexpr int map_nodes = 81;
-constexpr double widened = 1e3;  ///< how far beyond its axis a boundary is looked for, to either side
 
 std::string scientific(double value)
 {
@@ -77,125 +78,47 @@ Figure curve_figure(const BoundaryAnswer& answer, const std::vector<FollowedBoun
     auto map = map_under(answer.design, first.x, first.y, parallel);
     std::string kinds;
     for (const auto& c : curves) {
-        if (!c.pieces.empty()) map.curves.push_back(curve_of(c));
+        if (!c.pieces.empty()) map.curves.push_back(curve_with_brackets(c));
         kinds += (kinds.empty() ? "" : ", ") + std::string(name_of(c.kind)) + " (" + std::to_string(c.points()) +
                  " points, brackets ≤ " + scientific(c.precision()) + ")";
     }
     Figure figure;
-    figure.id = "boundaries";
-    for (const auto* axis : {&first.x, &first.y}) {
-        figure.id += '-';
-        for (const char c : axis->path.substr(axis->path.rfind('.') + 1))
-            figure.id += std::isalnum(static_cast<unsigned char>(c)) ? static_cast<char>(std::tolower(c)) : '-';
-    }
+    figure.id = chart_id("boundaries", first.x, first.y);
     figure.finding = "Boundaries over " + first.x.name + " and " + first.y.name + ": " + kinds + ".";
     figure.caption =
         "Located curves: " + kinds +
-        ". Each point is bracketed; the brackets are far narrower than the lines. Field: largest real part "
-        "of the spectrum, with memory.";
+        ". Brackets that are wider than the line are drawn across it. Field: largest real part of the spectrum, with "
+        "memory.";
     figure.picture = std::move(map);
     return figure;
 }
 
-std::string kind_words(BoundaryKind kind)
+/// What lies beyond a range without boundaries.
+std::string outside_text(const LocatedRay& ray, Motion motion)
 {
-    switch (kind) {
-        case BoundaryKind::velocity_only:
-            return "velocity-only boundary";
-        case BoundaryKind::state_variable:
-            return "linear boundary with memory";
-        case BoundaryKind::fold:
-            return "fold of limit cycles";
-        case BoundaryKind::v_min:
-            return "least stable velocity";
-        case BoundaryKind::outcome:
-            break;
-    }
-    return "boundary of the outcome";
-}
-
-/// Where a curve meets the design's own line along one of its axes, the other number held: the meeting nearest to the
-/// design, interpolated between located points; NaN where it does not.
-double meeting(const FollowedBoundary& c, const Joint& given, bool along_x)
-{
-    const Axis &along = along_x ? c.x : c.y, &across = along_x ? c.y : c.x;
-    Joint joint = given;
-    const auto drawn = [](const Axis& axis, double v) { return axis.log ? std::log(v) : v; };
-    const double own = drawn(along, *find_parameter(joint, along.path)),
-                 held = drawn(across, *find_parameter(joint, across.path));
-    double found = missing;
-    for (const auto& piece : c.pieces)
-        for (std::size_t i = 0; i + 1 < piece.points.size(); ++i) {
-            const auto &p = piece.points[i], &q = piece.points[i + 1];
-            const double a = drawn(across, along_x ? p.y : p.x) - held, b = drawn(across, along_x ? q.y : q.x) - held;
-            if (a * b > 0 || a == b) continue;
-            const double from = drawn(along, along_x ? p.x : p.y), to = drawn(along, along_x ? q.x : q.y);
-            const double at = from + (to - from) * a / (a - b);
-            if (std::isnan(found) || std::abs(at - own) < std::abs(found - own)) found = at;
-        }
-    return along.log ? std::exp(found) : found;
-}
-
-/// One number for each curve and axis on which it lies before or behind the design.
-std::vector<Headline> meeting_headlines(const BoundaryAnswer& answer)
-{
-    constexpr std::size_t most = 5;
-    std::vector<Headline> list;
-    Joint joint = answer.design;
-    const auto motion = joint.mechanism.motion;
-    for (const auto& c : answer.curves)
-        for (const bool along_x : {true, false}) {
-            const Axis& axis = along_x ? c.x : c.y;
-            const double own = *find_parameter(joint, axis.path), at = meeting(c, joint, along_x);
-            if (std::isnan(at) || own == 0 || list.size() == most) continue;
-            const double change = at / own - 1;
-            list.push_back(
-                {Tone::neutral, axis.symbol + (change < 0 ? " −" : " +") + plain_number(100 * std::abs(change)) + " %",
-                 "from the design to the " + kind_words(c.kind) + ": " + with_unit(own, axis.quantity, motion, 4) +
-                     " to " + with_unit(at, axis.quantity, motion, 4)});
-        }
-    return list;
-}
-
-/// "Through the design along k_{p}: linear boundary with memory at 19.45 kN/m, fold of limit cycles at 24.85 kN/m."
-std::string meeting_text(const BoundaryAnswer& answer)
-{
-    const auto motion = answer.design.mechanism.motion;
-    for (const bool along_x : {true, false}) {
-        std::string text;
-        for (const auto& c : answer.curves)
-            if (const double at = meeting(c, answer.design, along_x); !std::isnan(at)) {
-                const Axis& axis = along_x ? c.x : c.y;
-                text += (text.empty() ? "Through the design along " + axis.symbol + ": " : ", ") + kind_words(c.kind) +
-                        " at " + with_unit(at, axis.quantity, motion, 4);
-            }
-        if (!text.empty()) return text + ".";
-    }
-    return "No followed curve meets the design's own lines through the chart.";
-}
-
-/// The nearest linear boundary outside the range of a ray that has none.
-std::string outside_text(const Joint& design, const LocatedRay& ray)
-{
-    if (ray.kind == BoundaryKind::fold || ray.kind == BoundaryKind::outcome || !(ray.axis.values.front() > 0))
-        return "";
-    Axis wider = ray.axis;
-    wider.log = true;
-    wider.values = {ray.axis.values.front() / widened, ray.axis.values.back() * widened};
-    BoundaryRequest request;
-    request.kind = ray.kind;
-    const auto motion = design.mechanism.motion;
-    const auto found = locate_boundaries(design, wider, request).points;
-    if (found.empty())
-        return " None lies within " + with_unit(wider.values[0], wider.quantity, motion) + " … " +
-               with_unit(wider.values[1], wider.quantity, motion) + " either.";
-    const auto away = [&](const BoundaryPoint& p) {
-        return std::max(ray.axis.values.front() / p.value, p.value / ray.axis.values.back());
-    };
-    const auto nearest =
-        *std::min_element(found.begin(), found.end(), [&](const auto& a, const auto& b) { return away(a) < away(b); });
+    if (!ray.outside) return "";
+    const auto& o = *ray.outside;
+    const auto quantity = ray.axis.quantity;
+    if (!o.nearest)
+        return " None lies within " + with_unit(o.low, quantity, motion) + " … " + with_unit(o.high, quantity, motion) +
+               " either.";
     return " The nearest one outside lies at " + ray.axis.symbol + " = " +
-           with_unit(nearest.value, wider.quantity, motion, 8) + ".";
+           with_unit(o.nearest->value, quantity, motion, ray.kind == BoundaryKind::outcome ? 4 : 8) + ".";
+}
+
+/// What the scanned points of a ray without boundaries say.
+std::string throughout(const LocatedRay& ray)
+{
+    if (ray.kind == BoundaryKind::fold) return "";
+    const double judged = 1 - static_cast<double>(ray.undecided) / ray.nodes;
+    const char* side = ray.stable_share == 0               ? ": unstable "
+                       : ray.stable_share > judged - 1e-12 ? ": stable "
+                                                           : nullptr;
+    if (!side) return "";
+    return side + (ray.undecided == 0
+                       ? std::string("throughout")
+                       : "at all of the " + std::to_string(ray.nodes - ray.undecided) +
+                             " scanned points that have a verdict; " + std::to_string(ray.undecided) + " have none");
 }
 
 }  // namespace
@@ -239,12 +162,9 @@ std::string ray_text(const Joint& design, const LocatedRay& ray)
                std::to_string(ray.nodes) + " points of the scan" +
                (reason == Reason::none ? "." : ". At the first: " + reason_text(reason) + ".");
     }
-    if (ray.points.empty()) {
-        const bool all = ray.stable_share > 1 - 1e-12, none = ray.stable_share == 0;
-        const std::string state = all ? "stable throughout" : none ? "unstable throughout" : "";
+    if (ray.points.empty())
         return "No " + std::string(name_of(ray.kind)) + " boundary along " + ray.axis.symbol + " within " + range +
-               (state.empty() || ray.kind == BoundaryKind::fold ? "" : ": " + state) + "." + outside_text(design, ray);
-    }
+               throughout(ray) + "." + outside_text(ray, motion);
     std::string text = std::string(name_of(ray.kind)) + " boundary along " + ray.axis.symbol + " at ";
     for (const auto& p : ray.points)
         text += (&p == &ray.points.front() ? "" : ", ") + with_unit(p.value, ray.axis.quantity, motion, 8) + " (" +
@@ -297,8 +217,8 @@ Report boundary_report(const BoundaryAnswer& answer, const ParallelFor& parallel
     for (const auto& ray : answer.rays)
         report.verdict += (report.verdict.empty() ? "" : " ") + ray_text(answer.design, ray);
     if (!answer.curves.empty()) {
-        report.verdict += (report.verdict.empty() ? "" : " ") + meeting_text(answer);
-        report.headlines = meeting_headlines(answer);
+        report.verdict += (report.verdict.empty() ? "" : " ") + meeting_text(answer.design, answer.curves);
+        report.headlines = meeting_headlines(answer.design, answer.curves);
     }
     if (linear_point(answer.design).spectral_abscissa > 0) {
         report.tone = Tone::bad;
@@ -310,6 +230,9 @@ Report boundary_report(const BoundaryAnswer& answer, const ParallelFor& parallel
         while (i < answer.curves.size() && (together.empty() || same_axes(together.front(), answer.curves[i])))
             together.push_back(answer.curves[i++]);
         curves.figures.push_back(curve_figure(answer, together, parallel));
+        if (auto sharp = precision_figure(together, answer.design.mechanism.motion);
+            !std::get<LineChart>(sharp.picture).lines.empty())
+            curves.figures.push_back(std::move(sharp));
     }
     if (!answer.curves.empty()) {
         curves.tables.push_back(guard_table(answer.curves));

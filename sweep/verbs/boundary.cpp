@@ -1,11 +1,12 @@
 // stickslip boundary: where exactly the boundaries lie.
-#include "sweep/files/asked_axes.h"
+#include "analysis/boundary/outside.h"
 #include "sweep/files/bad_input.h"
 #include "sweep/files/boundary_json.h"
 #include "sweep/files/whole_file.h"
 #include "sweep/program.h"
 #include "sweep/report/verdict_text.h"
 #include "sweep/report/write_report.h"
+#include "sweep/verbs/boundary_question.h"
 #include "sweep/verbs/disturbance_option.h"
 #include "sweep/verbs/parallel.h"
 #include "sweep/verbs/verbs.h"
@@ -18,122 +19,28 @@
 namespace stickslip {
 namespace {
 
-constexpr double default_start =
-    1e-4;  ///< outcomes: V_0 is commanded from this share of itself, unless another is asked
-
-struct Options {
-    std::string input, directory;
-    std::vector<std::string> kinds, along, over, settings;
-    std::string disturbance;
-    double size = missing, precision = not_set, max_undecided = 0.05;
-    int guard = 16, threads = 0;
-    bool json = false;
-};
-
-std::vector<BoundaryKind> kinds_from(const std::vector<std::string>& names)
-{
-    if (names.empty()) return {BoundaryKind::velocity_only, BoundaryKind::state_variable};
-    std::vector<BoundaryKind> kinds;
-    for (const auto& name : names)
-        for (const auto kind : boundary_kinds)
-            if (name_of(kind) == name) kinds.push_back(kind);
-    return kinds;
-}
-
-Disturbance disturbance_from(const Options& options, const NonlinearSpec& spec)
-{
-    Disturbance d = spec.disturbance.disturbance;
-    for (const auto& k : DisturbanceSpec::kinds)
-        if (k.name == options.disturbance) d = {k.value, missing};
-    if (is_set(options.size)) d.size = options.size;
-    if (options.disturbance.empty() && !is_set(d.size)) d = {DisturbanceKind::start, default_start};
-    if (d.kind == DisturbanceKind::start && is_set(d.size) && !(d.size >= 0))
-        throw BadInput(fmt::format("--size: given is {:g}, allowed is a share of V0 to start from, ≥ 0", d.size));
-    return d;
-}
-
-std::string text_of(const Disturbance& d, Motion motion)
-{
-    for (const auto& k : DisturbanceSpec::kinds)
-        if (k.value == d.kind)
-            return fmt::format("{}{}{}", k.name, is_set(d.size) ? fmt::format(" of {:g}", d.size) : " (small)",
-                               d.kind == DisturbanceKind::start ? " V0"
-                               : d.kind == DisturbanceKind::velocity
-                                   ? fmt::format(" {}", unit_of(Quantity::velocity, motion))
-                                   : "");
-    return "";
-}
-
-/// The axes that a spec suggests where the command line names none.
-void choose_axes(const Asked& asked, std::vector<Axis>& rays, std::vector<std::array<Axis, 2>>& charts)
-{
-    const auto& spec = asked.spec;
-    if (spec.boundary && !spec.boundary->axis.empty()) {
-        rays.push_back(axis_from(asked, spec.boundary->axis, "boundary.axis"));
-        return;
-    }
-    if (spec.axes.empty()) rays.push_back(axis_from(asked, "control.k_p", "--along"));
-    for (const auto& axis : spec.axes)
-        if (axis.values.size() > 1) rays.push_back(axis_from(asked, axis.path, "--along"));
-    for (const auto& [x, y] : spec.report.charts)
-        charts.push_back({axis_from(asked, x, "--over"), axis_from(asked, y, "--over")});
-}
-
-int locate(const Options& options, const Invocation& invocation)
+int locate(const BoundaryOptions& options, const Invocation& invocation)
 {
     const auto asked = read_spec_or_joint(options.input, options.settings);
-    std::vector<Axis> rays;
-    std::vector<std::array<Axis, 2>> charts;
-    for (const auto& text : options.along) rays.push_back(axis_from(asked, text, "--along"));
-    if (!options.over.empty())
-        charts.push_back({axis_from(asked, options.over[0], "--over"), axis_from(asked, options.over[1], "--over")});
-    if (rays.empty() && charts.empty()) choose_axes(asked, rays, charts);
-    if (!charts.empty() && charts[0][0].path == charts[0][1].path)
-        throw BadInput("--over: given is " + charts[0][0].path + " twice, wanted are two different axes");
-
+    const auto questions = boundary_questions(asked, options);
     const ThreadLimit limit(options.threads);
-    BoundaryRequest request;
-    request.parallel = parallel_for_each;
-    request.disturbance = disturbance_from(options, asked.spec.nonlinear);
-    request.following.guard = options.guard;
-    request.precision = is_set(options.precision) ? options.precision
-                        : asked.spec.boundary     ? std::min(asked.spec.boundary->precision, 1e-4)
-                                                  : not_set;
     BoundaryAnswer answer;
     answer.title = asked.spec.title;
     answer.command = invocation.command;
     answer.design = asked.design;
-    answer.disturbance = request.disturbance;
+    answer.disturbance = questions.front().request.disturbance;
+    bool outcomes = false;
     const auto start = std::chrono::steady_clock::now();
-    for (const auto kind : kinds_from(options.kinds)) {
-        request.kind = kind;
-        BoundaryRequest own = request;
-        // what a kind cannot reach is not asked of it
-        if (!is_set(options.precision) && default_precision(kind) > 1e-9) own.precision = not_set;
-        if (kind == BoundaryKind::v_min) {
-            if (options.along.empty() && options.over.empty()) {
-                answer.rays.push_back(locate_boundaries(asked.design, axis_from(asked, "control.V0", "--along"), own));
-                continue;
-            }
-            for (const auto& axis : rays)
-                if (axis.path != "control.V0")
-                    throw BadInput("--along " + axis.path +
-                                   ": the least velocity lies along control.V0; over another axis: --over " +
-                                   axis.path + " control.V0");
+    for (const auto& [request, axes] : questions) {
+        outcomes = outcomes || request.kind == BoundaryKind::outcome;
+        if (axes.size() == 2) {
+            answer.curves.push_back(follow_boundaries(asked.design, axes[0], axes[1], request));
+            continue;
         }
-        for (const auto& axis : rays) answer.rays.push_back(locate_boundaries(asked.design, axis, own));
+        auto ray = locate_boundaries(asked.design, axes[0], request);
+        if (ray.points.empty() && ray.undecided < ray.nodes) ray.outside = nearest_outside(asked.design, ray, request);
+        answer.rays.push_back(std::move(ray));
     }
-    for (const auto& [x, y] : charts)
-        for (const auto kind : kinds_from(options.kinds)) {
-            request.kind = kind;
-            BoundaryRequest own = request;
-            if (!is_set(options.precision) && default_precision(kind) > 1e-9) own.precision = not_set;
-            const bool named = !options.over.empty();
-            if (kind == BoundaryKind::v_min && y.path != "control.V0" && !named) continue;
-            if (kind == BoundaryKind::v_min && y.path != "control.V0")
-                throw BadInput("--over " + x.path + " " + y.path + ": the least velocity needs control.V0 as y axis");
-            answer.curves.push_back(follow_boundaries(asked.design, x, y, own));
-        }
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
 
     const auto json = boundary_json(answer);
@@ -177,10 +84,9 @@ int locate(const Options& options, const Invocation& invocation)
         if (!options.json) fmt::print("report: {}\n", page.string());
     }
     if (!options.json) {
-        for (const auto kind : kinds_from(options.kinds))
-            if (kind == BoundaryKind::outcome)
-                fmt::print("outcome means after the disturbance: {}\n",
-                           text_of(answer.disturbance, answer.design.mechanism.motion));
+        if (outcomes)
+            fmt::print("outcome means after the disturbance: {}\n",
+                       disturbance_text(answer.disturbance, answer.design.mechanism.motion));
         fmt::print("{} points, {} evaluations, {:.2f} s\n", points, evaluations, wall.count());
     }
     return coarse || undecided ? exit_undecided : exit_done;
@@ -190,7 +96,7 @@ int locate(const Options& options, const Invocation& invocation)
 
 void add_boundary(CLI::App& app, Invocation& invocation)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<BoundaryOptions>();
     std::vector<std::string> kinds, disturbances;
     for (const auto kind : boundary_kinds) kinds.emplace_back(name_of(kind));
     for (const auto& k : DisturbanceSpec::kinds) disturbances.emplace_back(k.name);
@@ -214,9 +120,10 @@ void add_boundary(CLI::App& app, Invocation& invocation)
                      "relative width of brackets; default: 1e-10 linear, 1e-6 fold, 1e-4 outcome")
         ->check(finite_number())
         ->check(CLI::Range(1e-12, 0.1));
-    verb->add_option("--guard", options->guard, "cells along each axis of the grid that guards against missed pieces")
-        ->check(CLI::Range(2, 512))
-        ->capture_default_str();
+    verb->add_option("--guard", options->guard,
+                     "cells along each axis of the grid that guards against missed pieces; default: 16, where each "
+                     "point is a motion 8")
+        ->check(CLI::Range(2, 512));
     verb->add_option("-o,--output", options->directory, "write boundary.json, boundary.csv and report.html here");
     verb->add_option("--threads", options->threads, "0: all cores")->capture_default_str();
     verb->add_option("--max-undecided", options->max_undecided,
@@ -225,11 +132,13 @@ void add_boundary(CLI::App& app, Invocation& invocation)
     verb->add_flag("--json", options->json, "print boundary.json instead of text");
     verb->footer(
         "Examples:\n"
-        "  stickslip boundary examples/02-ball-screw/joint-with-memory.toml --along control.k_p=1e3..1e7\n"
+        "  stickslip boundary examples/02-ball-screw/joint-with-memory.toml --set control.k_v=0 --along "
+        "control.k_p=1e3..1e7\n"
         "  stickslip boundary examples/03-bistable-strip/spec.toml --kind linear fold --over control.k_p control.k_v "
         "-o "
         "out\n"
         "  stickslip boundary joint.toml --kind v-min --along 'control.V0=1 um/s..10 mm/s'\n"
+        "A spec may ask the same in a [boundary] table: kind, along, over, guard, precision.\n"
         "Exit codes: 0 answered (also: no boundary there), 2 bad input, 4 a point is coarser than asked for or too "
         "many "
         "points have no verdict.");

@@ -107,7 +107,6 @@ int main()
     compare("linear over V_0", request, example_joint(6e4, 0, 1e-3), axis("control.k_p", 1e3, 1e6),
             axis("control.V0", 1e-6, 1e-2), 81);
     request.kind = BoundaryKind::fold;
-    request.following.guard = 4;
     compare("fold", request, example_joint(2.2e4, 47.5, 1e-2), axis("control.k_p", 1e4, 6e4),
             axis("control.k_v", 44.6, 50.5, false), 2);
     request.kind = BoundaryKind::outcome;

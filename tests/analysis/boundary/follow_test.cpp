@@ -139,6 +139,17 @@ TEST_CASE("several pieces and what lies without a verdict", "[boundary][follow]"
     CHECK((half.pieces[0].first == CurveEnd::undecided || half.pieces[0].last == CurveEnd::undecided));
 }
 
+TEST_CASE("a coarse precision never costs more than a fine one", "[boundary][follow]")
+{
+    const auto wave = [](double x, double y) { return 0.3 * std::sin(x) - y + 1; };
+    for (const bool continuous : {true, false}) {
+        const auto fine = followed(wave, 2, continuous, 1e-6), coarse = followed(wave, 2, continuous, 0.1);
+        CHECK(coarse.pieces.size() == 1);
+        CHECK(coarse.evaluations <= fine.evaluations);
+        CHECK(coarse.points() < 1.5 * fine.points());
+    }
+}
+
 TEST_CASE("following takes few evaluations", "[boundary][follow]")
 {
     int calls = 0;

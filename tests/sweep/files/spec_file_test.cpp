@@ -72,7 +72,10 @@ enabled = true
 tolerance = 1e-9
 disturbance = { kind = "impulse", size = "1 mN·s" }
 [boundary]
-axis = "friction.f0"
+kind = ["linear", "fold"]
+along = "friction.f0"
+over = ["control.k_p=1..2", "control.k_v"]
+guard = 9
 precision = 1e-4
 [report]
 title = "A page"
@@ -111,7 +114,10 @@ tolerance = "2 %"
     CHECK(spec.nonlinear.disturbance.disturbance.size == 1e-3);
     CHECK(spec.nonlinear.tolerance == 1e-9);
     REQUIRE(spec.boundary);
-    CHECK(spec.boundary->axis == "friction.f0");
+    CHECK(spec.boundary->kinds == std::vector{BoundaryKind::state_variable, BoundaryKind::fold});
+    CHECK(spec.boundary->along == std::vector<std::string>{"friction.f0"});
+    CHECK(spec.boundary->over == std::vector<std::string>{"control.k_p=1..2", "control.k_v"});
+    CHECK(spec.boundary->guard == 9);
     CHECK(spec.boundary->precision == 1e-4);
     CHECK(spec.report.title == "A page");
     CHECK(spec.report.charts.size() == 2);
@@ -255,6 +261,11 @@ TEST_CASE("the other tables")
                EndsWith("expected is m"));
     CHECK_THAT(only_error(axes + "[boundary]\naxis = \"control.kp\"\n"),
                StartsWith("@5:8: boundary.axis: is \"control.kp\", which is no number of this joint; did you mean"));
+    CHECK_THAT(only_error(axes + "[boundary]\nkind = [\"folt\"]\n"),
+               StartsWith("@5:9: boundary.kind: is \"folt\", allowed are") && EndsWith("did you mean \"fold\"?"));
+    CHECK_THAT(only_error(axes + "[boundary]\nover = [\"control.k_p\"]\n"),
+               StartsWith("@5:8: boundary.over: has 1 entries, allowed are two axes"));
+    CHECK_THAT(only_error(axes + "[boundary]\nalong = 3\n"), StartsWith("@5:9: boundary.along: is 3, allowed is text"));
     CHECK_THAT(only_error(axes + "[boundary]\nprecision = 0\n"), StartsWith("@5:13: boundary.precision: is 0"));
     CHECK_THAT(only_error(axes + "[report]\nchart = []\n"),
                StartsWith("@5:1: report.chart: unknown key") && EndsWith("\"charts\"?"));

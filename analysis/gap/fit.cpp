@@ -1,6 +1,7 @@
 #include "analysis/gap/fit.h"
 
 #include "analysis/boundary/optimise.h"
+#include "analysis/gap/block.h"
 
 #include <algorithm>
 #include <cmath>
@@ -146,6 +147,12 @@ Evaluation evaluate(const std::vector<Case>& cases, const Candidate& candidate, 
 LevelFit descend(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales, Eigen::VectorXd x,
                  double omega, int iterations)
 {
+    return descend_block(cases, candidate, scales, std::move(x), omega, iterations, {});
+}
+
+LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales,
+                       Eigen::VectorXd x, double omega, int iterations, const Kept& kept)
+{
     LevelFit fit;
     const auto n = static_cast<Eigen::Index>(candidate.parameter_count());
     fit.x = bounded(candidate, std::move(x));
@@ -154,12 +161,13 @@ LevelFit descend(const std::vector<Case>& cases, const Candidate& candidate, con
     fit.evaluation = evaluate(cases, candidate, in_si(candidate, fit.x, scales), omega, &here);
     ++fit.evaluations;
     double damping = 1e-3;
-    Eigen::MatrixXd jacobian(static_cast<Eigen::Index>(here.size()), n);
+    Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(here.size()), n);
     for (int iteration = 0; iteration < iterations && n > 0; ++iteration) {
         block_weights(cases, here, weights);
         const Eigen::Map<const Eigen::VectorXd> r(here.data(), static_cast<Eigen::Index>(here.size()));
         const Eigen::Map<const Eigen::VectorXd> w(weights.data(), r.size());
         for (Eigen::Index i = 0; i < n; ++i) {
+            if (!kept.empty() && kept[static_cast<std::size_t>(i)]) continue;
             Eigen::VectorXd shifted = fit.x;
             double step = 1e-4 * std::max(0.1, std::abs(candidate.parameter(static_cast<std::size_t>(i)).prior));
             if (candidate.parameter(static_cast<std::size_t>(i)).logarithmic) step = 1e-4;
@@ -206,27 +214,37 @@ LevelFit descend(const std::vector<Case>& cases, const Candidate& candidate, con
 LevelFit search_rough(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales,
                       Eigen::VectorXd x, double omega, int evaluations, double first_step)
 {
+    return search_block(cases, candidate, scales, std::move(x), omega, evaluations, first_step, {});
+}
+
+LevelFit search_block(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales,
+                      Eigen::VectorXd x, double omega, int evaluations, double first_step, const Kept& kept)
+{
     LevelFit fit;
     const auto n = static_cast<Eigen::Index>(candidate.parameter_count());
+    fit.x = bounded(candidate, std::move(x));
+    std::vector<Eigen::Index> free;
+    for (Eigen::Index i = 0; i < n; ++i)
+        if (kept.empty() || !kept[static_cast<std::size_t>(i)]) free.push_back(i);
     int count = 0;
+    Eigen::VectorXd at = fit.x;
     const auto objective = [&](const std::vector<double>& values) {
         ++count;
-        const Eigen::VectorXd at = Eigen::Map<const Eigen::VectorXd>(values.data(), n);
+        for (std::size_t k = 0; k < free.size(); ++k) at[free[k]] = values[k];
         return evaluate(cases, candidate, in_si(candidate, at, scales), omega).objective;
     };
     Minimisation rough{SearchMethod::simplex, {}, {}, evaluations};
     rough.ftol_rel = 1e-4;
     std::vector<double> start;
-    x = bounded(candidate, std::move(x));
-    for (Eigen::Index i = 0; i < n; ++i) {
+    for (const auto i : free) {
         const auto& p = candidate.parameter(static_cast<std::size_t>(i));
         rough.bounds.low.push_back(p.logarithmic ? std::log(p.low) : p.low);
         rough.bounds.high.push_back(p.logarithmic ? std::log(p.high) : p.high);
         rough.first_step.push_back(first_step * (p.logarithmic ? 1 : std::max(0.1, std::abs(p.prior))));
-        start.push_back(x[i]);
+        start.push_back(fit.x[i]);
     }
     start = minimum(rough, objective, std::move(start));
-    fit.x = Eigen::Map<const Eigen::VectorXd>(start.data(), n);
+    for (std::size_t k = 0; k < free.size(); ++k) fit.x[free[k]] = start[k];
     fit.evaluation = evaluate(cases, candidate, in_si(candidate, fit.x, scales), omega);
     fit.information = Eigen::MatrixXd::Zero(n, n);
     fit.evaluations = count + 1;

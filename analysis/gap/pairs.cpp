@@ -1,3 +1,4 @@
+#include "analysis/gap/block.h"
 #include "analysis/gap/excerpt.h"
 #include "analysis/gap/search.h"
 #include "analysis/gap/seeds.h"
@@ -33,20 +34,58 @@ Eigen::VectorXd join(const Pair& p, const Eigen::VectorXd& of_a, const Eigen::Ve
     return x;
 }
 
-/// A first look: from where both came to alone, and from the second started afresh on what the first leaves.
+/// A first look: from where both came to alone, and from the second started afresh on what the first leaves. Play and
+/// limits are searched while the first keeps its values.
 void look_at(Pair& p, const std::vector<Case>& brief, const Scales& scales, double omega)
 {
-    std::vector<Eigen::VectorXd> from{join(p, p.a->x[0], p.b->x[0])};
+    std::vector<std::pair<double, Eigen::VectorXd>> from;
+    const auto add = [&](const Eigen::VectorXd& of_b) {
+        const Eigen::VectorXd x = join(p, p.a->x[0], of_b);
+        from.emplace_back(evaluate(brief, p.both, in_si(p.both, x, scales), omega).objective, x);
+    };
     const auto held = in_si(p.a->candidate, p.a->x[0], scales);
-    double least = infinity;
-    Eigen::VectorXd chosen;
-    for (const auto& x : starts(brief, scales, p.b->candidate, p.a->candidate, held)) {
-        const Eigen::VectorXd start = join(p, p.a->x[0], x);
-        const double objective = evaluate(brief, p.both, in_si(p.both, start, scales), omega).objective;
-        if (objective < least) least = objective, chosen = start;
+    for (const auto& x : starts(brief, scales, p.b->candidate, p.a->candidate, held)) add(x);
+    std::stable_sort(from.begin(), from.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    const bool second_jagged = jagged(p.b->candidate);
+    from.resize(std::min<std::size_t>(second_jagged ? 2 : 1, from.size()));
+    add(p.b->x[0]);
+    Kept kept;
+    for (std::size_t i = 0; i < p.both.effects.size(); ++i)
+        kept.resize(kept.size() + p.both.count_of(*p.both.forms[i]), p.both.effects[i] == p.a->candidate.effects[0]);
+    int evaluations = 0;
+    for (const auto& [objective, x] : from) {
+        LevelFit fit;
+        if (second_jagged)
+            fit = search_block(brief, p.both, scales, x, omega,
+                               2 * first_effort * static_cast<int>(p.b->candidate.parameter_count()), 0.3, kept);
+        else
+            fit = descend_block(brief, p.both, scales, x, omega, first_look, jagged(p.a->candidate) ? kept : Kept{});
+        evaluations += fit.evaluations;
+        if (p.fit.x.size() == 0 || fit.evaluation.objective < p.fit.evaluation.objective) p.fit = fit;
     }
-    if (chosen.size()) from.push_back(chosen);
-    p.fit = best_of(brief, scales, p.both, from, omega, first_effort, first_look);
+    p.fit.evaluations = evaluations + static_cast<int>(from.size());
+}
+
+/// The best single in its other forms: which form it has may show only beside its partner.
+std::vector<Attribution> other_forms(const std::vector<Attribution>& singles, const std::vector<Case>& brief,
+                                     std::size_t records, const Scales& scales, double omega,
+                                     const ParallelFor& parallel)
+{
+    std::vector<Attribution> others;
+    if (singles.empty() || two_mass_edit(singles[0].candidate)) return others;
+    const Candidate& best = singles[0].candidate;
+    for (const auto& form : best.effects[0]->forms) {
+        Attribution other;
+        other.candidate = {best.effects, {&form}, records};
+        const bool own = form.own > 0 && records < 2;
+        if (&form != best.forms[0] && !own && other.candidate.applies(brief[0].joint)) others.push_back(other);
+    }
+    parallel(others.size(), [&](std::size_t i) {
+        const auto from = starts(brief, scales, others[i].candidate, {}, {});
+        if (!from.empty()) others[i].x.fill(best_of(brief, scales, others[i].candidate, from, omega).x);
+    });
+    std::erase_if(others, [](const Attribution& a) { return a.x[0].size() == 0; });
+    return others;
 }
 
 }  // namespace
@@ -57,12 +96,16 @@ std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales&
 {
     const double omega = screening_level(nominal);
     const auto brief = excerpts(cases, omega, brief_ticks, coarse);
+    const auto forms = other_forms(singles, brief, cases.size(), scales, omega, parallel);
     std::vector<Pair> simple, divided;
+    for (const auto& form : forms)
+        for (std::size_t j = 1; j < singles.size(); ++j)
+            if (!two_mass_edit(singles[j].candidate)) simple.push_back(pair_of(form, singles[j], cases.size()));
     for (std::size_t i = 0; i < std::min(partners, singles.size()); ++i)
         for (std::size_t j = i + 1; j < singles.size(); ++j) {
             const bool a = two_mass_edit(singles[i].candidate), b = two_mass_edit(singles[j].candidate);
-            // divided masses cost ten times as much: only the best single looks for one
-            if ((a && b) || (i > 0 && (a || b))) continue;
+            // divided masses cost ten times as much: they look for a partner only where they are best
+            if ((a && b) || (i > 0 && a)) continue;
             (a || b ? divided : simple).push_back(pair_of(singles[i], singles[j], cases.size()));
         }
     std::vector<Attribution> pairs;
@@ -86,7 +129,13 @@ std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales&
     };
     screen(simple, simple_finalists);
     if (!divided.empty() && (pairs.empty() || !pairs[0].accepted)) screen(divided, divided_finalists);
-    return pairs;
+    // of every pair its best form: the others are no rivals
+    std::vector<Attribution> best;
+    for (auto& p : pairs)
+        if (std::none_of(best.begin(), best.end(),
+                         [&](const auto& b) { return b.candidate.effects == p.candidate.effects; }))
+            best.push_back(std::move(p));
+    return best;
 }
 
 }  // namespace stickslip::gap

@@ -1,5 +1,6 @@
 #include "analysis/gap/search.h"
 
+#include "analysis/gap/block.h"
 #include "analysis/gap/excerpt.h"
 
 #include <algorithm>
@@ -30,9 +31,30 @@ bool better(const Attribution& a, const Attribution& b)
 LevelFit improve(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales,
                  const Eigen::VectorXd& x, double omega, int effort, int descents)
 {
-    if (jagged(candidate))
-        return search_rough(cases, candidate, scales, x, omega, effort * static_cast<int>(candidate.parameter_count()));
-    return descend(cases, candidate, scales, x, omega, descents);
+    if (!jagged(candidate)) return descend(cases, candidate, scales, x, omega, descents);
+    Kept smooth, rough;  // which parameters the misfit is jagged in, and which not
+    for (const auto* f : candidate.forms) {
+        smooth.resize(smooth.size() + candidate.count_of(*f), !f->rough);
+        rough.resize(smooth.size(), f->rough);
+    }
+    const auto searched = static_cast<int>(std::count(rough.begin(), rough.end(), 1));
+    constexpr double first_step = 0.3;
+    if (searched == static_cast<int>(rough.size()))
+        return search_rough(cases, candidate, scales, x, omega, effort * searched, first_step);
+    // in turn: a simplex over all of them would get lost
+    constexpr int turns = 2;
+    LevelFit fit;
+    fit.x = x;
+    int evaluations = 0;
+    for (int turn = 0; turn < turns; ++turn) {
+        fit = descend_block(cases, candidate, scales, fit.x, omega, std::max(2, descents / 3), rough);
+        evaluations += fit.evaluations;
+        fit = search_block(cases, candidate, scales, fit.x, omega, effort * searched / turns,
+                           turn == 0 ? first_step : 0.1 * first_step, smooth);
+        evaluations += fit.evaluations;
+    }
+    fit.evaluations = evaluations;
+    return fit;
 }
 
 LevelFit best_of(const std::vector<Case>& cases, const Scales& scales, const Candidate& candidate,

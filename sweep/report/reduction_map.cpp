@@ -70,7 +70,7 @@ std::vector<int> signs(const GrowthAt& growth, const Axis& x, const Axis& y)
 
 /// One reduction over the chart.
 struct Compared {
-    std::string name, model, assumption;
+    std::string model, assumption;
     LineChart::Line line;
     double wrong_stable = 0, wrong_unstable = 0;  ///< shares of the chart that it calls so wrongly
 };
@@ -91,7 +91,6 @@ std::optional<Figure> reduction_map(const Joint& design, const Slice& slice)
         Compared c;
         try {
             const auto reduced = reduction.reduce(joint);
-            c.name = reduced.name;
             c.model = reduced.model;
         } catch (const std::invalid_argument&) {
             continue;  // the section on reductions says why
@@ -117,7 +116,7 @@ std::optional<Figure> reduction_map(const Joint& design, const Slice& slice)
     chart.lines.back().dashed = false;
     std::string errors;
     for (auto& c : all) {
-        errors += " " + c.name + " (assumes " + c.assumption + "): wrong on " +
+        errors += " " + c.model + " (assumes " + c.assumption + "): wrong on " +
                   percent(c.wrong_stable + c.wrong_unstable) + " of the chart, stable by mistake on " +
                   percent(c.wrong_stable) + ".";
         if (c.line.x.empty()) errors += " It has no boundary here.";
@@ -126,7 +125,7 @@ std::optional<Figure> reduction_map(const Joint& design, const Slice& slice)
     const auto best = std::min_element(all.begin(), all.end(), [](const Compared& a, const Compared& b) {
         return a.wrong_stable + a.wrong_unstable < b.wrong_stable + b.wrong_unstable;
     });
-    const std::string finding = "Of the reductions \"" + best->name + "\" judges this chart best: wrongly on " +
+    const std::string finding = "Of the reductions, " + best->model + " judges this chart best: wrongly on " +
                                 percent(best->wrong_stable + best->wrong_unstable) + " of it.";
     return line_figure(chart_id("reductions", slice.x, slice.y), std::move(chart), finding,
                        "Solid: the full joint, with memory. Dashed: what each reduction of Figs. 4 to 7 makes of it, "

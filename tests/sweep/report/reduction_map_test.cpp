@@ -58,6 +58,6 @@ TEST_CASE("reductions stand beside the full joint in one chart, each with its sh
     }
     CHECK(least_x == Approx(rigid).epsilon(2e-2));
     CHECK(least_y == Approx(as_source).epsilon(0.1));
-    CHECK(figure->finding.find("rigid transmission") != std::string::npos);
+    CHECK(figure->finding.find("one mass, all rigid") != std::string::npos);
     CHECK_FALSE(reduction_map(samples::single_mass(1), slice));
 }

@@ -72,6 +72,8 @@ bool print(const char* title, const std::vector<Joint>& joints, std::vector<Comp
     const auto path = worst(&Compared::path_spectrum);
     std::printf("  the CVODE path of the product, in SI: largest error of growth against the spectrum %.3g\n",
                 path->path_spectrum);
+    std::printf("  rows that lanes left to CVODE: largest error of growth against the spectrum %.3g\n",
+                worst(&Compared::left_over_spectrum)->left_over_spectrum);
     const bool period = show("period", &Compared::period, period_bound);
     const bool amplitude = show("amplitude", &Compared::amplitude, amplitude_bound);
     return growth && period && amplitude && mismatches == 0 &&

@@ -72,7 +72,8 @@ struct Compared {
     double true_growth = missing;  ///< 1/s, by CVODE counting from steady sliding
     double growth = 0, period = 0, amplitude = 0;
     double rest = 0;                              ///< difference of the shares of the period at rest
-    double row_spectrum = 0, truth_spectrum = 0;  ///< growth rates of both against the spectral abscissa
+    double row_spectrum = 0, truth_spectrum = 0;  ///< growth rates of lanes and truth against the spectral abscissa
+    double left_over_spectrum = 0;                ///< the same of rows that lanes leave to the reference
     double path_spectrum = 0;  ///< the same of the product's CVODE path, which works in SI and carries whole forces
 
     bool same_outcome() const
@@ -113,7 +114,8 @@ inline std::vector<Compared> compare_with_cvode(std::span<const Joint> joints, b
         c.true_growth = growth_by_cvode(joints[i]);
         c.growth = relative_error(c.row.growth_rate, c.true_growth);
         const double abscissa = linear_point(joints[i]).spectral_abscissa;
-        c.row_spectrum = relative_error(c.row.growth_rate, abscissa);
+        const bool by_lanes = c.row.path == DecisionPath::lanes;
+        (by_lanes ? c.row_spectrum : c.left_over_spectrum) = relative_error(c.row.growth_rate, abscissa);
         c.truth_spectrum = relative_error(c.true_growth, abscissa);
         c.path_spectrum = relative_error(c.truth.growth_rate, abscissa);
         c.period = relative_error(c.row.period, c.truth.period);

@@ -81,8 +81,11 @@ class Mechanics {
             return;
         }
         const double link = plant_.feedback_link ? q : q / plant_.ratio;
-        const double stretch = -load_force(plant_.load, link, ticks_.time[k]) / plant_.stiffness;
-        const double play = plant_.backlash == 0 || stretch == 0 ? 0 : std::copysign(0.5 * plant_.backlash, stretch);
+        const double load = load_force(plant_.load, link, ticks_.time[k]);
+        // a load that the link's own friction holds leaves open where in its play the link rests: the middle is nearest
+        const bool resting = plant_.backlash > 0 && std::abs(load) <= plant_.link.coulomb;
+        const double stretch = resting ? 0 : -load / plant_.stiffness;
+        const double play = stretch == 0 ? 0 : std::copysign(0.5 * plant_.backlash, stretch);
         if (plant_.feedback_link) {
             state.link_position = q;
             state.motor_position = plant_.ratio * (q + stretch + play);
@@ -146,11 +149,13 @@ class Mechanics {
         }
         const double to_motor = plant_.feedback_link ? plant_.ratio : 1,
                      to_link = plant_.feedback_link ? 1 : 1 / plant_.ratio;
+        // inside the play the link flies on its own: an encoder on the motor says nothing about it, and its noise would
+        // be fed into a body that nothing calms. In contact it moves along
+        const double apart = state.motor_position / plant_.ratio - state.link_position;
+        const bool flying = plant_.backlash > 0 && beyond_play(apart, plant_.backlash) == 0;
         state.motor_position += to_motor * dq;
         state.motor_velocity += to_motor * dv;
-        // inside the play the link flies on its own: an encoder on the motor says nothing about it, and its noise would
-        // be fed into a body that nothing calms
-        if (plant_.backlash > 0 && !plant_.feedback_link) return;
+        if (flying && !plant_.feedback_link) return;
         state.link_position += to_link * dq;
         state.link_velocity += to_link * dv;
     }

@@ -183,3 +183,62 @@ TEST_CASE("two masses with a stiff spring move like one", "[gap]")
     predict(flatten(two), ticks, ticks.command, 0, b);
     CHECK(b.position[799] == Approx(a.position[799]).epsilon(2e-3));
 }
+
+namespace {
+
+/// Motor 0.4 kg and link 0.6 kg with 20 mm of play; friction on the link only.
+Joint playing_masses(double link_coulomb, double load)
+{
+    Joint joint = sliding_mass(1, 0, 0);
+    CoulombViscous held;
+    held.coulomb = link_coulomb;
+    held.viscous = 0;
+    joint.mechanism.model = Model::two_mass;
+    joint.mechanism.motor_inertia = 0.4;
+    joint.mechanism.link_inertia = 0.6;
+    joint.mechanism.transmission.stiffness = 1e6;
+    joint.mechanism.transmission.damping = 300;
+    joint.mechanism.transmission.backlash = 0.02;
+    joint.frictions.motor = joint.friction;
+    joint.frictions.link = joint.friction;
+    joint.frictions.link.law = held;
+    joint.load.constant = load;
+    return joint;
+}
+
+}  // namespace
+
+TEST_CASE("a link that its friction holds starts in the middle of its play", "[gap]")
+{
+    for (const double load : {0.1, -0.1}) {
+        Record record = at_ticks(300, 1e-3);
+        for (double& u : record.effort_command) u = 1;
+        const Joint joint = playing_masses(5, load);
+        const Ticks ticks = on_clock(record, joint);
+        Innovation run;
+        predict(flatten(joint), ticks, ticks.command, 0, run);
+        // free flight q = (u / 2 J) t² over half the play, then the link holds the motor
+        const double contact = std::sqrt(2 * 0.01 * 0.4 / 1);
+        const auto before = static_cast<std::size_t>(contact / 1e-3) - 1;
+        CHECK(run.velocity[before] == Approx(before * 1e-3 / 0.4).epsilon(1e-6));
+        CHECK(std::abs(run.velocity[before + 20]) < 0.8 * run.velocity[before]);
+    }
+}
+
+TEST_CASE("an observer on the motor carries along a link that presses on it", "[gap]")
+{
+    const Joint two = playing_masses(0, -2);
+    Joint one = sliding_mass(1, 0, 0);
+    one.load.constant = -2;
+    Record record = at_ticks(600, 1e-3);
+    for (double& u : record.effort_command) u = 2;
+    for (std::size_t k = 100; k < record.rows(); ++k) record.position[k] = 1e-3;  // the encoder says it moved
+    for (const double omega : {110.0, 20.0}) {
+        Innovation divided, whole;
+        const Ticks of_two = on_clock(record, two), of_one = on_clock(record, one);
+        predict(flatten(two), of_two, of_two.command, omega, divided);
+        predict(flatten(one), of_one, of_one.command, omega, whole);
+        for (std::size_t k = 100; k < record.rows(); ++k)
+            REQUIRE(divided.position[k] == Approx(whole.position[k]).margin(2e-5));
+    }
+}

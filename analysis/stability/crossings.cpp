@@ -96,7 +96,8 @@ double gain_at(const LinearMass& mass, double u)
 std::vector<Crossing> crossings(const LinearMass& mass)
 {
     std::vector<Crossing> found;
-    if (mass.friction.states == 1) {
+    const bool usual = mass.friction.states == 1 && mass.k_v + mass.friction.f_v > 0 && mass.friction.weight(0) > 0;
+    if (usual) {
         // with C > 0 and a positive kernel a rising gain turns the joint stable: (28)
         if (const auto critical = critical_gain(mass.inertia, mass.k_v, mass.friction))
             found.push_back({critical->k_p, critical->omega, -1});

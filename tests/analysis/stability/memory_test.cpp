@@ -184,3 +184,19 @@ TEST_CASE("friction of the transmitted load is as a heavier mass on weaker gains
     joint.friction.load_coefficient = 0.2;
     CHECK(linear_verdict(joint).state_variable.k_cr == Approx(55000 / 0.8).epsilon(1e-12));
 }
+
+TEST_CASE("a kernel that is negative like the damping loses stability at a rising gain", "[stability]")
+{
+    // m s³ + (C − mλ) s² + (k_p − Cλ − w) s − k_p λ with C < 0, w < 0: Routh's condition holds below one k_p
+    LuGre law;
+    law.sigma0 = 1e5, law.sigma1 = 1000, law.sigma2 = 0.4, law.coulomb = 1, law.breakaway = 1.5;
+    law.stribeck_velocity = 1e-2;
+    const auto verdict = linear_verdict(with_law(law, 7.0710678e-3, 200, 1.34e6)).state_variable;
+    REQUIRE(verdict.crossings.size() == 1);
+    CHECK(verdict.crossings[0].k_p == Approx(1350232.156).epsilon(1e-8));
+    REQUIRE(verdict.stable_intervals.size() == 1);
+    CHECK(verdict.stable_intervals[0].low == 0);
+    CHECK(verdict.stable_intervals[0].high == Approx(1350232.156).epsilon(1e-8));
+    CHECK(verdict.stable);
+    CHECK_FALSE(linear_verdict(with_law(law, 7.0710678e-3, 200, 1.36e6)).state_variable.stable);
+}

@@ -253,7 +253,10 @@ TEST_CASE("an evaluation that throws ends the run with its message and keeps wha
     options.engine.threads = 2;
     std::atomic<int> evaluated = 0;
     const auto evaluate = point_by_point([&](const Joint& joint) {
-        if (++evaluated == 500) throw std::runtime_error("evaluation failed");
+        const int number = ++evaluated;
+        if (number == 500) throw std::runtime_error("evaluation failed");
+        if (number > 500)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));  // or it ends before it can hear of it
         return toy_point(joint);
     });
     CHECK_THROWS_WITH(run_sweep(p, joint(), evaluate, options), "evaluation failed");

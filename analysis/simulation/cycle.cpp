@@ -10,6 +10,8 @@
 namespace stickslip {
 namespace {
 
+constexpr double amplitude_precision = 1e-4;  ///< of a cycle, per amplitude
+
 double slope(const Flow& flow, const FlowVector& y)
 {
     FlowVector rate;
@@ -121,8 +123,6 @@ Eigen::VectorXcd floquet_multipliers(const Flow& flow, const Revolution& closed)
     std::sort(values.begin(), values.end(), [](const auto& a, const auto& b) { return std::abs(a) > std::abs(b); });
     return values;
 }
-
-constexpr double amplitude_precision = 1e-4;  ///< of a cycle, per amplitude
 
 std::optional<Cycle> find_cycle(const Flow& flow, const FlowVector& guess, const CycleOptions& options)
 {

@@ -17,7 +17,6 @@ constexpr double probe_size = 1e-4;   ///< of V_0: the one whose growth is measu
 constexpr double growth_fineness = 1e-2;
 constexpr double finest_tolerance = 1e-13;  ///< beside forces of some N whose rounding enters
 constexpr double settled_size = 1e-5;       ///< of V_0: steady sliding again
-constexpr double measurable_growth = 1e-6;  ///< per |s|; below, the spectrum decides
 constexpr double closed = 1e-6;             ///< relative gap of a closed orbit
 constexpr double turn_limit_in_turns = 1e3;
 constexpr int settling_turns = 60;  ///< before a motion that does not close is tested for longer repeats
@@ -28,7 +27,7 @@ constexpr int settling_turns = 60;  ///< before a motion that does not close is 
 /// of steady sliding cancel the even powers of the disturbance.
 double measured_growth(const DelayedJoint& joint, std::complex<double> s, double rtol)
 {
-    const double window = std::min(2 * std::numbers::pi / std::abs(s.imag()), std::log(3.0) / std::abs(s.real()));
+    const double window = growth_window(s);
     const double start = probe_size * joint.V0 * natural_time(joint);
     const double slope = steady_slope(joint.curve, joint.V0);
     const std::complex<double> by_position = -joint.k_p / (joint.inertia * s);

@@ -2,6 +2,11 @@
 #pragma once
 #include "analysis/results/point.h"
 
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
 namespace stickslip {
 
 /// What a disturbance changes of steady sliding. `position` and `velocity` keep the balance of forces by the state
@@ -23,5 +28,15 @@ struct Disturbance {
 };
 
 inline constexpr double small_disturbance = 1e-6;
+
+/// How much of |s| a measured growth rate must be before its sign is believed; below, the spectrum decides.
+inline constexpr double measurable_growth = 1e-6;
+
+/// Over which the growth of a small disturbance along the mode s is measured: one turn, or a factor of 3 if that comes
+/// first.
+inline double growth_window(std::complex<double> s)
+{
+    return std::min(2 * std::numbers::pi / std::abs(s.imag()), std::log(3.0) / std::abs(s.real()));
+}
 
 }  // namespace stickslip

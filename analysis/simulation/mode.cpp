@@ -50,13 +50,6 @@ double small_size(double V0, double k_p, double inertia, const SlowMode& mode, D
 
 }  // namespace
 
-double SlowMode::window() const
-{
-    const double turn = 2 * std::numbers::pi / std::abs(s.imag());
-    const double factor = std::log(3.0) / std::abs(s.real());
-    return std::min(turn, factor);
-}
-
 SlowMode slow_mode(const Flow& flow)
 {
     SlowMode mode;

@@ -32,8 +32,7 @@ struct SlowMode {
     {
         return std::abs((left.transpose() * (y - steady).cast<std::complex<double>>())(0));
     }
-    /// Over which the growth of a small disturbance is measured: one turn, or a factor of 3 if that comes first.
-    double window() const;
+    double window() const { return growth_window(s); }
 };
 SlowMode slow_mode(const Flow& flow);
 

@@ -19,9 +19,6 @@ namespace {
 /// friction then differs by nine e-folds of V, or the joint is at rest with its spring wound up.
 constexpr double slow_start = 1e-4;
 
-/// How much of |s| a growth rate must be before its sign is believed; below, the spectrum decides.
-constexpr double measurable_growth = 1e-6;
-
 /// Share of rtol that holds while growth is measured: multistep methods add up their errors over a turn.
 constexpr double growth_fineness = 1e-2;
 

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <vector>
 
 #include "analysis/simulation/lanes/grouping.h"
 #include "analysis/simulation/lanes/stribeck_batch.h"
-
-#include "analysis/simulation/mode.h"
 #include "analysis/stability/polynomial.h"
 #include "analysis/stability/steady.h"
 

@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <complex>
-#include <numbers>
 
 #include "analysis/joint/joint.h"
 #include "analysis/simulation/mode.h"
@@ -34,11 +33,6 @@ inline bool single(const Joint& joint)
            joint.control.force_gain == 0;
 }
 
-/// One turn of the mode s, or a factor of 3 if that comes first.
-inline double growth_window(std::complex<double> s)
-{
-    return std::min(2 * std::numbers::pi / std::abs(s.imag()), std::log(3.0) / std::abs(s.real()));
-}
 /// Share of rtol that holds while its growth is measured.
 inline double growth_fineness(std::complex<double> s, double window)
 {

@@ -2,15 +2,13 @@
 
 #include <algorithm>
 
+#include "analysis/simulation/disturbance.h"
 #include "analysis/simulation/hermite.h"
 
 namespace stickslip::lanes {
 namespace {
 
-constexpr double closure = 3e-7;  ///< remaining distance to the fixed point of the return map, per amplitude
-constexpr double kick = 1.0;      ///< size of w, p or K X to which a growing disturbance is lifted
-constexpr double uncertain_multiplier = 0.995;  ///< beyond, the reference decides
-constexpr double measurable_growth = 1e-6;      ///< per |s|; below, the spectrum decides
+constexpr double kick = 1.0;  ///< size of w, p or K X to which a growing disturbance is lifted
 
 /// The dense output of one component (rodas5p_table.h).
 struct Dense {

@@ -4,6 +4,9 @@
 
 namespace stickslip::lanes {
 
+inline constexpr double closure = 3e-7;  ///< remaining distance to the fixed point of the return map, per amplitude
+inline constexpr double uncertain_multiplier = 0.995;  ///< beyond, the reference decides
+
 struct Point {
     double a = 0, b = 0;  ///< K X and p: both in units of A
 };

@@ -2,18 +2,16 @@
 
 #include <algorithm>
 
+#include "analysis/simulation/disturbance.h"
 #include "analysis/simulation/hermite.h"
 #include "analysis/simulation/near_rest.h"
 
 namespace stickslip::lanes {
 namespace {
 
-constexpr double closure = 3e-7;      ///< remaining distance to the fixed point of the return map, per amplitude
 constexpr double equal_turns = 1e-9;  ///< gap of two turns that stick, per amplitude
 constexpr double kick = 0.1;          ///< size of X and u to which a growing disturbance is lifted
 constexpr double first_share = 1e-2;  ///< of the fastest time at rest: the first step out of it
-constexpr double uncertain_multiplier = 0.995;  ///< beyond, the reference decides
-constexpr double measurable_growth = 1e-6;      ///< per |s|; below, the spectrum decides
 
 class Dense {
   public:

@@ -83,7 +83,7 @@ void check_instruction_sets(const std::vector<Job>& jobs)
     }
 }
 
-void check_against_cvode(const std::vector<Joint>& joints, bool region)
+void check_against_cvode(const std::vector<Joint>& joints, bool region, double least_share)
 {
     int by_lanes = 0, undecided = 0;
     for (const auto& c : compare_with_cvode(joints, region)) {
@@ -97,7 +97,7 @@ void check_against_cvode(const std::vector<Joint>& joints, bool region)
         undecided += c.undecided();
     }
     CHECK(undecided == 0);
-    CHECK(by_lanes > 0.7 * static_cast<double>(joints.size()));
+    CHECK(by_lanes > least_share * static_cast<double>(joints.size()));
 }
 
 }  // namespace
@@ -159,10 +159,10 @@ TEST_CASE("what lanes do not cover falls to the reference and says so", "[lanes]
 // more of them, with figures: benchmark_simulation_accuracy
 TEST_CASE("lanes against CVODE at rtol 1e-11: random joints", "[lanes]")
 {
-    check_against_cvode(random_joints(30, 21), false);
-    check_against_cvode(random_joints(15, 22), true);
-    check_against_cvode(random_stribeck_joints(60, 23), false);
-    check_against_cvode(random_stribeck_joints(60, 24), true);
+    check_against_cvode(random_joints(30, 21), false, 0.9);
+    check_against_cvode(random_joints(15, 22), true, 0.9);
+    check_against_cvode(random_stribeck_joints(60, 23), false, 0.7);
+    check_against_cvode(random_stribeck_joints(60, 24), true, 0.7);
 }
 
 TEST_CASE("stick-slip of a Stribeck joint with its sticking in closed form", "[lanes]")

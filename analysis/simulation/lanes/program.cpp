@@ -190,7 +190,7 @@ Action Program::end_of_turn(const StepView& step, double fraction)
     if (on_turn_) {
         ++answer_.turns;
         answer_.period = step.t + fraction * step.h;
-        const auto state = secants_.next(turn_start_, end, phase_ == Phase::search, closure, start);
+        const auto state = secants_.next(turn_start_, end, phase_ == Phase::search, start);
         answer_.multiplier = secants_.multiplier();
         if (state == SecantSearch::State::closed) {
             if (answer_.multiplier > uncertain_multiplier) return give_up();

@@ -41,7 +41,7 @@ class SecantSearch {
 
     /// Takes P(start) and gives the start of the next turn.
     /// `may_vanish` says that the motion may also decay to steady sliding, which no step may then anticipate.
-    State next(Point start, Point end, bool may_vanish, double closure, Point& proposal)
+    State next(Point start, Point end, bool may_vanish, Point& proposal)
     {
         const Point gap = end - start;
         const double size = length(end);

@@ -150,7 +150,7 @@ Action StribeckProgram::end_of_turn(double X, double h)
             secants_.forget();
         } else {
             Point next;
-            const auto state = secants_.next({turn_start_, 0}, {X, 0}, searching, closure, next);
+            const auto state = secants_.next({turn_start_, 0}, {X, 0}, searching, next);
             answer_.multiplier = secants_.multiplier();
             if (state == SecantSearch::State::closed) {
                 if (answer_.multiplier > uncertain_multiplier) return give_up();

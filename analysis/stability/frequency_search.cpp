@@ -1,6 +1,7 @@
 #include "analysis/stability/frequency_search.h"
 
 #include <algorithm>
+#include <span>
 
 #include "analysis/boundary/root.h"
 #include "analysis/stability/characteristic.h"
@@ -13,6 +14,8 @@ using DualBox = Dual<Box>;
 constexpr double narrowest = 1e-9;            // relative width of a band that is given up
 constexpr int most_bands = 500'000;           // of one search
 constexpr std::size_t most_doubtful = 1'000;  // beyond, rounding decides everything and a search finds nothing
+constexpr int most_bands_of_a_count = 100'000;
+constexpr double hopeless_phase = 1e3 * most_bands;  // rad; of the longest delay: not even low gains get searched
 
 /// G(σ + iω) and its derivative by ω for every ω of a band.
 DualBox transfer_over(const LinearFriction& f, double sigma, const Band& omega)
@@ -89,6 +92,14 @@ double resistance_bound(const LinearFriction& f, double sigma)
     return sum;
 }
 
+double longest_delay(const LinearJoint& j)
+{
+    double longest = 0;
+    for (const LinearFriction& f : std::span(j.friction).first(j.bodies))
+        for (const auto& d : f.delays) longest = std::max(longest, d.time);
+    return longest;
+}
+
 }  // namespace
 
 double frequency_bound(const LinearJoint& j, double gain_limit, double sigma, double share)
@@ -113,6 +124,11 @@ CrossingSearch search_crossings(const LinearJoint& j, double gain_limit)
     CrossingSearch found;
     found.searched_to = gain_limit;
     const double end = frequency_bound(j, gain_limit);
+    if (longest_delay(j) * end > hopeless_phase) {
+        found.exhausted = true;
+        found.searched_to = 0;
+        return found;
+    }
     std::vector<Band> open;
     // from the top down, so that a search that runs out of bands has cleared the low frequencies
     const int pieces = 64;
@@ -157,6 +173,7 @@ std::optional<int> roots_right_of(const LinearJoint& j, double sigma)
 {
     const double share = 1.0 / (4 * j.bodies);
     const double end = frequency_bound(j, std::abs(j.k_p), std::min(sigma, 0.0), share) + std::abs(sigma);
+    if (longest_delay(j) * end > most_bands_of_a_count) return std::nullopt;  // less than a band a radian of its phase
     const auto value = [&](double w) { return closed_loop(j, {sigma, w}).value; };
     const auto value_over = [&](const Band& w) {
         const auto loop = [&](const Band& band) {
@@ -171,7 +188,7 @@ std::optional<int> roots_right_of(const LinearJoint& j, double sigma)
     for (int i = pieces; i-- > 0;) open.push_back({end * i / pieces, end * (i + 1) / pieces});
     double turned = 0;  // arg F along the line from σ to σ + i end
     for (int used = 0; !open.empty(); ++used) {
-        if (used > most_bands) return std::nullopt;
+        if (used > most_bands_of_a_count) return std::nullopt;
         const Band band = open.back();
         open.pop_back();
         if (!value_over(band).contains_zero()) {

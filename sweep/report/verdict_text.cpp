@@ -45,7 +45,8 @@ std::string asked_by_velocity(const Joint& joint, double k_v_min)
 std::string verdict_text(const Joint& joint, const LinearVerdict& v)
 {
     const auto motion = joint.mechanism.motion;
-    if (v.steady.reason != Reason::none) return "Undecided: the design point has no steady sliding.";
+    if (v.steady.reason == Reason::no_steady_state) return "Undecided: the design point has no steady sliding.";
+    if (v.steady.reason != Reason::none) return "Undecided at the design point: " + reason_text(v.steady.reason) + ".";
     const auto speed = with_unit(v.steady.velocity, Quantity::velocity, motion);
     const auto& memory = v.state_variable;
     std::string text = memory.stable ? "Stable: small disturbances of sliding at " + speed + " decay."

@@ -19,7 +19,7 @@ PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 CASES = int(sys.argv[2]) if len(sys.argv) > 2 else 300
 SEED = int(sys.argv[3]) if len(sys.argv) > 3 else 20261121
 JOBS = int(sys.argv[4]) if len(sys.argv) > 4 else 2
-CPU_SECONDS = 30  # of one case; ordinary numbers take less than one
+CPU_SECONDS = 60  # of one case; a scan for folds follows 41 motions at up to a second each, all else takes less
 WALL_SECONDS = 900  # nothing may wait for ever without computing
 CODES = {0, 1, 2, 4}
 EXTREMES = ["0", "5e-324", "1e-308", "1e-300", "1e-150", "1e150", "1e300", "1.7e308", "-1e-300", "-1e300"]
@@ -106,7 +106,7 @@ def command(verb, name, text, sets, folder, number):
         return ["sweep", changed, "-o", folder / f"{number}", "--threads", "1", "--json", "--no-report"]
     if verb == "diagnose":
         changed.write_text(with_values(text, sets))
-        return ["diagnose", changed, folder / "record.csv", "--threads", "1", "--json", "--no-report"]
+        return ["diagnose", changed, folder / "record.csv", "-o", folder / f"{number}", "--threads", "1", "--json", "--no-report"]
     if verb == "simulate":
         return ["simulate", joint, *flags, "-o", folder / f"{number}"]
     if verb == "boundary":

@@ -1,5 +1,6 @@
 #include "sweep/report/diagnosis_figures.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stickslip {
@@ -29,16 +30,51 @@ struct Signal {
     const std::vector<double>&measured, &before, &after;
 };
 
+/// The stretch of a trace in which the simulation before the cause errs most: over the whole of a record the lines lie
+/// on each other.
+std::pair<std::size_t, std::size_t> worst_stretch(const Signal& s)
+{
+    const std::vector<double>& time = s.trace.time;
+    constexpr double seconds = 1.5;
+    const std::size_t n = std::min({time.size(), s.measured.size(), s.before.size()});
+    if (n < 2 || time[n - 1] - time[0] <= 2 * seconds) return {0, n};
+    const auto rows =
+        std::max<std::size_t>(2, static_cast<std::size_t>(seconds / (time[n - 1] - time[0]) * static_cast<double>(n)));
+    double sum = 0, largest = -1;
+    std::size_t best = 0;
+    const auto square = [&](std::size_t k) {
+        const double e = s.measured[k] - s.before[k];
+        return std::isfinite(e) ? e * e : 0;
+    };
+    for (std::size_t k = 0; k < n; ++k) {
+        sum += square(k);
+        if (k >= rows) sum -= square(k - rows);
+        if (k + 1 >= rows && sum > largest) largest = sum, best = k + 1 - rows;
+    }
+    return {best, best + rows};
+}
+
+std::vector<double> cut(const std::vector<double>& values, std::pair<std::size_t, std::size_t> stretch)
+{
+    const auto end = std::min(stretch.second, values.size());
+    return {values.begin() + static_cast<std::ptrdiff_t>(std::min(stretch.first, end)),
+            values.begin() + static_cast<std::ptrdiff_t>(end)};
+}
+
 Figure overlay(const Signal& s)
 {
+    const auto stretch = worst_stretch(s);
+    const auto time = cut(s.trace.time, stretch);
     LineChart chart;
-    chart.title = "Measured and simulated " + s.name + ": " + s.trace.file;
+    chart.title = "Measured and simulated " + s.name + " where it is worst: " + s.trace.file;
     chart.x_label = "time [s]";
     chart.y_label = s.name + " [" + s.unit + "]";
-    chart.lines = {{"measured", s.trace.time, s.measured, false},
-                   {"simulated before", s.trace.time, s.before, true},
-                   {"simulated after", s.trace.time, s.after, true}};
-    return {s.id, chart, "The simulation follows the reference on its own; the measured motion is no part of it.",
+    chart.lines = {{"measured", time, cut(s.measured, stretch), false},
+                   {"simulated before", time, cut(s.before, stretch), true},
+                   {"simulated after", time, cut(s.after, stretch), true}};
+    return {s.id, chart,
+            "The stretch in which the joint as documented errs most. The simulation follows the reference on its own; "
+            "the measured motion is no part of it.",
             "Measured " + s.name + " over time and two simulations, before and after the cause is added"};
 }
 

@@ -3,6 +3,7 @@
 #include "sweep/report/diagnosis_figures.h"
 #include "sweep/report/diagnosis_tables.h"
 #include "sweep/report/moved_boundary.h"
+#include "sweep/report/where_drawing.h"
 
 #include <fmt/format.h>
 
@@ -167,10 +168,11 @@ Report diagnosis_report(const Diagnosis& d, const Joint& before, const Joint& af
 
     Section where{"where",
                   "Where the gap lies",
-                  "Each stage is fed with the measured signals before it; shares of efforts. Full blocks are sure, "
-                  "light ones lie within the 95 % interval.",
+                  "In the tables full blocks are sure, light ones lie within the 95 % interval; stages are compared "
+                  "as efforts on the mechanism.",
                   {},
                   {shares_table("By stage of the chain", d.signals)}};
+    if (!d.signals.empty()) where.figures.push_back(where_figure(d));
     if (!d.regimes.empty())
         where.tables.push_back(shares_table("By regime: stuck, low speed and sliding exclude each other", d.regimes));
     Section much{

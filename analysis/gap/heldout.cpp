@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace stickslip::gap {
@@ -27,19 +28,68 @@ double explained_part(double before, double after, double floor)
     return whole > 0 ? (before * before - after * after) / whole : 0;
 }
 
+void add_thirds(const std::vector<Case>& cases, std::size_t record, std::vector<Fold>& folds)
+{
+    constexpr int blocks = 3;
+    const Ticks& t = cases[record].ticks;
+    const double start = t.time.front(), length = t.duration() / blocks;
+    for (int b = 0; b < blocks; ++b)
+        folds.push_back({record, b == 0 ? std::numeric_limits<double>::lowest() : start + b * length,
+                         b + 1 == blocks ? infinity : start + (b + 1) * length});
+}
+
+/// What an effect of a cause takes off the objective in these cases, all of them together.
+double worth_of(std::size_t effect, const std::vector<Case>& cases, const Scales& scales, const Attribution& cause)
+{
+    Candidate rest;
+    rest.records = cause.candidate.records;
+    const Eigen::VectorXd& all = cause.x[level];
+    std::vector<double> kept;
+    Eigen::Index first = 0;
+    for (std::size_t i = 0; i < cause.candidate.effects.size(); ++i) {
+        const auto count = static_cast<Eigen::Index>(cause.candidate.count_of(*cause.candidate.forms[i]));
+        if (i != effect) {
+            rest.effects.push_back(cause.candidate.effects[i]);
+            rest.forms.push_back(cause.candidate.forms[i]);
+            kept.insert(kept.end(), all.data() + first, all.data() + first + count);
+        }
+        first += count;
+    }
+    const Eigen::VectorXd x = Eigen::Map<Eigen::VectorXd>(kept.data(), static_cast<Eigen::Index>(kept.size()));
+    const double with = evaluate(cases, cause.candidate, in_si(cause.candidate, all, scales), levels[level]).objective;
+    return (evaluate(cases, rest, in_si(rest, x, scales), levels[level]).objective - with) *
+           static_cast<double>(cases.size());
+}
+
 }  // namespace
 
 std::vector<Fold> folds_of(const std::vector<Case>& cases)
 {
     std::vector<Fold> folds;
-    if (cases.size() > 1) {
+    if (cases.size() > 1)
         for (std::size_t i = 0; i < cases.size(); ++i) folds.push_back({i});
-        return folds;
+    else
+        add_thirds(cases, 0, folds);
+    return folds;
+}
+
+std::vector<Fold> folds_for(const std::vector<Case>& cases, const Scales& scales, const Attribution& cause)
+{
+    if (cases.size() < 2 || cause.candidate.parameter_count() == 0) return folds_of(cases);
+    constexpr double hardly = 0.1;  // of what the effect takes off in the held-out record
+    std::vector<Fold> folds;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const auto others = without(cases, {i});
+        bool alone = false;
+        for (std::size_t e = 0; e < cause.candidate.effects.size(); ++e) {
+            const double here = worth_of(e, {cases[i]}, scales, cause);
+            alone = alone || (here > 0 && worth_of(e, others, scales, cause) < hardly * here);
+        }
+        if (alone)
+            add_thirds(cases, i, folds);
+        else
+            folds.push_back({i});
     }
-    constexpr int blocks = 3;
-    const double start = cases[0].ticks.time.front(), length = cases[0].ticks.duration() / blocks;
-    for (int b = 0; b < blocks; ++b)
-        folds.push_back({0, start + b * length, b + 1 == blocks ? infinity : start + (b + 1) * length});
     return folds;
 }
 
@@ -57,7 +107,7 @@ std::vector<Case> without(const std::vector<Case>& cases, const Fold& fold)
 HeldOut hold_out(const std::vector<Case>& cases, const std::vector<Joint>& documented, const Scales& scales,
                  const Attribution& found, int runs, const ParallelFor& parallel)
 {
-    const auto folds = folds_of(cases);
+    const auto folds = folds_for(cases, scales, found);
     std::vector<FoldResult> results(folds.size());
     parallel(folds.size(), [&](std::size_t i) {
         const Case& c = cases[folds[i].record];
@@ -88,8 +138,7 @@ HeldOut hold_out(const std::vector<Case>& cases, const std::vector<Joint>& docum
     for (const auto& r : results) {
         std::map<std::string, std::array<double, 3>> own;
         for (std::size_t s = 0; s < std::min(r.before.size(), r.after.size()); ++s) {
-            // the floor of whichever joint's runs differ less: a wrong joint may wander more than the machine
-            const double floor = std::max(std::min(r.before[s].floor, r.after[s].floor), 1e-300);
+            const double floor = std::max(r.before[s].floor, 1e-300);
             own[r.before[s].signal] = {r.before[s].difference, r.after[s].difference, floor};
             units[r.before[s].signal] = r.before[s].unit;
             const double n = r.before[s].rows;
@@ -117,14 +166,17 @@ HeldOut hold_out(const std::vector<Case>& cases, const std::vector<Joint>& docum
                                  *std::max_element(parts.begin(), parts.end())};
     }
     for (std::size_t i = 0; i < folds.size(); ++i) {
-        if (folds[i].record != i || results[i].trace_before.position.empty()) continue;
-        const Ticks& t = cases[i].ticks;
+        if ((i > 0 && folds[i].record == folds[i - 1].record) || results[i].trace_before.position.empty()) continue;
+        const Case& shown = cases[folds[i].record];
+        const Ticks& t = shown.ticks;
+        if (cases.size() > 1 && folds[i].from > -infinity)
+            held.notes.push_back(t.name + ": shows the cause almost alone; its thirds are held out in turn");
         DiagnosedTrace trace;
         trace.file = t.name;
-        const CommandUnit command = command_unit(cases[i].joint);
+        const CommandUnit command = command_unit(shown.joint);
         trace.effort_name = t.has_effort ? "measured effort" : "command";
         trace.effort_unit =
-            t.has_effort ? std::string(unit_of(Quantity::effort, cases[i].joint.mechanism.motion)) : command.unit;
+            t.has_effort ? std::string(unit_of(Quantity::effort, shown.joint.mechanism.motion)) : command.unit;
         constexpr std::size_t most = 4000;  // points a chart can show
         const std::size_t stride = std::max<std::size_t>(1, t.size() / most);
         for (std::size_t k = 0; k < t.size(); k += stride) {

@@ -11,6 +11,10 @@ struct Fold {
 };
 std::vector<Fold> folds_of(const std::vector<Case>& cases);
 
+/// The same for one cause: a record that alone shows an effect is held out in thirds, since the others would leave the
+/// effect's numbers open.
+std::vector<Fold> folds_for(const std::vector<Case>& cases, const Scales& scales, const Attribution& cause);
+
 /// What a fit may see while a fold is held out: the other records, or the rows outside the block.
 std::vector<Case> without(const std::vector<Case>& cases, const Fold& fold);
 
@@ -20,6 +24,7 @@ struct HeldOut {
     double gain = 0;                   ///< 1 − after / before
     ConfidenceInterval gain_interval;  ///< smallest and largest over the folds
     std::vector<DiagnosedTrace> traces;
+    std::vector<std::string> notes;  ///< which records were held out in thirds
 };
 
 /// Refits the candidate without each fold (an empty candidate needs no fit), simulates the closed loop there before and

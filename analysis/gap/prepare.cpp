@@ -32,6 +32,19 @@ double rms(const std::vector<double>& values)
     return n ? std::sqrt(sum / static_cast<double>(n)) : 0;
 }
 
+/// Noise of the measured effort: what is left of it once the effort is taken away that the command asks for. That a
+/// noisy encoder makes the command noisy, too, is no noise of this sensor.
+double effort_noise_of(const Case& c, const std::vector<double>& measured)
+{
+    const Plant plant = flatten(c.joint);
+    Innovation innovation;
+    predict(plant, c.ticks, known_command(plant, c.ticks), levels[1], innovation);
+    std::vector<double> left;
+    for (std::size_t k = 0; k < c.ticks.size(); ++k)
+        if (c.ticks.logged[k] && std::isfinite(innovation.effort[k])) left.push_back(innovation.effort[k]);
+    return std::min(noise_of(measured), noise_of(left));
+}
+
 /// Model noise that no two integrators agree on, as a part of the span of a signal.
 constexpr double numerical_part = 2e-7;
 /// The same for an effort: a lag or a delay is written down in slightly different ways.
@@ -90,9 +103,13 @@ Case prepare_with_effort(const Record& record, const Joint& joint, std::vector<s
                                                  : 0;
     if (c.ticks.has_effort) {
         const double range = rms(record.effort_measured);
+        // an estimate that is a little low would make a gap of plain noise
+        constexpr double doubt = 1.03;
         double sigma = c.joint.sensor.effort_noise;
         if (sigma == 0) {
-            sigma = noise_of(record.effort_measured);
+            sigma = effort_noise_of(c, record.effort_measured);
+            c.joint.sensor.effort_noise = sigma;
+            sigma *= doubt;
             notes.push_back(record.name + ": no documented effort noise; estimated from third differences");
         }
         c.effort_sigma =

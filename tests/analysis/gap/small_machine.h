@@ -13,7 +13,11 @@ namespace stickslip::test {
 struct Machine {
     double inertia = 1.2, coulomb = 2, viscous = 1.5, k_p = 1200, k_v = 45, tau = 0.003, load = 0, gain = 1;
     double noise = 2e-6, quantum = 5e-6, drag = 0;
-    double one_way = 0;  ///< part of the viscous slope that changes its sign with the direction
+    double cubic = 0;         ///< N/m³: a spring to the ground that stiffens
+    double limit = 1e9;       ///< N, of the effort that reaches the mass
+    double amplitude = 1;     ///< of the motion, as a factor
+    double effort_noise = 0;  ///< N; above 0 the effort that reaches the mass is logged, too
+    double one_way = 0;       ///< part of the viscous slope that changes its sign with the direction
 };
 
 inline Joint nominal_joint()
@@ -46,7 +50,7 @@ inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
     for (int k = 0; k < static_cast<int>(seconds / period); ++k) {
         const double t = k * period;
         const auto reference = [&](double s) {
-            return std::min(1.0, s) * (0.08 * std::sin(slow * s) + 0.02 * std::sin(quick * s));
+            return m.amplitude * std::min(1.0, s) * (0.08 * std::sin(slow * s) + 0.02 * std::sin(quick * s));
         };
         double y = q + m.noise * normal(random);
         y = m.quantum * std::round(y / m.quantum);
@@ -60,8 +64,10 @@ inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
         r.position.push_back(y);
         r.velocity.push_back(estimate);
         r.effort_command.push_back(u);
+        if (m.effort_noise > 0)
+            r.effort_measured.push_back(std::clamp(m.gain * u, -m.limit, m.limit) + m.effort_noise * normal(random));
         for (int i = 0; i < 100; ++i) {
-            const double push = m.gain * u + m.load;
+            const double push = std::clamp(m.gain * u, -m.limit, m.limit) + m.load - m.cubic * q * q * q;
             if (std::abs(v) < band && std::abs(push) <= m.coulomb) {
                 v = 0;
                 continue;

@@ -71,3 +71,12 @@ TEST_CASE("noise estimated from rounded readings is that before rounding", "[gap
     CHECK(c.joint.sensor.position_noise == Approx(m.noise).epsilon(0.05));
     CHECK(c.sigma == Approx(std::hypot(m.noise, m.quantum / std::sqrt(12.0))).epsilon(0.05));
 }
+
+TEST_CASE("noise of a measured effort is that of its sensor, not what the encoder puts into the command", "[gap]")
+{
+    test::Machine m;
+    m.noise = 2e-5, m.effort_noise = 0.05;  // the encoder's alone makes the command rattle by 0.4 N
+    std::vector<std::string> notes;
+    const Case c = prepare(test::record_of(m, 3), test::nominal_joint(), notes);
+    CHECK(c.joint.sensor.effort_noise == Approx(m.effort_noise).epsilon(0.05));
+}

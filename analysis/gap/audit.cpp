@@ -163,6 +163,19 @@ void audit_supply(std::vector<Case>& cases, Audit& result)
     }
 }
 
+/// The step in which commands are given, as a part of their rms; the largest of all records.
+double command_rounding(const std::vector<Case>& cases)
+{
+    double largest = 0;
+    for (const auto& c : cases) {
+        double square = 0, n = 0;
+        for (double u : c.ticks.command)
+            if (is_set(u)) square += u * u, n += 1;
+        if (square > 0) largest = std::max(largest, command_step(c.ticks) / std::sqrt(square / n));
+    }
+    return largest;
+}
+
 /// A plateau of the command below the documented limit, where the controller wanted more.
 double observed_limit(const std::vector<Case>& cases)
 {
@@ -177,6 +190,12 @@ double observed_limit(const std::vector<Case>& cases)
 }
 
 }  // namespace
+
+bool filters_differently(double documented_tau, double tau, double tick)
+{
+    const double documented = tick / (documented_tau + tick), now = tick / (tau + tick);
+    return std::abs(now - documented) > flagged_gain * documented;
+}
 
 double grid_of(const std::vector<double>& readings)
 {
@@ -201,6 +220,14 @@ double grid_of(const std::vector<double>& readings)
         off += std::abs(count - std::round(count)) > 0.05;
     }
     return off * 1000 < sorted.size() ? step : 0;
+}
+
+double command_step(const Ticks& ticks)
+{
+    std::vector<double> logged;
+    for (std::size_t k = 0; k < ticks.size(); ++k)
+        if (ticks.logged[k] && is_set(ticks.command[k])) logged.push_back(ticks.command[k]);
+    return grid_of(logged);
 }
 
 Audit audit(std::vector<Case>& cases)
@@ -253,7 +280,7 @@ Audit audit(std::vector<Case>& cases)
     if (filtered && mean_misfit(answers) > exact_command) {
         const double found = best_tau(cases, limit);
         const auto with = regress(found, 0);
-        if (mean_misfit(with) < 0.5 * mean_misfit(answers)) {
+        if (mean_misfit(with) < 0.5 * mean_misfit(answers) && filters_differently(tau, found, cases[0].ticks.step[0])) {
             result.findings.push_back({"velocity-filter", "velocity-filter.tau", found, 0, Quantity::time,
                                        1 - std::pow(mean_misfit(with) / mean_misfit(answers), 2)});
             tau = found;
@@ -261,14 +288,25 @@ Audit audit(std::vector<Case>& cases)
         }
     }
     result.residual_after = mean_misfit(answers);
-    result.command_explained = result.residual_after < exact_command;
-    const double flagged =
-        result.command_explained ? flagged_gain : std::max(rough_gain, rough_multiple * result.residual_after);
+    const double rounding = command_rounding(cases);
+    const bool exact = result.residual_after < exact_command;
+    constexpr double slack = 1.2;  // what is left is rounding where it is no more than rounding makes
+    const bool rounded = !exact && result.residual_after < slack * rounding / std::sqrt(12.0);
+    result.command_explained = exact || rounded;
+    // a command that is cut off instead of rounded loses half a step wherever it is: no gain is known better than that
+    const double flagged = exact     ? flagged_gain
+                           : rounded ? std::max(flagged_gain, rounding)
+                                     : std::max(rough_gain, rough_multiple * result.residual_after);
     if (result.residual_after > rough_command) {
         result.notes.push_back("the documented controller does not reproduce the logged command (misfit " +
                                std::to_string(result.residual_after) + " of its rms): gains were not judged");
         return result;
     }
+    if (rounded)
+        result.notes.push_back(
+            "the controller reproduces the logged command to the steps in which it is given: only gains that are off "
+            "by more than " +
+            std::to_string(100 * flagged) + " % are named");
     if (!result.command_explained)
         result.notes.push_back("the controller reproduces the logged command to " +
                                std::to_string(100 * result.residual_after) +

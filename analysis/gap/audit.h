@@ -27,7 +27,14 @@ struct Audit {
 /// Audits every case and corrects its joint: position grid, velocity filter, gains, controller limit.
 Audit audit(std::vector<Case>& cases);
 
+/// Whether a filter with this time constant lets through so differently from the documented one that it matters: its
+/// share of a new difference, T/(τ + T), is off by more than the digits of a document are.
+bool filters_differently(double documented_tau, double tau, double tick);
+
 /// The grid that all readings lie on, 0 if there is none.
 double grid_of(const std::vector<double>& readings);
+
+/// The step in which logged commands are given, 0 if they are not: a duty cycle of a servo comes in whole counts.
+double command_step(const Ticks& ticks);
 
 }  // namespace stickslip::gap

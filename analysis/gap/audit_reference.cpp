@@ -119,7 +119,7 @@ void audit_without_reference(std::vector<Case>& cases, double limit, Audit& resu
     if (filtered) {
         const double before = misfit_of(cases, tau, limit), found = best_tau(cases, limit);
         const double after = misfit_of(cases, found, limit);
-        if (after < 0.5 * before && after < well_explained) {
+        if (after < 0.5 * before && after < well_explained && filters_differently(tau, found, cases[0].ticks.step[0])) {
             tau = found;
             result.findings.push_back(
                 {"velocity-filter", "velocity-filter.tau", tau, 0, Quantity::time, 1 - std::pow(after / before, 2)});

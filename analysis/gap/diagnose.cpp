@@ -3,6 +3,7 @@
 #include "analysis/gap/contest.h"
 #include "analysis/gap/drive_force.h"
 #include "analysis/gap/experiment.h"
+#include "analysis/gap/free_force.h"
 #include "analysis/gap/heldout.h"
 #include "analysis/gap/inspect.h"
 #include "analysis/gap/jumps.h"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 
 namespace stickslip::gap {
@@ -99,6 +101,35 @@ std::vector<double> probabilities(const Contest& contest)
     return p;
 }
 
+std::string percent(double part)
+{
+    return std::to_string(static_cast<int>(std::lround(100 * part))) + " %";
+}
+
+std::string nearest_in_shape(const Attribution& cause, const FreeFit& free)
+{
+    std::string names;
+    for (const auto& name : names_of(cause.candidate)) names += (names.empty() ? "" : " with ") + name;
+    return names + " comes nearest, but a force that depends on the " + std::string(free.of) +
+           " alone, and has the shape of no effect of the catalogue, explains the records clearly better";
+}
+
+/// Not empty where so much of controller and encoder differs from the document that it is hardly the same joint.
+std::string another_joint(const Audit& audit)
+{
+    constexpr std::size_t hardly_the_same = 3;
+    if (audit.findings.size() < hardly_the_same) return "";
+    std::string list;
+    for (const auto& f : audit.findings) {
+        char number[32];
+        std::snprintf(number, sizeof number, " = %.4g", f.value);
+        list += (list.empty() ? "" : ", ") + f.parameter + number;
+    }
+    return "suspected record of another joint: encoder and controller differ from the document in " +
+           std::to_string(audit.findings.size()) + " ways (" + list +
+           "); if it is this joint, correct the document first";
+}
+
 void describe_data(const std::vector<Case>& cases, Diagnosis& d)
 {
     for (const auto& c : cases) {
@@ -151,6 +182,10 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
     progress("auditing the controller", 0.02);
     w.audit = audit(w.cases);
     d.notes.insert(d.notes.end(), w.audit.notes.begin(), w.audit.notes.end());
+    if (auto suspicion = another_joint(w.audit); !suspicion.empty()) {
+        d.reasons.push_back(std::move(suspicion));
+        return result;
+    }
     settle_jumps(w.cases, {}, {});
     w.scales = scales_of(w.cases);
     d.usual_speed = w.scales.velocity;
@@ -165,6 +200,8 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
     const bool quiet = at_floor(w.cases, none, w.nominal, w.scales, parallel);
     if (quiet) none.accepted = true;
     std::vector<Attribution> singles, pairs;
+    std::vector<FreeFit> free;
+    bool nearest_only = false;  // a cause was found, but is only the nearest in shape
     Decision decision;
     Contest contest;
     if (!quiet) {
@@ -173,7 +210,8 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
             return fit_singles(w.cases, w.scales, w.nominal, single_candidates(w.cases, w.audit), parallel);
         };
         singles = fit();
-        if (!singles.empty() && !singles[0].accepted &&
+        // a jump in the wrong place costs little beside the effect, and much once the effect is found
+        if (!singles.empty() &&
             settle_jumps(w.cases, singles[0].candidate, in_si(singles[0].candidate, singles[0].x[1], w.scales))) {
             w.nominal = judge_nominal(w.cases);
             singles = fit();
@@ -203,6 +241,16 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
                 if (&rival != decision.winner && gain(rival) > 0.5 * gain(singles[0]))
                     decision.ambiguous.push_back(&rival);
         }
+        const bool at_noise = decision.named && mean_log_misfit(decision.winner->evaluation) < least_of_free_force;
+        if (!contest.decided && !at_noise) {
+            progress("fitting forces without a name", 0.85);
+            free = fit_free_forces(w.cases, w.scales, w.nominal, parallel);
+            if (decision.named && clearly_better(free[0], *decision.winner)) {
+                d.reasons.push_back(nearest_in_shape(*decision.winner, free[0]));
+                decision.named = false;
+                nearest_only = true;
+            }
+        }
     }
     progress("predicting held-out data", 0.9);
     const bool named = quiet ? !w.audit.findings.empty() : decision.named || contest.decided;
@@ -226,6 +274,7 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
     d.gap = held.signals;
     d.overall = held.overall;
     d.traces = held.traces;
+    d.notes.insert(d.notes.end(), held.notes.begin(), held.notes.end());
     if (shown && winner.candidate.effects.empty()) {
         Attribution audited = none;
         d.effects.push_back(cause_of(w, audited, quiet ? 0.99 : 0.5));
@@ -254,10 +303,15 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
         d.effects[0].heldout_gain = held.gain;
         d.effects[0].heldout_gain_interval = held.gain_interval;
     }
-    if (d.verdict == Verdict::unknown)
+    if (d.verdict == Verdict::unknown && !nearest_only) {
         d.reasons.push_back(
             "there is a gap, and no effect of the catalogue, nor two together, explain it: the best leaves " +
-            std::to_string(static_cast<int>(std::lround(100 * (1 - decision.best_explained)))) + " % of it");
+            percent(1 - decision.best_explained) + " of it");
+        constexpr double worth_telling = 0.5;
+        if (!free.empty() && free[0].fit.explained > worth_telling)
+            d.reasons.push_back("a force that depends on the " + std::string(free[0].of) + " alone would explain " +
+                                percent(free[0].fit.explained) + " of it");
+    }
     if (shown) {
         d.remainder = winner.candidate.effects.empty() ? quiet ? 0 : std::clamp(1 - held.overall.explained, 0.0, 1.0)
                                                        : std::max(0.0, 1 - winner.explained);

@@ -8,6 +8,8 @@
 
 namespace stickslip::gap {
 
+struct FreeForce;
+
 /// What one of something means for this joint and these records: parameters are fitted in these units, so that a step
 /// of one in every parameter is about equally large.
 struct Scales {
@@ -63,9 +65,10 @@ struct EffectParameter {
 struct EffectForm {
     std::string_view name;  ///< empty where there is only one
     std::vector<EffectParameter> parameters;
-    void (*apply)(Joint& joint, const double* p) = nullptr;  ///< p in SI
-    std::vector<std::vector<double>> seeds;                  ///< in units of each parameter's scale
-    bool (*applies)(const Joint& nominal) = nullptr;         ///< null: always
+    void (*apply)(Joint& joint, const double* p) = nullptr;           ///< p in SI
+    void (*apply_free)(FreeForce& force, const double* p) = nullptr;  ///< in place of apply, for what is no joint's
+    std::vector<std::vector<double>> seeds;                           ///< in units of each parameter's scale
+    bool (*applies)(const Joint& nominal) = nullptr;                  ///< null: always
     std::size_t own = 0;  ///< the last so many parameters have a value of their own in every record
     bool rough = false;   ///< the misfit is jagged in its parameters: search before descending
 };

@@ -100,10 +100,21 @@ Joint edited(const Joint& joint, const Candidate& candidate, const std::vector<d
             first + shared + static_cast<std::ptrdiff_t>(form->own * std::min(record, candidate.records - 1));
         std::vector<double> p(first, first + shared);
         p.insert(p.end(), own, own + static_cast<std::ptrdiff_t>(form->own));
-        form->apply(j, p.data());
+        if (form->apply) form->apply(j, p.data());
         first += static_cast<std::ptrdiff_t>(candidate.count_of(*form));
     }
     return j;
+}
+
+Plant edited_plant(const Joint& joint, const Candidate& candidate, const std::vector<double>& si, std::size_t record)
+{
+    Plant plant = flatten(edited(joint, candidate, si, record));
+    auto first = si.begin();
+    for (const auto* form : candidate.forms) {
+        if (form->apply_free) form->apply_free(plant.free, &*first);
+        first += static_cast<std::ptrdiff_t>(candidate.count_of(*form));
+    }
+    return plant;
 }
 
 Evaluation evaluate(const std::vector<Case>& cases, const Candidate& candidate, const std::vector<double>& si,
@@ -115,7 +126,7 @@ Evaluation evaluate(const std::vector<Case>& cases, const Candidate& candidate, 
     scaled.clear();
     Innovation innovation;
     for (const auto& c : cases) {
-        Plant plant = flatten(edited(c.joint, candidate, si, c.number));
+        Plant plant = edited_plant(c.joint, candidate, si, c.number);
         plant.step_factor = c.step_factor;
         const auto command = known_command(plant, c.ticks);
         predict(plant, c.ticks, command, omega, innovation);

@@ -72,6 +72,9 @@ Eigen::VectorXd to_fit(const Candidate& candidate, const std::vector<double>& sc
 /// The joint with the candidate's edits, as they hold in the record of this number.
 Joint edited(const Joint& joint, const Candidate& candidate, const std::vector<double>& si, std::size_t record);
 
+/// The same, as the simulation takes it; only here do forces without a name take part.
+Plant edited_plant(const Joint& joint, const Candidate& candidate, const std::vector<double>& si, std::size_t record);
+
 /// How far predictions are from one record at one level: mean squares over their floors, 1 where only noise is left.
 struct Misfit {
     double position = 0;

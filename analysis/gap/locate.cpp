@@ -1,5 +1,7 @@
 #include "analysis/gap/locate.h"
 
+#include "analysis/gap/audit.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -71,6 +73,7 @@ std::vector<Share> locate_signals(const std::vector<Case>& cases, const std::vec
         const double to_force = inertia * omega * omega;
         const double motion_floor = std::pow(to_force * c.sigma, 2) * noise_amplification(omega, c.row_step);
         const double effort_floor = c.effort_sigma * c.effort_sigma;
+        const double step = audited ? command_step(t) : 0, command_floor = std::pow(per_command * step, 2) / 12;
         Block block(3, 0);
         double started = t.size() ? t.time[0] : 0;
         for (std::size_t k = 0; k < t.size(); ++k) {
@@ -87,7 +90,7 @@ std::vector<Share> locate_signals(const std::vector<Case>& cases, const std::vec
                 floors[stage] += floor;
                 counts[stage] += 1;
             };
-            if (audited && t.enabled[k]) count(0, per_command * (t.command[k] - wanted[k]), 0);
+            if (audited && t.enabled[k]) count(0, per_command * (t.command[k] - wanted[k]), command_floor);
             if (c.effort_sigma > 0) count(1, innovation.effort[k], effort_floor);
             count(2, to_force * innovation.position[k], motion_floor);
         }

@@ -2,6 +2,10 @@
 #pragma once
 #include "analysis/joint/joint.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 namespace stickslip::gap {
 
 /// Friction on one body. The law is (coulomb + stribeck exp(−(|v|/stribeck_velocity)^exponent) + viscous |v|) sgn v;
@@ -24,12 +28,32 @@ struct Rubbing {
     }
 };
 
+/// A force on the link as free functions of its position and velocity: what no effect of the catalogue has the shape
+/// of. Of position: a quadratic spline over equal intervals.
+struct FreeForce {
+    static constexpr std::size_t intervals = 8, coefficients = intervals + 2;
+    bool present = false;
+    double from = 0, width = 1;
+    std::array<double, coefficients> of_position{};
+    double speed = 1, linear = 0, quadratic = 0, cubic = 0;  ///< forces at that speed, against the motion
+
+    double at(double q, double v) const
+    {
+        const double x = std::clamp((q - from) / width, 0.0, static_cast<double>(intervals) - 1e-9);
+        const auto i = static_cast<std::size_t>(x);
+        const double u = x - static_cast<double>(i), w = v / speed;
+        return 0.5 * (1 - u) * (1 - u) * of_position[i] + (0.5 + u * (1 - u)) * of_position[i + 1] +
+               0.5 * u * u * of_position[i + 2] - w * (linear + std::abs(w) * (quadratic + std::abs(w) * cubic));
+    }
+};
+
 struct Plant {
     bool two_mass = false;
     double motor_inertia = 1, link_inertia = 1;  ///< single mass: motor_inertia is all
     double stiffness = 0, damping = 0, ratio = 1, backlash = 0;
     Rubbing motor, link;  ///< single mass: motor
     Load load;
+    FreeForce free;
     Actuator actuator;
     double dead_time = 0;
     Control control;

@@ -70,6 +70,13 @@ inline double load_force(const Load& l, double q, double t)
     return force;
 }
 
+/// All that pushes the link from outside.
+inline double outside_force(const Plant& p, double q, double v, double t)
+{
+    const double force = load_force(p.load, q, t);
+    return p.free.present ? force + p.free.at(q, v) : force;
+}
+
 /// Single mass. Constant forces, sliding, stopping and breaking away inside the step are exact; the rest is second
 /// order.
 inline void step_single(const Plant& p, State& s, const Push& drive, double t, const StepLength& length)
@@ -81,7 +88,7 @@ inline void step_single(const Plant& p, State& s, const Push& drive, double t, c
     const Rubbing& r = p.motor;
     s.effort = drive.at(v);
     const Surroundings at{middle, t + 0.5 * h, s.effort};
-    const double force = drive.push + load_force(p.load, middle, t + 0.5 * h);
+    const double force = drive.push + outside_force(p, middle, v, t + 0.5 * h);
     if (r.bristle_stiffness > 0) {
         v = rub(r, s.motor, v, force - drive.drag * v, mobility, h, at);
         q = middle + 0.5 * h * v;
@@ -139,8 +146,9 @@ inline void step_two_mass(const Plant& p, State& s, const Push& drive, double t,
     s.effort = drive.at(s.motor_velocity);
     s.motor_velocity = rub(p.motor, s.motor, s.motor_velocity, s.effort - spring * per_ratio, length.motor_mobility, h,
                            {motor_middle, t + 0.5 * h, spring * per_ratio});
-    s.link_velocity = rub(p.link, s.link, s.link_velocity, spring + load_force(p.load, link_middle, t + 0.5 * h),
-                          length.link_mobility, h, {link_middle, t + 0.5 * h, spring});
+    s.link_velocity =
+        rub(p.link, s.link, s.link_velocity, spring + outside_force(p, link_middle, s.link_velocity, t + 0.5 * h),
+            length.link_mobility, h, {link_middle, t + 0.5 * h, spring});
     s.motor_position = motor_middle + 0.5 * h * s.motor_velocity;
     s.link_position = link_middle + 0.5 * h * s.link_velocity;
 }

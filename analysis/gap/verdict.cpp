@@ -12,7 +12,7 @@ constexpr double margin = 0.02;       // of score: rivals this close cannot be t
 constexpr double temperature = 0.01;  // of score: from margins to probabilities
 // A rival with one more parameter that gains nothing by it holds the winner as a special case. A true one would have
 // used its parameter: the odds against it.
-constexpr double needless_parameter = 3;
+constexpr double needless_parameter = 6;
 // The chance that a cause is not the one although it is named: what is left is not noise.
 constexpr double doubt = 0.3;
 constexpr int runs = 3;
@@ -20,6 +20,8 @@ constexpr int runs = 3;
 /// Stick-slip amplifies what two integrators do differently, so slower levels get more room. Scores of misfit at which
 /// a cause still counts as found although a rest remains.
 constexpr double explained_single = 0.97, explained_pair = 0.985;
+/// A single that leaves so much counts where a second effect hardly helps it: what is left is then not the second.
+constexpr double explained_alone = 0.9;
 
 bool divided(const Attribution& a)
 {
@@ -92,8 +94,9 @@ Decision decide(const std::vector<Attribution>& singles, const std::vector<Attri
     } else if (best_pair && (best_pair->accepted || (best_pair->explained > explained_pair && !flexible(*best_pair)))) {
         // a second effect must earn its place: else the first alone is the answer with a rest
         const double worth = best_pair->accepted ? 0.06 : 0.15;
-        const bool alone =
-            best_single && best_single->explained > explained_single && best_single->score < best_pair->score + worth;
+        const bool alone = best_single &&
+                           best_single->explained > (best_pair->accepted ? explained_single : explained_alone) &&
+                           best_single->score < best_pair->score + worth;
         d.winner = alone ? best_single : best_pair;
         from = alone ? &singles : &pairs;
     } else if (best_single && best_single->explained > (divided(*best_single) ? 0.75 : explained_single)) {

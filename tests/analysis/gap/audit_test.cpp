@@ -41,6 +41,16 @@ TEST_CASE("wrong gains and a wrong filter are found without a reference, by the 
     CHECK(filtered.findings[0].value == Approx(0.005).epsilon(1e-3));
 }
 
+TEST_CASE("a filter that is written down with fewer digits than it works with is no other filter", "[gap]")
+{
+    Machine m;
+    m.tau = 0.0030001;  // documented: 0.003
+    auto cases = without_reference(m).first;
+    CHECK(audit(cases).findings.empty());
+    CHECK(filters_differently(0.003, 0.0031, 1e-3));
+    CHECK_FALSE(filters_differently(0, 1e-6, 1e-3));
+}
+
 TEST_CASE("a reference that was not logged is rebuilt from the command", "[gap]")
 {
     auto [cases, whole] = without_reference({});

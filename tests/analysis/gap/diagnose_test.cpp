@@ -138,3 +138,14 @@ TEST_CASE("records that say nothing are answered with insufficient-data or refus
     Record ten = record_of({}, 1, 0.01);
     CHECK(diagnose(nominal_joint(), {ten}, in_order).diagnosis.verdict == Verdict::insufficient_data);
 }
+
+TEST_CASE("a record in which nothing of the controller is as documented is suspected to be another joint's", "[gap]")
+{
+    Machine other;
+    other.k_p = 1300, other.k_v = 55, other.tau = 0.006;
+    const auto d = diagnose(nominal_joint(), {record_of(other, 1)}, in_order).diagnosis;
+    CHECK(d.verdict == Verdict::insufficient_data);
+    REQUIRE(d.reasons.size() == 1);
+    CHECK(d.reasons[0].find("another joint") != std::string::npos);
+    CHECK(d.reasons[0].find("gain-k_p.factor = 1.083") != std::string::npos);
+}

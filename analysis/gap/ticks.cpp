@@ -35,6 +35,58 @@ double between(const std::vector<double>& x, std::size_t k, double s)
     return b + 0.5 * s * (c - a + s * (2 * a - 5 * b + 4 * c - d + s * (3 * (b - c) + d - a)));
 }
 
+/// How a reference goes on inside a row interval: smoothly, straight, or along the line on its left or right up to
+/// where both meet.
+enum class Course { smooth, straight, left, right };
+
+/// A ramp has kinks, next to which a polynomial would ring. Where both neighbours of an interval are straight lines
+/// that do not continue each other, they meet inside.
+Course course_of(const std::vector<double>& x, std::size_t k, double s)
+{
+    if (k < 2 || k + 3 >= x.size()) return Course::smooth;
+    constexpr double little = 0.1;  // of the bend; in a smooth curve neighbouring bends are alike
+    const double before = x[k - 1] - x[k - 2], left = x[k] - x[k - 1], here = x[k + 1] - x[k],
+                 right = x[k + 2] - x[k + 1], after = x[k + 3] - x[k + 2];
+    const double bend = right - left;
+    const auto small = [](double a, double of) { return std::abs(a) <= little * std::abs(of); };
+    if (bend != 0 && small(left - before, bend) && small(after - right, bend) && (here - left) * (right - here) >= 0) {
+        const double from_left = x[k] + s * left, from_right = x[k + 1] - (1 - s) * right;
+        return (bend > 0) == (from_left > from_right) ? Course::left : Course::right;
+    }
+    const bool bent_before = here != left && small(right - here, here - left);
+    const bool bent_after = here != right && small(here - left, right - here);
+    return bent_before || bent_after ? Course::straight : Course::smooth;
+}
+
+double reference_between(const std::vector<double>& x, std::size_t k, double s)
+{
+    switch (course_of(x, k, s)) {
+        case Course::left:
+            return x[k] + s * (x[k] - x[k - 1]);
+        case Course::right:
+            return x[k + 1] - (1 - s) * (x[k + 2] - x[k + 1]);
+        case Course::straight:
+            return x[k] + s * (x[k + 1] - x[k]);
+        default:
+            return between(x, k, s);
+    }
+}
+
+/// Rate of the same reference from its rates at the rows.
+double rate_between(const std::vector<double>& x, const std::vector<double>& rate, std::size_t k, double s)
+{
+    switch (course_of(x, k, s)) {
+        case Course::left:
+            return rate[k];
+        case Course::right:
+            return rate[k + 1];
+        case Course::straight:
+            return rate[k] + s * (rate[k + 1] - rate[k]);
+        default:
+            return between(rate, k, s);
+    }
+}
+
 /// Rows after which a smooth reference jumps: a difference that stands alone.
 std::vector<std::size_t> jumps_of(const std::vector<double>& reference)
 {
@@ -73,9 +125,11 @@ void fill_reference_rate(const Record& r, Ticks& t)
     for (std::size_t k = 0; k < n; ++k) {
         if (!r.reference_velocity.empty()) {
             const std::size_t row = k / t.ticks_per_row, rest = k % t.ticks_per_row;
-            t.reference_rate[k] = rest == 0
-                                      ? r.reference_velocity[row]
-                                      : between(r.reference_velocity, row, static_cast<double>(rest) / t.ticks_per_row);
+            const double s = static_cast<double>(rest) / t.ticks_per_row;
+            t.reference_rate[k] = rest == 0 ? r.reference_velocity[row]
+                                  : r.reference_position.empty()
+                                      ? between(r.reference_velocity, row, s)
+                                      : rate_between(r.reference_position, r.reference_velocity, row, s);
         } else {
             // no controller differentiates a step
             const auto jumps = [&](std::size_t from, std::size_t to) {
@@ -146,7 +200,7 @@ Ticks on_clock(const Record& r, const Joint& joint)
             const double s = static_cast<double>(rest) / m;
             t.time[k] = r.time[row] + s * (r.time[row + 1] - r.time[row]);
             t.position[k] = between(r.position, row, s);
-            if (t.has_reference) t.reference[k] = between(r.reference_position, row, s);
+            if (t.has_reference) t.reference[k] = reference_between(r.reference_position, row, s);
             // next to a jump a polynomial would ring
             if (t.has_reference && near_jump(row)) t.reference[k] = r.reference_position[row];
         }

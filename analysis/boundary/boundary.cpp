@@ -3,10 +3,9 @@
 #include "analysis/boundary/climb.h"
 #include "analysis/boundary/fold.h"
 #include "analysis/boundary/locate.h"
+#include "analysis/boundary/outcome.h"
 #include "analysis/boundary/root.h"
 #include "analysis/joint/parameters.h"
-#include "analysis/simulation/flow.h"
-#include "analysis/simulation/nonlinear.h"
 #include "analysis/stability/verdict.h"
 
 #include <algorithm>
@@ -15,8 +14,6 @@
 
 namespace stickslip {
 namespace {
-
-constexpr int patience = 10;  ///< times the usual limit of turns, for an outcome that is undecided within it
 
 bool is_linear(BoundaryKind kind)
 {
@@ -28,34 +25,6 @@ double& number_at(Joint& joint, const std::string& path)
     double* number = find_parameter(joint, path);
     if (!number) throw std::invalid_argument("no number at " + path);
     return *number;
-}
-
-double outcome_side(const Joint& joint, const Disturbance& disturbance)
-{
-    // where sliding is unstable nothing can end in it
-    if (sliding_flow(joint).reason == Reason::linear_only) return missing;
-    if (linear_point(joint).spectral_abscissa > 0) return 1;
-    NonlinearOptions options;
-    options.disturbance = disturbance;
-    options.region = false;
-    auto outcome = nonlinear_verdict(joint, options).outcome;
-    if (outcome == Outcome::undecided) {
-        // close to the linear boundary motions creep
-        options.turn_limit *= patience;
-        outcome = nonlinear_verdict(joint, options).outcome;
-    }
-    switch (outcome) {
-        case Outcome::stable_sliding:
-            return -1;
-        case Outcome::stick_slip:
-        case Outcome::limit_cycle:
-        case Outcome::reversal:
-        case Outcome::period_n:
-        case Outcome::irregular:
-            return 1;
-        default:
-            return missing;
-    }
 }
 
 /// The request as it stands after its defaults.
@@ -120,7 +89,11 @@ class Ray {
         const auto n = static_cast<std::size_t>(request_.scan) + 1;
         values_.resize(n), sides_.resize(n);
         for (std::size_t i = 0; i < n; ++i) values_[i] = unit_.value(static_cast<double>(i) / request_.scan);
-        request_.parallel(n, [&](std::size_t i) { sides_[i] = side(values_[i]); });
+        if (request_.kind != BoundaryKind::outcome)
+            return request_.parallel(n, [&](std::size_t i) { sides_[i] = side(values_[i]); });
+        std::vector<Joint> joints(n, joint_);
+        for (std::size_t i = 0; i < n; ++i) number_at(joints[i], ray_.axis.path) = values_[i];
+        sides_ = outcome_sides(joints, request_.disturbance, request_.parallel);
     }
 
     void bracket(double a, double fa, double b, double fb)
@@ -193,6 +166,13 @@ Sides sides_over(const Joint& joint, const Axis& x, const Axis& y, const Boundar
         return own->side(u, v, request);
     };
     sides.many = [&](const std::vector<double>& u, const std::vector<double>& v, std::vector<double>& values) {
+        if (request.kind == BoundaryKind::outcome) {
+            std::vector<Joint> joints(u.size(), joint);
+            for (std::size_t i = 0; i < u.size(); ++i)
+                number_at(joints[i], x.path) = u[i], number_at(joints[i], y.path) = v[i];
+            values = outcome_sides(joints, request.disturbance, request.parallel);
+            return;
+        }
         request.parallel((u.size() + together - 1) / together, [&](std::size_t block) {
             JointOnChart own(joint, x, y);
             for (std::size_t i = block * together; i < std::min(u.size(), (block + 1) * together); ++i)

@@ -2,6 +2,7 @@
 
 #include "analysis/simulation/attractor.h"
 #include "analysis/simulation/bifurcation.h"
+#include "analysis/simulation/large_disturbance.h"
 #include "analysis/simulation/mode.h"
 #include "analysis/simulation/nonlinear.h"
 #include "analysis/stability/verdict.h"
@@ -11,11 +12,10 @@
 namespace stickslip {
 namespace {
 
-constexpr double small_orbit = 0.05;      ///< per scale, at which a branch is entered beside its Hopf point
-constexpr double least_orbit = 0.01;      ///< below which a branch has come to an end
-constexpr double near_rest_start = 1e-4;  ///< share of V_0 from which V_0 is commanded
-constexpr double beyond = 0.3;            ///< share of the axis by which a branch may leave it
-constexpr double share_of_orbit = 0.15;   ///< weight of a relative change of the orbit against one of the axis
+constexpr double small_orbit = 0.05;     ///< per scale, at which a branch is entered beside its Hopf point
+constexpr double least_orbit = 0.01;     ///< below which a branch has come to an end
+constexpr double beyond = 0.3;           ///< share of the axis by which a branch may leave it
+constexpr double share_of_orbit = 0.15;  ///< weight of a relative change of the orbit against one of the axis
 constexpr std::size_t batch = 64;
 
 /// Along a branch of orbits until the parameter turns back; nothing if it ends before.
@@ -101,8 +101,10 @@ std::vector<double> coexistence(const std::vector<Joint>& joints, const Parallel
     });
     std::vector<double> sides;
     for (const auto& p : points) {
+        // where the start from near rest is undecided, a reason stands beside the outcome of the small disturbance
         const bool told = p.outcome != Outcome::undecided && p.outcome != Outcome::solver_failure &&
-                          p.outcome != Outcome::not_asked && p.outcome != Outcome::linear_only;
+                          p.outcome != Outcome::not_asked && p.outcome != Outcome::linear_only &&
+                          p.reason == Reason::none;
         sides.push_back(!told                                  ? missing
                         : p.region == Region::bistable         ? 0
                         : p.outcome == Outcome::stable_sliding ? -1

@@ -3,6 +3,7 @@
 #include "analysis/simulation/attractor.h"
 #include "analysis/simulation/bifurcation.h"
 #include "analysis/simulation/delay.h"
+#include "analysis/simulation/large_disturbance.h"
 #include "analysis/simulation/mode.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/spectrum.h"
@@ -14,10 +15,6 @@
 
 namespace stickslip {
 namespace {
-
-/// A share of V_0 from which commanding V_0 is a large disturbance, the largest that operation brings about: the
-/// friction then differs by nine e-folds of V, or the joint is at rest with its spring wound up.
-constexpr double slow_start = 1e-4;
 
 /// Share of rtol that holds while growth is measured: multistep methods add up their errors over a turn.
 constexpr double growth_fineness = 1e-2;
@@ -222,7 +219,7 @@ void judge(const Joint& joint, const AnyFlow& flow, double abscissa, const Nonli
         verdict.region = NonlinearRegion::bistable;
     } else if (options.region) {
         const auto large =
-            follow(flow, disturbed(flow, mode, DisturbanceKind::start, slow_start), decays, follow_options);
+            follow(flow, disturbed(flow, mode, DisturbanceKind::start, near_rest_start), decays, follow_options);
         verdict.used_fallback |= large.used_fallback;
         if (large.kind == Attractor::Kind::steady) verdict.region = NonlinearRegion::stable;
         if (oscillates(large)) {

@@ -7,13 +7,12 @@
 
 #include "analysis/simulation/lanes/grouping.h"
 #include "analysis/simulation/lanes/stribeck_batch.h"
+#include "analysis/simulation/large_disturbance.h"
 #include "analysis/stability/polynomial.h"
 #include "analysis/stability/steady.h"
 
 namespace stickslip::lanes {
 namespace {
-
-constexpr double slow_start = 1e-4;  ///< as in the reference: the share of V_0 from which V_0 is commanded
 
 bool less(const Groups& a, const Groups& b)
 {
@@ -69,7 +68,7 @@ Job job(const Groups& g, bool search)
     const double X = probe / job.magnitude;
     job.start[0] = X, job.start[1] = 0, job.start[2] = -g.K * X;
     job.search = search;
-    const double w = std::log(slow_start), p = -g.beta * w;
+    const double w = std::log(near_rest_start), p = -g.beta * w;
     job.rest_start[0] = -(w + p + g.c * std::expm1(w)) / g.K, job.rest_start[1] = w, job.rest_start[2] = p;
     return job;
 }

@@ -4,9 +4,9 @@
 #include "analysis/results/text.h"
 #include "analysis/stability/verdict.h"
 #include "sweep/files/spec_file.h"
+#include "sweep/report/beyond_curves.h"
 #include "sweep/report/curve_margins.h"
 #include "sweep/report/map_figures.h"
-#include "sweep/report/verdict_text.h"
 
 #include <fmt/format.h>
 
@@ -25,11 +25,6 @@ std::string scientific(double value)
     const int exponent = static_cast<int>(std::floor(std::log10(value)));
     return fmt::format("{:.1f}×10^{{{}{}}}", value / std::pow(10, exponent), exponent < 0 ? "−" : "",
                        std::abs(exponent));
-}
-
-std::string direction_text(int direction)
-{
-    return direction > 0 ? "unstable above" : direction < 0 ? "stable above" : "–";
 }
 
 Table ray_table(const Joint& design, const LocatedRay& ray)
@@ -71,17 +66,17 @@ bool same_axes(const FollowedBoundary& a, const FollowedBoundary& b)
     return a.x.path == b.x.path && a.y.path == b.y.path && a.x.values == b.x.values && a.y.values == b.y.values;
 }
 
-Figure curve_figure(const BoundaryAnswer& answer, const std::vector<FollowedBoundary>& curves,
-                    const ParallelFor& parallel)
+Figure curve_figure(StabilityMap map, const std::vector<FollowedBoundary>& curves, const std::string& outcome_means)
 {
     const auto& first = curves.front();
-    auto map = map_under(answer.design, first.x, first.y, parallel);
     std::string kinds;
+    bool outcomes = false;
     for (const auto& c : curves) {
-        if (!c.pieces.empty()) map.curves.push_back(curve_with_brackets(c));
         kinds += (kinds.empty() ? "" : ", ") + std::string(name_of(c.kind)) + " (" + std::to_string(c.points()) +
                  " points, brackets ≤ " + scientific(c.precision()) + ")";
+        outcomes = outcomes || c.kind == BoundaryKind::outcome;
     }
+    const double bistable = share_of_area(map, Region::bistable);
     Figure figure;
     figure.id = chart_id("boundaries", first.x, first.y);
     figure.finding = "Boundaries over " + first.x.name + " and " + first.y.name + ": " + kinds + ".";
@@ -89,88 +84,39 @@ Figure curve_figure(const BoundaryAnswer& answer, const std::vector<FollowedBoun
         "Located curves: " + kinds +
         ". Brackets that are wider than the line are drawn across it. Field: largest real part of the spectrum, with "
         "memory.";
+    if (outcomes) figure.caption += " An outcome is what follows a " + outcome_means + ".";
+    if (bistable > 0) {
+        figure.finding += " " + percent(bistable) + " of the chart is bistable.";
+        figure.caption += " On " + percent(bistable) +
+                          " of the chart, up to the curve of the nonlinear joint, small disturbances decay and a "
+                          "larger one ends in stick-slip.";
+    }
     figure.picture = std::move(map);
     return figure;
 }
 
-/// What lies beyond a range without boundaries.
-std::string outside_text(const LocatedRay& ray, Motion motion)
+/// The map under all curves of one pair of axes, with what lies between linear and nonlinear ones.
+StabilityMap marked_map(const Joint& design, const std::vector<FollowedBoundary>& curves, const ParallelFor& parallel)
 {
-    if (!ray.outside) return "";
-    const auto& o = *ray.outside;
-    const auto quantity = ray.axis.quantity;
-    if (!o.nearest)
-        return " None lies within " + with_unit(o.low, quantity, motion) + " … " + with_unit(o.high, quantity, motion) +
-               " either.";
-    return " The nearest one outside lies at " + ray.axis.symbol + " = " +
-           with_unit(o.nearest->value, quantity, motion, ray.kind == BoundaryKind::outcome ? 4 : 8) + ".";
+    auto map = map_under(design, curves.front().x, curves.front().y, parallel);
+    mark_bistable(map, curves);
+    for (const auto& c : curves)
+        if (!c.pieces.empty()) map.curves.push_back(curve_with_brackets(c));
+    return map;
 }
 
-/// What the scanned points of a ray without boundaries say.
-std::string throughout(const LocatedRay& ray)
+/// Curves that share their axes stand together.
+std::vector<std::vector<FollowedBoundary>> charts_of(const std::vector<FollowedBoundary>& curves)
 {
-    if (ray.kind == BoundaryKind::fold) return "";
-    const double judged = 1 - static_cast<double>(ray.undecided) / ray.nodes;
-    const char* side = ray.stable_share == 0               ? ": unstable "
-                       : ray.stable_share > judged - 1e-12 ? ": stable "
-                                                           : nullptr;
-    if (!side) return "";
-    return side + (ray.undecided == 0
-                       ? std::string("throughout")
-                       : "at all of the " + std::to_string(ray.nodes - ray.undecided) +
-                             " scanned points that have a verdict; " + std::to_string(ray.undecided) + " have none");
+    std::vector<std::vector<FollowedBoundary>> charts;
+    for (const auto& c : curves) {
+        if (charts.empty() || !same_axes(charts.back().front(), c)) charts.emplace_back();
+        charts.back().push_back(c);
+    }
+    return charts;
 }
 
 }  // namespace
-
-std::string could_be_missed(const LocatedRay& ray)
-{
-    std::string text = fmt::format("two boundaries of one kind within 1/{} of the range", ray.nodes - 1);
-    if (ray.climbed > 0) text += fmt::format(" ({} near touches were searched)", ray.climbed);
-    if (ray.kind == BoundaryKind::fold)
-        text += "; cycles that neither a subcritical linear boundary nor a start from near rest leads to";
-    if (ray.undecided > 0) text += fmt::format("; {} of {} scanned points have no verdict", ray.undecided, ray.nodes);
-    return text;
-}
-
-std::string could_be_missed(const FollowedBoundary& c)
-{
-    std::string text = fmt::format("a closed piece smaller than 1/{:.0f} of an axis", 1 / c.guard.cell);
-    if (c.guard.climbed > 0)
-        text += fmt::format(" that none of {} climbs between the nodes met ({} islands found so)", c.guard.climbed,
-                            c.guard.islands);
-    if (c.kind == BoundaryKind::fold)
-        text += "; cycles that neither a subcritical linear boundary nor a start from near rest leads to";
-    if (c.guard.unexplained > 0)
-        text += fmt::format("; {} of {} changes of side on the grid were not followed", c.guard.unexplained,
-                            c.guard.changes);
-    if (c.guard.undecided > 0)
-        text += fmt::format("; {} of {} grid points have no verdict", c.guard.undecided, c.guard.nodes);
-    return text;
-}
-
-std::string ray_text(const Joint& design, const LocatedRay& ray)
-{
-    const auto motion = design.mechanism.motion;
-    const std::string range = with_unit(ray.axis.values.front(), ray.axis.quantity, motion) + " … " +
-                              with_unit(ray.axis.values.back(), ray.axis.quantity, motion);
-    if (ray.undecided == ray.nodes) {
-        Joint first = design;
-        *find_parameter(first, ray.axis.path) = ray.axis.values.front();
-        const auto reason = linear_verdict(first).steady.reason;
-        return "No verdict along " + ray.axis.symbol + ": the joint cannot be judged at any of the " +
-               std::to_string(ray.nodes) + " points of the scan" +
-               (reason == Reason::none ? "." : ". At the first: " + reason_text(reason) + ".");
-    }
-    if (ray.points.empty())
-        return "No " + std::string(name_of(ray.kind)) + " boundary along " + ray.axis.symbol + " within " + range +
-               throughout(ray) + "." + outside_text(ray, motion);
-    std::string text = std::string(name_of(ray.kind)) + " boundary along " + ray.axis.symbol + " at ";
-    for (const auto& p : ray.points)
-        text += (&p == &ray.points.front() ? "" : ", ") + with_unit(p.value, ray.axis.quantity, motion, 8) + " (" +
-                direction_text(p.direction) + ")";
-    return text + ".";
-}
 
 StabilityMap map_under(const Joint& design, Axis x, Axis y, const ParallelFor& parallel)
 {
@@ -211,36 +157,34 @@ StabilityMap map_under(const Joint& design, Axis x, Axis y, const ParallelFor& p
 
 Report boundary_report(const BoundaryAnswer& answer, const ParallelFor& parallel)
 {
+    const auto& design = answer.design;
     Report report;
     report.title = answer.title.empty() ? "Boundaries of sliding" : answer.title;
     report.subtitle = "boundaries, located";
-    for (const auto& ray : answer.rays)
-        report.verdict += (report.verdict.empty() ? "" : " ") + ray_text(answer.design, ray);
-    if (!answer.curves.empty()) {
-        report.verdict += (report.verdict.empty() ? "" : " ") + meeting_text(answer.design, answer.curves);
-        report.headlines = meeting_headlines(answer.design, answer.curves);
-    }
-    if (linear_point(answer.design).spectral_abscissa > 0) {
-        report.tone = Tone::bad;
-        report.alerts.push_back({Tone::bad, "The design itself is unstable: small disturbances of sliding grow."});
-    }
+    if (!answer.outcome_means.empty()) report.subtitle += " · an outcome is what follows a " + answer.outcome_means;
     Section curves{"curves", "Curves", "", {}, {}};
-    for (std::size_t i = 0; i < answer.curves.size();) {
-        std::vector<FollowedBoundary> together;
-        while (i < answer.curves.size() && (together.empty() || same_axes(together.front(), answer.curves[i])))
-            together.push_back(answer.curves[i++]);
-        curves.figures.push_back(curve_figure(answer, together, parallel));
-        if (auto sharp = precision_figure(together, answer.design.mechanism.motion);
+    Region region = linear_point(design).region;
+    if (beyond_rays(design, answer.rays)) region = Region::bistable;
+    for (const auto& together : charts_of(answer.curves)) {
+        auto map = marked_map(design, together, parallel);
+        if (map.design.region == Region::bistable) region = Region::bistable;
+        curves.figures.push_back(curve_figure(std::move(map), together, answer.outcome_means));
+        if (auto sharp = precision_figure(together, design.mechanism.motion);
             !std::get<LineChart>(sharp.picture).lines.empty())
             curves.figures.push_back(std::move(sharp));
     }
+    report.tone = design_tone(region);
+    report.verdict = design_words(region);
+    for (const auto& ray : answer.rays) report.verdict += " " + ray_text(design, ray);
+    if (!answer.curves.empty()) report.verdict += " " + meeting_text(design, answer.curves);
+    report.headlines = meeting_headlines(design, answer.rays, answer.curves);
     if (!answer.curves.empty()) {
         curves.tables.push_back(guard_table(answer.curves));
         report.sections.push_back(std::move(curves));
     }
     Section rays{"rays", "Along single parameters", "", {}, {}};
     for (const auto& ray : answer.rays)
-        if (!ray.points.empty()) rays.tables.push_back(ray_table(answer.design, ray));
+        if (!ray.points.empty()) rays.tables.push_back(ray_table(design, ray));
     if (!rays.tables.empty()) report.sections.push_back(std::move(rays));
     for (const auto& ray : answer.rays)
         report.not_checked.push_back(std::string(name_of(ray.kind)) + " along " + ray.axis.symbol + ": " +

@@ -2,6 +2,7 @@
 #pragma once
 #include "analysis/boundary/boundary.h"
 #include "analysis/results/report.h"
+#include "sweep/report/boundary_text.h"
 #include "sweep/report/maps.h"
 
 #include <string>
@@ -15,17 +16,11 @@ struct BoundaryAnswer {
     Joint design;
     std::vector<LocatedRay> rays;
     std::vector<FollowedBoundary> curves;
-    Disturbance disturbance;  ///< of the outcomes
+    std::string outcome_means;  ///< "position of 0.0001 m", where outcomes were asked for
 };
 
-/// In words, what could have been missed.
-std::string could_be_missed(const LocatedRay& ray);
-std::string could_be_missed(const FollowedBoundary& curve);
-
-/// What the answer of a ray is, in a sentence, with the nearest boundary outside where there is none inside.
-std::string ray_text(const Joint& design, const LocatedRay& ray);
-
-/// Curves of one pair of axes on one map, rays in a table.
+/// What the design does and how far it is from each boundary first; curves of one pair of axes on one map, rays in a
+/// table.
 Report boundary_report(const BoundaryAnswer& answer, const ParallelFor& parallel);
 
 /// The map of linear regions over two axes that located curves are drawn on.

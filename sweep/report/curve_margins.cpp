@@ -3,8 +3,8 @@
 #include "analysis/boundary/chart.h"
 #include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
+#include "analysis/stability/verdict.h"
 #include "sweep/report/map_figures.h"
-#include "sweep/report/verdict_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,27 +54,68 @@ double meeting(const FollowedBoundary& c, const Joint& given, bool along_x)
     return along.log ? std::exp(found) : found;
 }
 
+const BoundaryPoint* nearest_point(const LocatedRay& ray, double own)
+{
+    const UnitAxis unit(ray.axis);
+    const auto away = [&](const BoundaryPoint& p) { return std::abs(unit.unit(p.value) - unit.unit(own)); };
+    const auto nearest = std::min_element(ray.points.begin(), ray.points.end(),
+                                          [&](const auto& a, const auto& b) { return away(a) < away(b); });
+    return nearest == ray.points.end() ? nullptr : &*nearest;
+}
+
+/// Whether small disturbances decay all the way from one value of a parameter to another.
+bool stable_between(Joint joint, const Axis& axis, double from, double to)
+{
+    constexpr int samples = 33;
+    double& number = *find_parameter(joint, axis.path);
+    for (int i = 0; i < samples; ++i) {
+        number = from + (to - from) * i / samples;
+        if (!(linear_point(joint).spectral_abscissa < 0)) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
-std::vector<Headline> meeting_headlines(const Joint& design, const std::vector<FollowedBoundary>& curves)
+std::vector<Headline> meeting_headlines(const Joint& design, const std::vector<LocatedRay>& rays,
+                                        const std::vector<FollowedBoundary>& curves)
 {
     constexpr std::size_t most = 5;
     std::vector<Headline> list;
     Joint joint = design;
     const auto motion = joint.mechanism.motion;
+    const auto add = [&](const Axis& axis, BoundaryKind kind, double own, double at) {
+        if (std::isnan(at) || own == 0 || list.size() == most) return;
+        const double change = (at - own) / std::abs(own);
+        list.push_back({Headline::Tone::neutral,
+                        axis.symbol + (change < 0 ? " −" : " +") + plain_number(100 * std::abs(change)) + " %",
+                        "from the design to the " + kind_words(kind) + ": " + with_unit(own, axis.quantity, motion, 4) +
+                            " to " + with_unit(at, axis.quantity, motion, 4)});
+    };
+    for (const auto& ray : rays) {
+        const double own = *find_parameter(joint, ray.axis.path);
+        if (const auto* p = nearest_point(ray, own)) add(ray.axis, ray.kind, own, p->value);
+    }
     for (const auto& c : curves)
         for (const bool along_x : {true, false}) {
             const Axis& axis = along_x ? c.x : c.y;
-            const double own = *find_parameter(joint, axis.path), at = meeting(c, joint, along_x);
-            if (std::isnan(at) || own == 0 || list.size() == most) continue;
-            const double change = at / own - 1;
-            list.push_back({Headline::Tone::neutral,
-                            axis.symbol + (change < 0 ? " −" : " +") + plain_number(100 * std::abs(change)) + " %",
-                            "from the design to the " + kind_words(c.kind) + ": " +
-                                with_unit(own, axis.quantity, motion, 4) + " to " +
-                                with_unit(at, axis.quantity, motion, 4)});
+            add(axis, c.kind, *find_parameter(joint, axis.path), meeting(c, joint, along_x));
         }
     return list;
+}
+
+bool beyond_rays(const Joint& design, const std::vector<LocatedRay>& rays)
+{
+    Joint joint = design;
+    for (const auto& ray : rays) {
+        if (ray.kind != BoundaryKind::fold && ray.kind != BoundaryKind::outcome) continue;
+        const double own = *find_parameter(joint, ray.axis.path);
+        const auto* p = nearest_point(ray, own);
+        if (!p || p->direction == 0) continue;
+        const bool cycles = (own > p->value) == (p->direction > 0);
+        if (cycles && stable_between(joint, ray.axis, own, p->value)) return true;
+    }
+    return false;
 }
 
 std::string meeting_text(const Joint& design, const std::vector<FollowedBoundary>& curves)

@@ -28,11 +28,10 @@ int locate(const BoundaryOptions& options, const Invocation& invocation)
     answer.title = asked.spec.title;
     answer.command = invocation.command;
     answer.design = asked.design;
-    answer.disturbance = questions.front().request.disturbance;
-    bool outcomes = false;
     const auto start = std::chrono::steady_clock::now();
     for (const auto& [request, axes] : questions) {
-        outcomes = outcomes || request.kind == BoundaryKind::outcome;
+        if (request.kind == BoundaryKind::outcome)
+            answer.outcome_means = disturbance_text(request.disturbance, asked.design.mechanism.motion);
         if (axes.size() == 2) {
             answer.curves.push_back(follow_boundaries(asked.design, axes[0], axes[1], request));
             continue;
@@ -43,8 +42,10 @@ int locate(const BoundaryOptions& options, const Invocation& invocation)
     }
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
 
-    const auto json = boundary_json(answer);
-    if (options.json) fmt::print("{}\n", json.dump(2));
+    const auto report = boundary_report(answer, parallel_for_each);
+    auto json = boundary_json(answer);
+    json["answer"] = plain_text(report.verdict);
+    fmt::print("{}\n", options.json ? json.dump(2) : plain_text(report.verdict));
     bool coarse = false, undecided = false;
     const auto judge = [&](int missing_verdicts, int nodes) {
         undecided = undecided || missing_verdicts > options.max_undecided * nodes;
@@ -56,7 +57,8 @@ int locate(const BoundaryOptions& options, const Invocation& invocation)
         evaluations += ray.evaluations;
         for (const auto& p : ray.points) coarse = coarse || !p.converged;
         if (options.json) continue;
-        fmt::print("{}\n", plain_text(ray_text(answer.design, ray)));
+        fmt::print("{} along {}: {} points, {} evaluations\n", name_of(ray.kind), ray.axis.path, ray.points.size(),
+                   ray.evaluations);
         for (const auto& p : ray.points)
             fmt::print("  {:<14} {:<18.12g} {:<8} bracket {:.1e}  {}  {}, {} evaluations\n", name_of(ray.kind), p.value,
                        unit_of(ray.axis.quantity, answer.design.mechanism.motion), p.precision(),
@@ -80,13 +82,11 @@ int locate(const BoundaryOptions& options, const Invocation& invocation)
     if (!options.directory.empty()) {
         write_whole(std::filesystem::path(options.directory) / "boundary.json", json.dump(1) + "\n");
         write_whole(std::filesystem::path(options.directory) / "boundary.csv", boundary_csv(answer));
-        const auto page = write_report(boundary_report(answer, parallel_for_each), options.directory);
+        const auto page = write_report(report, options.directory);
         if (!options.json) fmt::print("report: {}\n", page.string());
     }
     if (!options.json) {
-        if (outcomes)
-            fmt::print("outcome means after the disturbance: {}\n",
-                       disturbance_text(answer.disturbance, answer.design.mechanism.motion));
+        if (!answer.outcome_means.empty()) fmt::print("an outcome is what follows a {}\n", answer.outcome_means);
         fmt::print("{} points, {} evaluations, {:.2f} s\n", points, evaluations, wall.count());
     }
     return coarse || undecided ? exit_undecided : exit_done;
@@ -119,7 +119,7 @@ void add_boundary(CLI::App& app, Invocation& invocation)
     verb->add_option("--precision", options->precision,
                      "relative width of brackets; default: 1e-10 linear, 1e-6 fold, 1e-4 outcome")
         ->check(finite_number())
-        ->check(CLI::Range(1e-12, 0.1));
+        ->check(between(1e-12, 0.1));
     verb->add_option("--guard", options->guard,
                      "cells along each axis of the grid that guards against missed pieces; default: 16, where each "
                      "point is a motion 8")

@@ -1,5 +1,6 @@
 #include "sweep/verbs/boundary_question.h"
 
+#include "analysis/simulation/large_disturbance.h"
 #include "sweep/files/bad_input.h"
 #include "sweep/verbs/parallel.h"
 
@@ -9,9 +10,6 @@
 
 namespace stickslip {
 namespace {
-
-constexpr double default_start =
-    1e-4;  ///< outcomes: V_0 is commanded from this share of itself, unless another is asked
 
 std::vector<BoundaryKind> kinds_asked(const Asked& asked, const BoundaryOptions& options)
 {
@@ -30,7 +28,7 @@ Disturbance disturbance_asked(const Asked& asked, const BoundaryOptions& options
     for (const auto& k : DisturbanceSpec::kinds)
         if (k.name == options.disturbance) d = {k.value, missing};
     if (is_set(options.size)) d.size = options.size;
-    if (options.disturbance.empty() && !is_set(d.size)) d = {DisturbanceKind::start, default_start};
+    if (options.disturbance.empty() && !is_set(d.size)) d = {DisturbanceKind::start, near_rest_start};
     if (is_set(d.size) && !(d.size >= 0))
         throw BadInput(fmt::format(
             "{}: given is {:g}, allowed is {}", is_set(options.size) ? "--size" : "nonlinear.disturbance.size", d.size,

@@ -3,6 +3,7 @@
 #include "sweep/spec.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <string>
@@ -20,6 +21,18 @@ inline CLI::Validator finite_number()
                            : "given is " + text + ", allowed is a finite number";
             },
             "", "finite"};
+}
+
+/// As CLI11's range, whose words round small ends to 0.
+inline CLI::Validator between(double low, double high)
+{
+    return {[low, high](const std::string& text) -> std::string {
+                double value = 0;
+                return CLI::detail::lexical_cast(text, value) && value >= low && value <= high
+                           ? ""
+                           : fmt::format("Value {} not in range {} to {}", text, low, high);
+            },
+            fmt::format("in [{} - {}]", low, high), "range"};
 }
 
 struct DisturbanceOption {

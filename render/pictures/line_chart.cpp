@@ -143,11 +143,14 @@ Drawn draw(const LineChart& chart, const std::string& description, const Fonts& 
         std::vector<Polyline> pieces = clip(points, frame.box);
         const Pen pen = pen_of(i, line.dashed);
         for (Polyline& piece : pieces) canvas.line(piece = thin(piece, 0.1), pen);
-        const bool marked = takes_markers(chart, i, pieces);
-        if (marked) draw_markers(canvas, pieces, i);
-        entries.push_back({[&canvas, marked, pen, i](const Rectangle& box) {
+        const bool alone = points.size() == 1, marked = alone || takes_markers(chart, i, pieces);
+        if (alone)
+            marker(canvas, points.front(), i, pen.colour);
+        else if (marked)
+            draw_markers(canvas, pieces, i);
+        entries.push_back({[&canvas, alone, marked, pen, i](const Rectangle& box) {
                                const double middle = box.top + box.height / 2;
-                               canvas.line({{box.left, middle}, {box.right(), middle}}, pen);
+                               if (!alone) canvas.line({{box.left, middle}, {box.right(), middle}}, pen);
                                if (marked) marker(canvas, {box.left + box.width / 2, middle}, i, pen.colour);
                            },
                            line.name});

@@ -33,10 +33,10 @@ Scale above_zero(Scale y, const LineChart& chart)
     return y;
 }
 
-/// A curve in the plane, not a function of x: it needs air on all sides.
-bool winds(const LineChart::Line& line)
+/// A curve in the plane, not a function of x, or a single sample: it needs air on all sides.
+bool needs_air(const LineChart::Line& line)
 {
-    return !std::is_sorted(line.x.begin(), line.x.end());
+    return line.x.size() == 1 || !std::is_sorted(line.x.begin(), line.x.end());
 }
 
 }  // namespace
@@ -45,10 +45,10 @@ LineScales scales_of(const LineChart& chart)
 {
     std::vector<double> xs = all_values(chart, &LineChart::Line::x, chart.x_log);
     for (const auto& mark : chart.x_marks) xs.push_back(mark.second);
-    const bool orbit = std::any_of(chart.lines.begin(), chart.lines.end(), winds);
+    const bool air = std::any_of(chart.lines.begin(), chart.lines.end(), needs_air);
     const Scale x = spanning(xs, chart.x_log);
     const Scale y = spanning(all_values(chart, &LineChart::Line::y, chart.y_log), chart.y_log);
-    return {orbit ? with_room(x) : x, with_room(above_zero(y, chart))};
+    return {air ? with_room(x) : x, with_room(above_zero(y, chart))};
 }
 
 }  // namespace stickslip::drawing

@@ -5,6 +5,7 @@
 #include "sweep/report/nearest_text.h"
 #include "sweep/report/verdict_text.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stickslip {
@@ -136,7 +137,7 @@ std::vector<Table> design_tables(const DesignAnswer& a)
                     row_of("as in the joint", d.as_joint, d, u)};
     Table demands;
     demands.title = "Demands";
-    demands.columns = {"demand", "asked", "reached", "attainable, others kept", ""};
+    demands.columns = {"demand", "asked", "reached", "attainable, others kept", "outcome"};
     for (const auto& r : d.demands)
         demands.rows.push_back(
             {demand_name(r.name), demand_value(r, r.demanded, a, u), demand_value(r, r.reached, a, u),
@@ -157,8 +158,14 @@ Report design_report(const DesignAnswer& a)
         report.headlines.push_back({Tone::neutral, u.stiffness(d.best.k_p), "position gain k_{p}"});
         report.headlines.push_back({Tone::neutral, u.damping(d.best.k_v), "velocity gain k_{v}"});
         report.headlines.push_back({Tone::neutral, u.position(d.best.motion_noise), "rms motion from sensor noise"});
-        report.headlines.push_back({Tone::neutral, plain_number(d.best.margin),
-                                    "margin: distance to the nearest boundary in logarithms of the uncertain numbers"});
+        for (const auto& r : d.demands)
+            report.headlines.push_back(
+                {r.met ? Tone::good : Tone::bad, demand_value(r, r.reached, a, u),
+                 (r.name == "margin"
+                      ? "margin: distance to the nearest boundary in logarithms of the uncertain numbers; "
+                        "asked: at least "
+                      : demand_name(r.name) + "; asked: at most ") +
+                     demand_value(r, r.demanded, a, u)});
     }
     Section front{"pareto", "Noise against margin", "", {}, {}};
     if (d.front.size() > 1) {
@@ -169,18 +176,28 @@ Report design_report(const DesignAnswer& a)
         chart.y_label = motion ? "rms motion [" + std::string(unit_of(Quantity::position, u.motion)) + "]"
                                : "rms effort [" + std::string(unit_of(Quantity::effort, u.motion)) + "]";
         const auto noise = [&](const GainChoice& c) { return motion ? c.motion_noise : c.effort_noise; };
-        chart.y_log = noise(d.front.back()) > 10 * noise(d.front.front());
         LineChart::Line line{"least noise", {}, {}};
         for (const auto& c : d.front) line.x.push_back(c.margin), line.y.push_back(noise(c));
         chart.lines.push_back(std::move(line));
         chart.x_marks.emplace_back("demanded", a.requirements.margin);
-        if (d.velocity_only_found && d.velocity_only.margin > 0 && d.velocity_only.margin <= d.front.back().margin)
-            chart.x_marks.emplace_back("velocity-only", d.velocity_only.margin);
+        const auto compared = [&](const char* name, const GainChoice& c) {
+            if (c.margin > 0 && std::isfinite(noise(c))) chart.lines.push_back({name, {c.margin}, {noise(c)}});
+        };
+        compared("best", d.best);
+        if (d.velocity_only_found) compared("velocity-only thinking", d.velocity_only);
+        compared("as in the joint", d.as_joint);
+        double least = infinity, most = 0;
+        for (const auto& l : chart.lines)
+            for (const double y : l.y) least = std::min(least, y), most = std::max(most, y);
+        chart.y_log = most > 10 * least;
         Figure figure;
         figure.id = "noise-against-margin";
         figure.caption =
             "Pareto front: no gains within the range are both quieter and further from the boundary, the other demands "
-            "kept.";
+            "kept. Points: the choices of the table below" +
+            std::string(d.velocity_only.margin >= d.margin_reach || d.as_joint.margin >= d.margin_reach
+                            ? "; margins are looked for up to " + plain_number(d.margin_reach, 3) + "."
+                            : ".");
         if (d.velocity_only_found && d.velocity_only.margin > 0)
             figure.caption += " Velocity-only thinking would choose " + gains_text(d.velocity_only, u) +
                               " with a noise of " +

@@ -109,12 +109,27 @@ Report figures_report()
     Report report;
     report.title = "The paper, computed anew";
     report.subtitle = "P. E. Dupont, Avoiding Stick-Slip in Position and Force Control Through Feedback, ICRA 1991";
+    const auto numbers = paper_numbers();
     double worst = 0;
-    for (const auto& n : paper_numbers()) worst = std::max(worst, std::abs(n.computed / n.printed - 1));
+    int met = 0;
+    for (const auto& n : numbers) {
+        const double difference = std::abs(n.computed / n.printed - 1);
+        worst = std::max(worst, difference);
+        met += difference < figure_tolerance;
+    }
     report.verdict = worst < figure_tolerance ? "Every formula of the paper is met by another method to within " +
                                                     plain_number(worst, 1) + "."
                                               : "A formula of the paper is missed by " + plain_number(worst, 1) + ".";
     report.tone = worst < figure_tolerance ? Headline::Tone::good : Headline::Tone::bad;
+    const auto verdict = linear_verdict(paper_joint());
+    report.headlines = {
+        {report.tone, std::to_string(met) + " of " + std::to_string(numbers.size()),
+         "statements of the paper that the program meets another way, to a relative difference below " +
+             plain_number(figure_tolerance, 1) + "; largest: " + plain_number(worst, 1)},
+        {Headline::Tone::neutral, with_unit(verdict.state_variable.k_cr, Quantity::stiffness, Motion::prismatic),
+         "critical position gain (35) of the joint that the figures are about: above, it slides without any k_{v}"},
+        {Headline::Tone::neutral, with_unit(verdict.velocity_only.k_v_min, Quantity::damping, Motion::prismatic),
+         "velocity gain (21) that friction of velocity alone demands of it, whatever its k_{p}"}};
     report.sections.push_back(friction_figures());
     report.sections.push_back(models_section());
     const Joint lever = paper_models().front().joint;

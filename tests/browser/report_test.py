@@ -46,7 +46,11 @@ class Report(unittest.TestCase):
             (cls.out / f"{name}.toml").write_text(text)
             stickslip("sweep", cls.out / f"{name}.toml", "-o", cls.out / name)
         stickslip("report", "before", "after", "-o", "comparison", cwd=cls.out)
-        cls.pages = {name: cls.out / name / "report.html" for name in ("linear", "nonlinear", "motion", "comparison")}
+        stickslip("boundary", "examples/03-bistable-strip/spec.toml", "--kind", "linear", "fold", "--over",
+                  "control.k_p", "control.k_v", "-o", cls.out / "boundary")
+        stickslip("design", "examples/04-design/spec.toml", "-o", cls.out / "design")
+        names = ("linear", "nonlinear", "motion", "comparison", "boundary", "design")
+        cls.pages = {name: cls.out / name / "report.html" for name in names}
         cls.results = netCDF4.Dataset(cls.out / "linear/results.nc")
         cls.browser = Browser()
 
@@ -271,6 +275,30 @@ class Report(unittest.TestCase):
                 seen = self.browser.run("return [...document.querySelectorAll('.reader, .tip, .slider, .tools, nav, button')]"
                                         ".filter(e => e.getClientRects().length > 0).length")
                 self.assertEqual(seen, 0)
+
+    def test_what_is_wider_than_the_screen_says_so(self):
+        ends = ("const s = document.querySelector('.stage');"
+                "return [s.classList.contains('more-before'), s.classList.contains('more-after')]")
+        hint = "return document.querySelector('.sideways').getClientRects().length"
+        self.browser.open(self.pages["boundary"], width=400)
+        self.browser.wait("return document.querySelector('.stage').classList.contains('more-after')")
+        self.assertEqual(self.browser.run(hint), 1)
+        self.assertEqual(self.browser.run(ends), [False, True])
+        self.browser.run("document.querySelector('.stage').scrollLeft = 1e4")
+        self.browser.wait("return document.querySelector('.stage').classList.contains('more-before')")
+        self.assertEqual(self.browser.run(ends), [True, False])
+        self.browser.open(self.pages["boundary"])
+        self.assertEqual(self.browser.run(ends) + [self.browser.run(hint)], [False, False, 0])
+
+    def test_the_choices_beside_a_front_are_read_by_keys(self):
+        self.browser.open(self.pages["design"])
+        self.browser.run("document.querySelector('#noise-against-margin .reader').focus({focusVisible: true})")
+        read = []
+        for _ in range(4):
+            read.append(self.tip("#noise-against-margin"))
+            self.browser.key("ArrowDown")
+        for name in ("best", "velocity-only thinking", "as in the joint"):
+            self.assertTrue(any(name in text for text in read), (name, read))
 
     def test_it_looks_as_it_did(self):
         """The first screen, reduced to a quarter, so that letters of another version of the typeface do not matter."""

@@ -82,4 +82,5 @@ const prepareContents = () => {
 };
 
 prepareContents();
+prepareWidths();
 Promise.all([...document.querySelectorAll("figure[id]")].map(prepare)).then(() => { document.documentElement.dataset.ready = "true"; });

@@ -130,6 +130,23 @@ TEST_CASE("zero on a log axis lies on the lower edge and does not stretch it", "
     CHECK_THROWS_AS(render(figure(chart)), std::invalid_argument);
 }
 
+TEST_CASE("a line of a single sample is a mark, with air around it", "[picture]")
+{
+    LineChart chart;
+    chart.title = "front and choice";
+    chart.lines = {{"front", {1, 2, 3}, {3, 2, 1}}, {"choice", {3}, {5}}};
+    const auto [x, y] = drawing::scales_of(chart);
+    CHECK(x.high > 3);
+    CHECK(y.high > 5);
+    const auto made = render(figure(chart));
+    CHECK(fault_in_markup(made.svg) == "");
+    // one square in the chart, one in the legend
+    std::size_t squares = 0;
+    for (auto at = made.svg.find("#d55e00"); at != std::string::npos; at = made.svg.find("#d55e00", at + 1)) ++squares;
+    CHECK(squares == 2);
+    CHECK_THAT(made.csv, Catch::Matchers::Contains("choice,3,5"));
+}
+
 TEST_CASE("threads that draw at once get what one thread gets", "[picture]")
 {
     const Figure map = figure(example::map(20, 15)), lines = figure(example::lines());

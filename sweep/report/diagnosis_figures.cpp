@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace stickslip {
 namespace {
@@ -66,7 +67,10 @@ Figure overlay(const Signal& s)
     const auto stretch = worst_stretch(s);
     const auto time = cut(s.trace.time, stretch);
     LineChart chart;
-    chart.title = "Measured and simulated " + s.name + " where it is worst: " + s.trace.file;
+    constexpr std::string_view measured = "measured ";
+    const bool twice = s.name.starts_with(measured);
+    chart.title = "Measured and simulated " + (twice ? s.name.substr(measured.size()) : s.name) +
+                  " where it is worst: " + s.trace.file;
     chart.x_label = "time [s]";
     chart.y_label = s.name + " [" + s.unit + "]";
     chart.lines = {{"measured", time, cut(s.measured, stretch), false},

@@ -110,8 +110,15 @@ Section next_section(const Diagnosis& d)
                         : "No motion was found that would decide between named causes.";
         return next;
     }
-    constexpr double beyond_doubt = 100;
+    constexpr double beyond_doubt = 100, seen = 1;
     const auto& [one, two] = e.separates[0];
+    if (e.distance < seen) {
+        next.text = fmt::format(
+            "No motion that was tried would tell {} from {}: with the numbers that were found, even along {} they "
+            "differ by only {:.1g} noise standard deviations. For a simulation one is as good as the other.",
+            one, two, e.description, e.distance);
+        return next;
+    }
     next.text = fmt::format("Move along {}: there {} and {} differ by {}.", e.description, one, two,
                             e.distance > beyond_doubt ? std::string("more than a hundred noise standard deviations")
                                                       : fmt::format("{:.1f} noise standard deviations", e.distance));

@@ -100,9 +100,10 @@ Table gap_table(const Diagnosis& d)
     Table t{"Measured against simulated, held-out data",
             {"signal", "before", "after", "noise floor", "explained", "unit"},
             {}};
+    constexpr double beyond_floor = 1.1;  // less is no gap, and a part of it no number
     for (const auto& g : d.gap)
-        t.rows.push_back(
-            {g.signal, number(g.before), number(g.after), number(g.floor), whole_percent(g.explained), g.unit});
+        t.rows.push_back({g.signal, number(g.before), number(g.after), number(g.floor),
+                          g.before > beyond_floor * g.floor ? whole_percent(g.explained) : "no gap here", g.unit});
     t.rows.push_back({"overall", number(d.overall.before), number(d.overall.after), number(d.overall.floor),
                       ranged(d.overall.explained, d.overall.interval), "floors"});
     if (d.drive_force.corner > 0)

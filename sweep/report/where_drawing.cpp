@@ -8,8 +8,8 @@
 namespace stickslip {
 namespace {
 
-// narrow enough to be read on a telephone
-constexpr double width = 430, box_width = 122, box_height = 28, box_left = 2, arrow_length = 16;
+// drawings are as wide as charts: what is drawn stays on the left, where a telephone shows it
+constexpr double drawing_width = 760, width = 430, box_width = 122, box_height = 28, box_left = 2, arrow_length = 16;
 constexpr double bar_height = 12, stroke = 1.5, bars_left = 136, bars_width = 236, row_height = 26;
 constexpr const char* stages[] = {"command", "effort", "motion"};
 
@@ -55,7 +55,7 @@ Figure where_figure(const Diagnosis& d)
 {
     Drawing w;
     w.drawing.title = "Where the gap lies";
-    w.drawing.width = width;
+    w.drawing.width = drawing_width;
     const double middle = box_left + box_width / 2;
     w.text(middle, 14, "reference");
     double y = 20;
@@ -78,6 +78,7 @@ Figure where_figure(const Diagnosis& d)
     constexpr std::size_t exclusive = 3;  // stuck, low speed and sliding, which add up to all
     for (std::size_t i = 0; i < d.regimes.size(); ++i) {
         if (i == 0 || i == exclusive) {
+            y += i == 0 ? 0 : 10;
             w.text(bars_left, y + 6, i == 0 ? "of the motion's part, while" : "of the same, overlapping",
                    LineDrawing::Anchor::left);
             y += 18;

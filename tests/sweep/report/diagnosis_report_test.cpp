@@ -3,6 +3,7 @@
 #include "sweep/files/diagnosis_json.h"
 #include "sweep/report/diagnosis_tables.h"
 #include "sweep/report/moved_boundary.h"
+#include "sweep/report/where_drawing.h"
 
 #include <catch2/catch.hpp>
 
@@ -114,4 +115,41 @@ TEST_CASE("bars show a share and how sure it is", "[report]")
     CHECK(share_bar(0.5, {0.3, 0.7}) == "███▒▒▒▒···");
     CHECK(share_bar(1, {}) == "██████████");
     CHECK(share_bar(0, {0, 0}) == "··········");
+}
+
+TEST_CASE("the drawing of where says every stage, logged or not, and every regime", "[report]")
+{
+    Diagnosis d = named();
+    d.regimes = {{"stuck", 0.2, {0.1, 0.3}, 1, 1, "floors"},
+                 {"low speed", 0.7, {0.6, 0.8}, 1, 1, "floors"},
+                 {"sliding", 0.1, {0, 0.2}, 1, 1, "floors"},
+                 {"reversal", 0.4, {0.3, 0.5}, 1, 1, "floors"}};
+    const auto figure = where_figure(d);
+    const auto& drawing = std::get<LineDrawing>(figure.picture);
+    CHECK(drawing.boxes.size() == 3);
+    std::multiset<std::string> words;
+    for (const auto& l : drawing.labels) {
+        words.insert(l.text);
+        CHECK((l.x >= 0 && l.x <= drawing.width && l.y >= 0 && l.y <= drawing.height));
+    }
+    for (const char* word : {"command", "effort", "motion", "not logged", "10 %", "90 %", "stuck", "reversal", "40 %"})
+        CHECK(words.count(word) == (std::string(word) == "10 %" ? 2 : 1));
+    CHECK(figure.finding == "Shares of the gap along the chain: command 10 %, motion 90 %.");
+}
+
+TEST_CASE("an experiment that would tell nothing is not proposed as one", "[report]")
+{
+    Diagnosis d = named();
+    d.next_experiment = {"a chirp", {{"stribeck", "frictional-memory"}}, 0.1, {0, 1}, {0, 1}};
+    const Joint j = joint_with(slip_law(1e-5));
+    const auto said = [&] {
+        for (const auto& s : diagnosis_report(d, j, j, {}).sections)
+            if (s.id == "next") return s;
+        return Section{};
+    };
+    CHECK_THAT(said().text, Contains("No motion that was tried would tell stribeck from frictional-memory"));
+    CHECK(said().figures.empty());
+    d.next_experiment.distance = 12;
+    CHECK_THAT(said().text, Contains("differ by 12.0 noise standard deviations"));
+    CHECK(said().figures.size() == 1);
 }

@@ -12,7 +12,7 @@ constexpr double margin = 0.02;       // of score: rivals this close cannot be t
 constexpr double temperature = 0.01;  // of score: from margins to probabilities
 // A rival with one more parameter that gains nothing by it holds the winner as a special case. A true one would have
 // used its parameter: the odds against it.
-constexpr double needless_parameter = 6;
+constexpr double needless_parameter = 10;
 // The chance that a cause is not the one although it is named: what is left is not noise.
 constexpr double doubt = 0.3;
 constexpr int runs = 3;

@@ -138,16 +138,46 @@ std::string zsh(const CLI::App& app)
         verbs, cases);
 }
 
+std::string fish(const CLI::App& app)
+{
+    std::string text = "# fish completion for stickslip\n";
+    for (const auto* verb : verbs_of(app)) {
+        const auto& name = verb->get_name();
+        const auto line = [&](const std::string& rest) {
+            text += fmt::format("complete -c stickslip -n '__fish_seen_subcommand_from {}' {}\n", name, rest);
+        };
+        text += fmt::format("complete -c stickslip -n __fish_use_subcommand -f -a {} -d '{}'\n", name,
+                            safe(verb->get_description()));
+        for (const auto* option : verb->get_options()) {
+            const auto words = allowed_words(*option);
+            if (option->get_positional()) {
+                if (!words.empty()) line(fmt::format("-f -a '{}'", words));
+                continue;
+            }
+            std::string names;
+            for (const auto& n : option->get_lnames()) names += " -l " + n;
+            for (const auto& n : option->get_snames()) names += " -s " + n;
+            const std::string value = option->get_items_expected_max() == 0 ? ""
+                                      : words.empty()                       ? " -r"
+                                                                            : " -x -a '" + words + "'";
+            line(fmt::format("{}{} -d '{}'", names.substr(1), value, safe(option->get_description())));
+        }
+    }
+    return text;
+}
+
 }  // namespace
 
 void add_completion(CLI::App& app, Invocation& invocation)
 {
     auto shell = std::make_shared<std::string>();
-    auto* verb = app.add_subcommand("completion", "Print what bash or zsh needs to complete verbs and options");
-    verb->add_option("SHELL", *shell, "bash or zsh")->required()->check(CLI::IsMember({"bash", "zsh"}));
-    verb->footer("Example: source <(stickslip completion bash)");
+    auto* verb = app.add_subcommand("completion", "Print what bash, zsh or fish needs to complete verbs and options");
+    verb->add_option("SHELL", *shell, "bash, zsh or fish")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
+    verb->footer(
+        "Examples: source <(stickslip completion bash)\n"
+        "          stickslip completion fish | source");
     verb->callback([shell, &app, &invocation] {
-        fmt::print("{}", *shell == "bash" ? bash(app) : zsh(app));
+        fmt::print("{}", *shell == "bash" ? bash(app) : *shell == "zsh" ? zsh(app) : fish(app));
         invocation.exit_code = exit_done;
     });
 }

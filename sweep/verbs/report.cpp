@@ -52,8 +52,9 @@ ComparedRun read_run(const std::string& directory, const ReportSpec* charts, con
 int draw_again(const std::string& directory, const std::string& date)
 {
     const auto run = read_run(directory, nullptr, date);
-    fmt::print("report:  {}\n",
-               write_sweep_report(stability_report(run.spec, run.summary), run.spec, directory).string());
+    const auto report = stability_report(run.spec, run.summary);
+    fmt::print("{}", terminal_summary(report));
+    fmt::print("report:  {}\n", write_sweep_report(report, run.spec, directory).string());
     return exit_done;
 }
 

@@ -108,11 +108,13 @@ TEST_CASE("piped output has no colours and no progress", "[program]")
 TEST_CASE("completions and manual know every verb", "[program]")
 {
     Folder folder;
-    const auto bash = stickslip("completion bash"), zsh = stickslip("completion zsh"), manual = stickslip("man-page");
+    const auto bash = stickslip("completion bash"), zsh = stickslip("completion zsh"),
+               fish = stickslip("completion fish"), manual = stickslip("man-page");
     for (const char* verb :
          {"sweep", "boundary", "check", "evaluate", "simulate", "diagnose", "blind", "report", "merge", "list"}) {
         CHECK_THAT(bash.output, Contains(std::string("        ") + verb + ") options='"));
         CHECK_THAT(zsh.output, Contains(std::string("'") + verb + ":"));
+        CHECK_THAT(fish.output, Contains(std::string("-n __fish_use_subcommand -f -a ") + verb + " "));
         CHECK_THAT(manual.output, Contains(std::string(".SS ") + verb + "\n"));
     }
     CHECK_THAT(bash.output, Contains("--max-undecided"));
@@ -129,4 +131,15 @@ TEST_CASE("completions and manual know every verb", "[program]")
         "test \"${COMPREPLY[*]}\" = laws && exit $a'";
     CHECK_THAT(zsh.output, Contains(":value:(velocity-only linear v-min fold outcome)"));
     CHECK(std::system(asks.c_str()) == 0);
+    CHECK_THAT(fish.output, Contains("-l kind -x -a 'velocity-only linear v-min fold outcome'"));
+    if (program::shell("command -v fish >/dev/null").exit_code != 0) return;
+    const auto completed = [&](const std::string& words) {
+        return program::shell("fish -N -c 'source " + folder.write("stickslip.fish", fish.output) +
+                              "; complete -C \"stickslip " + words + "\"'")
+            .output;
+    };
+    CHECK_THAT(completed("sw"), Catch::Matchers::StartsWith("sweep\t"));
+    CHECK_THAT(completed("sweep --ti"), Catch::Matchers::StartsWith("--timestamp"));
+    CHECK_THAT(completed("boundary a.toml --kind fo"), Catch::Matchers::StartsWith("fold"));
+    CHECK_THAT(completed("list la"), Catch::Matchers::StartsWith("laws"));
 }

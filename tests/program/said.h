@@ -18,7 +18,7 @@ inline std::string lasting_lines(const std::string& output)
     std::string kept;
     for (std::string line; std::getline(in, line);) {
         const bool passing = line.find("computed now") != std::string::npos ||
-                             std::regex_search(line, std::regex("evaluations, [0-9.]+ s$")) ||
+                             std::regex_search(line, std::regex("(evaluations,|merged in) [0-9.]+ s$")) ||
                              std::regex_search(line, std::regex("^(results|report|page|trajectory|diagnosis): "));
         if (!passing) kept += line + "\n";
     }

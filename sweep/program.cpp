@@ -1,5 +1,6 @@
 #include "sweep/program.h"
 
+#include "analysis/simulation/lanes/instructions.h"
 #include "sweep/engine/build.h"
 #include "sweep/engine/run_directory.h"
 #include "sweep/files/bad_input.h"
@@ -11,8 +12,10 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <stdexcept>
 #include <system_error>
 
 namespace stickslip {
@@ -49,6 +52,18 @@ bool answer_written()
                    "make room and run the same command again\n",
                    std::generic_category().message(errno));
     return written;
+}
+
+/// What STICKSLIP_INSTRUCTIONS asks for: the answers of a machine with fewer instructions, on this one.
+void keep_to_instructions()
+{
+    const char* name = std::getenv("STICKSLIP_INSTRUCTIONS");
+    if (!name || !*name) return;
+    try {
+        lanes::use_instructions(name);
+    } catch (const std::invalid_argument& e) {
+        throw BadInput(std::string("STICKSLIP_INSTRUCTIONS: ") + e.what());
+    }
 }
 
 }  // namespace
@@ -97,6 +112,7 @@ int run_program(int argc, char** argv, Cluster* cluster)
     add_man_page(app, invocation);
 
     try {
+        keep_to_instructions();
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
         if (e.get_exit_code() == 0) {  // help or version, on standard output

@@ -1,5 +1,6 @@
 #include "sweep/engine/build.h"
 
+#include "analysis/simulation/lanes/instructions.h"
 #include "build_info.h"
 
 #include <fmt/format.h>
@@ -55,9 +56,9 @@ std::string program_version()
 
 std::string build_fingerprint()
 {
-    return fmt::format("stickslip {} sources {}; {}; {}; glibc {}; {}; mathematics {:016x}", build_info::version,
-                       build_info::sources, build_info::compiler, build_info::flags, gnu_get_libc_version(), cpu_kind(),
-                       mathematics());
+    return fmt::format("stickslip {} sources {}; {}; {}; glibc {}; {}; lanes {}; mathematics {:016x}",
+                       build_info::version, build_info::sources, build_info::compiler, build_info::flags,
+                       gnu_get_libc_version(), cpu_kind(), lanes::name_of(lanes::best_instructions()), mathematics());
 }
 
 }  // namespace stickslip

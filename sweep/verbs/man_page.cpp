@@ -58,6 +58,9 @@ std::string man_page(const CLI::App& app)
     for (const auto* verb : app.get_subcommands([](const CLI::App*) { return true; })) text += verb_section(*verb);
     text +=
         ".SH ENVIRONMENT\n.TP\n.B SOURCE_DATE_EPOCH\nDate written on reports, in seconds since 1970.\n"
+        ".TP\n.B STICKSLIP_INSTRUCTIONS\nbaseline, avx2 or avx512: the widest instructions that simulations use; "
+        "default: all that the processor has. With GLIBC_TUNABLES=glibc.cpu.hwcaps=\\-AVX2,\\-FMA a check can be tried "
+        "here as another machine would compute it.\n"
         ".TP\n.B NO_COLOR\nSet to anything: no colours on the terminal either.\n.SH EXIT STATUS\n" +
         roff(app.get_footer()) + "\n";
     return text;

@@ -1,14 +1,49 @@
+#include "analysis/simulation/lanes/instructions.h"
 #include "analysis/simulation/lanes/kernels.h"
 
-namespace stickslip::lanes {
+#include <algorithm>
+#include <atomic>
+#include <stdexcept>
+#include <string>
 
-Instructions best_instructions()
+namespace stickslip::lanes {
+namespace {
+
+constexpr Instructions all_sets[] = {Instructions::baseline, Instructions::avx2, Instructions::avx512};
+std::atomic<Instructions> widest_allowed = Instructions::avx512;
+
+Instructions widest_of_processor()
 {
 #if defined(__x86_64__)
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) return Instructions::avx512;
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return Instructions::avx2;
 #endif
     return Instructions::baseline;
+}
+
+}  // namespace
+
+std::string_view name_of(Instructions set)
+{
+    return set == Instructions::avx512 ? "avx512" : set == Instructions::avx2 ? "avx2" : "baseline";
+}
+
+void use_instructions(std::string_view name)
+{
+    std::string known;
+    for (const auto set : all_sets) {
+        if (set > widest_of_processor()) break;
+        known += (known.empty() ? "" : ", ") + std::string(name_of(set));
+        if (name_of(set) != name) continue;
+        widest_allowed = set;
+        return;
+    }
+    throw std::invalid_argument("given is \"" + std::string(name) + "\", this processor has " + known);
+}
+
+Instructions best_instructions()
+{
+    return std::min(widest_of_processor(), widest_allowed.load());
 }
 
 namespace {

@@ -21,7 +21,17 @@ constexpr double no_rate = 1e-14;            ///< per largest rate
 constexpr double by_the_linear_rate = 0.02;  ///< relative difference to the spectral abscissa
 constexpr int linear_turns = 20;             ///< in succession at that rate: the rest of the decay is known
 constexpr int most_idle_turns = 10;          ///< in succession: what happens lies below what doubles tell apart
-constexpr int settling_turns = 60;           ///< before a motion that neither closes nor settles is tested for repeats
+/// Growth of the amplitude per turn (its logarithm) below which a turn is followed more finely, what such a turn is
+/// followed to, and the growth that its errors may be taken for.
+constexpr double fine_growth = 1e-3, fine_rtol = 1e-12, no_growth = 1e-10;
+
+/// Contraction of a turn, 1 − |μ|, that the variational equations of shooting resolve.
+constexpr double clear_contraction = 1e-5;
+constexpr double located = 1e-4;        ///< of an amplitude that growth turns at
+constexpr double inward = 0.9;          ///< of a step towards an amplitude that growth seems to turn at further in
+constexpr int most_settling = 8;        ///< turns that a scaled motion gets to forget how it was scaled
+constexpr double settled_growth = 0.3;  ///< change of growth, relative, of one that has
+constexpr int settling_turns = 60;      ///< before a motion that neither closes nor settles is tested for repeats
 
 /// The longest time that bodies stick [s]: V_0 winds the springs up from what pushes them back to what drives them on.
 /// Such a phase has a closed form, however long it is.
@@ -66,7 +76,7 @@ class Follower {
           steady_attracts_(steady_attracts),
           scale_(flow.scale()),
           steady_(flow.steady()),
-          motion_(flow, options.solver, options.rtol)
+          motion_(std::make_unique<SlidingMotion>(flow, options.solver, options.rtol))
     {
         const auto rates = linear_rates(flow);
         turn_limit_ = longest_turn / rates.slowest + wind_up_time(flow);
@@ -85,6 +95,8 @@ class Follower {
     Attractor from_turn(const Turn& turn);
     bool shoot(const FlowVector& guess);
     bool makes_turn(const Cycle& cycle) const;
+    void refine();
+    void start_anew(const FlowVector& y);
     bool jump(double growth);
     double still_amplitude(double growth) const;
     double amplitude() const { return distance(points_.back(), steady_); }
@@ -96,25 +108,27 @@ class Follower {
     const FollowOptions& options_;
     bool steady_attracts_;
     FlowVector scale_, steady_;
-    SlidingMotion motion_;
+    std::unique_ptr<SlidingMotion> motion_;
+    bool fine_ = false;
     Attractor result_;
     std::deque<FlowVector> points_;  ///< on the section, newest last
     std::deque<Turn> turns_;
-    double turn_limit_ = 0, least_turn_ = 0;       ///< s
-    double abscissa_ = 0;                          ///< 1/s
-    int linear_turns_ = 0;                         ///< in succession that decayed at the linear rate
-    double last_growth_ = missing;                 ///< ln of the amplitude ratio of the last two turns
-    double grows_at_ = 0, shrinks_at_ = infinity;  ///< amplitudes seen to grow and to shrink since the last wild turn
-    int next_shot_ = 0, patience_ = 1;             ///< turns
-    int idle_turns_ = 0;                           ///< in succession that were shorter
-    int quiet_turns_ = 0;                          ///< turns since the amplitude was last scaled
+    double turn_limit_ = 0, least_turn_ = 0;  ///< s
+    double abscissa_ = 0;                     ///< 1/s
+    int linear_turns_ = 0;                    ///< in succession that decayed at the linear rate
+    double last_growth_ = missing;            ///< ln of the amplitude ratio of the last two turns
+    /// Amplitudes seen to grow and to shrink, and by how much a turn.
+    double grows_at_ = 0, shrinks_at_ = infinity, grows_by_ = missing, shrinks_by_ = missing;
+    int next_shot_ = 0, patience_ = 1;  ///< turns
+    int idle_turns_ = 0;                ///< in succession that were shorter
+    int quiet_turns_ = 0;               ///< turns since the amplitude was last scaled
 };
 
 Attractor Follower::ended(Attractor::Kind kind, Reason reason)
 {
     result_.kind = kind;
     result_.reason = reason;
-    result_.used_fallback = motion_.used_fallback();
+    result_.used_fallback = motion_->used_fallback();
     return result_;
 }
 
@@ -150,9 +164,9 @@ bool Follower::shoot(const FlowVector& guess)
     next_shot_ = result_.turns + patience_;
     patience_ = std::min(2 * patience_, 32);
     CycleOptions options;
-    options.rtol = std::min(1e-9, options_.rtol);
+    options.rtol = fine_ ? 1e-11 : std::min(1e-9, options_.rtol);
     const auto cycle = find_cycle(flow_, guess, options);
-    if (!cycle || !cycle->attracts()) return false;
+    if (!cycle || !cycle->attracts() || std::abs(cycle->multipliers[0]) > 1 - clear_contraction) return false;
     const double size = distance(cycle->start, steady_);
     if (distance(cycle->start, guess) > 0.5 * size) return false;  // another orbit than the one at hand
     if (!makes_turn(*cycle)) return false;
@@ -177,25 +191,52 @@ double Follower::still_amplitude(double growth) const
     return std::sqrt(squared);
 }
 
+void Follower::start_anew(const FlowVector& y)
+{
+    motion_->start(y, motion_->time());
+    points_.clear();
+    turns_.clear();
+    last_growth_ = missing;
+    quiet_turns_ = 0;
+}
+
+/// Where a turn changes little, what a multistep method adds or takes by its errors decides; a one-step method at the
+/// limit of doubles goes on from here.
+void Follower::refine()
+{
+    fine_ = true;
+    const double now = motion_->time();
+    motion_ = std::make_unique<SlidingMotion>(flow_, Solver::rodas5p, fine_rtol);
+    motion_->start(points_.back(), now);
+    start_anew(FlowVector(points_.back()));
+    grows_at_ = 0, shrinks_at_ = infinity;
+}
+
 /// Scales the amplitude of a creeping motion towards where its growth changes sign; true when that found the cycle.
 bool Follower::jump(double growth)
 {
     const FlowVector y = points_.back();
     const double size = amplitude(), still = still_amplitude(growth);
     (growth > 0 ? grows_at_ : shrinks_at_) = size;
+    (growth > 0 ? grows_by_ : shrinks_by_) = growth;
     const bool bracketed = grows_at_ < shrinks_at_ && grows_at_ > 0 && shrinks_at_ < infinity;
-    const double middle = std::sqrt(0.5 * (grows_at_ * grows_at_ + shrinks_at_ * shrinks_at_));
+    // where a line in amplitude² vanishes, kept off the ends that it would creep along
+    const double share = std::clamp(grows_by_ / (grows_by_ - shrinks_by_), 0.1, 0.9);
+    const double middle = std::sqrt(grows_at_ * grows_at_ * (1 - share) + shrinks_at_ * shrinks_at_ * share);
+    const double slope = (grows_by_ - shrinks_by_) / (shrinks_at_ * shrinks_at_ - grows_at_ * grows_at_);
+    if (bracketed && std::abs(growth) < 2 * located * slope * size * size) {
+        from_turn(turns_.back());
+        result_.path = DecisionPath::shooting;
+        return true;
+    }
     const bool ahead = growth > 0 ? still > size && still < 4 * size : still < size && still > 0.2 * size;
     if (ahead && shoot(steady_ + still / size * (y - steady_))) return true;
     if (bracketed && shoot(steady_ + middle / size * (y - steady_))) return true;
     // what creeps inwards may be passing a fold: only where nothing lies ahead may it be moved on
-    if (growth < 0 && ahead && !bracketed) return false;
-    const double factor = bracketed ? middle / size : growth > 0 ? 2 : 0.6;
-    motion_.start(steady_ + factor * (y - steady_), motion_.time());
-    points_.clear();
-    turns_.clear();
-    last_growth_ = missing;
-    quiet_turns_ = 0;
+    const bool passing = growth < 0 && ahead && !bracketed;
+    if (passing && !fine_) return false;
+    const double factor = bracketed ? middle / size : growth > 0 ? 2 : passing ? std::max(inward, still / size) : 0.6;
+    start_anew(steady_ + factor * (y - steady_));
     return false;
 }
 
@@ -203,7 +244,7 @@ bool Follower::repeats()
 {
     const auto gap = [this](int i, int j) { return distance(points_[i], points_[j]); };
     const int m = turns_to_repeat(static_cast<int>(points_.size()), gap, 100 * closed * amplitude());
-    if (m == 0) return false;
+    if (m == 0 || (m == 1 && fine_)) return false;  // what creeps seems closed: its growth decides
     from_turn(merged(turns_, m));
     result_.repeats = full_turns(turns_, m);
     return true;
@@ -212,12 +253,12 @@ bool Follower::repeats()
 Attractor Follower::run(const FlowVector& y)
 {
     using Kind = Attractor::Kind;
-    motion_.start(y);
+    motion_->start(y);
     const auto settled = [this](const FlowVector& now) {
         return steady_attracts_ && distance(now, steady_) < settled_distance;
     };
     for (; result_.turns < options_.turn_limit; ++result_.turns) {
-        const Turn turn = motion_.turn(motion_.time() + turn_limit_, settled);
+        const Turn turn = motion_->turn(motion_->time() + turn_limit_, settled);
         if (result_.turns == 0) result_.first_peak = turn.position_max;
         switch (turn.end) {
             case Turn::End::settled:
@@ -254,7 +295,15 @@ Attractor Follower::run(const FlowVector& y)
             const bool creeping = std::abs(growth) < 0.3 && std::abs(growth - last_growth_) < 0.05;
             if (creeping && flow_.size() <= 3 && quiet_turns_ >= 3) {
                 if (steady_attracts_ && growth < 0 && size < 1e-3) return ended(Kind::steady);
-                if (jump(growth)) return ended(Kind::cycle);
+                if (!fine_ && std::abs(growth) < fine_growth) {
+                    refine();
+                    continue;
+                }
+                const bool forgotten = std::abs(growth - last_growth_) < settled_growth * std::abs(growth);
+                if (!fine_ || forgotten || quiet_turns_ > most_settling) {
+                    if (jump(growth)) return ended(Kind::cycle);
+                    if (std::abs(growth) < no_growth) return ended(Kind::undecided, Reason::not_converged);
+                }
                 if (points_.empty()) continue;
             }
         } else if (!options_.accelerate && points_.size() > 3) {

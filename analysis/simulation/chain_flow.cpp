@@ -53,7 +53,7 @@ FlowVector ChainFlow::scale() const
 double ChainFlow::velocity(const FlowVector& y, int i) const
 {
     const auto& b = body[i];
-    return b.logarithmic ? b.speed * std::exp(y[bodies + i]) : y[bodies + i];
+    return b.logarithmic ? b.speed * std::exp(std::max(y[bodies + i], least_logarithm)) : y[bodies + i];
 }
 
 void ChainFlow::set_velocity(FlowVector& y, int i, double v) const
@@ -73,6 +73,7 @@ FrictionResponse ChainFlow::response(const FlowVector& y, int i) const
     const auto& b = body[i];
     const double V = b.ratio * velocity(y, i);
     const auto theta = states_of(y, i);
+    if (b.logarithmic) return respond_logarithmic(b.friction, y[bodies + i], b.ratio * b.speed, theta);
     if (!b.rests) return respond(b.friction, V, theta);
     const auto branch = b.mode == Mode::reverse ? Branch::reverse : Branch::forward;
     return respond_on(b.friction, branch, V, b.ratio * b.speed, theta);
@@ -121,7 +122,8 @@ void ChainFlow::jacobian(const FlowVector& y, FlowMatrix& J) const
             J(bodies + i, bodies + k) = -damping(i, k) * (body[k].logarithmic ? velocity(y, k) : 1) * per_inertia;
         }
         J(bodies + i, bodies + i) -= b.ratio * r.by_velocity * own * per_inertia;
-        if (b.logarithmic) J(bodies + i, bodies + i) -= (needed(y, i) - b.ratio * r.force) * per_inertia;
+        if (b.logarithmic && y[bodies + i] > least_logarithm)
+            J(bodies + i, bodies + i) -= (needed(y, i) - b.ratio * r.force) * per_inertia;
         for (int j = 0; j < b.states; ++j) J(bodies + i, b.first_state + j) = -b.ratio * r.by_state[j] * per_inertia;
     }
 }

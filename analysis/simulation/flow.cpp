@@ -37,6 +37,14 @@ FrictionResponse respond_on(const Friction& friction, Branch branch, double V, d
     return r;
 }
 
+FrictionResponse respond_logarithmic(const Friction& friction, double w, double V0, const States& theta)
+{
+    const double V = V0 * std::exp(std::max(w, least_logarithm));
+    auto r = respond(friction, V, theta);
+    if (w < least_logarithm) r.force += r.by_velocity * V * (w - least_logarithm);
+    return r;
+}
+
 FlowVector SlidingFlow::steady() const
 {
     FlowVector y = FlowVector::Zero(size());
@@ -68,8 +76,8 @@ FrictionResponse SlidingFlow::response(const FlowVector& y) const
 {
     States theta{};
     for (int i = 0; i < states; ++i) theta[i] = y[2 + i];
-    const double V = velocity(y);
-    return can_rest() ? respond_on(friction, branch, V, V0, theta) : respond(friction, V, theta);
+    if (logarithmic) return respond_logarithmic(friction, y[1], V0, theta);
+    return can_rest() ? respond_on(friction, branch, y[1], V0, theta) : respond(friction, y[1], theta);
 }
 
 void SlidingFlow::rate(const FlowVector& y, FlowVector& out) const
@@ -92,7 +100,7 @@ void SlidingFlow::jacobian(const FlowVector& y, FlowMatrix& J) const
     J.setZero(size(), size());
     J(0, 1) = 1 / per_speed;
     J(1, 0) = -k_p / inertia * per_speed;
-    J(1, 1) = -(k_v + r.by_velocity) / inertia - (logarithmic ? acceleration / V : 0);
+    J(1, 1) = -(k_v + r.by_velocity) / inertia - (logarithmic && y[1] > least_logarithm ? acceleration / V : 0);
     for (int i = 0; i < states; ++i) {
         J(1, 2 + i) = -r.by_state[i] / inertia * per_speed;
         J(2 + i, 1) = r.rate_by_velocity[i] / per_speed;

@@ -5,6 +5,8 @@
 #include "analysis/results/point.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace stickslip {
@@ -42,6 +44,13 @@ class Flow {
     virtual double gain() const = 0;
     virtual std::unique_ptr<Flow> copy() const = 0;
 };
+
+/// ln(V/V_0) below which a law that needs motion takes V for this speed, its friction going on along its logarithm: the
+/// mass then moves by less than rounding, and smaller speeds would only overflow what is divided by them.
+inline constexpr double least_logarithm = -60;
+
+/// The response of a law that needs motion at V_0 e^w, however small that is.
+FrictionResponse respond_logarithmic(const Friction& friction, double w, double V0, const States& theta);
 
 /// In which branch of a friction law that is set-valued at rest the mass slides.
 enum class Branch { forward, reverse };
@@ -83,7 +92,10 @@ class SlidingFlow final : public Flow {
     FlowVector scale() const override;
     void rate(const FlowVector& y, FlowVector& rate) const override;
     void jacobian(const FlowVector& y, FlowMatrix& jacobian) const override;
-    double velocity(const FlowVector& y) const override { return logarithmic ? V0 * std::exp(y[1]) : y[1]; }
+    double velocity(const FlowVector& y) const override
+    {
+        return logarithmic ? V0 * std::exp(std::max(y[1], least_logarithm)) : y[1];
+    }
     double position(const FlowVector& y) const override { return y[0]; }
     double speed_measure(const FlowVector& y) const override { return logarithmic ? y[1] : y[1] / V0 - 1; }
     FlowVector speed_gradient(const FlowVector& y) const override;

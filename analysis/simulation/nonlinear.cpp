@@ -3,8 +3,8 @@
 #include "analysis/simulation/attractor.h"
 #include "analysis/simulation/bifurcation.h"
 #include "analysis/simulation/delay.h"
+#include "analysis/simulation/growth.h"
 #include "analysis/simulation/large_disturbance.h"
-#include "analysis/simulation/mode.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/spectrum.h"
 #include "analysis/stability/steady.h"
@@ -16,72 +16,14 @@
 namespace stickslip {
 namespace {
 
-/// Share of rtol that holds while growth is measured: multistep methods add up their errors over a turn.
-constexpr double growth_fineness = 1e-2;
-
-/// Tolerances below are lost in the rounding of states that are large beside the disturbance. Where rounding is worse,
-/// the solver creeps at such a tolerance and gets ten times the tolerance, at most up to the coarsest.
-constexpr double finest_tolerance = 1e-14, coarsest_tolerance = 1e-10;
-constexpr int most_steps_of_growth = 50'000;  ///< in its window; thousands are usual, more means creep
-
 /// A first Lyapunov coefficient, per ω, that decides nothing.
 constexpr double degenerate_lyapunov = 1e-6;
-
-/// The disturbance whose growth is measured, in units of the flow's scale: large enough to stand above the rounding of
-/// states.
-constexpr double probe_size = 1e-3;
 
 /// To which a small disturbance that grows is lifted, in units of the flow's scale; and the size below which it excites
 /// its mode so little that the lifted one would drown in the solver's tolerance.
 constexpr double lifted = 0.1, hidden = 1e-3 * small_disturbance;
 
 constexpr double neutral_abscissa = 1e-12;  ///< per |s|
-
-/// The size of a small disturbance in units of the flow's scale: its own, or that of the mode that it excites, which
-/// may be far larger, as a position that balances at V_0 starts without a change of speed and brings one about.
-double size_of(const Flow& flow, const SlowMode& mode, const FlowVector& offset)
-{
-    const FlowVector per_scale = flow.scale().cwiseInverse();
-    const double own = offset.cwiseProduct(per_scale).lpNorm<Eigen::Infinity>();
-    const double of_mode = mode.right.cwiseProduct(per_scale.cast<std::complex<double>>()).lpNorm<Eigen::Infinity>();
-    const double share = mode.size(mode.steady + offset) / std::abs((mode.left.transpose() * mode.right)(0));
-    return std::max(own, std::min(share * of_mode, small_disturbance));
-}
-
-struct Growth {
-    double rate = missing;
-    bool failed = false;
-    bool used_fallback = false;
-};
-
-/// From differences of motions that start on opposite sides of steady sliding, so that even powers of the disturbance
-/// cancel, at two sizes, so that the third power does.
-Growth measure_growth(const Flow& flow, const SlowMode& mode, FlowVector probe, const FollowOptions& options)
-{
-    Growth growth;
-    probe *= probe_size / size_of(flow, mode, probe);
-    const double window = mode.window();
-    // tolerances relative to the disturbance, not to the motion that it may grow into, and to what it changes by
-    const double change = std::min(1.0, clear_change * std::abs(mode.s.real()) * window);
-    double tolerance = std::max(growth_fineness * options.rtol * probe_size * change, finest_tolerance);
-    do {
-        SlidingMotion motion(flow, options.solver, tolerance);
-        growth.failed = false;
-        const auto after = [&](const FlowVector& start) -> FlowVector {
-            motion.start(start);
-            growth.failed = growth.failed || !motion.advance(window, most_steps_of_growth);
-            return motion.state();
-        };
-        const auto rate_of = [&](const FlowVector& offset) {
-            const FlowVector difference = after(mode.steady + offset) - after(mode.steady - offset);
-            return std::log(mode.size(mode.steady + difference / 2) / mode.size(mode.steady + offset)) / window;
-        };
-        growth.rate = (4 * rate_of(probe / 2) - rate_of(probe)) / 3;
-        growth.used_fallback = growth.used_fallback || motion.used_fallback();
-        tolerance *= 10;
-    } while (growth.failed && tolerance < coarsest_tolerance);
-    return growth;
-}
 
 Outcome outcome_of(const Attractor& a)
 {
@@ -178,17 +120,10 @@ void judge(const Joint& joint, const AnyFlow& flow, double abscissa, const Nonli
         return;
     }
     const FlowVector small = disturbed(flow, mode, kind, default_size(flow, mode, kind));
-    const auto growth = measure_growth(flow, mode, small - mode.steady, follow_options);
-    verdict.growth_rate = growth.rate;
-    verdict.used_fallback = growth.used_fallback;
-    if (growth.failed || !std::isfinite(growth.rate)) {
-        verdict.outcome = Outcome::solver_failure;
-        verdict.reason = Reason::solver_failed;
-        return;
-    }
-    const bool measurable = std::abs(growth.rate) > measurable_growth * std::abs(mode.s);
+    verdict.growth_rate = measure_growth(flow, mode, small - mode.steady);
+    const bool measurable = std::abs(verdict.growth_rate) > measurable_growth * std::abs(mode.s);
     // a neutral mode, as of an undamped spring, does not grow
-    const bool decays = measurable ? growth.rate < 0 : abscissa <= neutral_abscissa * std::abs(mode.s);
+    const bool decays = measurable ? verdict.growth_rate < 0 : abscissa <= neutral_abscissa * std::abs(mode.s);
 
     // the stated disturbance
     Attractor stated;

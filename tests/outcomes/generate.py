@@ -5,6 +5,7 @@ memory, a classical Runge-Kutta of all rows at once with sticking for friction w
 
     generate.py LAW > outcomes.csv     LAW: slip | ageing | kinetic-static | stribeck
 """
+import os
 import sys
 
 import numpy
@@ -35,8 +36,13 @@ def memory_row(k_p, k_v, V0, ageing):
     v = 1e-3 * V0
     friction = (A - B) * numpy.log(v / V_STAR)
     turn = 2 * numpy.pi * numpy.sqrt(MASS / k_p) + 10 * L / V0 + 10 * B / (k_p * V0)
-    run = solve_ivp(rate, (0, 15 * turn), [(friction - k_v * (V0 - v)) / k_p, numpy.log(v / V0), -B * numpy.log(v / V_STAR)],
-                    method="LSODA", rtol=1e-6, atol=[1e-12, 1e-6, 1e-8])
+    start = [(friction - k_v * (V0 - v)) / k_p, numpy.log(v / V0), -B * numpy.log(v / V_STAR)]
+    for method in ("LSODA", "Radau"):
+        run = solve_ivp(rate, (0, 15 * turn), start, method=method, rtol=1e-6, atol=[1e-12, 1e-6, 1e-8])
+        if run.success and numpy.all(numpy.isfinite(run.y)):
+            break
+    else:
+        raise RuntimeError(f"no motion at k_p = {k_p}, k_v = {k_v}, V0 = {V0}: {run.message}")
     late = run.t > 0.75 * run.t[-1]
     speed = numpy.exp(run.y[1][late])
     return speed.max() - speed.min() > SWING, (run.y[0][late].max() - run.y[0][late].min()) / 2
@@ -78,9 +84,12 @@ def static_rows(k_p, k_v, V0, force_of, static):
 
 
 def main(law):
+    # LSODA writes its complaints into the table: only what is printed here goes there
+    table = os.fdopen(os.dup(1), "w")
+    os.dup2(2, 1)
     rows = [(k, c, V) for k in K_P for c in K_V for V in V_0]
-    print("# made by an independent simulation of", law, "friction")
-    print("k_p,k_v,V0,outcome,amplitude")
+    print("# made by an independent simulation of", law, "friction", file=table)
+    print("k_p,k_v,V0,outcome,amplitude", file=table)
     if law in ("slip", "ageing"):
         outcomes = [memory_row(*row, law == "ageing") for row in rows]
     else:
@@ -91,7 +100,8 @@ def main(law):
             sticks, amplitude = static_rows(k_p, k_v, V0, lambda v: LEVEL + C2 * numpy.exp(-(v / C3) ** 2) + 2 * v, LEVEL + C2)
         outcomes = list(zip(sticks, amplitude))
     for (k, c, V), (sticks, amplitude) in zip(rows, outcomes):
-        print(f"{k:.6g},{c:g},{V:.6g},{'stick-slip' if sticks else 'stable'},{f'{amplitude:.5g}' if sticks else ''}")
+        print(f"{k:.6g},{c:g},{V:.6g},{'stick-slip' if sticks else 'stable'},{f'{amplitude:.5g}' if sticks else ''}",
+              file=table)
 
 
 main(sys.argv[1])

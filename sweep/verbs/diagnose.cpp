@@ -12,12 +12,12 @@
 #include "sweep/report/diagnosis_report.h"
 #include "sweep/report/outcome_report.h"
 #include "sweep/report/write_report.h"
+#include "sweep/verbs/stage_line.h"
 #include "sweep/verbs/verbs.h"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <memory>
@@ -57,15 +57,6 @@ gap::ParallelFor on_threads()
         [](std::size_t n, const std::function<void(std::size_t)>& task) { tbb::parallel_for(std::size_t{0}, n, task); };
 }
 
-std::function<void(const std::string&, double)> progress_on_terminal()
-{
-    if (isatty(STDERR_FILENO) == 0) return {};
-    return [](const std::string& stage, double done) {
-        fmt::print(stderr, "\r\x1b[K{:3.0f} %  {}", 100 * done, stage);
-        if (done >= 1) fmt::print(stderr, "\r\x1b[K");
-    };
-}
-
 /// Signals that the simulation is driven by or compared with.
 bool needs_every_value(const std::string& signal)
 {
@@ -80,8 +71,9 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
     std::vector<std::string> warnings;
     const auto table = read_outcomes(options.records.front(), joint, warnings);
     auto answer = [&] {
+        StageLine line;
         try {
-            return gap::explain(joint, table, on_threads(), progress_on_terminal());
+            return gap::explain(joint, table, line.counted(on_threads()), line.listener());
         } catch (const std::invalid_argument& e) {
             throw BadInput(e.what());
         }
@@ -140,7 +132,6 @@ int diagnose(const Options& options, const Invocation& invocation)
     }
     if (!gaps.empty()) throw BadInput(gaps);
     gap::DiagnosisOptions settings;
-    settings.progress = progress_on_terminal();
     auto result = [&] {
         // a cause fitted to records in another unit would be named with confidence, and wrong
         if (!contradictions.empty()) {
@@ -149,8 +140,10 @@ int diagnose(const Options& options, const Invocation& invocation)
             refused.diagnosis.reasons = contradictions;
             return refused;
         }
+        StageLine line;
+        settings.progress = line.listener();
         try {
-            return gap::diagnose(joint, records, on_threads(), settings);
+            return gap::diagnose(joint, records, line.counted(on_threads()), settings);
         } catch (const std::invalid_argument& e) {
             throw BadInput(e.what());
         }

@@ -181,3 +181,21 @@ TEST_CASE("a table of outcomes is diagnosed alone, and too few rows are said to 
     CHECK(both.exit_code == 2);
     CHECK_THAT(both.output, Contains("is diagnosed alone"));
 }
+
+TEST_CASE("a person at a terminal sees what a diagnosis is busy with, a pipe does not", "[program][diagnose]")
+{
+    if (program::shell("command -v script >/dev/null").exit_code != 0) {
+        WARN("script is not installed here");
+        return;
+    }
+    Folder folder;
+    const auto spec = folder.write("joint.toml", joint), file = folder.write("run.csv", record());
+    const std::string command = "diagnose '" + spec + "' '" + file + "' --no-report -o '" + (folder / "out") + "'";
+    const auto seen = program::shell("TERM=xterm script -qec \"'" + std::string(STICKSLIP) + "' " + command +
+                                     "\" /dev/null </dev/null");
+    CHECK(seen.exit_code == 0);
+    CHECK_THAT(seen.output, Contains("fitting single effects") && Contains(" of ") && Contains("\r\x1b[K"));
+    const auto piped = stickslip(command);
+    CHECK(piped.exit_code == 0);
+    CHECK_THAT(piped.output, !Contains("\x1b") && !Contains("fitting"));
+}

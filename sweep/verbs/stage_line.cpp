@@ -1,0 +1,68 @@
+#include "sweep/verbs/stage_line.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace stickslip {
+
+StageLine::StageLine() : terminal_(isatty(STDERR_FILENO) != 0)
+{
+    if (!terminal_) return;
+    clock_ = std::thread([this] {
+        std::unique_lock lock(mutex_);
+        while (!ended_.wait_for(lock, std::chrono::milliseconds(500), [this] { return end_; })) draw();
+    });
+}
+
+StageLine::~StageLine()
+{
+    if (!terminal_) return;
+    {
+        const std::lock_guard lock(mutex_);
+        end_ = true;
+    }
+    ended_.notify_all();
+    clock_.join();
+    fmt::print(stderr, "\r\x1b[K");
+    std::fflush(stderr);
+}
+
+std::function<void(const std::string&, double)> StageLine::listener()
+{
+    if (!terminal_) return {};
+    return [this](const std::string& stage, double done) {
+        const std::lock_guard lock(mutex_);
+        stage_ = stage;
+        done_ = done;
+        tasks_ = 0;
+        draw();
+    };
+}
+
+gap::ParallelFor StageLine::counted(gap::ParallelFor run)
+{
+    if (!terminal_) return run;
+    return [this, run = std::move(run)](std::size_t n, const std::function<void(std::size_t)>& task) {
+        finished_ = 0;
+        tasks_ = n;
+        run(n, [&](std::size_t i) {
+            task(i);
+            ++finished_;
+        });
+    };
+}
+
+void StageLine::draw()
+{
+    if (stage_.empty()) return;
+    const auto seconds =
+        std::chrono::duration_cast<std::chrono::seconds>(std::chrono::steady_clock::now() - start_).count();
+    const std::size_t tasks = tasks_, finished = finished_;
+    fmt::print(stderr, "\r\x1b[K{:3.0f} %  {}{}  {} s", 100 * done_, stage_,
+               tasks > 1 ? fmt::format(", {} of {}", finished, tasks) : "", seconds);
+    std::fflush(stderr);
+}
+
+}  // namespace stickslip

@@ -29,6 +29,7 @@ struct Signal {
     const DiagnosedTrace& trace;
     std::string name, unit, id;
     const std::vector<double>&measured, &before, &after;
+    bool named;  ///< a cause is added; else both simulations are the same
 };
 
 /// The stretch of a trace in which the simulation before the cause errs most: over the whole of a record the lines lie
@@ -74,12 +75,13 @@ Figure overlay(const Signal& s)
     chart.x_label = "time [s]";
     chart.y_label = s.name + " [" + s.unit + "]";
     chart.lines = {{"measured", time, cut(s.measured, stretch), false},
-                   {"simulated before", time, cut(s.before, stretch), true},
-                   {"simulated after", time, cut(s.after, stretch), true}};
+                   {s.named ? "simulated before" : "simulated", time, cut(s.before, stretch), true}};
+    if (s.named) chart.lines.push_back({"simulated after", time, cut(s.after, stretch), true});
     return {s.id, chart,
             "The stretch in which the joint as documented errs most. The simulation follows the reference on its own; "
             "the measured motion is no part of it.",
-            "Measured " + s.name + " over time and two simulations, before and after the cause is added"};
+            "Measured " + s.name + " over time and " +
+                (s.named ? "two simulations, before and after the cause is added" : "the simulation")};
 }
 
 Figure residual(const Signal& s)
@@ -89,6 +91,11 @@ Figure residual(const Signal& s)
     chart.title = "What the simulation gets wrong in " + s.name + ": " + s.trace.file;
     chart.x_label = "time [s]";
     chart.y_label = "measured minus simulated [" + s.unit + "]";
+    if (!s.named) {
+        chart.lines = {{"measured minus simulated", s.trace.time, before, false}};
+        const std::string words = "Residual of " + s.name + " over time.";
+        return {s.id + "-residual", chart, words, words};
+    }
     chart.lines = {{"before", s.trace.time, before, true}, {"after", s.trace.time, after, false}};
     const double was = rms(before), is = rms(after);
     std::string words = "Residual of " + s.name + " over time, before and after";
@@ -106,14 +113,17 @@ std::vector<Figure> trace_figures(const Diagnosis& d)
     for (const auto& trace : d.traces) {
         if (++n > most_records) break;
         const std::string id = "record-" + std::to_string(n);
-        const Signal motion{trace, "position", position, id + "-position", trace.measured, trace.before, trace.after};
+        const bool named = d.verdict == Verdict::gap;
+        const Signal motion{trace,          "position",   position,    id + "-position",
+                            trace.measured, trace.before, trace.after, named};
         const Signal effort{trace,
                             trace.effort_name,
                             trace.effort_unit,
                             id + "-effort",
                             trace.effort_measured,
                             trace.effort_before,
-                            trace.effort_after};
+                            trace.effort_after,
+                            named};
         const bool forces = !trace.effort_measured.empty();
         // a rig's load point moves as it was told: there is nothing to get wrong
         const bool moves = rms(difference(trace.measured, trace.before)) > 0;

@@ -64,6 +64,7 @@ Headline what_card(const Diagnosis& d)
 
 Headline where_card(const Diagnosis& d)
 {
+    if (d.verdict == Verdict::no_gap) return {Tone::good, "nowhere", "where: no stage errs by more than its noise"};
     constexpr std::size_t exclusive = 3;  // stuck, low speed, sliding
     const Share* s = largest(d.signals, d.signals.size());
     const Share* r = largest(d.regimes, exclusive);
@@ -148,8 +149,12 @@ std::string diagnosis_sentence(const Diagnosis& d)
             return "No gap: the nominal joint predicts the records to the noise.";
         case Verdict::unknown:
             return "There is a gap, and nothing in the catalogue explains it.";
-        default:
-            return "These records do not hold enough to conclude anything.";
+        default: {
+            const bool suspected = std::any_of(d.reasons.begin(), d.reasons.end(),
+                                               [](const auto& r) { return r.find("suspected") != std::string::npos; });
+            return suspected ? "Nothing was concluded: records and joint do not fit together."
+                             : "These records do not hold enough to conclude anything.";
+        }
     }
 }
 
@@ -158,11 +163,14 @@ Report diagnosis_report(const Diagnosis& d, const Joint& before, const Joint& af
 {
     Report r;
     r.title = "Sim-to-real gap of one joint";
-    r.subtitle =
-        d.records.size() == 1 ? "One record: " + d.records[0].file : fmt::format("{} records", d.records.size());
+    if (!d.records.empty())
+        r.subtitle =
+            d.records.size() == 1 ? "One record: " + d.records[0].file : fmt::format("{} records", d.records.size());
     r.verdict = diagnosis_sentence(d);
     r.tone = d.verdict == Verdict::no_gap ? Tone::good : d.verdict == Verdict::gap ? Tone::warning : Tone::bad;
-    for (const auto& reason : d.reasons) r.alerts.push_back({Tone::warning, reason});
+    // that nothing is wrong is the verdict already, and no warning
+    if (d.verdict != Verdict::no_gap)
+        for (const auto& reason : d.reasons) r.alerts.push_back({Tone::warning, reason});
     r.not_checked = gathered_notes(d);
     r.provenance = std::move(provenance);
     // nothing was concluded: pages of empty tables would hide the reason
@@ -182,10 +190,16 @@ Report diagnosis_report(const Diagnosis& d, const Joint& before, const Joint& af
     if (!d.signals.empty()) where.figures.push_back(where_figure(d));
     if (!d.regimes.empty())
         where.tables.push_back(shares_table("By regime: stuck, low speed and sliding exclude each other", d.regimes));
-    Section much{
-        "how-much", "How far it shrinks", "Every number is from data that the fit has not seen.", {}, {gap_table(d)}};
+    const bool named = d.verdict == Verdict::gap;
+    Section much{"how-much",
+                 named ? "How far it shrinks" : "How large it is",
+                 named ? "Every number is from data that the fit has not seen."
+                       : "The joint as documented against the records; nothing was added to it.",
+                 {},
+                 {gap_table(d)}};
     much.figures = trace_figures(d);
-    r.sections.push_back(std::move(where));
+    // shares of noise would look like findings
+    if (d.verdict != Verdict::no_gap) r.sections.push_back(std::move(where));
     if (!d.effects.empty()) {
         Section what{"what", "What causes it", "", {}, {causes_table(d), parameters_table(d)}};
         what.text = d.verdict == Verdict::gap ? "Tell-tale of the first: " + d.effects[0].tell_tale + "."

@@ -153,3 +153,25 @@ TEST_CASE("an experiment that would tell nothing is not proposed as one", "[repo
     CHECK_THAT(said().text, Contains("differ by 12.0 noise standard deviations"));
     CHECK(said().figures.size() == 1);
 }
+
+TEST_CASE("a page without a gap shows no shares of noise, and a suspicion is said once", "[report]")
+{
+    const Joint j = joint_with(slip_law(1e-5));
+    Diagnosis fine = named();
+    fine.verdict = Verdict::no_gap;
+    fine.effects.clear();
+    fine.reasons = {"the nominal joint predicts every record to the noise"};
+    const auto page = diagnosis_report(fine, j, j, {});
+    CHECK(page.alerts.empty());
+    CHECK(page.headlines[0].value == "nowhere");
+    for (const auto& s : page.sections) CHECK(s.id != "where");
+
+    Diagnosis foreign;
+    foreign.reasons = {"a.csv: suspected degrees: position moves too far"};
+    foreign.notes = {"suspected degrees: position moves too far", "a column was ignored"};
+    const auto refused = diagnosis_report(foreign, j, j, {});
+    CHECK_THAT(refused.verdict, Contains("do not fit together"));
+    CHECK(refused.alerts.size() == 1);
+    CHECK(refused.not_checked == std::vector<std::string>{"a column was ignored"});
+    CHECK(refused.subtitle.empty());
+}

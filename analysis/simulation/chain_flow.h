@@ -18,10 +18,10 @@ class ChainFlow final : public SwitchingFlow {
     enum class Mode { forward, reverse, stuck };
     struct BodyFlow {
         Friction friction;
-        double inertia, ratio, speed;  ///< M_i, N_i, w_i
-        double steady_friction;        ///< f_ss,i at the body's own side
-        bool logarithmic, rests;
-        int states, first_state;
+        double inertia = 0, ratio = 0, speed = 0;  ///< M_i, N_i, w_i
+        double steady_friction = 0;                ///< f_ss,i at the body's own side
+        bool logarithmic = false, rests = false;
+        int states = 0, first_state = 0;
         Mode mode = Mode::forward;
     };
     int bodies = 0;

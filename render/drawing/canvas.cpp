@@ -112,20 +112,23 @@ struct Canvas::Device {
 
     double measured(const std::string& text, double size, bool bold)
     {
-        use(size, bold, {}, 0);
-        float box[4];
-        context->ComputeStringBounds(text.c_str(), box);
-        return box[2] / units;
+        // the charts of a page share most of their words, and layouts ask for them many times
+        thread_local std::map<std::tuple<std::string, std::string, double>, double> widths;
+        const auto [known, fresh] = widths.try_emplace({bold ? fonts.bold : fonts.regular, text, size}, 0.0);
+        if (fresh) {
+            use(size, bold, {}, 0);
+            float box[4];
+            context->ComputeStringBounds(text.c_str(), box);
+            known->second = box[2] / units;
+        }
+        return known->second;
     }
 
     /// How far the pen moves. Measured between two letters, because the box of a text leaves out spaces at its ends.
     double advance(const std::string& text, double size, bool bold)
     {
-        const auto [known, fresh] = advances.try_emplace({text, size, bold}, 0.0);
-        if (fresh) known->second = measured("x" + text + "x", size, bold) - measured("xx", size, bold);
-        return known->second;
+        return measured("x" + text + "x", size, bold) - measured("xx", size, bold);
     }
-    std::map<std::tuple<std::string, double, bool>, double> advances;  // layouts ask for the same words many times
 
     int classed_from = 0;
 

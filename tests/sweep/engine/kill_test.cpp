@@ -82,7 +82,9 @@ TEST_CASE("a sweep survives kill -9 at random moments")
     std::uniform_int_distribution<long> moment(0, undisturbed(directory / "undisturbed").count());
 
     int kills = 0, in_computation = 0;
-    for (int sweep = 0; sweep < 4; ++sweep) {
+    for (int sweep = 0; kills < 20 || in_computation < 8; ++sweep) {
+        INFO("kills " << kills << ", of them in the computation " << in_computation);
+        REQUIRE(sweep < 40);
         const auto where = directory / std::to_string(sweep);
         bool finished = false;
         for (int attempt = 0; attempt < 100 && !finished; ++attempt) {
@@ -105,7 +107,4 @@ TEST_CASE("a sweep survives kill -9 at random moments")
         CHECK((bytes(where / "results.nc") == reference));
         CHECK_FALSE(fs::exists(where / "results.nc.partial"));
     }
-    INFO("kills " << kills << ", of them in the computation " << in_computation);
-    CHECK(kills > 7);
-    CHECK(in_computation > 3);
 }

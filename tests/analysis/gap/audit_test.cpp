@@ -51,6 +51,29 @@ TEST_CASE("a filter that is written down with fewer digits than it works with is
     CHECK_FALSE(filters_differently(0, 1e-6, 1e-3));
 }
 
+TEST_CASE("a command in whole steps is understood to its rounding, and a gain beyond it is still found", "[gap]")
+{
+    Machine m;
+    m.command_step = 0.2;
+    std::vector<std::string> notes;
+    const auto judged = [&] {
+        std::vector<Case> cases{prepare(test::record_of(m, 1), test::nominal_joint(), notes)};
+        CHECK(command_step(cases[0].ticks) == Approx(0.2));
+        return audit(cases);
+    };
+    const auto fine = judged();
+    CHECK(fine.findings.empty());
+    CHECK(fine.command_explained);
+    CHECK(fine.residual_after > 2e-3);  // more than an exact controller leaves
+    REQUIRE(fine.notes.size() == 1);
+    CHECK(fine.notes[0].find("the steps in which it is given") != std::string::npos);
+    m.k_p = 1320;  // documented: 1200
+    const auto wrong = judged();
+    REQUIRE(wrong.findings.size() == 1);
+    CHECK(wrong.findings[0].effect == "gain-k_p");
+    CHECK(wrong.findings[0].value == Approx(1.1).epsilon(0.01));
+}
+
 TEST_CASE("a reference that was not logged is rebuilt from the command", "[gap]")
 {
     auto [cases, whole] = without_reference({});

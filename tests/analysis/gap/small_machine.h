@@ -14,6 +14,7 @@ struct Machine {
     double inertia = 1.2, coulomb = 2, viscous = 1.5, k_p = 1200, k_v = 45, tau = 0.003, load = 0, gain = 1;
     double noise = 2e-6, quantum = 5e-6, drag = 0;
     double cubic = 0;         ///< N/m³: a spring to the ground that stiffens
+    double command_step = 0;  ///< N: the command is rounded to whole steps
     double limit = 1e9;       ///< N, of the effort that reaches the mass
     double amplitude = 1;     ///< of the motion, as a factor
     double effort_noise = 0;  ///< N; above 0 the effort that reaches the mass is logged, too
@@ -57,7 +58,8 @@ inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
         if (k > 0) estimate += period / (m.tau + period) * ((y - last) / period - estimate);
         last = y;
         const double rate = (reference(t + 1e-5) - reference(std::max(0.0, t - 1e-5))) / (t > 0 ? 2e-5 : 1e-5);
-        const double u = m.k_p * (reference(t) - y) + m.k_v * (rate - estimate);
+        double u = m.k_p * (reference(t) - y) + m.k_v * (rate - estimate);
+        if (m.command_step > 0) u = m.command_step * std::round(u / m.command_step);
         r.time.push_back(t);
         r.reference_position.push_back(reference(t));
         r.reference_velocity.push_back(rate);

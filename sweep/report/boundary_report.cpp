@@ -84,7 +84,7 @@ Figure curve_figure(StabilityMap map, const std::vector<FollowedBoundary>& curve
         "Located curves: " + kinds +
         ". Brackets that are wider than the line are drawn across it. Field: largest real part of the spectrum, with "
         "memory.";
-    if (outcomes) figure.caption += " An outcome is what follows a " + outcome_means + ".";
+    if (outcomes) figure.caption += " Outcomes follow a disturbance: " + outcome_means + ".";
     if (bistable > 0) {
         figure.finding += " " + percent(bistable) + " of the chart is bistable.";
         figure.caption += " On " + percent(bistable) +
@@ -161,7 +161,7 @@ Report boundary_report(const BoundaryAnswer& answer, const ParallelFor& parallel
     Report report;
     report.title = answer.title.empty() ? "Boundaries of sliding" : answer.title;
     report.subtitle = "boundaries, located";
-    if (!answer.outcome_means.empty()) report.subtitle += " · an outcome is what follows a " + answer.outcome_means;
+    if (!answer.outcome_means.empty()) report.subtitle += " · outcomes follow a disturbance: " + answer.outcome_means;
     Section curves{"curves", "Curves", "", {}, {}};
     Region region = linear_point(design).region;
     if (beyond_rays(design, answer.rays)) region = Region::bistable;

@@ -16,7 +16,7 @@ struct BoundaryAnswer {
     Joint design;
     std::vector<LocatedRay> rays;
     std::vector<FollowedBoundary> curves;
-    std::string outcome_means;  ///< "position of 0.0001 m", where outcomes were asked for
+    std::string outcome_means;  ///< "position of 0.0001 m", mark-up, where outcomes were asked for
 };
 
 /// What the design does and how far it is from each boundary first; curves of one pair of axes on one map, rays in a

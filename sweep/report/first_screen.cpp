@@ -45,6 +45,9 @@ DesignVerdict design_verdict(const Joint& joint, const LinearVerdict& linear, Re
         verdict.tone = Tone::bad;
     } else if (region == Region::bistable) {
         verdict.tone = Tone::warning;
+        // one verdict, not two: what the linear theory calls stable is half of the answer
+        constexpr std::string_view half = "Stable: s";
+        if (verdict.text.starts_with(half)) verdict.text.replace(0, half.size(), "S");
         verdict.text =
             "Bistable: the design slides, but a large enough disturbance ends in stick-slip for good. " + verdict.text;
     }

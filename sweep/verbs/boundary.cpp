@@ -86,7 +86,8 @@ int locate(const BoundaryOptions& options, const Invocation& invocation)
         if (!options.json) fmt::print("report: {}\n", page.string());
     }
     if (!options.json) {
-        if (!answer.outcome_means.empty()) fmt::print("an outcome is what follows a {}\n", answer.outcome_means);
+        if (!answer.outcome_means.empty())
+            fmt::print("outcomes follow a disturbance: {}\n", plain_text(answer.outcome_means));
         fmt::print("{} points, {} evaluations, {:.2f} s\n", points, evaluations, wall.count());
     }
     return coarse || undecided ? exit_undecided : exit_done;

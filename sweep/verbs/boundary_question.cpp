@@ -152,8 +152,7 @@ std::string disturbance_text(const Disturbance& d, Motion motion)
                 unit = unit_of(Quantity::effort, motion);
                 break;
             case DisturbanceKind::start:
-                unit = "V0";
-                break;
+                return d.size > 0 ? fmt::format("start from {:g} V_{{0}}", d.size) : "start from rest";
         }
         return fmt::format("{} of {:g} {}", k.name, d.size, unit);
     }

@@ -28,7 +28,7 @@ struct BoundaryQuestion {
 /// [boundary] table, that before the axes and charts of the spec. Throws BadInput.
 std::vector<BoundaryQuestion> boundary_questions(const Asked& asked, const BoundaryOptions& options);
 
-/// "position of 0.0001 m": what an outcome means.
+/// "position of 0.0001 m", mark-up: what an outcome follows.
 std::string disturbance_text(const Disturbance& disturbance, Motion motion);
 
 }  // namespace stickslip

@@ -186,6 +186,12 @@ Report boundary_report(const BoundaryAnswer& answer, const ParallelFor& parallel
     for (const auto& ray : answer.rays)
         if (!ray.points.empty()) rays.tables.push_back(ray_table(design, ray));
     if (!rays.tables.empty()) report.sections.push_back(std::move(rays));
+    const auto nonlinear = [](const auto& b) {
+        return b.kind == BoundaryKind::fold || b.kind == BoundaryKind::outcome;
+    };
+    if (std::none_of(answer.rays.begin(), answer.rays.end(), nonlinear) &&
+        std::none_of(answer.curves.begin(), answer.curves.end(), nonlinear))
+        report.not_checked.push_back("Large disturbances: ask for --kind fold or outcome.");
     for (const auto& ray : answer.rays)
         report.not_checked.push_back(std::string(name_of(ray.kind)) + " along " + ray.axis.symbol + ": " +
                                      could_be_missed(ray) + ".");

@@ -103,7 +103,7 @@ std::string design_words(Region region)
     switch (region) {
         case Region::stable:
         case Region::memory_only:
-            return "The design slides smoothly.";
+            return "The design is stable: small disturbances of sliding decay.";
         case Region::bistable:
             return "The design is bistable: small disturbances decay, a larger one ends in stick-slip.";
         case Region::velocity_only:

@@ -27,8 +27,8 @@ struct UnitAxis {
     {
         return log ? share / std::log(high / low) : share * std::abs(value(u)) / (high - low);
     }
-    /// A width below which two values of the axis are the same number to a user: keeps zero from being special.
-    double least_width() const { return log ? 0 : 1e-12 * (high - low); }
+    /// A width below which a value of the axis is zero to a user: a boundary there can have no relative bracket.
+    double least_width() const { return log ? 0 : 1e-24 * (high - low); }
 };
 
 /// A point or a direction in scaled coordinates.

@@ -3,7 +3,7 @@
 #include "analysis/boundary/root.h"
 #include "analysis/joint/parameters.h"
 #include "analysis/stability/joint_spectrum.h"
-#include "analysis/stability/linear_friction.h"
+#include "analysis/stability/neutral.h"
 #include "analysis/stability/spectrum.h"
 #include "analysis/stability/steady.h"
 
@@ -22,7 +22,7 @@ double instability(const Joint& joint, Curve::Kind theory)
         if (joint.mechanism.model != Model::single_mass || c.force_gain != 0 || c.contact_stiffness != 0)
             return spectral_abscissa(velocity_only(linear_joint(joint, steady.velocity)));
         const auto mass = linear_mass(joint, steady.velocity);
-        return std::max(-(mass.k_v + steady_slope(mass.friction)), -mass.k_p);
+        return std::max(-velocity_only_damping(mass, mass.k_v), -mass.k_p);
     }
     return growth_rate(joint);
 }
@@ -45,9 +45,9 @@ std::vector<BoundaryPoint> locate_on_ray(const Joint& given, std::string_view pa
     double a = low, fa = at(low);
     for (int i = 1; i <= scan; ++i) {
         const double b = node(i), fb = at(b);
-        if (fa * fb < 0 || (fa == 0 && fb != 0)) {
+        if (!std::isnan(fa + fb) && (fa < 0) != (fb < 0)) {
             const auto root = bracketed_root(at, a, fa, b, fb, linear_precision);
-            found.push_back({root.value, root.low, root.high, fb > 0 ? 1 : -1, root.converged, root.evaluations});
+            found.push_back({root.value, root.low, root.high, fb > fa ? 1 : -1, root.converged, root.evaluations});
         }
         a = b, fa = fb;
     }

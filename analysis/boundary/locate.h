@@ -12,9 +12,10 @@ namespace stickslip {
 /// Relative width of the bracket around a linear boundary.
 inline constexpr double linear_precision = 1e-12;
 
-/// Negative where the theory calls the joint stable, positive where unstable, NaN where it cannot say; continuous
-/// across the boundary. state_variable: max Re s of (27). velocity_only: the larger of −(k_v + f_ss') and −k_p, (21);
-/// several bodies, contact or force gain: max Re s of the joint with its steady-state curves.
+/// Negative where the theory calls the joint stable, positive where unstable, 0 where neutral (no boundary lies between
+/// neutral and unstable: nothing turns stable there), NaN where it cannot say; continuous across the boundary.
+/// state_variable: max Re s of (27). velocity_only: the larger of −(k_v + f_ss') and −k_p, (21); several bodies,
+/// contact or force gain: max Re s of the joint with its steady-state curves.
 double instability(const Joint& joint, Curve::Kind theory);
 
 /// Every sign change of `instability` for the parameter at `path` between low and high. A scan of `scan` intervals

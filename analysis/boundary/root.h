@@ -15,11 +15,14 @@ struct Bracketed {
 
 /// The sign change of f within [a, b], given f(a) and f(b) of opposite sign (or zero). Stops when the bracket is
 /// narrower than precision · |value| or than `floor`, or f is exactly zero. Superlinear and never slower than bisection
-/// by more than a factor; begins with the chord, which is all that a narrow bracket needs. Source: T. R. Chandrupatla,
-/// Adv. Eng. Softw. 28 (1997) 145-149.
+/// by more than a factor; an end at which f is zero is the answer; begins with the chord, which is all that a narrow
+/// bracket needs. Source: T. R. Chandrupatla, Adv. Eng. Softw. 28 (1997) 145-149.
 template <class Function>
 Bracketed bracketed_root(Function&& f, double a, double fa, double b, double fb, double precision, double floor = 0)
 {
+    // neither sign belongs to a zero, least of all that of −0.0
+    if (fa == 0) return {a, a, a, 0, true};
+    if (fb == 0) return {b, b, b, 0, true};
     double c = a, fc = fa;
     const auto clamped = [&](double t, double wanted) {
         const double least = std::min(0.5 * wanted / std::abs(b - a), 0.5);

@@ -1,6 +1,7 @@
 // Dahl's law: Coulomb friction carried by bristles that bend before they slip.
 #pragma once
 #include "analysis/friction/response.h"
+#include "analysis/friction/saturation.h"
 
 namespace stickslip {
 
@@ -30,7 +31,7 @@ struct Dahl {
     FrictionResponse respond(double V, const States& z) const
     {
         const double direction = std::copysign(1.0, V);
-        const double reserve = 1 - sigma0 * z[0] / coulomb * direction;
+        const double reserve = unless_rounding(1 - sigma0 * z[0] / coulomb * direction);
         const double share = std::copysign(std::pow(std::abs(reserve), exponent), reserve);
         const double share_slope = exponent * std::pow(std::abs(reserve), exponent - 1);
         FrictionResponse r;

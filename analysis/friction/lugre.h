@@ -2,6 +2,7 @@
 #pragma once
 #include <string>
 
+#include "analysis/friction/saturation.h"
 #include "analysis/friction/stribeck.h"
 
 namespace stickslip {
@@ -17,7 +18,8 @@ inline FrictionResponse bristle_response(const BristleParameters& bristle, const
                                          double z)
 {
     const double speed = std::abs(V), direction = std::copysign(1.0, V);
-    const double slipping = bristle.stiffness * z / g.value;  // ±1 in steady sliding
+    const double computed = bristle.stiffness * z / g.value;  // ±1 in steady sliding
+    const double slipping = unless_rounding(1 - direction * computed) == 0 ? direction : computed;
     FrictionResponse r;
     r.rate[0] = V - speed * slipping;
     r.rate_by_velocity[0] = 1 - direction * slipping * (1 - speed * g.slope / g.value);

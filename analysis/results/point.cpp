@@ -35,11 +35,11 @@ constexpr Column table[] = {
     numbered("k_cr", "critical position gain", Quantity::stiffness, &PointResult::k_cr),
     numbered("omega", "frequency at the critical position gain", Quantity::angular_frequency, &PointResult::omega),
     coded<&PointResult::region>("region", "verdicts of both theories",
-                                "stable memory_only velocity_only unstable bistable undecided"),
+                                "stable memory_only velocity_only unstable bistable undecided neutral"),
     coded<&PointResult::velocity_only_stable>("velocity_only_stable",
-                                              "stable by friction that depends on velocity alone", "unstable stable undecided"),
+                                              "stable by friction that depends on velocity alone", "unstable stable undecided neutral"),
     coded<&PointResult::state_variable_stable>("state_variable_stable", "stable by friction with memory",
-                                               "unstable stable undecided"),
+                                               "unstable stable undecided neutral"),
     coded<&PointResult::reason>(
         "reason", "why a value is missing",
         "none no_velocity law_needs_motion no_steady_state not_finite linear_only not_converged "

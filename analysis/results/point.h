@@ -42,8 +42,9 @@ enum class DecisionPath : std::uint8_t { none, lanes, cvode, shooting };
 
 inline constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-/// The third value of a yes or no: a row with a reason has no verdict.
-inline constexpr std::uint8_t verdict_missing = 2;
+/// Beyond yes (1) and no (0): a row with a reason has no verdict; neutral sliding has a root on the imaginary axis and
+/// none right of it, so that small disturbances neither decay nor grow.
+inline constexpr std::uint8_t verdict_missing = 2, verdict_neutral = 3;
 
 struct PointResult {
     // linear theory
@@ -52,7 +53,7 @@ struct PointResult {
     double k_cr = missing;               ///< critical position gain; NaN where no single one exists
     double omega = missing;              ///< frequency at the critical gain
     Region region = Region::undecided;
-    std::uint8_t velocity_only_stable = verdict_missing;  ///< 0, 1, or verdict_missing where nothing could be decided
+    std::uint8_t velocity_only_stable = verdict_missing;  ///< 0, 1, verdict_missing or verdict_neutral
     std::uint8_t state_variable_stable = verdict_missing;
     Reason reason = Reason::none;
     // nonlinear joint

@@ -25,7 +25,8 @@ enum class Region : std::uint8_t {
     velocity_only,  ///< velocity-only allows it, memory forbids it
     unstable,       ///< both theories: stick-slip
     bistable,       ///< linearly stable, yet a larger disturbance ends in stick-slip
-    undecided       ///< with a reason in the row
+    undecided,      ///< with a reason in the row
+    neutral         ///< with memory a root lies on the imaginary axis: small disturbances neither decay nor grow
 };
 
 /// A boundary located point by point (not contoured from the grid).

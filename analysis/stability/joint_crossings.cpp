@@ -7,6 +7,7 @@
 #include "analysis/boundary/root.h"
 #include "analysis/stability/balance.h"
 #include "analysis/stability/joint_spectrum.h"
+#include "analysis/stability/neutral.h"
 
 namespace stickslip {
 namespace {
@@ -173,11 +174,16 @@ std::vector<Interval> stable_intervals(const LinearJoint& j, const std::vector<C
     return intervals;
 }
 
-double least_velocity_gain(const LinearJoint& joint)
+std::vector<Interval> velocity_only_gains(const LinearJoint& joint)
 {
     const auto curve = velocity_only(joint);
-    const auto stable = stable_intervals(curve, rational_crossings(curve, Gain::k_v), infinity, Gain::k_v);
-    return stable.empty() ? missing : stable.front().low;
+    if (curve.bodies == 1) {
+        const double share = curve.actuated[0];
+        const LinearMass mass{curve.inertia[0], 0, share * curve.k_p + curve.contact[0], curve.friction[0]};
+        if (!(mass.k_p > 0)) return {};
+        return {{std::max(0.0, -velocity_only_damping(mass, 0) / share), infinity}};
+    }
+    return stable_intervals(curve, rational_crossings(curve, Gain::k_v), infinity, Gain::k_v);
 }
 
 }  // namespace stickslip

@@ -20,8 +20,8 @@ CrossingSearch crossings(const LinearJoint& joint);
 std::vector<Interval> stable_intervals(const LinearJoint& joint, const std::vector<Crossing>& crossings,
                                        double searched_to, Gain gain = Gain::k_p);
 
-/// The least k_v ≥ 0, to be exceeded, with which the velocity-only theory calls the joint stable at its k_p; NaN if no
-/// k_v does.
-double least_velocity_gain(const LinearJoint& joint);
+/// The k_v with which the velocity-only theory calls the joint stable at its k_p: with several bodies too much of it is
+/// unstable, too.
+std::vector<Interval> velocity_only_gains(const LinearJoint& joint);
 
 }  // namespace stickslip

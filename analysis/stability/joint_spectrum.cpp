@@ -7,6 +7,7 @@
 #include "analysis/stability/characteristic.h"
 #include "analysis/stability/delay_spectrum.h"
 #include "analysis/stability/frequency_search.h"
+#include "analysis/stability/neutral.h"
 
 namespace stickslip {
 namespace {
@@ -23,6 +24,41 @@ Complex polished(const LinearJoint& j, Complex start)
         if (std::abs(step) < 1e-15 * std::abs(s)) break;
     }
     return s;
+}
+
+Polynomial characteristic_polynomial(const LinearJoint& j)
+{
+    const auto parts = rational_characteristic(j);
+    return trimmed(parts.a + Polynomial(j.k_p, j.k_v) * parts.b);
+}
+
+/// The eigenvalues of a rational joint as the matrix gives them; empty if the joint is not finite.
+std::vector<Complex> raw_eigenvalues(const LinearJoint& j)
+{
+    Eigen::MatrixXd A = state_matrix(j);
+    if (!A.allFinite()) return {};
+    balance(A);
+    const Eigen::VectorXcd values = A.eigenvalues();
+    return {values.begin(), values.end()};
+}
+
+/// Real parts that may be rounding are replaced by what the characteristic polynomial knows of them.
+void clear_near_axis(const LinearJoint& j, std::vector<Complex>& roots)
+{
+    double radius = 0;
+    for (const auto& s : roots) radius = std::max(radius, std::abs(s));
+    const auto doubtful = [&](const Complex& s) { return may_be_rounding(s, radius); };
+    if (std::none_of(roots.begin(), roots.end(), doubtful)) return;
+    const auto p = characteristic_polynomial(j);
+    int zeros = 0;  // roots that are exactly 0: nothing holds the position
+    while (zeros < p.degree() && p.c[zeros] == 0) ++zeros;
+    std::sort(roots.begin(), roots.end(), [](const Complex& a, const Complex& b) { return std::abs(a) < std::abs(b); });
+    for (std::size_t i = 0; i < roots.size(); ++i) {
+        if (i < static_cast<std::size_t>(zeros))
+            roots[i] = 0;
+        else if (doubtful(roots[i]))
+            roots[i].real(polynomial_side_of_axis(p, roots[i]));
+    }
 }
 
 bool further_right(const Complex& a, const Complex& b)
@@ -81,20 +117,27 @@ bool is_stable(const LinearJoint& j)
         const auto count = roots_right_of(j, 0);
         return count && *count == 0;
     }
-    const auto parts = rational_characteristic(j);
-    return is_hurwitz(trimmed(parts.a + Polynomial(j.k_p, j.k_v) * parts.b));
+    switch (routh(characteristic_polynomial(j))) {
+        case Routh::all_decay:
+            return true;
+        case Routh::not_all_decay:
+            return false;
+        case Routh::rounding_decides:
+            break;
+    }
+    return spectral_abscissa(j) < 0;
 }
 
 std::vector<Complex> spectrum(const LinearJoint& j)
 {
     std::vector<Complex> roots;
     if (j.rational()) {
-        Eigen::MatrixXd A = state_matrix(j);
-        if (!A.allFinite()) return {};
-        balance(A);
-        for (const Complex& s : Eigen::VectorXcd(A.eigenvalues())) roots.push_back(polished(j, s));
+        roots = raw_eigenvalues(j);
+        for (auto& s : roots) s = polished(j, s);
+        clear_near_axis(j, roots);
     } else {
         roots = rightmost_roots(j);
+        for (auto& s : roots) s.real(side_of_axis(j, s));
     }
     std::sort(roots.begin(), roots.end(), further_right);
     return roots;
@@ -103,14 +146,13 @@ std::vector<Complex> spectrum(const LinearJoint& j)
 double spectral_abscissa(const LinearJoint& j)
 {
     if (!j.rational()) return confirmed_abscissa(j, spectrum(j));
-    Eigen::MatrixXd A = state_matrix(j);
-    if (!A.allFinite()) return missing;
-    balance(A);
-    const Eigen::VectorXcd values = A.eigenvalues();
-    Complex rightmost = values[0];
-    for (const Complex& s : values)
-        if (s.real() > rightmost.real()) rightmost = s;
-    return polished(j, rightmost).real();
+    auto roots = raw_eigenvalues(j);
+    if (roots.empty()) return missing;
+    // further right comes first
+    auto rightmost = std::min_element(roots.begin(), roots.end(), further_right);
+    *rightmost = polished(j, *rightmost);
+    clear_near_axis(j, roots);
+    return std::min_element(roots.begin(), roots.end(), further_right)->real();
 }
 
 }  // namespace stickslip

@@ -1,6 +1,7 @@
 #include "analysis/stability/linear_friction.h"
 
 #include <cmath>
+#include <limits>
 
 namespace stickslip {
 namespace {
@@ -103,7 +104,12 @@ double kernel_integral(const LinearFriction& friction)
 
 double steady_slope(const LinearFriction& friction)
 {
-    return friction.f_v - kernel_integral(friction);
+    // where memory undoes the direct effect, rounding is left over
+    constexpr double roundings = 8;
+    const double memory = kernel_integral(friction), slope = friction.f_v - memory;
+    const double least =
+        roundings * std::numeric_limits<double>::epsilon() * (std::abs(friction.f_v) + std::abs(memory));
+    return std::abs(slope) > least ? slope : 0;
 }
 
 }  // namespace stickslip

@@ -1,5 +1,7 @@
 #include "analysis/stability/linear_joint.h"
 
+#include <limits>
+
 namespace stickslip {
 
 int LinearJoint::states() const
@@ -55,6 +57,23 @@ Chain chain_of(const Joint& joint)
     return chain;
 }
 
+namespace {
+
+/// Leaves out delays that no root notices: beside inertia, one as weak as this damps or feeds a root of |s| τ = 1 by
+/// less than rounding. A falling curve fades away like that, and its last digits would still be searched for crossings.
+LinearFriction noticed(LinearFriction friction, double inertia)
+{
+    constexpr double roundings = 32;
+    DelayList kept;
+    for (const auto& d : friction.delays)
+        if (std::abs(d.weight) * d.time > roundings * std::numeric_limits<double>::epsilon() * inertia)
+            kept.push_back(d);
+    friction.delays = kept;
+    return friction;
+}
+
+}  // namespace
+
 LinearJoint linear_joint(const Joint& joint, double V)
 {
     const auto& c = joint.control;
@@ -72,6 +91,9 @@ LinearJoint linear_joint(const Joint& joint, double V)
         linear.inertia[0] /= share;
         linear.friction[0] = scaled(std::move(linear.friction[0]), 1 / share);
     }
+    for (int i = 0; i < chain.bodies; ++i)
+        if (linear.friction[i].delays.size > 0)
+            linear.friction[i] = noticed(std::move(linear.friction[i]), linear.inertia[i]);
     linear.stiffness = chain.stiffness;
     linear.damping = chain.damping;
     linear.k_p = c.k_p;

@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "analysis/friction/response.h"
 
@@ -59,10 +60,18 @@ inline Polynomial trimmed(Polynomial p)
     return p;
 }
 
-/// Whether all roots of the polynomial have negative real parts: Routh's scheme, every number of its first column of
-/// one sign. Source: E. J. Routh, A Treatise on the Stability of a Given State of Motion (1877).
-inline bool is_hurwitz(const Polynomial& p)
+/// What Routh's scheme says of the roots of a polynomial.
+enum class Routh {
+    all_decay,        ///< every real part is negative
+    not_all_decay,    ///< some is positive or zero
+    rounding_decides  ///< a number of the first column is next to nothing beside what it is the difference of
+};
+
+/// Every number of the first column is of one sign where all roots decay.
+/// Source: E. J. Routh, A Treatise on the Stability of a Given State of Motion (1877).
+inline Routh routh(const Polynomial& p)
 {
+    constexpr double next_to_nothing = 1e-10;
     const int n = p.degree();
     const double sign = p.c[n] > 0 ? 1 : -1;
     std::array<double, Polynomial::capacity> above, row;  // two rows of the scheme, from the highest power down
@@ -71,18 +80,20 @@ inline bool is_hurwitz(const Polynomial& p)
         above[i] = sign * p.c[n - 2 * i];
         row[i] = 2 * i + 1 <= n ? sign * p.c[n - 2 * i - 1] : 0;
     }
+    bool doubtful = false;
     for (int k = n; k > 0; --k) {
-        if (!(row[0] > 0)) return false;
+        if (!(row[0] > 0)) return doubtful ? Routh::rounding_decides : Routh::not_all_decay;
         const double ratio = above[0] / row[0];
         for (int i = 0; i + 1 < length; ++i) {
             const double next = above[i + 1] - ratio * row[i + 1];
+            if (i == 0 && k > 1) doubtful = doubtful || std::abs(next) < next_to_nothing * std::abs(above[i + 1]);
             above[i] = row[i];
             row[i] = next;
         }
         above[length - 1] = row[length - 1];
         row[length - 1] = 0;
     }
-    return true;
+    return doubtful ? Routh::rounding_decides : Routh::all_decay;
 }
 
 }  // namespace stickslip

@@ -106,6 +106,7 @@ ReductionError compare_reduction(const Joint& full, const std::function<Reductio
         result.error = infinity;
         return result;
     }
+    if (!result.full.empty()) result.error = 0;
     for (std::size_t i = 0; i < result.full.size(); ++i)
         result.error = std::max(result.error, std::abs(result.reduced[i] / result.full[i] - 1));
     return result;

@@ -12,8 +12,9 @@ namespace stickslip {
 /// The boundary along one parameter of the full joint, and where its reduction puts it.
 struct ReductionError {
     std::vector<double> full, reduced;  ///< values of the parameter at which stability changes, ascending
-    /// Largest relative distance between boundaries that correspond; infinity where their number differs.
-    double error = 0;
+    /// Largest relative distance between boundaries that correspond; infinity where their number differs, NaN where
+    /// neither joint has one: nothing was compared.
+    double error = missing;
 };
 
 /// The reduced joint about steady sliding at V, with every friction that it carries.

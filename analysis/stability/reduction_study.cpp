@@ -22,15 +22,17 @@ constexpr const char* loop_gain = "control.k_p";
 
 /// Fig. 6 → 7, `spring` being where the remaining transmission stands in the full joint.
 void add_last_steps(std::vector<NamedReduction>& list, const Reduce& to_two, const std::string& spring,
-                    ControlKind kind)
+                    ControlKind kind, const std::string& before = "")
 {
     const bool position = kind == ControlKind::position;
+    const auto after = [&](const Reduce& step) { return to_two ? chained(to_two, step) : step; };
+    const std::string ideal = before + "Fig. 6 to 7, ideal motor", rigid = before + "Fig. 6 to 7, rigid transmission";
     if (position)
-        list.push_back({chained(to_two, two_mass_to_single_mass), spring, loop_gain, "k_{p} ≫ k_{tr}"});
+        list.push_back({after(two_mass_to_single_mass), spring, loop_gain, "k_{p} ≫ k_{tr}", ideal});
     else
-        list.push_back({chained(to_two, two_mass_to_single_mass), loop_gain, spring, "k_{tr} ≫ k_{c}"});
+        list.push_back({after(two_mass_to_single_mass), loop_gain, spring, "k_{tr} ≫ k_{c}", ideal});
     list.push_back(
-        {chained(to_two, rigid_transmission), loop_gain, spring, position ? "k_{tr} ≫ k_{p}" : "k_{tr} ≫ k_{c}"});
+        {after(rigid_transmission), loop_gain, spring, position ? "k_{tr} ≫ k_{p}" : "k_{tr} ≫ k_{c}", rigid});
 }
 
 /// From which value on every error stays within the limit.
@@ -50,7 +52,8 @@ ReductionStudy study_of(Joint joint, const NamedReduction& c, const StudyOptions
         study.model = reduced.model;
         study.neglected = reduced.neglected;
     } catch (const std::invalid_argument& e) {
-        study.name = c.assumption;
+        study.name = c.steps;
+        study.assumption = c.assumption;
         study.refused = e.what();
         return study;
     }
@@ -58,10 +61,17 @@ ReductionStudy study_of(Joint joint, const NamedReduction& c, const StudyOptions
     study.assumption_path = c.assumption_path;
     study.assumption = c.assumption;
     const double centre = *find_parameter(joint, c.boundary_path);
-    const double low = centre * std::pow(10, -options.boundary_decades),
-                 high = centre * std::pow(10, options.boundary_decades);
-    const auto compare = [&] { return compare_reduction(joint, c.reduce, c.boundary_path, low, high, options.scan); };
-    study.own = compare();
+    int scan = options.scan;
+    const auto compare = [&] {
+        return compare_reduction(joint, c.reduce, c.boundary_path, study.searched_low, study.searched_high, scan);
+    };
+    const auto search = [&](double decades) {
+        study.searched_low = centre * std::pow(10, -decades), study.searched_high = centre * std::pow(10, decades);
+        scan = static_cast<int>(options.scan * decades / options.boundary_decades);
+        study.own = compare();
+    };
+    search(options.boundary_decades);
+    if (std::isnan(study.own.error)) search(options.far_decades);
     if (c.assumption_path.empty()) return study;
     double& assumed = *find_parameter(joint, c.assumption_path);
     const double own = assumed;
@@ -85,24 +95,22 @@ std::vector<NamedReduction> reductions_of(const Joint& joint)
     const Reduce at_joint = [](const Joint& j) { return three_mass_to_two_mass(j, Placement::at_joint); };
     std::vector<NamedReduction> list;
     if (joint.mechanism.model == Model::two_mass) {
-        const bool position = kind == ControlKind::position;
-        const std::string spring = "joint.transmission.stiffness";
-        if (position)
-            list.push_back({two_mass_to_single_mass, spring, loop_gain, "k_{p} ≫ k_{tr}"});
-        else
-            list.push_back({two_mass_to_single_mass, loop_gain, spring, "k_{tr} ≫ k_{c}"});
-        list.push_back({rigid_transmission, loop_gain, spring, position ? "k_{tr} ≫ k_{p}" : "k_{tr} ≫ k_{c}"});
+        add_last_steps(list, {}, "joint.transmission.stiffness", kind);
     } else if (joint.mechanism.model == Model::three_mass) {
-        list.push_back({at_motor, loop_gain, motor, "k_{m-tr} ≫ k_{tr-l}"});
-        list.push_back({at_joint, loop_gain, link, "k_{tr-l} ≫ k_{m-tr}"});
-        add_last_steps(list, at_motor, link, kind);
-        add_last_steps(list, at_joint, motor, kind);
+        const std::string steps = "Fig. 5 to 6, transmission at the ";
+        list.push_back({at_motor, loop_gain, motor, "k_{m-tr} ≫ k_{tr-l}", steps + "motor"});
+        list.push_back({at_joint, loop_gain, link, "k_{tr-l} ≫ k_{m-tr}", steps + "joint"});
+        add_last_steps(list, at_motor, link, kind, steps + "motor, then ");
+        add_last_steps(list, at_joint, motor, kind, steps + "joint, then ");
     } else if (joint.mechanism.model == Model::lever) {
-        list.push_back({lever_to_three_mass, loop_gain, "", "small displacements"});
-        list.push_back({chained(lever_to_three_mass, at_motor), loop_gain, motor, "k_{m-tr} ≫ k_{tr-l}"});
-        list.push_back({chained(lever_to_three_mass, at_joint), loop_gain, link, "k_{tr-l} ≫ k_{m-tr}"});
-        add_last_steps(list, chained(lever_to_three_mass, at_motor), link, kind);
-        add_last_steps(list, chained(lever_to_three_mass, at_joint), motor, kind);
+        const std::string steps = "Fig. 4 to 6, transmission at the ";
+        list.push_back({lever_to_three_mass, loop_gain, "", "small displacements", "Fig. 4 to 5"});
+        list.push_back(
+            {chained(lever_to_three_mass, at_motor), loop_gain, motor, "k_{m-tr} ≫ k_{tr-l}", steps + "motor"});
+        list.push_back(
+            {chained(lever_to_three_mass, at_joint), loop_gain, link, "k_{tr-l} ≫ k_{m-tr}", steps + "joint"});
+        add_last_steps(list, chained(lever_to_three_mass, at_motor), link, kind, steps + "motor, then ");
+        add_last_steps(list, chained(lever_to_three_mass, at_joint), motor, kind, steps + "joint, then ");
     }
     return list;
 }

@@ -14,6 +14,7 @@ namespace stickslip {
 struct NamedReduction {
     std::function<Reduction(const Joint&)> reduce;
     std::string boundary_path, assumption_path, assumption;  ///< as in ReductionStudy
+    std::string steps;                                       ///< "Fig. 5 to 6, transmission at the motor"
 };
 
 /// Every reduction of Figs. 4 → 5 → 6 → 7 that starts from a joint of this model; none for a single mass. A reduction
@@ -31,8 +32,9 @@ struct ReductionStudy {
     std::string assumption_path;         ///< the number that is assumed large; empty for an exact reduction
     std::string assumption;              ///< mark-up: "k_{tr} ≫ k_{p}"
     ReductionError own;                  ///< at the joint's own value of the assumption's number
-    std::vector<double> values;          ///< of the assumption's number, ascending
-    std::vector<ReductionError> at;      ///< one a value
+    double searched_low = missing, searched_high = missing;  ///< for boundaries, of the number at boundary_path
+    std::vector<double> values;                              ///< of the assumption's number, ascending
+    std::vector<ReductionError> at;                          ///< one a value
     /// Above this value of the assumption's number the error stays within 1 % and 10 %; NaN where it never does.
     double good_from = missing, fair_from = missing;
 };
@@ -41,6 +43,7 @@ struct StudyOptions {
     double decades = 2;           ///< how far the assumption's number moves to either side of its own value
     int values = 33;              ///< steps of it
     double boundary_decades = 3;  ///< how far the boundary is searched to either side of its own value
+    double far_decades = 9;       ///< the same where neither joint has one nearer
     int scan = 48;
 };
 

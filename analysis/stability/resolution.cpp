@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "analysis/boundary/root.h"
+#include "analysis/stability/joint_crossings.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/linear_friction.h"
 #include "analysis/stability/maximum.h"
@@ -76,11 +77,55 @@ std::vector<Interval> stable_springs(const Joint& given, double rate, double low
     return negative_intervals(at, low, high, scan);
 }
 
+namespace {
+
+/// What lies in both. Ascending and disjoint, as the result.
+std::vector<Interval> common(const std::vector<Interval>& a, const std::vector<Interval>& b)
+{
+    std::vector<Interval> both;
+    for (const auto& i : a)
+        for (const auto& k : b)
+            if (std::max(i.low, k.low) < std::min(i.high, k.high))
+                both.push_back({std::max(i.low, k.low), std::min(i.high, k.high)});
+    return both;
+}
+
+/// For several bodies, where too much velocity feedback is unstable, too.
+RangeGain common_gain(const Joint& joint, const std::vector<double>& V)
+{
+    const auto gains = [&](double v) { return velocity_only_gains(linear_joint(joint, v)); };
+    const auto least = [&](double v) {
+        const auto stable = gains(v);
+        return stable.empty() ? infinity : stable.front().low;
+    };
+    RangeGain range{missing, V.front(), {{0, infinity}}};
+    std::size_t best = 0;
+    double most = -infinity;
+    for (std::size_t i = 0; i < V.size() && !range.stable_k_v.empty(); ++i) {
+        const auto stable = gains(V[i]);
+        range.stable_k_v = common(range.stable_k_v, stable);
+        const double low = stable.empty() ? infinity : stable.front().low;
+        if (low > most) most = low, best = i;
+    }
+    range.velocity = V[best];
+    if (range.stable_k_v.empty()) return range;
+    const double between = maximiser(least, V[best == 0 ? 0 : best - 1], V[std::min(best + 1, V.size() - 1)]);
+    if (least(between) > most) {
+        range.velocity = between;
+        range.stable_k_v = common(range.stable_k_v, gains(between));
+    }
+    if (!range.stable_k_v.empty()) range.k_v = range.stable_k_v.front().low;
+    return range;
+}
+
+}  // namespace
+
 RangeGain velocity_gain_for_range(const Joint& joint, double highest, int scan)
 {
     const auto falling = [&](double V) { return -steady_slope(linearise(joint.friction, V)); };
     std::vector<double> V;
     for (int i = 0; i <= scan; ++i) V.push_back(highest * std::pow(1e-6, 1 - double(i) / scan));
+    if (joint.mechanism.model != Model::single_mass) return common_gain(joint, V);
     std::size_t best = 0;
     for (std::size_t i = 1; i < V.size(); ++i)
         if (falling(V[i]) > falling(V[best])) best = i;
@@ -88,7 +133,8 @@ RangeGain velocity_gain_for_range(const Joint& joint, double highest, int scan)
     // the ends of the range belong to it
     for (const double end : {V.front(), V.back()})
         if (falling(end) > falling(hardest)) hardest = end;
-    return {std::max(0.0, falling(hardest)), hardest};
+    const double k_v = std::max(0.0, falling(hardest));
+    return {k_v, hardest, {{k_v, infinity}}};
 }
 
 }  // namespace stickslip

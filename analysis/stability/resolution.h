@@ -30,10 +30,12 @@ std::vector<Interval> stable_springs(const Joint& joint, double rate, double low
 /// The k_v, to be exceeded, that the velocity-only theory asks for over a whole range of velocities, and the hardest of
 /// them: the maximum of −f_ss'(V) (the paper, below (21), prints "minimum"); for (22) it is (26) at (25).
 struct RangeGain {
-    double k_v, velocity;
+    double k_v, velocity;              ///< k_v NaN: no single one serves every velocity
+    std::vector<Interval> stable_k_v;  ///< that serve every velocity: one mass (k_v, ∞), several may have windows
 };
 
-/// For a single mass, 0 < V ≤ highest: a logarithmic scan from highest/1e6 of `scan` steps, then golden sections.
+/// For 0 < V ≤ highest: a logarithmic scan from highest/1e6 of `scan` steps, then golden sections. Several bodies: at
+/// the joint's own k_p, the set that is common to all velocities of the scan.
 RangeGain velocity_gain_for_range(const Joint& joint, double highest, int scan = 600);
 
 }  // namespace stickslip

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "analysis/stability/balance.h"
+#include "analysis/stability/neutral.h"
 #include "analysis/stability/polynomial.h"
 
 namespace stickslip {
@@ -28,6 +29,7 @@ auto roots_with_one_state(const LinearMass& j)
 /// Newton on (27) divided by nothing: F(s) and F'(s) hold to rounding wherever the states' own rates are not met.
 Complex polished(const LinearMass& j, Complex s)
 {
+    if (s == 0.0) return s;
     for (int i = 0; i < 3; ++i) {
         Complex G = 0, G_slope = 0;
         for (int k = 0; k < j.friction.states; ++k) {
@@ -60,19 +62,25 @@ std::vector<Complex> roots_of_matrix(const LinearMass& j)
     }
     if (!A.allFinite()) return {};
     balance(A);
-    const Eigen::VectorXcd values = A.eigenvalues();
+    Eigen::VectorXcd values = A.eigenvalues();
     std::vector<Complex> roots;
+    if (j.k_p == 0) {
+        // nothing holds the position: one root is 0, and only its rounding comes out of the matrix
+        Eigen::Index least = 0;
+        values.cwiseAbs().minCoeff(&least);
+        values[least] = 0;
+    }
     for (const auto& s : values) roots.push_back(polished(j, s));
     return roots;
 }
 
 template <class Roots>
-double largest_real_part(const Roots& roots)
+double largest_real_part(const LinearMass& mass, const Roots& roots)
 {
     double largest = -infinity;
     for (const auto& s : roots) {
         if (std::isnan(s.real())) return not_set;
-        largest = std::max(largest, s.real());
+        largest = std::max(largest, side_of_axis(mass, s));
     }
     return largest == -infinity ? not_set : largest;
 }
@@ -91,6 +99,7 @@ std::vector<Complex> spectrum(const LinearMass& mass)
     } else {
         roots = roots_of_matrix(mass);
     }
+    for (auto& s : roots) s.real(side_of_axis(mass, s));
     std::sort(roots.begin(), roots.end(), [](const Complex& a, const Complex& b) {
         return a.real() != b.real() ? a.real() > b.real() : a.imag() > b.imag();
     });
@@ -99,9 +108,9 @@ std::vector<Complex> spectrum(const LinearMass& mass)
 
 double spectral_abscissa(const LinearMass& mass)
 {
-    if (mass.friction.states == 0) return largest_real_part(roots_without_state(mass));
-    if (mass.friction.states == 1) return largest_real_part(roots_with_one_state(mass));
-    return largest_real_part(roots_of_matrix(mass));
+    if (mass.friction.states == 0) return largest_real_part(mass, roots_without_state(mass));
+    if (mass.friction.states == 1) return largest_real_part(mass, roots_with_one_state(mass));
+    return largest_real_part(mass, roots_of_matrix(mass));
 }
 
 }  // namespace stickslip

@@ -5,6 +5,15 @@
 #include "analysis/stability/steady.h"
 
 namespace stickslip {
+namespace {
+
+/// Several bodies ask for a set of gains at each velocity, one mass for a slope.
+int range_scan(const Joint& joint)
+{
+    return joint.mechanism.model == Model::single_mass ? 600 : 120;
+}
+
+}  // namespace
 
 bool known_at_one_velocity(const Joint& joint)
 {
@@ -28,8 +37,7 @@ LinearStudy linear_study(const Joint& joint)
         study.velocities = {V / reach, V * reach};
         study.velocity_only = stable_velocities(joint, V / reach, V * reach, Theory::velocity_only);
         study.state_variable = stable_velocities(joint, V / reach, V * reach, Theory::state_variable);
-        if (joint.mechanism.model == Model::single_mass)
-            study.range_gain = velocity_gain_for_range(joint, study.velocities.high);
+        study.range_gain = velocity_gain_for_range(joint, study.velocities.high, range_scan(joint));
     }
     study.comparison = compare_theories(joint);
     if (is_set(joint.control.period)) {

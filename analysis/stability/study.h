@@ -21,7 +21,7 @@ struct LinearStudy {
     LoopMargins margins{missing, missing, missing, missing};
     Interval velocities{missing, missing};  ///< searched for stable_velocities; NaN: known_at_one_velocity
     StableVelocities velocity_only, state_variable;
-    std::optional<RangeGain> range_gain;  ///< single mass: k_v for every velocity up to the highest searched
+    std::optional<RangeGain> range_gain;  ///< k_v for every velocity up to the highest searched
     Comparison comparison;
     double velocity_noise = missing;  ///< σ_v/σ_x = √2/T of a differenced position, where the loop has a sample time
     GainMix mix;                      ///< for velocity_noise

@@ -6,22 +6,45 @@
 #include "analysis/stability/crossings.h"
 #include "analysis/stability/joint_crossings.h"
 #include "analysis/stability/joint_spectrum.h"
+#include "analysis/stability/neutral.h"
 #include "analysis/stability/spectrum.h"
 #include "analysis/stability/steady.h"
 
 namespace stickslip {
 namespace {
 
-/// −f_ss'(V_0) where that is positive: the least gain of (21), to be exceeded.
-double least_velocity_gain(double slope)
+/// −f_ss'(V_0) where that is positive: the least gain of (21), to be exceeded. 0 where it would be a gain that rounding
+/// swallows.
+double least_velocity_gain(const LinearMass& mass)
 {
-    return std::max(0.0, -slope);
+    return std::max(0.0, -velocity_only_damping(mass, 0));
 }
 
-/// (21): k_v > −f_ss'(V_0) and k_p > 0.
-bool velocity_only_stable(const LinearMass& mass, double slope)
+double least(const std::vector<Interval>& gains)
 {
-    return mass.k_v > -slope && mass.k_p > 0;
+    return gains.empty() ? missing : gains.front().low;
+}
+
+/// (21): k_v > −f_ss'(V_0) and k_p > 0; what equals its limit is neutral.
+std::uint8_t velocity_only_code(const LinearMass& mass)
+{
+    const double C = velocity_only_damping(mass, mass.k_v);
+    if (C < 0 || mass.k_p < 0) return 0;
+    return C > 0 && mass.k_p > 0 ? 1 : verdict_neutral;
+}
+
+/// The same for any joint, with the spectrum only where Routh's scheme does not say yes.
+std::uint8_t velocity_only_code(const LinearJoint& linear)
+{
+    const auto curve = velocity_only(linear);
+    if (is_stable(curve)) return 1;
+    return spectral_abscissa(curve) == 0 ? verdict_neutral : 0;
+}
+
+/// The verdict that a spectral abscissa means.
+std::uint8_t code_of(double abscissa)
+{
+    return abscissa < 0 ? 1 : abscissa == 0 ? verdict_neutral : 0;
 }
 
 /// A critical gain above which all gains are stable, and below which none is.
@@ -30,10 +53,11 @@ bool has_single_gain(const std::vector<Crossing>& crossings, const std::vector<I
     return crossings.size() == 1 && stable.size() == 1 && stable[0].low > 0 && stable[0].high == infinity;
 }
 
-Region region_of(bool velocity_only, bool memory)
+Region region_of(std::uint8_t velocity_only, std::uint8_t memory)
 {
-    if (memory) return velocity_only ? Region::stable : Region::memory_only;
-    return velocity_only ? Region::velocity_only : Region::unstable;
+    if (memory == verdict_neutral) return Region::neutral;
+    if (memory == 1) return velocity_only == 1 ? Region::stable : Region::memory_only;
+    return velocity_only == 1 ? Region::velocity_only : Region::unstable;
 }
 
 /// The single mass with nothing but its loop, whose verdict has a closed form or a small polynomial.
@@ -55,15 +79,20 @@ LinearVerdict joint_verdict(const Joint& joint, LinearVerdict verdict)
         memory.f_v += linear.friction[i].f_v;
         memory.kernel_integral += kernel_integral(linear.friction[i]);
     }
-    simple.k_v_min = least_velocity_gain(linear);
-    simple.stable = is_stable(velocity_only(linear));
+    simple.stable_k_v = velocity_only_gains(linear);
+    simple.k_v_min = least(simple.stable_k_v);
+    const auto simply = velocity_only_code(linear);
+    simple.stable = simply == 1;
+    simple.neutral = simply == verdict_neutral;
     memory.eigenvalues = spectrum(linear);
+    memory.all_eigenvalues = linear.rational();
     memory.spectral_abscissa = spectral_abscissa(linear);
     if (!std::isfinite(memory.spectral_abscissa)) {
         verdict.steady.reason = Reason::not_finite;
         return verdict;
     }
     memory.stable = memory.spectral_abscissa < 0;
+    memory.neutral = memory.spectral_abscissa == 0;
     auto search = crossings(linear);
     memory.crossings = std::move(search.crossings);
     memory.searched_to = search.searched_to;
@@ -82,9 +111,9 @@ PointResult joint_point(const Joint& joint, double V)
         point.reason = Reason::not_finite;
         return point;
     }
-    point.k_v_min = least_velocity_gain(linear);
-    point.velocity_only_stable = is_stable(velocity_only(linear));
-    point.state_variable_stable = point.spectral_abscissa < 0;
+    point.k_v_min = least(velocity_only_gains(linear));
+    point.velocity_only_stable = velocity_only_code(linear);
+    point.state_variable_stable = code_of(point.spectral_abscissa);
     point.region = region_of(point.velocity_only_stable, point.state_variable_stable);
     const auto all = crossings(linear);
     if (has_single_gain(all.crossings, stable_intervals(linear, all.crossings, all.searched_to))) {
@@ -119,8 +148,11 @@ LinearVerdict linear_verdict(const Joint& joint)
 
     auto& simple = verdict.velocity_only;
     simple.slope = steady_slope(mass.friction);
-    simple.k_v_min = least_velocity_gain(simple.slope);
-    simple.stable = velocity_only_stable(mass, simple.slope);
+    simple.k_v_min = least_velocity_gain(mass);
+    if (mass.k_p > 0) simple.stable_k_v = {{simple.k_v_min, infinity}};
+    const auto simply = velocity_only_code(mass);
+    simple.stable = simply == 1;
+    simple.neutral = simply == verdict_neutral;
 
     auto& memory = verdict.state_variable;
     memory.f_v = mass.friction.f_v;
@@ -132,6 +164,7 @@ LinearVerdict linear_verdict(const Joint& joint)
         return verdict;
     }
     memory.stable = memory.spectral_abscissa < 0;
+    memory.neutral = memory.spectral_abscissa == 0;
     memory.crossings = crossings(mass);
     memory.stable_intervals = stable_intervals(mass, memory.crossings);
     if (has_single_gain(memory.crossings, memory.stable_intervals)) memory.k_cr = memory.crossings[0].k_p;
@@ -164,9 +197,9 @@ PointResult linear_point(const Joint& joint)
         point.reason = Reason::not_finite;
         return point;
     }
-    point.k_v_min = least_velocity_gain(slope);
-    point.velocity_only_stable = velocity_only_stable(mass, slope);
-    point.state_variable_stable = point.spectral_abscissa < 0;
+    point.k_v_min = least_velocity_gain(mass);
+    point.velocity_only_stable = velocity_only_code(mass);
+    point.state_variable_stable = code_of(point.spectral_abscissa);
     point.region = region_of(point.velocity_only_stable, point.state_variable_stable);
     if (mass.friction.states <= 1) {
         if (const auto critical = critical_gain(mass.inertia, mass.k_v, mass.friction)) {

@@ -17,11 +17,17 @@ struct SteadySliding {
     Reason reason = Reason::none;  ///< why there is none
 };
 
+struct Interval {
+    double low, high;
+};  ///< open
+
 /// (20)-(21): friction replaced by its steady-state curve.
 struct VelocityOnlyVerdict {
     bool stable = false;
+    bool neutral = false;      ///< a root on the imaginary axis, none right of it: disturbances neither decay nor grow
     double k_v_min = missing;  ///< max(0, −f_ss'(V_0)): least gain, to be exceeded
-    double slope = missing;    ///< f_ss'(V_0)
+    std::vector<Interval> stable_k_v;  ///< at the joint's k_p: (k_v_min, ∞) for one mass, windows for several
+    double slope = missing;            ///< f_ss'(V_0)
 };
 
 /// A gain at which a pair of roots crosses the imaginary axis; direction +1 where it turns unstable with rising k_p.
@@ -31,15 +37,13 @@ struct Crossing {
     int direction = 0;
 };
 
-struct Interval {
-    double low, high;
-};  ///< open
-
 /// (27)-(37): friction with memory.
 struct StateVariableVerdict {
     bool stable = false;
-    double spectral_abscissa = missing;
+    bool neutral = false;                ///< as above
+    double spectral_abscissa = missing;  ///< 0 where only rounding is left of it
     std::vector<std::complex<double>> eigenvalues;
+    bool all_eigenvalues = true;       ///< with delays or a table only some of the rightmost are known
     double f_v = missing;              ///< direct effect (14)
     double kernel_integral = missing;  ///< ∫g
     std::vector<Crossing> crossings;

@@ -83,7 +83,7 @@ std::string class_name(std::string_view name, std::string_view text)
 std::string region_classes()
 {
     std::vector<std::string> list;
-    for (int i = 0; i <= static_cast<int>(Region::undecided); ++i)
+    for (int i = 0; i <= static_cast<int>(Region::neutral); ++i)
         list.push_back(class_name(region_name(static_cast<Region>(i)), region_text(static_cast<Region>(i))));
     return json_array(list);
 }

@@ -74,6 +74,8 @@ std::string_view region_name(Region region)
             return "unstable";
         case Region::bistable:
             return "bistable";
+        case Region::neutral:
+            return "neutral";
         case Region::undecided:
             break;
     }
@@ -93,6 +95,8 @@ std::string_view region_text(Region region)
             return "stick-slip in both theories";
         case Region::bistable:
             return "bistable: a larger disturbance ends in stick-slip";
+        case Region::neutral:
+            return "neutral: small disturbances neither decay nor grow";
         case Region::undecided:
             break;
     }
@@ -132,6 +136,13 @@ void draw_texture(Canvas& canvas, Region region, const Rectangle& box, const Cov
                 ends.insert(ends.end(), {{p.x - 1.5, p.y}, {p.x + 1.5, p.y}});
             canvas.stretches(ends, {shade(white, 0.8), 4.4});
             canvas.stretches(ends, {black, 3});
+            break;
+        }
+        case Region::neutral: {
+            std::vector<Point> ends;
+            for (const Point& p : lattice(box, 11, covered)) ends.insert(ends.end(), {{p.x - 3, p.y}, {p.x + 3, p.y}});
+            canvas.stretches(ends, {shade(white, 0.75), 2.4});
+            canvas.stretches(ends, {shade(black, 0.85), 1});
             break;
         }
         case Region::undecided:

@@ -11,8 +11,8 @@
 namespace stickslip::drawing {
 
 /// The regions in the order of the legend.
-constexpr Region all_regions[] = {Region::stable,   Region::memory_only, Region::velocity_only,
-                                  Region::unstable, Region::bistable,    Region::undecided};
+constexpr Region all_regions[] = {Region::stable,   Region::memory_only, Region::velocity_only, Region::unstable,
+                                  Region::bistable, Region::neutral,     Region::undecided};
 
 std::string_view region_name(Region region);  ///< "memory-only": for files and scripts
 std::string_view region_text(Region region);  ///< for the legend

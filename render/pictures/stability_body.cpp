@@ -63,6 +63,8 @@ Colour swatch_colour(Region region)
             return sample(vik_table, 0.7);
         case Region::undecided:
             return no_value;
+        case Region::neutral:
+            return sample(vik_table, 0.5);
         default:
             return sample(vik_table, 0.32);
     }

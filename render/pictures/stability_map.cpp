@@ -37,6 +37,8 @@ std::string_view region_label(Region region)
             return "stick-slip";
         case Region::bistable:
             return "bistable";
+        case Region::neutral:
+            return "neutral";
         case Region::undecided:
             break;
     }

@@ -2,6 +2,10 @@
 
 #include "analysis/stability/steady.h"
 
+#include "sweep/report/verdict_text.h"
+
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace stickslip {
@@ -26,7 +30,39 @@ Json velocities_json(const StableVelocities& v)
     return {{"stable", intervals_json(v.intervals)},
             {"least", json_number(v.least)},
             {"all_above", json_number(v.all_above)},
-            {"least_force_rate", json_number(v.least_force_rate)}};
+            {"least_force_rate", json_number(v.least_force_rate)},
+            {"reason", v.intervals.empty() ? Json("no velocity of the searched range is stable with these gains")
+                                           : Json(nullptr)}};
+}
+
+Json velocity_study_json(const LinearStudy& s)
+{
+    if (std::isnan(s.velocities.low))
+        return {{"searched", nullptr},
+                {"velocity_only", nullptr},
+                {"state_variable", nullptr},
+                {"k_v_for_all", nullptr},
+                {"hardest", nullptr},
+                {"reason", "a kernel is friction found at one velocity and says nothing about others"}};
+    Json json = {{"searched", {json_number(s.velocities.low), json_number(s.velocities.high)}},
+                 {"velocity_only", velocities_json(s.velocity_only)},
+                 {"state_variable", velocities_json(s.state_variable)},
+                 {"k_v_for_all", s.range_gain ? json_number(s.range_gain->k_v) : Json(nullptr)},
+                 {"hardest", s.range_gain ? json_number(s.range_gain->velocity) : Json(nullptr)}};
+    json["stable_k_v_for_all"] = s.range_gain ? intervals_json(s.range_gain->stable_k_v) : Json(nullptr);
+    json["reason"] = s.range_gain && std::isnan(s.range_gain->k_v)
+                         ? Json("no single k_v serves every velocity of the range at this k_p")
+                         : Json(nullptr);
+    return json;
+}
+
+/// Why there is no optimal mix.
+Json mix_reason(const LinearStudy& s)
+{
+    if (!std::isnan(s.mix.noise)) return nullptr;
+    if (std::isnan(s.velocity_noise))
+        return "control.period is not set: how noisy a velocity differenced from positions is depends on it";
+    return "no pair of gains on a boundary of stability was found";
 }
 
 Json comparison_json(const Comparison& c)
@@ -43,20 +79,32 @@ Json comparison_json(const Comparison& c)
         {"allowed_wrongly_k_p", intervals_json(c.allowed_wrongly)}};
 }
 
+/// Why there is no error of a reduction; nothing where there is one.
+Json error_reason(const ReductionStudy& r)
+{
+    if (std::isfinite(r.own.error)) return nullptr;
+    const auto range = fmt::format("{} from {:.4g} to {:.4g}", r.boundary_path, r.searched_low, r.searched_high);
+    if (std::isnan(r.own.error)) return "neither joint has a boundary along " + range + ": nothing to compare";
+    return fmt::format("boundaries along {}: {} of the full joint, {} of the reduced one", range, r.own.full.size(),
+                       r.own.reduced.size());
+}
+
 Json reduction_json(const ReductionStudy& r)
 {
-    Json json{{"name", r.name}};
+    Json json{{"name", plain_text(r.name)}, {"assumption", plain_text(r.assumption)}};
     if (!r.refused.empty()) {
-        json["refused"] = r.refused;
+        json["refused"] = plain_text(r.refused);
         return json;
     }
-    json["model"] = r.model;
-    json["neglected"] = r.neglected;
-    json["assumption"] = r.assumption;
+    json["model"] = plain_text(r.model);
+    json["neglected"] = Json::array();
+    for (const auto& text : r.neglected) json["neglected"].push_back(plain_text(text));
+    json["searched"] = {json_number(r.searched_low), json_number(r.searched_high)};
     json["boundary_of"] = r.boundary_path;
     json["full"] = numbers_json(r.own.full);
     json["reduced"] = numbers_json(r.own.reduced);
     json["error"] = json_number(r.own.error);
+    json["error_reason"] = error_reason(r);
     json["assumed_large"] = r.assumption_path.empty() ? Json(nullptr) : Json(r.assumption_path);
     json["within_1_percent_from"] = json_number(r.good_from);
     json["within_10_percent_from"] = json_number(r.fair_from);
@@ -92,16 +140,13 @@ Json study_json(const Joint& joint, const LinearStudy& s)
                        {"phase", json_number(s.margins.phase)},
                        {"crossover", json_number(s.margins.crossover)}};
     json["root_locus"] = locus_json(joint);
-    json["velocities"] = {{"searched", {json_number(s.velocities.low), json_number(s.velocities.high)}},
-                          {"velocity_only", velocities_json(s.velocity_only)},
-                          {"state_variable", velocities_json(s.state_variable)},
-                          {"k_v_for_all", s.range_gain ? json_number(s.range_gain->k_v) : Json(nullptr)},
-                          {"hardest", s.range_gain ? json_number(s.range_gain->velocity) : Json(nullptr)}};
+    json["velocities"] = velocity_study_json(s);
     json["comparison"] = comparison_json(s.comparison);
     json["comparison"]["optimal_mix"] = {{"velocity_noise", json_number(s.velocity_noise)},
                                          {"k_p", json_number(s.mix.k_p)},
                                          {"k_v", json_number(s.mix.k_v)},
-                                         {"noise", json_number(s.mix.noise)}};
+                                         {"noise", json_number(s.mix.noise)},
+                                         {"reason", mix_reason(s)}};
     json["force_ramp"] = nullptr;
     if (s.ramp)
         json["force_ramp"] = {{"rate", json_number(s.ramp->rate)},

@@ -34,6 +34,10 @@ std::string throughout(const LocatedRay& ray)
                        : ray.stable_share > judged - 1e-12 ? ": stable "
                                                            : nullptr;
     if (!side) return "";
+    if (ray.neutral_share > 0 && ray.stable_share == 0)
+        return ": neutral " +
+               std::string(ray.neutral_share > judged - 1e-12 ? "throughout" : "or unstable throughout") +
+               ". Where sliding is neutral, small disturbances neither decay nor grow, and nothing turns stable";
     return side + (ray.undecided == 0
                        ? std::string("throughout")
                        : "at all of the " + std::to_string(ray.nodes - ray.undecided) +
@@ -75,7 +79,9 @@ std::string could_be_missed(const FollowedBoundary& c)
 
 std::string ray_text(const Joint& design, const LocatedRay& ray)
 {
-    std::string kind(name_of(ray.kind));
+    // the boundary along the velocity has a name of its own
+    std::string kind =
+        ray.kind == BoundaryKind::v_min ? "least velocity V_{min}" : std::string(name_of(ray.kind)) + " boundary";
     const auto motion = design.mechanism.motion;
     const std::string range = with_unit(ray.axis.values.front(), ray.axis.quantity, motion) + " … " +
                               with_unit(ray.axis.values.back(), ray.axis.quantity, motion);
@@ -88,10 +94,10 @@ std::string ray_text(const Joint& design, const LocatedRay& ray)
                (reason == Reason::none ? "." : ". At the first: " + reason_text(reason) + ".");
     }
     if (ray.points.empty())
-        return "No " + kind + " boundary along " + ray.axis.symbol + " within " + range + throughout(ray) + "." +
+        return "No " + kind + " along " + ray.axis.symbol + " within " + range + throughout(ray) + "." +
                outside_text(ray, motion);
     kind[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(kind[0])));
-    std::string text = kind + " boundary along " + ray.axis.symbol + " at ";
+    std::string text = kind + " along " + ray.axis.symbol + " at ";
     for (const auto& p : ray.points)
         text += (&p == &ray.points.front() ? "" : ", ") + with_unit(p.value, ray.axis.quantity, motion, 8) + " (" +
                 direction_text(p.direction) + ")";
@@ -109,6 +115,8 @@ std::string design_words(Region region)
         case Region::velocity_only:
         case Region::unstable:
             return "The design sticks and slips: small disturbances of sliding grow.";
+        case Region::neutral:
+            return "The design is neutral: small disturbances neither decay nor grow.";
         case Region::undecided:
             break;
     }
@@ -126,6 +134,8 @@ Headline::Tone design_tone(Region region)
         case Region::velocity_only:
         case Region::unstable:
             return Headline::Tone::bad;
+        case Region::neutral:
+            return Headline::Tone::warning;
         case Region::undecided:
             break;
     }

@@ -106,6 +106,8 @@ std::string verdict_word(Region region)
         case Region::velocity_only:
         case Region::unstable:
             return "in stick-slip";
+        case Region::neutral:
+            return "neutral (small disturbances neither decay nor grow)";
         case Region::undecided:
             break;
     }
@@ -116,7 +118,10 @@ std::string verdict_word(Region region)
 int standing(Region region)
 {
     const auto word = verdict_word(region);
-    return word == "stable" ? 3 : region == Region::bistable ? 2 : region == Region::undecided ? 1 : 0;
+    return word == "stable"                                           ? 3
+           : region == Region::bistable                               ? 2
+           : region == Region::undecided || region == Region::neutral ? 1
+                                                                      : 0;
 }
 
 /// The largest relative move of a boundary that both runs have.

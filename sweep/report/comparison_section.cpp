@@ -20,11 +20,6 @@ struct Words {
     std::string gains(const std::vector<Interval>& set, Quantity q) const { return intervals_text(set, q, motion); }
 };
 
-std::string demand(double k_v, const Words& words)
-{
-    return std::isnan(k_v) ? "no k_{v} suffices" : k_v == 0 ? "none" : "k_{v} > " + words.damping(k_v);
-}
-
 /// The least k_v at the joint's own k_p over its searched velocities, by both theories.
 Figure demand_figure(Joint joint, const LinearStudy& study, bool rational)
 {
@@ -52,8 +47,8 @@ Figure demand_figure(Joint joint, const LinearStudy& study, bool rational)
     const auto& here = study.comparison;
     return line_figure(
         "k-v-demanded", std::move(chart),
-        "At the joint's own velocity, velocity alone demands: " + demand(here.k_v_demanded_velocity_only(), words) +
-            "; with memory: " + demand(here.k_v_demanded_memory(), words) + ".",
+        "At the joint's own velocity, velocity alone demands: " + demanded_text(here.k_v_velocity_only, words.motion) +
+            "; with memory: " + demanded_text(here.k_v_memory, words.motion) + ".",
         "Least velocity gain for stable sliding at the joint's own position gain, over the velocity. For a Stribeck "
         "curve the demand falls as velocity goes to zero, for the logarithmic curve of state-variable friction it "
         "grows as 1/V_{0}. On the lower edge none is needed; in a gap none is enough.");
@@ -66,8 +61,8 @@ Table comparison_table(const Joint& joint, const LinearStudy& study)
     Table table;
     table.title = "What each theory demands of this joint";
     table.columns = {"", "velocity alone", "with memory"};
-    table.rows = {{"least velocity gain at this k_{p}", demand(c.k_v_demanded_velocity_only(), words),
-                   demand(c.k_v_demanded_memory(), words)},
+    table.rows = {{"velocity gain asked for at this k_{p}", demanded_text(c.k_v_velocity_only, words.motion),
+                   demanded_text(c.k_v_memory, words.motion)},
                   {"stable k_{v} at this k_{p}", words.gains(c.k_v_velocity_only, Quantity::damping),
                    words.gains(c.k_v_memory, Quantity::damping)},
                   {"stable k_{p} at this k_{v}", words.gains(c.k_p_velocity_only, Quantity::stiffness),
@@ -86,10 +81,10 @@ Table comparison_table(const Joint& joint, const LinearStudy& study)
              with_unit(study.velocity_only.least_force_rate, Quantity::effort_rate, words.motion, 4),
              with_unit(study.state_variable.least_force_rate, Quantity::effort_rate, words.motion, 4)});
     if (study.range_gain)
-        table.rows.push_back(
-            {"k_{v} for every velocity up to " + words.velocity(study.velocities.high),
-             demand(study.range_gain->k_v, words) + " (hardest: " + words.velocity(study.range_gain->velocity) + ")",
-             "–"});
+        table.rows.push_back({"k_{v} for every velocity up to " + words.velocity(study.velocities.high),
+                              demanded_text(study.range_gain->stable_k_v, words.motion) +
+                                  " (hardest: " + words.velocity(study.range_gain->velocity) + ")",
+                              "–"});
     if (!std::isnan(study.mix.noise))
         table.rows.push_back(
             {"quietest pair of gains on the boundary (velocity differenced from position)", "–",

@@ -41,6 +41,8 @@ DesignVerdict design_verdict(const Joint& joint, const LinearVerdict& linear, Re
     DesignVerdict verdict{region, verdict_text(joint, linear), Tone::good};
     if (linear.steady.reason != Reason::none) {
         verdict.tone = Tone::warning;
+    } else if (linear.state_variable.neutral) {
+        verdict.tone = Tone::warning;
     } else if (!linear.state_variable.stable) {
         verdict.tone = Tone::bad;
     } else if (region == Region::bistable) {

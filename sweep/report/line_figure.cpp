@@ -47,4 +47,17 @@ std::string intervals_text(const std::vector<Interval>& list, Quantity quantity,
     return list.empty() ? "none" : text;
 }
 
+std::string demanded_text(const std::vector<Interval>& stable, Motion motion)
+{
+    if (stable.empty()) return "no k_{v} is enough";
+    const auto& [low, high] = stable.front();
+    const auto words = [&](double k_v) { return with_unit(k_v, Quantity::damping, motion); };
+    std::string text = low == 0 && high == infinity ? "any k_{v} is enough"
+                       : high == infinity           ? "k_{v} > " + words(low)
+                       : low == 0                   ? "k_{v} < " + words(high)
+                                                    : words(low) + " < k_{v} < " + words(high);
+    if (stable.size() > 1) text += ", or in " + counted(stable.size() - 1, "further window");
+    return text;
+}
+
 }  // namespace stickslip

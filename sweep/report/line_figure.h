@@ -21,4 +21,8 @@ Figure line_figure(std::string id, LineChart chart, std::string finding, std::st
 /// "55 kN/m … ∞, …" of open intervals; "none" of none.
 std::string intervals_text(const std::vector<Interval>& list, Quantity quantity, Motion motion);
 
+/// What a theory asks of k_v, given the set with which it calls sliding stable: "k_{v} > 500 N·s/m", "729 N·s/m <
+/// k_{v} < 4.12 kN·s/m" where too much is unstable, too.
+std::string demanded_text(const std::vector<Interval>& stable_k_v, Motion motion);
+
 }  // namespace stickslip

@@ -4,6 +4,7 @@
 #include "analysis/results/text.h"
 #include "sweep/report/comparison_section.h"
 #include "sweep/report/first_screen.h"
+#include "sweep/report/line_figure.h"
 #include "sweep/report/loop_figures.h"
 #include "sweep/report/model_drawing.h"
 #include "sweep/report/nearest_text.h"
@@ -28,12 +29,20 @@ std::string model_name(Model model)
     return "";
 }
 
-Headline demand(const char* theory, double k_v, double own, Motion motion)
+Headline demand(const char* theory, const std::vector<Interval>& stable, double own, Motion motion)
 {
-    if (std::isnan(k_v)) return {Tone::bad, "no k_{v}", std::string("is enough for smooth sliding, ") + theory};
-    if (k_v == 0) return {Tone::good, "any k_{v}", std::string("is enough for smooth sliding, ") + theory};
-    return {own > k_v ? Tone::good : Tone::neutral, with_unit(k_v, Quantity::damping, motion),
-            std::string("velocity gain k_{v} to exceed for smooth sliding, ") + theory};
+    if (stable.empty()) return {Tone::bad, "no k_{v}", std::string("is enough for smooth sliding, ") + theory};
+    const bool within = std::any_of(stable.begin(), stable.end(), [&](const Interval& i) {
+        return own < i.high && (own > i.low || (own == 0 && i.low == 0));
+    });
+    const auto tone = within ? Tone::good : Tone::neutral;
+    const auto& [low, high] = stable.front();
+    if (low == 0 && high == infinity)
+        return {tone, "any k_{v}", std::string("is enough for smooth sliding, ") + theory};
+    if (high == infinity)
+        return {tone, with_unit(low, Quantity::damping, motion),
+                std::string("velocity gain k_{v} to exceed for smooth sliding, ") + theory};
+    return {tone, demanded_text(stable, motion), std::string("window of velocity gains for smooth sliding, ") + theory};
 }
 
 /// The worst reduction that still has the right number of boundaries, and how many have not.
@@ -82,8 +91,8 @@ Report linear_report(const Joint& joint, const LinearVerdict& linear, const Nonl
         const bool stable = linear.state_variable.stable;
         report.headlines = {
             nearest_headline(nearest_boundary(joint, natural_coordinates(joint), affordable_search(joint)), motion),
-            demand("by velocity alone", c.k_v_demanded_velocity_only(), joint.control.k_v, motion),
-            demand("with memory", c.k_v_demanded_memory(), joint.control.k_v, motion)};
+            demand("by velocity alone", c.k_v_velocity_only, joint.control.k_v, motion),
+            demand("with memory", c.k_v_memory, joint.control.k_v, motion)};
         if (std::isfinite(linear.state_variable.k_cr))
             report.headlines.push_back({Tone::neutral,
                                         with_unit(linear.state_variable.k_cr, Quantity::stiffness, motion),

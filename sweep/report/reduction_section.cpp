@@ -39,7 +39,9 @@ std::string boundaries_text(const std::vector<double>& values, Quantity quantity
 
 std::string error_text(double error)
 {
-    return std::isinf(error) ? "different number of boundaries" : percent(error);
+    return std::isnan(error)   ? "nothing to compare"
+           : std::isinf(error) ? "different number of boundaries"
+                               : percent(error);
 }
 
 /// The i-th boundary of every value, missing where there are fewer.
@@ -82,9 +84,14 @@ Figure boundary_figure(const Joint& joint, const ReductionStudy& study, const st
     chart.x_marks.emplace_back("here", moved.value);
     return line_figure(
         id, std::move(chart),
-        "The reduction to " + study.model + " moves the boundary of this joint by " + error_text(study.own.error) + ".",
+        std::isfinite(study.own.error)
+            ? "The reduction to " + study.model + " moves the boundary of this joint by " +
+                  error_text(study.own.error) + "."
+            : "The reduction to " + study.model + " at this joint's own values: " + error_text(study.own.error) + ".",
         "Solid: the full joint. Dashed: the reduced one. A boundary is where stability changes along " +
-            boundary.symbol + "; a line ends where there is none within three decades of this joint.");
+            boundary.symbol + "; a line ends where there is none from " +
+            with_unit(study.searched_low, boundary.quantity, motion) + " to " +
+            with_unit(study.searched_high, boundary.quantity, motion) + ".");
 }
 
 Figure error_figure(const Joint& joint, const ReductionStudy& study, const std::string& id)
@@ -104,9 +111,10 @@ Figure error_figure(const Joint& joint, const ReductionStudy& study, const std::
                    {"1 %", {study.values.front(), study.values.back()}, {0.01, 0.01}, true},
                    {"10 %", {study.values.front(), study.values.back()}, {0.1, 0.1}, true}};
     chart.x_marks.emplace_back("here", moved.value);
-    return line_figure(id, std::move(chart), "Good " + good_text(study, moved, motion) + ".",
-                       "Largest relative distance between corresponding boundaries. No line: the full and the reduced "
-                       "joint have different numbers of boundaries, the reduction is wrong in kind.");
+    return line_figure(
+        id, std::move(chart), "Good " + good_text(study, moved, motion) + ".",
+        "Largest relative distance between corresponding boundaries. No line: the full and the reduced "
+        "joint have different numbers of boundaries, the reduction is wrong in kind, or neither has any.");
 }
 
 }  // namespace

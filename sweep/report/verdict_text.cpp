@@ -12,10 +12,6 @@ std::string stiffness(double k, Motion motion)
 {
     return with_unit(k, Quantity::stiffness, motion);
 }
-std::string damping(double k, Motion motion)
-{
-    return with_unit(k, Quantity::damping, motion);
-}
 
 /// The stable set in k_p where it is no single half-line above a critical gain.
 std::string stable_gains(const Joint& joint, const StateVariableVerdict& memory)
@@ -33,11 +29,44 @@ std::string stable_gains(const Joint& joint, const StateVariableVerdict& memory)
 }
 
 /// What friction of velocity alone would ask for where it says no, and memory does not.
-std::string asked_by_velocity(const Joint& joint, double k_v_min)
+std::string asked_by_velocity(const Joint& joint, const VelocityOnlyVerdict& velocity_only)
 {
-    if (std::isnan(k_v_min)) return " at every k_{v}.";
-    if (joint.control.k_v > k_v_min) return " at this k_{v}.";
-    return " and ask for k_{v} > " + damping(k_v_min, joint.mechanism.motion) + ".";
+    if (velocity_only.stable_k_v.empty()) return " at every k_{v}.";
+    return " and ask for " + demanded_text(velocity_only.stable_k_v, joint.mechanism.motion) + ".";
+}
+
+/// The first sentence: what becomes of a small disturbance.
+std::string first_words(const Joint& joint, const LinearVerdict& v)
+{
+    const auto speed = with_unit(v.steady.velocity, Quantity::velocity, joint.mechanism.motion);
+    if (v.state_variable.stable) return "Stable: small disturbances of sliding at " + speed + " decay.";
+    if (v.state_variable.neutral)
+        return "Neutral: small disturbances of sliding at " + speed + " neither decay nor grow.";
+    if (joint.control.k_p < 0)
+        return "Unstable: with k_{p} < 0 the loop pushes away from the commanded motion, sliding at " + speed +
+               " does not last.";
+    return "Stick-slip: sliding at " + speed + " is unstable.";
+}
+
+/// What holds the joint on the imaginary axis, and what would not.
+std::string neutral_words(const Joint& joint, const StateVariableVerdict& memory)
+{
+    if (joint.control.k_p == 0) return " Nothing brings the position back: k_{p} = 0.";
+    if (!memory.stable_intervals.empty() || !memory.crossings.empty())
+        return " The design lies on the boundary of stability." + stable_gains(joint, memory);
+    return " Friction and k_{v} together neither feed nor damp the oscillation, and no k_{p} changes that.";
+}
+
+/// The other theory's word, where it differs.
+std::string other_theory(const Joint& joint, const LinearVerdict& v)
+{
+    const auto& simple = v.velocity_only;
+    const auto& memory = v.state_variable;
+    if (simple.stable == memory.stable && simple.neutral == memory.neutral) return "";
+    const std::string says = " Friction that depends on velocity alone would call it ";
+    return says + (simple.stable    ? "stable."
+                   : simple.neutral ? "neutral."
+                                    : "stick-slip" + asked_by_velocity(joint, simple));
 }
 
 }  // namespace
@@ -47,21 +76,17 @@ std::string verdict_text(const Joint& joint, const LinearVerdict& v)
     const auto motion = joint.mechanism.motion;
     if (v.steady.reason == Reason::no_steady_state) return "Undecided: the design point has no steady sliding.";
     if (v.steady.reason != Reason::none) return "Undecided at the design point: " + reason_text(v.steady.reason) + ".";
-    const auto speed = with_unit(v.steady.velocity, Quantity::velocity, motion);
     const auto& memory = v.state_variable;
-    std::string text = memory.stable ? "Stable: small disturbances of sliding at " + speed + " decay."
-                                     : "Stick-slip: sliding at " + speed + " is unstable.";
-    if (std::isfinite(memory.k_cr))
-        text += " k_{p} = " + stiffness(joint.control.k_p, motion) + " is " +
-                plain_number(joint.control.k_p / memory.k_cr) +
+    const double k_p = joint.control.k_p;
+    std::string text = first_words(joint, v);
+    if (memory.neutral)
+        text += neutral_words(joint, memory);
+    else if (std::isfinite(memory.k_cr) && k_p > 0)
+        text += " k_{p} = " + stiffness(k_p, motion) + " is " + plain_number(k_p / memory.k_cr) +
                 " times the critical gain k_{cr} = " + stiffness(memory.k_cr, motion) + ".";
     else
         text += stable_gains(joint, memory);
-    if (v.velocity_only.stable != memory.stable)
-        text += v.velocity_only.stable ? " Friction that depends on velocity alone would call it stable."
-                                       : " Friction that depends on velocity alone would call it stick-slip" +
-                                             asked_by_velocity(joint, v.velocity_only.k_v_min);
-    return text;
+    return text + other_theory(joint, v);
 }
 
 Table linear_table(const Joint& joint, const LinearVerdict& v)
@@ -77,9 +102,9 @@ Table linear_table(const Joint& joint, const LinearVerdict& v)
                   row("friction of steady sliding f_{ss}(V_{0})", v.steady.friction, Quantity::effort),
                   row("steady deflection δ_{ss}", v.steady.deflection, Quantity::position),
                   row("slope of the steady curve f_{ss}'(V_{0})", v.velocity_only.slope, Quantity::damping),
-                  std::isnan(v.velocity_only.k_v_min)
-                      ? std::vector<std::string>{"least k_{v} by velocity alone", "none is enough"}
-                      : row("least k_{v} by velocity alone", v.velocity_only.k_v_min, Quantity::damping),
+                  {"asked of k_{v} by velocity alone", v.velocity_only.k_v_min == 0 && v.velocity_only.slope <= 0
+                                                           ? "any k_{v} > 0"
+                                                           : demanded_text(v.velocity_only.stable_k_v, motion)},
                   row("direct effect f_{v}", v.state_variable.f_v, Quantity::damping),
                   row("kernel integral ∫g", v.state_variable.kernel_integral, Quantity::damping),
                   row("critical position gain k_{cr}", v.state_variable.k_cr, Quantity::stiffness),

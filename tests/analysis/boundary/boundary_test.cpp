@@ -156,3 +156,87 @@ TEST_CASE("a path that the joint lacks is refused", "[boundary]")
         locate_boundaries(example_joint(1, 0, 1), axis("control.q", 1, 2), of(BoundaryKind::state_variable)),
         std::invalid_argument);
 }
+
+TEST_CASE("linear axes, ranges that begin at zero and negative ranges locate to 1e-9", "[boundary]")
+{
+    // velocity-only, (21): k_v V_0 = B − A, whatever k_p
+    const Joint joint = example_joint(2e4, 400, 1e-3);
+    const auto one = [&](BoundaryKind kind, const Axis& a, double expected) {
+        const auto ray = locate_boundaries(joint, a, of(kind));
+        CAPTURE(a.path, a.log, expected);
+        REQUIRE(ray.points.size() == 1);
+        CHECK(ray.points[0].converged);
+        CHECK(std::abs(ray.points[0].value / expected - 1) < 1e-9);
+        CHECK(ray.points[0].precision() < 1e-9);
+        CHECK(ray.points[0].low <= expected * (1 + 1e-12));
+        CHECK(ray.points[0].high >= expected * (1 - 1e-12));
+    };
+    const auto simple = BoundaryKind::velocity_only, memory = BoundaryKind::state_variable;
+    for (const bool log : {false, true}) {
+        const double low = log ? 1e-3 : 0;
+        one(simple, axis("control.k_v", low, 1e4, log), 500);  // a node of the linear scan lies on it
+        one(simple, axis("control.k_v", low, 1.1e4, log), 500);
+        one(simple, axis("control.V0", low * 1e-3, 1e-2, log), 0.5 / 400);
+        one(simple, axis("friction.A", low, 3, log), 1.5 - 400 * 1e-3);
+        one(simple, axis("friction.B", low, 3, log), 1 + 400 * 1e-3);
+        // k_cr(k_v) = 2e4: (500 − k)(k + 1100) = 200 (k + 1000)
+        one(memory, axis("control.k_v", low, 1e4, log), (-800 + std::sqrt(800.0 * 800 + 4 * 350000)) / 2);
+        one(memory, axis("control.k_p", low, 1e7, log), closed_form(400, 1e-3));
+        one(memory, axis("control.k_p", log ? 1e-3 : 0, 2e10, log), closed_form(400, 1e-3));
+    }
+    // a rising steady curve bears negative feedback: k_v > −(A − B)/V_0
+    Joint rising = example_joint(2e4, 0, 1e-3);
+    std::get<RateAndState>(rising.friction.law).B[0] = 0.2;
+    for (const double low : {-1000.0, -1600.0, -870.0}) {
+        const auto ray = locate_boundaries(rising, axis("control.k_v", low, 500, false), of(simple));
+        REQUIRE(ray.points.size() == 1);
+        CHECK(ray.points[0].converged);
+        CHECK(ray.points[0].value == Approx(-800).epsilon(1e-9));
+        CHECK(ray.points[0].precision() < 1e-9);
+    }
+}
+
+TEST_CASE("neutral sliding has no boundary but the one that it is", "[boundary]")
+{
+    Joint joint = example_joint(2e4, 0, 1e-3);
+    joint.friction.law = Dahl{10.3, 1e5, 1};
+    for (const auto kind : {BoundaryKind::velocity_only, BoundaryKind::state_variable}) {
+        for (const char* path : {"control.k_p", "control.V0", "friction.coulomb", "friction.sigma0"}) {
+            const auto ray = locate_boundaries(joint, axis(path, 1e-2, 1e2), of(kind));
+            CAPTURE(path);
+            CHECK(ray.points.empty());
+            CHECK(ray.neutral_share == 1);
+        }
+        for (const double low : {-10.0, -7.3, 0.0}) {
+            const auto ray = locate_boundaries(joint, axis("control.k_v", low, 10, false), of(kind));
+            REQUIRE(ray.points.size() == 1);
+            CHECK(std::abs(ray.points[0].value) < 1e-9);
+            CHECK(ray.points[0].direction == -1);
+        }
+        const auto chart =
+            follow_boundaries(joint, axis("control.k_p", 1e2, 1e6), axis("control.V0", 1e-5, 1), of(kind));
+        CHECK(chart.pieces.empty());
+    }
+    CHECK(locate_boundaries(joint, axis("control.V0", 1e-5, 1), of(BoundaryKind::v_min)).points.empty());
+}
+
+TEST_CASE("a falling curve that fades away with velocity is no boundary", "[boundary]")
+{
+    // its slope at 14 c3 is 1e-82 of the greatest: neither sign of the growth means anything
+    Joint joint = example_joint(6e4, 0, 1e-3);
+    for (const bool late : {false, true}) {
+        const Stribeck curve{10, 0, 0.1, 1e-3, 2};
+        joint.friction.law = curve;
+        TimeLag lag;
+        lag.lag = 5e-3;
+        lag.curve.law = curve;
+        if (late) joint.friction.law = lag;
+        const auto ray = locate_boundaries(joint, axis("control.V0", 1e-3, 1), of(BoundaryKind::velocity_only));
+        CHECK(ray.points.empty());
+        CHECK(ray.neutral_share > 0.1);
+        CHECK(ray.stable_share == 0);
+        // where the lag turns feeding into damping (k_p τ² = 5, beyond a quarter turn), that fades, too
+        joint.control.k_p = late ? 2e5 : 6e4;
+        CHECK(locate_boundaries(joint, axis("control.V0", 1e-3, 1), of(BoundaryKind::state_variable)).points.empty());
+    }
+}

@@ -104,3 +104,58 @@ TEST_CASE("each reduction holds where its assumption does", "[stability]")
     for (const auto& study : reduction_studies(samples::nine_states(), coarse)) CHECK(study.refused.empty());
     CHECK(reduction_studies(samples::single_mass(1)).empty());
 }
+
+TEST_CASE("a reduction that compares no boundaries has no error", "[stability]")
+{
+    // rate-and-state friction with k_v above (B − A)/V_0 on every body: no boundary in k_p at all, on either side
+    auto joint = samples::two_mass();
+    joint.frictions.motor.law = CoulombViscous{1, 2000};
+    joint.frictions.link.law = CoulombViscous{1, 2000};
+    StudyOptions coarse;
+    coarse.values = 3;
+    for (const auto& study : reduction_studies(joint, coarse)) {
+        CHECK(study.own.full.empty());
+        CHECK(study.own.reduced.empty());
+        CHECK(std::isnan(study.own.error));
+        CHECK(std::isnan(study.good_from));
+        CHECK(std::isnan(study.fair_from));
+        CHECK(study.searched_high / joint.control.k_p >= 1e9 * (1 - 1e-9));
+    }
+}
+
+TEST_CASE("a boundary far from the joint's own gain is found and compared", "[stability]")
+{
+    // light bodies: the boundary of the whole lies at k_cr = (B − A)/L = 5e4 in series with k_tr; the own gain is 10^5
+    // times that
+    auto joint = samples::two_mass();
+    joint.mechanism.motor_inertia = joint.mechanism.link_inertia = 1e-9;
+    joint.mechanism.transmission.damping = 0;
+    joint.mechanism.transmission.stiffness = 1e7;
+    joint.frictions.motor.law = CoulombViscous{0, 0};
+    joint.control.k_p = 5e9;
+    StudyOptions coarse;
+    coarse.values = 3;
+    const auto studies = reduction_studies(joint, coarse);
+    REQUIRE(studies.size() == 2);
+    const auto& rigid = studies[1];
+    CHECK(rigid.boundary_path == "control.k_p");
+    REQUIRE(rigid.own.full.size() == 1);
+    CHECK(rigid.own.full[0] == Approx(5e4 / (1 - 5e4 / 1e7)).epsilon(1e-4));
+    CHECK(rigid.own.error == Approx(5e4 / 1e7).epsilon(1e-2));
+}
+
+TEST_CASE("a reduction that does not apply is named by its steps", "[stability]")
+{
+    auto joint = samples::nine_states();
+    TimeLag late;
+    late.lag = 1e-3;
+    late.curve.law = CoulombViscous{1, 0};
+    joint.frictions.transmission.law = joint.frictions.motor.law = late;
+    StudyOptions coarse;
+    coarse.values = 2;
+    const auto refused = [](const ReductionStudy& s) { return !s.refused.empty(); };
+    const auto studies = reduction_studies(joint, coarse);
+    const auto first = std::find_if(studies.begin(), studies.end(), refused);
+    REQUIRE(first != studies.end());
+    CHECK(first->name == "Fig. 5 to 6, transmission at the motor");
+}

@@ -119,7 +119,7 @@ assert d.k_p.attrs["path"] == "control.k_p" and d.k_p.attrs["long_name"]
 assert d.k_cr.attrs["units"] == "N/m" and d.omega.attrs["units"] == "rad/s"
 assert d.region.dtype == numpy.int8
 assert d.region.attrs["flag_meanings"].split()[:2] == ["stable", "memory_only"]
-assert list(d.region.attrs["flag_values"]) == [0, 1, 2, 3, 4, 5]
+assert list(d.region.attrs["flag_values"]) == [0, 1, 2, 3, 4, 5, 6]
 assert d.attrs["Conventions"] == "CF-1.10" and d.attrs["title"] == "sample" and len(d.attrs["plan_id"]) == 32
 assert float(d.k_v_min.sel(k_p=1e5, k_v=50, V0=1e-4)) == 1e5 * 0.5 + 50
 assert numpy.isnan(d.k_cr.sel(k_v=0)).all() and not numpy.isnan(d.k_cr.sel(k_v=50)).any()

@@ -74,7 +74,7 @@ TEST_CASE("the verdict asks for no velocity gain where none is enough", "[report
     const auto text = plain_text(verdict_text(joint, verdict));
     CAPTURE(text);
     CHECK(has(text, "would call it stick-slip at every k_v."));
-    CHECK(cell(linear_table(joint, verdict), "least k_{v} by velocity alone") == "none is enough");
+    CHECK(cell(linear_table(joint, verdict), "asked of k_{v} by velocity alone") == "no k_{v} is enough");
 }
 
 TEST_CASE("a joint that slides at every gain is said to", "[report]")
@@ -86,4 +86,49 @@ TEST_CASE("a joint that slides at every gain is said to", "[report]")
     const auto text = plain_text(verdict_text(joint, linear_verdict(joint)));
     CAPTURE(text);
     CHECK(has(text, "So they do at every k_p > 0."));
+}
+
+TEST_CASE("neutral sliding is called neutral, not stick-slip", "[report]")
+{
+    Joint joint = samples::single_mass(1);
+    joint.friction.law = KineticStatic{10, 15};
+    joint.control.V0 = 1e-3;
+    auto text = plain_text(verdict_text(joint, linear_verdict(joint)));
+    CAPTURE(text);
+    CHECK(has(text, "Neutral: small disturbances of sliding at 1 mm/s neither decay nor grow."));
+    CHECK(has(text, "no k_p changes that"));
+    CHECK_FALSE(has(text, "tick-slip"));
+    CHECK_FALSE(has(text, "critical gain"));
+    CHECK(cell(linear_table(joint, linear_verdict(joint)), "asked of k_{v} by velocity alone") == "any k_{v} > 0");
+    joint.control.k_v = 10;
+    joint.control.k_p = 0;
+    text = plain_text(verdict_text(joint, linear_verdict(joint)));
+    CHECK(has(text, "Nothing brings the position back: k_p = 0."));
+    joint.control.k_p = -100;
+    text = plain_text(verdict_text(joint, linear_verdict(joint)));
+    CHECK(has(text, "Unstable: with k_p < 0"));
+}
+
+TEST_CASE("the verdict says where a window of velocity gains ends", "[report]")
+{
+    // two masses on a spring: a motor that velocity feedback holds fast leaves the link to its falling curve
+    Joint joint = samples::two_mass();
+    joint.mechanism.transmission.stiffness = 1e6;
+    joint.mechanism.transmission.damping = 10;
+    joint.frictions.motor.law = CoulombViscous{5, 20};
+    joint.control.k_p = 3e5;
+    const auto verdict = linear_verdict(joint);
+    REQUIRE(verdict.state_variable.stable);
+    REQUIRE(verdict.velocity_only.stable_k_v.size() == 1);
+    const auto [low, high] = verdict.velocity_only.stable_k_v[0];
+    REQUIRE(std::isfinite(high));
+    // the other side of either end, by the verdict itself
+    for (const double k_v : {0.99 * low, 1.01 * low, 0.99 * high, 1.01 * high}) {
+        joint.control.k_v = k_v;
+        CHECK(linear_verdict(joint).velocity_only.stable == (k_v > low && k_v < high));
+    }
+    joint.control.k_v = 0;
+    const auto text = plain_text(verdict_text(joint, verdict));
+    CAPTURE(text);
+    CHECK(has(text, " < k_v < "));
 }

@@ -25,6 +25,8 @@ constexpr int most_idle_turns = 10;          ///< in succession: what happens li
 /// followed to, and the growth that its errors may be taken for.
 constexpr double fine_growth = 1e-3, fine_rtol = 1e-12, no_growth = 1e-10;
 
+constexpr double runaway = 1e12;  ///< speed in units of V_0: no slip reaches it
+
 /// Contraction of a turn, 1 − |μ|, that the variational equations of shooting resolve.
 constexpr double clear_contraction = 1e-5;
 constexpr double located = 1e-4;        ///< of an amplitude that growth turns at
@@ -266,6 +268,7 @@ Attractor Follower::run(const FlowVector& y)
             case Turn::End::held:
                 return ended(Kind::held);
             case Turn::End::failure:
+                result_.diverged = turn.velocity_max > runaway * flow_.commanded_velocity();
                 return ended(Kind::failure, Reason::solver_failed);
             case Turn::End::time:
                 return ended(Kind::undecided, Reason::not_converged);
@@ -318,7 +321,9 @@ Attractor Follower::run(const FlowVector& y)
         linear_turns_ = linear ? linear_turns_ + 1 : 0;
         if (steady_attracts_ && linear_turns_ >= linear_turns) return ended(Kind::steady);
     }
-    return wild() ? ended(Kind::irregular) : ended(Kind::undecided, Reason::not_converged);
+    if (!wild()) return ended(Kind::undecided, Reason::not_converged);
+    from_turn(merged(turns_, static_cast<int>(turns_.size())));
+    return ended(Kind::irregular);
 }
 
 /// Bounded, and neither creeping nor in a flow too small for chaos.

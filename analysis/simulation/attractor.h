@@ -21,6 +21,7 @@ struct Attractor {
     double period = missing, velocity_min = missing, velocity_max = missing;
     double position_min = missing, position_max = missing, rest_time = missing;
     bool reversed = false;
+    bool diverged = false;         ///< failed because the speed overflowed
     int repeats = 1;               ///< turns after which a period-n motion repeats
     int turns = 0;                 ///< that were followed
     double first_peak = missing;   ///< largest position excess of the first turn

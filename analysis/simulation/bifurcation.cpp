@@ -85,6 +85,8 @@ std::optional<Closure> closure_of(const Flow& flow, const BranchPoint& at, const
     return c;
 }
 
+constexpr double shortest_step = 2e-3;  ///< of an amplitude along a branch, relative
+
 /// The branch point of amplitude `a` with the rest scaled or extrapolated from known neighbours.
 BranchPoint predict(const Flow& flow, const std::deque<BranchPoint>& known, double a)
 {
@@ -189,7 +191,11 @@ std::optional<BranchPoint> fold_of_cycles(const Flow& flow, const BranchPoint& o
     if (known.size() < 2) return {};
     for (int i = 0; i < 400 && known.back().k_p > known[known.size() - 2].k_p; ++i) {
         const auto next = cycle_of_amplitude(flow, predict(flow, known, known.back().start[0] * factor), options);
-        if (!next) return {};
+        if (!next) {
+            if (std::abs(factor - 1) < shortest_step) return {};
+            factor = std::sqrt(factor);
+            continue;
+        }
         known.push_back(*next);
         if (i > 3 && i % 4 == 0) factor = std::clamp(factor * factor, 1 / 1.15, 1.15);
     }

@@ -93,6 +93,10 @@ End follow(const DelayedJoint& joint, PositionAndSpeed from, const NonlinearOpti
         turns.push_back(turn);
         if (turns.size() > 2 * longest_repeat + 2) turns.pop_front();
         size = std::max(std::abs(turn.position_min), std::abs(turn.position_max));
+        if (size < settled_size * joint.V0 * natural_time(joint)) {  // a turn may be shorter than the lag
+            end.outcome = Outcome::stable_sliding;
+            return end;
+        }
         if (i < 4) continue;
         const int m = turns_to_repeat(static_cast<int>(turns.size()), gap, closed * size);
         if (m == 0 || (m > 1 && i < settling_turns)) continue;
@@ -173,6 +177,8 @@ NonlinearVerdict delayed_verdict(const Joint& joint, const DelayedJoint& delayed
     if (kind == DisturbanceKind::state || !(delayed.k_p > 0)) {  // no states to disturb; no oscillation to follow
         verdict.outcome = Outcome::undecided;
         verdict.reason = Reason::unsupported;
+        verdict.explanation = delayed.k_p > 0 ? "friction that answers late has no states of its own to disturb"
+                                              : "diverges: without a positive position gain no spring holds the motion";
         return verdict;
     }
     const bool stated_small = !is_set(options.disturbance.size);

@@ -16,6 +16,13 @@
 namespace stickslip {
 namespace {
 
+constexpr std::string_view unmeasured = "the growth is too small beside its frequency to be told from rounding";
+constexpr std::string_view undamped = "neutral: small disturbances neither grow nor decay, as nothing damps them";
+constexpr std::string_view runs_away =
+    "diverges: the motion runs away from steady sliding, which no spring or damper holds back";
+constexpr std::string_view no_branch = "the branch of limit cycles could not be followed to its end";
+constexpr std::string_view no_smooth_branch = "folds are followed for cycles of one body with memory that never rests";
+
 /// A first Lyapunov coefficient, per ω, that decides nothing.
 constexpr double degenerate_lyapunov = 1e-6;
 
@@ -38,7 +45,7 @@ Outcome outcome_of(const Attractor& a)
         case Kind::undecided:
             return Outcome::undecided;
         case Kind::failure:
-            return Outcome::solver_failure;
+            return a.diverged ? Outcome::undecided : Outcome::solver_failure;
         case Kind::held:
             return Outcome::stick_slip;
         case Kind::cycle:
@@ -56,7 +63,7 @@ bool oscillates(const Attractor& a)
 
 void describe_cycle(const Attractor& a, NonlinearVerdict& verdict)
 {
-    verdict.period = a.period;
+    verdict.period = a.kind == Attractor::Kind::irregular ? missing : a.period;
     verdict.amplitude = 0.5 * (a.position_max - a.position_min);
     verdict.velocity_min = a.velocity_min;
     verdict.velocity_max = a.velocity_max;
@@ -90,6 +97,41 @@ void add_bifurcation(const Joint& joint, const Flow& flow, const FlowVector& cyc
             verdict.fold_k_p = fold->k_p;
 }
 
+bool held_by_spring(const SlidingFlow& flow)
+{
+    return flow.k_p > 0;
+}
+bool held_by_spring(const ChainFlow& flow)
+{
+    return flow.gain() >= 0;  // beside a spring to the surroundings the loop may have none
+}
+
+/// Large disturbances: the start from near rest and, where friction with memory lets the mass rest or turn back without
+/// losing that memory, pulls of the spring from either side, whose motions approach the cycle from other states.
+template <class AnyFlow>
+std::vector<FlowVector> large_starts(const AnyFlow& flow, const SlowMode& mode)
+{
+    std::vector<FlowVector> starts{disturbed(flow, mode, DisturbanceKind::start, near_rest_start)};
+    const bool forgets = flow.logarithmic_speed() || flow.can_rest() || mode.s.imag() == 0;
+    if (forgets) return starts;
+    const double reach = flow.commanded_velocity() / std::abs(mode.s);
+    for (const double pull : {1.25, -1.25, 3.0})
+        starts.push_back(disturbed(flow, mode, DisturbanceKind::offset, pull * reach));
+    return starts;
+}
+
+std::string_view why_unsupported(const Joint& joint)
+{
+    const auto& several = joint.frictions;
+    for (const auto* friction : {&joint.friction, &several.motor, &several.transmission, &several.link})
+        if (info(friction->law).needs_history)
+            return "friction that answers late is followed on one body, and there without states of its own";
+    const auto& m = joint.mechanism;
+    if (m.transmission.backlash + m.motor_transmission.backlash + m.transmission_link.backlash > 0)
+        return "play in a transmission has no steady sliding to disturb";
+    return "a force or friction that changes with position or time leaves no steady sliding to disturb";
+}
+
 /// The verdict on equations of motion that exist, with the largest real part of the linear spectrum.
 template <class AnyFlow>
 void judge(const Joint& joint, const AnyFlow& flow, double abscissa, const NonlinearOptions& options,
@@ -102,6 +144,12 @@ void judge(const Joint& joint, const AnyFlow& flow, double abscissa, const Nonli
     follow_options.accelerate = options.accelerate;
 
     const auto mode = slow_mode(flow);
+    if (!held_by_spring(flow)) {
+        verdict.outcome = Outcome::undecided;
+        verdict.reason = Reason::unsupported;
+        verdict.explanation = runs_away;
+        return;
+    }
     if (!mode.shows_itself()) {
         verdict.outcome = Outcome::undecided;
         verdict.reason = std::isfinite(mode.fastest) ? Reason::not_converged : Reason::not_finite;
@@ -121,6 +169,16 @@ void judge(const Joint& joint, const AnyFlow& flow, double abscissa, const Nonli
     }
     const FlowVector small = disturbed(flow, mode, kind, default_size(flow, mode, kind));
     verdict.growth_rate = measure_growth(flow, mode, small - mode.steady);
+    // a disturbance that hardly excites the mode drowns where the mode itself, whose rate it is, still shows
+    if (std::isnan(verdict.growth_rate)) verdict.growth_rate = measure_growth(flow, mode, mode.right.real());
+    if (std::isnan(verdict.growth_rate)) verdict.growth_missing = unmeasured;
+    // friction that is a curve leaves an undamped spring to itself: near its critical gain memory still decides
+    if (flow.can_rest() && std::abs(abscissa) <= neutral_abscissa * std::abs(mode.s)) {
+        verdict.outcome = Outcome::undecided;
+        verdict.reason = Reason::not_converged;
+        verdict.explanation = undamped;
+        return;
+    }
     const bool measurable = std::abs(verdict.growth_rate) > measurable_growth * std::abs(mode.s);
     // a neutral mode, as of an undamped spring, does not grow
     const bool decays = measurable ? verdict.growth_rate < 0 : abscissa <= neutral_abscissa * std::abs(mode.s);
@@ -141,10 +199,12 @@ void judge(const Joint& joint, const AnyFlow& flow, double abscissa, const Nonli
     }
     verdict.outcome = outcome_of(stated);
     verdict.reason = stated.reason;
+    if (stated.diverged) verdict.explanation = runs_away;
     verdict.path = stated.path;
     verdict.used_fallback |= stated.used_fallback;
     // fmax ignores what is missing
-    verdict.overshoot = std::fmax(0, std::fmax(stated.first_peak, stated.position_max)) / std::abs(deflection);
+    if (!stated.diverged)
+        verdict.overshoot = std::fmax(0, std::fmax(stated.first_peak, stated.position_max)) / std::abs(deflection);
     if (oscillates(stated)) describe_cycle(stated, verdict);
     FlowVector cycle_start = stated.start;
 
@@ -153,9 +213,12 @@ void judge(const Joint& joint, const AnyFlow& flow, double abscissa, const Nonli
     } else if (oscillates(stated)) {
         verdict.region = NonlinearRegion::bistable;
     } else if (options.region) {
-        const auto large =
-            follow(flow, disturbed(flow, mode, DisturbanceKind::start, near_rest_start), decays, follow_options);
-        verdict.used_fallback |= large.used_fallback;
+        Attractor large;
+        for (const auto& start : large_starts(flow, mode)) {
+            large = follow(flow, start, decays, follow_options);
+            verdict.used_fallback |= large.used_fallback;
+            if (large.kind != Attractor::Kind::steady) break;
+        }
         if (large.kind == Attractor::Kind::steady) verdict.region = NonlinearRegion::stable;
         if (oscillates(large)) {
             verdict.region = NonlinearRegion::bistable;
@@ -163,8 +226,13 @@ void judge(const Joint& joint, const AnyFlow& flow, double abscissa, const Nonli
             cycle_start = large.start;
         }
         if (verdict.region == NonlinearRegion::undecided) verdict.reason = large.reason;
+        if (large.diverged) verdict.explanation = runs_away;
     }
-    if (options.bifurcation) add_bifurcation(joint, flow, cycle_start, verdict);
+    if (!options.bifurcation) return;
+    add_bifurcation(joint, flow, cycle_start, verdict);
+    const bool followed = joint.mechanism.model == Model::single_mass && verdict.velocity_min > 0;
+    if (verdict.region == NonlinearRegion::bistable && std::isnan(verdict.fold_k_p))
+        verdict.fold_missing = followed ? no_branch : no_smooth_branch;
 }
 
 }  // namespace
@@ -182,6 +250,7 @@ NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& o
             judge(joint, found.flow, spectral_abscissa(linear), options, verdict);
         } else {
             verdict.outcome = found.reason == Reason::linear_only ? Outcome::linear_only : Outcome::undecided;
+            if (found.reason == Reason::unsupported) verdict.explanation = why_unsupported(joint);
         }
     };
     if (joint.mechanism.model == Model::single_mass)

@@ -6,6 +6,7 @@
 
 #include <complex>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace stickslip {
@@ -42,7 +43,10 @@ struct NonlinearVerdict {
     double fold_k_p = missing;  ///< gain above which no limit cycle is left
     DecisionPath path = DecisionPath::none;
     Reason reason = Reason::none;
-    bool used_fallback = false;  ///< CVODE gave up on the way and Rodas5P finished
+    std::string_view explanation;     ///< the reason in words where more is known than its code says
+    std::string_view growth_missing;  ///< why there is no growth rate
+    std::string_view fold_missing;    ///< why a fold was asked for and not found
+    bool used_fallback = false;       ///< CVODE gave up on the way and Rodas5P finished
 };
 
 /// Integrates the joint through its disturbance and says where it ends. A joint that has no nonlinear answer gets its

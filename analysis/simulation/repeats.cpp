@@ -8,7 +8,9 @@ namespace {
 
 constexpr double slowest_closing = 0.999;  ///< ratio of successive gaps that is still believed
 constexpr double clear_ratio = 0.5;        ///< of successive gaps, that a few of them suffice to tell
-constexpr double lasting = 0.5;            ///< gap of neighbours, per the same some rounds before
+constexpr double lasting = 0.9;            ///< gap of neighbours, per the same some rounds before
+constexpr double distinct = 10;            ///< of neighbours that differ, per what closed turns may
+constexpr double wandering = 2;            ///< gaps that many rounds of mere noise add up to at most
 constexpr int most_rounds = 16;
 constexpr double least_turn = 0.1;  ///< range of position, per largest, of a turn that counts
 
@@ -23,12 +25,17 @@ int turns_to_repeat(int count, const std::function<double(int, int)>& gap, doubl
         const int rounds = std::min(most_rounds, (count - 1) / m - 1);
         const double before = gap(count - 1 - rounds * m, count - 1 - (rounds + 1) * m);
         double ratio = largest > 0 ? std::min(std::pow(largest / before, 1.0 / rounds), slowest_closing) : 0;
-        if (ratio > clear_ratio && rounds < most_rounds / 2) ratio = slowest_closing;
-        const double rest = m > 1 ? largest : largest / (1 - ratio);
+        const bool few = rounds < most_rounds / 2;
+        if (ratio > clear_ratio && few) ratio = slowest_closing;
+        // gaps that do not add up are the integrator's own: they will not shrink, and nothing is to come of them
+        const double moved = gap(count - 1, count - 1 - rounds * m);
+        const bool noise = !few && moved < wandering * largest;
+        const double rest = noise ? std::max(largest, moved) : m > 1 && few ? largest : largest / (1 - ratio);
         // turns that are to differ keep their difference; those that close in alternating lose it
         const int earlier = std::min(most_rounds, count - 2);
+        const double differ = gap(count - 1, count - 2);
         const bool several =
-            m == 1 || gap(count - 1, count - 2) > lasting * gap(count - 1 - earlier, count - 2 - earlier);
+            m == 1 || (differ > lasting * gap(count - 1 - earlier, count - 2 - earlier) && differ > distinct * allowed);
         if (rest <= allowed && several) return m;
     }
     return 0;

@@ -37,6 +37,11 @@ nlohmann::ordered_json criticality_json(Criticality criticality)
     return nullptr;
 }
 
+nlohmann::ordered_json words(const std::string& text)
+{
+    return text.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(text);
+}
+
 }  // namespace
 
 std::string region_name(NonlinearRegion region)
@@ -73,8 +78,11 @@ nlohmann::ordered_json nonlinear_json(const NonlinearVerdict& v)
             {"fold_k_p", json_number(v.fold_k_p)},
             {"path", code_name("path", static_cast<std::uint8_t>(v.path))},
             {"used_fallback", v.used_fallback},
-            {"reason", v.reason == Reason::none ? nlohmann::ordered_json(nullptr)
-                                                : nlohmann::ordered_json(reason_text(v.reason))}};
+            {"reason", words(!v.explanation.empty()     ? std::string(v.explanation)
+                             : v.reason == Reason::none ? std::string()
+                                                        : reason_text(v.reason))},
+            {"growth_reason", words(std::string(v.growth_missing))},
+            {"fold_reason", words(std::string(v.fold_missing))}};
 }
 
 }  // namespace stickslip

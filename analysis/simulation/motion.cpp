@@ -164,12 +164,17 @@ bool SlidingMotion::step_failed()
         restart();
         return false;
     }
-    if (solver_ != Solver::cvode || used_fallback_) return true;
+    return !fall_back();
+}
+
+bool SlidingMotion::fall_back()
+{
+    if (solver_ != Solver::cvode || used_fallback_) return false;
     used_fallback_ = true;
     solver_ = Solver::rodas5p;
     stepper_ = stepper(solver_, rtol_);
     restart();
-    return false;
+    return true;
 }
 
 void SlidingMotion::measure_step(double from, const FlowVector& before, Turn& turn)
@@ -206,6 +211,7 @@ void SlidingMotion::tell()
 Turn SlidingMotion::turn(double t_end, const std::function<bool(const FlowVector&)>& settled)
 {
     steps_left_ = most_steps_of_turn;
+    patience_left_ = patience_of_turn;
     return run(t_end, settled);
 }
 
@@ -231,6 +237,7 @@ Turn SlidingMotion::run(double t_end, const std::function<bool(const FlowVector&
     };
     for (;;) {
         if (rests_ > most_rests || --steps_left_ < 0) return finish(Turn::End::failure);
+        if (--patience_left_ < 0 && !stuck_) fall_back();
         if (stuck_) {
             if (!stick(t_end)) return finish(Turn::End::held);
             turn.position_min = std::min(turn.position_min, y_[0]);
@@ -269,7 +276,7 @@ Turn SlidingMotion::run(double t_end, const std::function<bool(const FlowVector&
 
 bool SlidingMotion::advance(double t_end, int most_steps)
 {
-    steps_left_ = most_steps;
+    steps_left_ = patience_left_ = most_steps;
     while (t_ < t_end) {
         const auto end = run(t_end, {}).end;
         if (end == Turn::End::failure || end == Turn::End::held) return false;

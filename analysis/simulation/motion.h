@@ -48,6 +48,9 @@ class SlidingMotion {
 
     /// Of one turn; thousands are usual. More means time scales so far apart that rounding makes the solver creep.
     static constexpr int most_steps_of_turn = 100'000;
+    /// After so many of them CVODE leaves the turn to the one-step method: a multistep method creeps along vibrations
+    /// that hardly decay, as of a stiff transmission, for as long as they last.
+    static constexpr int patience_of_turn = 15'000;
 
     double time() const { return t_; }
     const FlowVector& state() const { return y_; }
@@ -56,6 +59,7 @@ class SlidingMotion {
 
   private:
     enum EventIndex { section = 0, slow = 1, rest = 2 };
+    bool fall_back();
     bool step_failed();
     void restart();
     void begin_slide(Branch branch);
@@ -81,6 +85,7 @@ class SlidingMotion {
     int bounces_ = 0;  ///< rests since the mass last moved faster than near_rest
     double release_excess_ = SlidingFlow::least_excess;
     int steps_left_ = 0;     ///< of the present turn or advance
+    int patience_left_ = 0;  ///< with CVODE
     int idle_switches_ = 0;  ///< since time last moved on
     std::function<void(const Instant&)> observer_;
 };

@@ -31,6 +31,7 @@ constexpr double degenerate_lyapunov = 1e-6;
 constexpr double lifted = 0.1, hidden = 1e-3 * small_disturbance;
 
 constexpr double neutral_abscissa = 1e-12;  ///< per |s|
+constexpr double another_gain = 1.5;
 
 Outcome outcome_of(const Attractor& a)
 {
@@ -172,8 +173,16 @@ void judge(const Joint& joint, const AnyFlow& flow, double abscissa, const Nonli
     // a disturbance that hardly excites the mode drowns where the mode itself, whose rate it is, still shows
     if (std::isnan(verdict.growth_rate)) verdict.growth_rate = measure_growth(flow, mode, mode.right.real());
     if (std::isnan(verdict.growth_rate)) verdict.growth_missing = unmeasured;
-    // friction that is a curve leaves an undamped spring to itself: near its critical gain memory still decides
-    if (flow.can_rest() && std::abs(abscissa) <= neutral_abscissa * std::abs(mode.s)) {
+    bool undamped_spring = false;
+    // at a critical gain memory still decides, but what is neutral at other gains, too, is left to itself
+    const auto is_neutral = [](double rate, const SlowMode& of) {
+        return std::abs(rate) <= neutral_abscissa * std::abs(of.s);
+    };
+    if (is_neutral(abscissa, mode)) {
+        const auto other = slow_mode(*flow.with_gain(another_gain * flow.gain()));
+        undamped_spring = is_neutral(other.s.real(), other);
+    }
+    if (undamped_spring) {
         verdict.outcome = Outcome::undecided;
         verdict.reason = Reason::not_converged;
         verdict.explanation = undamped;

@@ -103,6 +103,12 @@ TEST_CASE("what keeps a joint from having an outcome is said in words", "[nonlin
     Joint undamped = stribeck_joint(1e4, 0, 1e-3);
     undamped.friction.law = KineticStatic{8, 14};
     CHECK(says(undamped, "neutral"));
+    Dahl dahl;
+    dahl.coulomb = 10, dahl.sigma0 = 1e5, dahl.exponent = 1;
+    undamped.friction.law = dahl;
+    CHECK(says(undamped, "neutral"));
+    // but at its critical gain a joint with memory is decided by what is not linear
+    CHECK(nonlinear_verdict(example_joint(55000, 0, 1e-3), {}).region == NonlinearRegion::stable);
 }
 
 TEST_CASE("late friction whose turns are shorter than its lag settles", "[nonlinear]")

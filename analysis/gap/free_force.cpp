@@ -86,7 +86,7 @@ std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scale
     parallel(fits.size(), [&](std::size_t i) {
         const Effect& e = i == 0 ? of_position() : of_velocity();
         const Candidate candidate{{&e}, {&e.forms[0]}, cases.size()};
-        const std::size_t set = i == 0 ? 2 : 1;
+        const std::size_t set = i == 0 ? 2 : 1;  // parameters in front that are given
         Eigen::VectorXd x = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(candidate.parameter_count()));
         x[0] = i == 0 ? from : 1;
         if (i == 0) x[1] = width;

@@ -33,6 +33,7 @@ void add_thirds(const std::vector<Case>& cases, std::size_t record, std::vector<
     constexpr int blocks = 3;
     const Ticks& t = cases[record].ticks;
     const double start = t.time.front(), length = t.duration() / blocks;
+    // minus infinity would mean the whole record
     for (int b = 0; b < blocks; ++b)
         folds.push_back({record, b == 0 ? std::numeric_limits<double>::lowest() : start + b * length,
                          b + 1 == blocks ? infinity : start + (b + 1) * length});

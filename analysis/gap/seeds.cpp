@@ -31,7 +31,8 @@ std::vector<Residual> residuals(const std::vector<Case>& cases, const Candidate&
             double sum = 0, speed = 0;
             std::size_t n = 0;
             for (std::size_t i = k; i < k + stride; ++i)
-                if (c.ticks.logged[i] && (c.ticks.judged.empty() || c.ticks.judged[i])) sum += innovation.position[i], speed += innovation.velocity[i], ++n;
+                if (c.ticks.logged[i] && (c.ticks.judged.empty() || c.ticks.judged[i]))
+                    sum += innovation.position[i], speed += innovation.velocity[i], ++n;
             if (!n) continue;
             double e = sum / static_cast<double>(n);
             if (!std::isfinite(e)) e = 0;

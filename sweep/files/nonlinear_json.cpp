@@ -78,9 +78,7 @@ nlohmann::ordered_json nonlinear_json(const NonlinearVerdict& v)
             {"fold_k_p", json_number(v.fold_k_p)},
             {"path", code_name("path", static_cast<std::uint8_t>(v.path))},
             {"used_fallback", v.used_fallback},
-            {"reason", words(!v.explanation.empty()     ? std::string(v.explanation)
-                             : v.reason == Reason::none ? std::string()
-                                                        : reason_text(v.reason))},
+            {"reason", words(reason_text(v))},
             {"growth_reason", words(std::string(v.growth_missing))},
             {"fold_reason", words(std::string(v.fold_missing))}};
 }

@@ -46,7 +46,8 @@ std::string ending_words(const NonlinearVerdict& v)
         case Outcome::not_asked:
             break;
     }
-    return "How the motion ends is undecided" + (v.reason == Reason::none ? "." : ": " + reason_text(v.reason) + ".");
+    const auto why = reason_text(v);
+    return "How the motion ends is undecided" + (why.empty() ? "." : ": " + why + ".");
 }
 
 Headline::Tone ending_tone(const NonlinearVerdict& v)

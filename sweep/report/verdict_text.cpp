@@ -125,7 +125,7 @@ Table nonlinear_table(const Joint& joint, const NonlinearVerdict& v)
     table.title = "The nonlinear joint";
     table.columns = {"quantity", "value"};
     table.rows.push_back({"outcome", std::string(code_name("outcome", static_cast<std::uint8_t>(v.outcome)))});
-    if (v.reason != Reason::none) table.rows.push_back({"because", reason_text(v.reason)});
+    if (!reason_text(v).empty()) table.rows.push_back({"because", reason_text(v)});
     if (v.region == NonlinearRegion::bistable)
         table.rows.push_back(v.outcome == Outcome::stable_sliding
                                  ? std::vector<std::string>{"a larger disturbance", "ends in a limit cycle: bistable"}
@@ -174,6 +174,12 @@ std::string reason_text(Reason reason)
             return "this combination of friction law, joint and disturbance is not computed";
     }
     return "unknown";
+}
+
+std::string reason_text(const NonlinearVerdict& verdict)
+{
+    if (!verdict.explanation.empty()) return std::string(verdict.explanation);
+    return verdict.reason == Reason::none ? std::string() : reason_text(verdict.reason);
 }
 
 std::string plain_text(const std::string& markup)

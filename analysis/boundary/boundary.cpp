@@ -245,6 +245,8 @@ void keep_least(FollowedBoundary& boundary)
             for (std::size_t i = 1; i < piece.points.size(); ++i) {
                 const auto &a = piece.points[i - 1], &b = piece.points[i];
                 if ((a.x < p.x) == (b.x < p.x)) continue;
+                // a curve below at which sliding turns unstable is no least velocity
+                if ((a.along_y && a.at.direction > 0) || (b.along_y && b.at.direction > 0)) continue;
                 const double share = (p.x - a.x) / (b.x - a.x), y = a.y + share * (b.y - a.y);
                 if (y < p.y * (1 - 1e-6) && !(&a == &p) && !(&b == &p)) return true;
             }

@@ -240,3 +240,20 @@ TEST_CASE("a falling curve that fades away with velocity is no boundary", "[boun
         CHECK(locate_boundaries(joint, axis("control.V0", 1e-3, 1), of(BoundaryKind::state_variable)).points.empty());
     }
 }
+
+TEST_CASE("the least velocity over a chart is that along each of its columns", "[boundary]")
+{
+    // LuGre slides at once slowly and fast: below V_min lies a curve at which sliding turns unstable
+    Joint joint = example_joint(6e4, 80, 7e-4);
+    joint.friction.law = LuGre{1e5, std::sqrt(1e5), 0.4, 1, 1.5, 1e-3};
+    const Axis x = axis("control.k_p", 1e3, 1e6), y = axis("control.V0", 1e-5, 1e-1);
+    const auto chart = follow_boundaries(joint, x, y, of(BoundaryKind::v_min));
+    REQUIRE(chart.points() > 20);
+    for (const auto& piece : chart.pieces)
+        for (std::size_t i = 0; i < piece.points.size(); i += 10) {
+            joint.control.k_p = piece.points[i].x;
+            const auto ray = locate_boundaries(joint, y, of(BoundaryKind::v_min));
+            REQUIRE(ray.points.size() == 1);
+            CHECK(ray.points[0].value == Approx(piece.points[i].y).epsilon(1e-8));
+        }
+}

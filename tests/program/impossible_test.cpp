@@ -44,7 +44,7 @@ TEST_CASE("a range without boundaries is answered with the nearest one outside, 
         const auto run = stickslip(strip + c.arguments);
         INFO(run.output);
         CHECK(run.exit_code == 0);
-        CHECK_THAT(run.output, Contains(" boundary along ") && Contains(c.says));
+        CHECK_THAT(run.output, Contains(" along ") && Contains(c.says));
     }
     const auto json = Json::parse(stickslip(strip + "--kind fold --along control.k_p=1e5..1e6 --json").output);
     CHECK(json["lines"][0]["points"].empty());

@@ -26,7 +26,8 @@ FieldMap field_over(const Joint& before, const Slice& a, const Joint& after, con
 {
     FieldMap map;
     map.motion = after.mechanism.motion;
-    map.fixed = held_text(b.held, map.motion);
+    const auto held = held_text(a.held, map.motion), holds = held_text(b.held, map.motion);
+    map.fixed = held == holds ? holds : held + " before, " + holds + " after";
     map.x = b.x;
     map.y = b.y;
     const auto add = [&](const Joint& joint, const Slice& slice, const char* name, bool dashed) {
@@ -63,7 +64,8 @@ Figure class_figure(FieldMap map, const Slice& a, const Slice& b)
     figure.finding = "Map of change over " + b.x.name + " and " + b.y.name + ": " + map.statement;
     figure.caption =
         "How to read it: compared are the verdicts of the two runs at each point of the same grid. " + map.statement +
-        " Dashed: boundaries before. Solid: boundaries after; between the points of the grid a class ends at them.";
+        " Dashed: boundaries before. Solid: boundaries after; between the points of the grid a class ends at them." +
+        (map.fixed.empty() ? "" : " Held: " + map.fixed + ".");
     figure.picture = std::move(map);
     return figure;
 }

@@ -57,6 +57,25 @@ TEST_CASE("two sweeps are compared: boundaries, regions, numbers", "[program]")
     CHECK_THAT(same.output, Contains("Nothing changed"));
 }
 
+TEST_CASE("charts of two sweeps that are cut at different values name both", "[program]")
+{
+    Folder folder;
+    for (const std::string k_v : {"200", "400"}) {
+        auto text = spec("1e-5");
+        text.replace(text.find("k_v = 0.0"), 9, "k_v = " + k_v);
+        text.replace(text.find("points = 9"), 10, "points = 6");
+        text +=
+            "\"control.V0\" = { from = 1e-4, to = 1e-2, points = 7, scale = \"log\" }\n"
+            "[report]\ncharts = [[\"control.k_p\", \"control.V0\"]]\n";
+        const auto run = stickslip("sweep '" + folder.write(k_v + ".toml", text) + "' -o '" + (folder / k_v) + "'");
+        INFO(run.output);
+        REQUIRE(run.exit_code == 0);
+    }
+    stickslip("report '" + (folder / "200") + "' '" + (folder / "400") + "' -o '" + (folder / "both") + "'");
+    CHECK_THAT(program::read(folder / "both/report.html"),
+               Contains("Held: k<sub>v</sub> = 200 N·s/m before, k<sub>v</sub> = 400 N·s/m after."));
+}
+
 TEST_CASE("a sweep without a title of its own has a page with one, and its locus names the located gain", "[program]")
 {
     Folder folder;

@@ -14,6 +14,20 @@ constexpr double wandering = 2;            ///< gaps that many rounds of mere no
 constexpr int most_rounds = 16;
 constexpr double least_turn = 0.1;  ///< range of position, per largest, of a turn that counts
 
+/// Turns that are to differ keep their difference, in every part of their repeat; those that close in alternating lose
+/// it.
+bool repeats_no_sooner(int m, int count, const std::function<double(int, int)>& gap, double allowed)
+{
+    for (int part = 1; part < m; ++part) {
+        if (m % part != 0) continue;
+        const int repeats = std::clamp((count - 1 - part) / m, 1, std::max(1, most_rounds / m));
+        const int before = count - 1 - repeats * m;
+        const double differ = gap(count - 1, count - 1 - part);
+        if (!(differ > lasting * gap(before, before - part) && differ > distinct * allowed)) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 int turns_to_repeat(int count, const std::function<double(int, int)>& gap, double allowed)
@@ -31,12 +45,7 @@ int turns_to_repeat(int count, const std::function<double(int, int)>& gap, doubl
         const double moved = gap(count - 1, count - 1 - rounds * m);
         const bool noise = !few && moved < wandering * largest;
         const double rest = noise ? std::max(largest, moved) : m > 1 && few ? largest : largest / (1 - ratio);
-        // turns that are to differ keep their difference; those that close in alternating lose it
-        const int earlier = std::min(most_rounds, count - 2);
-        const double differ = gap(count - 1, count - 2);
-        const bool several =
-            m == 1 || (differ > lasting * gap(count - 1 - earlier, count - 2 - earlier) && differ > distinct * allowed);
-        if (rest <= allowed && several) return m;
+        if (rest <= allowed && repeats_no_sooner(m, count, gap, allowed)) return m;
     }
     return 0;
 }

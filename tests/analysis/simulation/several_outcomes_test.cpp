@@ -86,6 +86,8 @@ TEST_CASE("turns that come back in alternation are one motion, noise is none", "
     CHECK(repeat_of([](int i) { return 1 + 1e-7 * std::sin(1e4 * i * i); }) == 1);  // the errors of the integrator
     CHECK(repeat_of([](int i) { return 1 + 1e-2 * (i % 2) + 1e-8 * std::sin(1e4 * i * i); }) == 2);
     CHECK(repeat_of([](int i) { return 1 + 1e-2 * (i % 3); }) == 3);
+    // every second turn closes in alternating: not yet two, and never four
+    CHECK(repeat_of([](int i) { return 1 + 1e-2 * (i % 2) + 2e-5 * std::pow(-0.97, i / 2); }) == 0);
     CHECK(repeat_of([](int i) { return 1 + 1e-7 * i; }) == 0);  // creeps on
 }
 

@@ -17,7 +17,7 @@ constexpr int fewest_steps = 100, most_steps = 3200;  ///< of the window
 constexpr double order = 32;  ///< what half the step leaves of the error of a method of order 5
 
 /// The share of growth_precision that two successive answers may differ by: their difference is the error of the first.
-constexpr double agreement = 0.5;
+constexpr double agreement = 0.1;
 
 /// The end of a motion in equal steps. To the linear part of a motion a Rosenbrock method applies one and the same
 /// rational function of J in each step, so that nothing leaks from the other modes into the projection on this one,

@@ -2,8 +2,8 @@
 #pragma once
 #include "sweep/spec.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cmath>
 #include <string>
@@ -36,24 +36,28 @@ inline CLI::Validator between(double low, double high)
 }
 
 struct DisturbanceOption {
-    std::string kind = "position";
+    std::string kind;
     double size = missing;
 
     void add_to(CLI::App& verb)
     {
         std::vector<std::string> kinds;
         for (const auto& k : DisturbanceSpec::kinds) kinds.emplace_back(k.name);
-        verb.add_option("--disturbance", kind, "what is disturbed")->check(CLI::IsMember(kinds))->capture_default_str();
-        verb.add_option("--size", size, "size of the disturbance in SI; default: small, in the slow mode")
+        verb.add_option("--disturbance", kind, "what is disturbed; default: a spec's own, else position")
+            ->check(CLI::IsMember(kinds));
+        verb.add_option("--size", size,
+                        "size of the disturbance in SI; default: a spec's own, else small, in the slow mode")
             ->check(finite_number());
     }
 
-    Disturbance disturbance() const
+    /// What is asked, and where nothing is, what the spec says. A size belongs to its kind: another kind starts
+    /// without.
+    Disturbance disturbance(const NonlinearSpec& spec) const
     {
-        Disturbance d;
+        Disturbance d = spec.disturbance.disturbance;
         for (const auto& k : DisturbanceSpec::kinds)
-            if (k.name == kind) d.kind = k.value;
-        d.size = size;
+            if (k.name == kind) d = {k.value, missing};
+        if (is_set(size)) d.size = size;
         return d;
     }
 };

@@ -3,7 +3,7 @@
 #include "analysis/simulation/nonlinear.h"
 #include "analysis/stability/verdict.h"
 #include "sweep/engine/build.h"
-#include "sweep/files/joint_file.h"
+#include "sweep/files/asked_axes.h"
 #include "sweep/files/nonlinear_json.h"
 #include "sweep/files/study_json.h"
 #include "sweep/files/verdict_json.h"
@@ -80,12 +80,13 @@ nlohmann::ordered_json motion_json(const AskedDisturbance& asked, const Disturbe
 
 int evaluate(const Options& options, const Invocation& invocation)
 {
-    Joint joint = read_joint(options.joint);
-    apply_settings(joint, options.settings);
+    const auto asked = read_spec_or_joint(options.joint, options.settings);
+    const Joint& joint = asked.design;
     const auto verdict = linear_verdict(joint);
     NonlinearOptions nonlinear_options;
     nonlinear_options.bifurcation = true;
-    nonlinear_options.disturbance = options.disturbance.disturbance();
+    nonlinear_options.disturbance = options.disturbance.disturbance(asked.spec.nonlinear);
+    nonlinear_options.rtol = asked.spec.nonlinear.tolerance;
     const auto nonlinear = nonlinear_verdict(joint, nonlinear_options);
     const bool decided = verdict.steady.reason == Reason::none;
     std::optional<LinearStudy> study;
@@ -137,7 +138,7 @@ void add_evaluate(CLI::App& app, Invocation& invocation)
     auto options = std::make_shared<Options>();
     auto* verb = app.add_subcommand(
         "evaluate", "Answer for one joint: both linear theories, critical gains, spectrum, nonlinear outcome");
-    verb->add_option("JOINT", options->joint, "joint description, TOML")->required();
+    verb->add_option("JOINT", options->joint, "joint description, or a spec: its design point, TOML")->required();
     verb->add_option(
         "--set", options->settings,
         "change a number first: path=value, with or without a unit (control.k_p=2e4, control.V0='1 mm/s')");

@@ -4,7 +4,7 @@
 #include "analysis/stability/steady.h"
 
 #include "sweep/engine/build.h"
-#include "sweep/files/joint_file.h"
+#include "sweep/files/asked_axes.h"
 #include "sweep/program.h"
 #include "sweep/report/trajectory_report.h"
 #include "sweep/report/verdict_text.h"
@@ -71,10 +71,10 @@ std::filesystem::path write_trajectory(const Joint& joint, const Trajectory& t, 
 
 int simulate_joint(const Options& options, const Invocation& invocation)
 {
-    Joint joint = read_joint(options.joint);
-    apply_settings(joint, options.settings);
+    const auto asked = read_spec_or_joint(options.joint, options.settings);
+    const Joint& joint = asked.design;
     SimulateOptions simulation;
-    simulation.disturbance = options.disturbance.disturbance();
+    simulation.disturbance = options.disturbance.disturbance(asked.spec.nonlinear);
     simulation.rtol = options.tolerance;
     const auto surroundings = surround(joint, options.surroundings, simulation);
     const auto trajectory = simulate(joint, simulation);
@@ -97,7 +97,7 @@ void add_simulate(CLI::App& app, Invocation& invocation)
     auto options = std::make_shared<Options>();
     auto* verb = app.add_subcommand(
         "simulate", "One motion of one joint: trajectory.csv, time series, phase portrait, friction-velocity loop");
-    verb->add_option("JOINT", options->joint, "joint description, TOML")->required();
+    verb->add_option("JOINT", options->joint, "joint description, or a spec: its design point, TOML")->required();
     verb->add_option("-o,--output", options->directory, "directory of the files")->capture_default_str();
     verb->add_option("--set", options->settings, "change a number first: path=value");
     options->disturbance.add_to(*verb);

@@ -44,6 +44,30 @@ TEST_CASE("evaluate answers with the documented names", "[program]")
     CHECK(json["steady"]["friction"].get<double>() == Approx(20.39 - 0.2 * std::log(0.1)));
 }
 
+TEST_CASE("evaluate and simulate take a spec as its design point, with its disturbance", "[program]")
+{
+    Folder folder;
+    auto text = program::read(std::string(SOURCE_ROOT) + "/examples/03-bistable-strip/spec.toml");
+    const auto at = text.find("enabled = true");
+    REQUIRE(at != std::string::npos);
+    text.insert(at, "disturbance = { kind = \"start\", size = 1e-4 }\n");
+    const auto spec = folder.write("strip.toml", text);
+    // inside the strip the end of the motion is told by the disturbance alone
+    const auto far = Json::parse(stickslip("evaluate '" + spec + "' --json").output)["nonlinear"];
+    CHECK(far["disturbance"]["kind"] == "start");
+    CHECK(far["disturbance"]["size"] == 1e-4);
+    CHECK(far["outcome"] == "limit-cycle");
+    const auto near =
+        Json::parse(stickslip("evaluate '" + spec + "' --disturbance position --json").output)["nonlinear"];
+    CHECK(near["disturbance"]["kind"] == "position");
+    CHECK(near["outcome"] == "stable-sliding");
+    CHECK(near["region"] == "bistable");
+    const auto motion = stickslip("simulate '" + spec + "' -o '" + (folder / "motion") + "'");
+    INFO(motion.output);
+    CHECK(motion.exit_code == 0);
+    CHECK_THAT(motion.output, Contains("limit cycle"));
+}
+
 TEST_CASE("the shipped baseline holds, and a changed joint is caught", "[program]")
 {
     const std::string folder_of = "examples/02-ball-screw/";

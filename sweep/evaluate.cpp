@@ -24,7 +24,6 @@ void evaluate_nonlinear(PointCursor& cursor, std::span<PointResult> rows, const 
     nonlinear_points(joints, options, rows);
 }
 
-
 }  // namespace
 
 NonlinearOptions nonlinear_options(const NonlinearSpec& spec)
@@ -47,11 +46,12 @@ std::vector<std::string> idle_axes(const Joint& joint, const std::vector<Axis>& 
 {
     std::vector<std::string> idle;
     for (const auto& axis : axes) {
-        const auto answer = [&](double value) {
-            Joint varied = joint;
-            *find_parameter(varied, axis.path) = value;
-            return linear_point(varied);
+        const auto varied = [&](double value) {
+            Joint other = joint;
+            *find_parameter(other, axis.path) = value;
+            return other;
         };
+        const auto answer = [&](double value) { return linear_point(varied(value)); };
         const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
         const auto first = answer(axis.values.front());
         const auto unchanged = [&](double value) {
@@ -59,7 +59,10 @@ std::vector<std::string> idle_axes(const Joint& joint, const std::vector<Axis>& 
             return now.reason == first.reason && same(now.spectral_abscissa, first.spectral_abscissa) &&
                    same(now.k_v_min, first.k_v_min) && same(now.k_cr, first.k_cr);
         };
-        if (axis.values.size() > 1 && unchanged(axis.values[axis.values.size() / 2]) && unchanged(axis.values.back()))
+        // neutral sliding stays neutral with its frequency changed
+        const auto spectrum_at = [&](double value) { return linear_verdict(varied(value)).state_variable.eigenvalues; };
+        if (axis.values.size() > 1 && unchanged(axis.values[axis.values.size() / 2]) && unchanged(axis.values.back()) &&
+            spectrum_at(axis.values.front()) == spectrum_at(axis.values.back()))
             idle.push_back(axis.path);
     }
     return idle;

@@ -31,13 +31,22 @@ double& number_at(Joint& joint, const std::string& path)
 BoundaryRequest completed(BoundaryRequest request)
 {
     if (!is_set(request.precision)) request.precision = default_precision(request.kind);
-    if (request.scan == 0) request.scan = default_scan(request.kind);
     if (request.following.guard == 0) request.following.guard = default_guard(is_linear(request.kind));
     if (!request.parallel)
         request.parallel = [](std::size_t n, const std::function<void(std::size_t)>& task) {
             for (std::size_t i = 0; i < n; ++i) task(i);
         };
     return request;
+}
+
+/// The default, finer where a linear theory is asked about so many decades that its intervals would become wide.
+int scan_of(BoundaryKind kind, const Axis& axis)
+{
+    constexpr double intervals_per_decade = 8;
+    const UnitAxis unit(axis);
+    const double decades = unit.log ? unit.span() / std::log(10.0) : 0;
+    const int enough = is_linear(kind) ? static_cast<int>(std::ceil(intervals_per_decade * decades)) : 0;
+    return std::max(default_scan(kind), enough);
 }
 
 /// The least velocity is looked for with the velocity commanded as such.
@@ -279,12 +288,14 @@ int default_scan(BoundaryKind kind)
 
 double side_of(const Joint& joint, const BoundaryRequest& request)
 {
+    // what overflowed has no side
+    const auto finite = [](double side) { return std::isfinite(side) ? side : missing; };
     switch (request.kind) {
         case BoundaryKind::velocity_only:
-            return instability(joint, Curve::Kind::velocity_only);
+            return finite(instability(joint, Curve::Kind::velocity_only));
         case BoundaryKind::state_variable:
         case BoundaryKind::v_min:
-            return instability(joint, Curve::Kind::state_variable);
+            return finite(instability(joint, Curve::Kind::state_variable));
         case BoundaryKind::outcome:
             return outcome_side(joint, request.disturbance);
         case BoundaryKind::fold:
@@ -295,7 +306,8 @@ double side_of(const Joint& joint, const BoundaryRequest& request)
 
 LocatedRay locate_boundaries(const Joint& given, const Axis& axis, const BoundaryRequest& asked)
 {
-    const auto request = completed(asked);
+    auto request = completed(asked);
+    if (request.scan == 0) request.scan = scan_of(request.kind, axis);
     const Joint joint = prepared(given, request.kind);
     Joint probe = joint;
     number_at(probe, axis.path);

@@ -15,14 +15,15 @@ struct BoundaryRequest {
     BoundaryKind kind = BoundaryKind::state_variable;
     Disturbance disturbance;     ///< of kind `outcome`
     double precision = not_set;  ///< relative bracket width; not set: default_precision
-    int scan = 0;                ///< intervals of a ray that are looked at first; 0: default_scan
+    int scan = 0;                ///< intervals of a ray that are looked at first; 0: default_scan, more on a long axis
     FollowingOptions following;
     ParallelFor parallel;  ///< empty: one after the other
 };
 
 /// 1e-10 for the linear theories, 1e-6 for folds, 1e-4 for outcomes.
 double default_precision(BoundaryKind kind);
-/// 200 intervals for the linear theories, 40 where each point is a motion.
+/// 200 intervals for the linear theories, 40 where each point is a motion; a linear theory is asked at 8 a decade at
+/// least.
 int default_scan(BoundaryKind kind);
 
 /// Every boundary of a kind between the ends of an axis, and what could be missed. v_min: along control.V0, the least

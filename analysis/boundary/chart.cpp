@@ -77,10 +77,22 @@ class Marching {
         return instability(joint_, theory_);
     }
 
-    bool crosses(const Edge& e) const
+    bool crosses(const Edge& e)
     {
         const double a = value(e.i, e.j), b = e.up ? value(e.i, e.j + 1) : value(e.i + 1, e.j);
-        return !std::isnan(a) && !std::isnan(b) && (a < 0) != (b < 0);
+        if (std::isnan(a) || std::isnan(b) || (a < 0) == (b < 0)) return false;
+        return a != 0 && b != 0 ? true : neutral_at_node_only(e, a == 0);
+    }
+
+    /// Between a stable and a neutral node: where decay reaches up to the node, a boundary runs through it. Where it
+    /// fades before, sliding is neutral over an area, a class of its own, at whose edge nothing begins to grow.
+    bool neutral_at_node_only(const Edge& e, bool at_first)
+    {
+        constexpr double next_to_node = 1e-6;  ///< of the edge
+        const double share = at_first ? next_to_node : 1 - next_to_node;
+        const auto between = [share](double from, double to) { return from + share * (to - from); };
+        return e.up ? at(xs_[e.i], between(ys_[e.j], ys_[e.j + 1])) < 0
+                    : at(between(xs_[e.i], xs_[e.i + 1]), ys_[e.j]) < 0;
     }
 
     void link(const Edge& a, const Edge& b)

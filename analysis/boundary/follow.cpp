@@ -54,11 +54,20 @@ class Guard {
         return !std::isnan(values_[a]) && !std::isnan(values_[b]) && (values_[a] < 0) != (values_[b] < 0);
     }
 
+    /// Whether decay fades into an area of neutral sliding between the two nodes: its edge is no boundary.
+    bool fades_out(std::size_t a, std::size_t b)
+    {
+        if (!sides_.continuous || (values_[a] != 0 && values_[b] != 0)) return false;
+        constexpr double next_to_node = 1e-6;  ///< of a cell
+        const auto [neutral, stable] = values_[a] == 0 ? std::pair(a, b) : std::pair(b, a);
+        return tracer_.at(nodes_[neutral] + next_to_node * (nodes_[stable] - nodes_[neutral])) == 0;
+    }
+
     bool on_a_piece(UnitPoint p) const { return paths_.pass(p, same_piece / cells_); }
 
     void visit_edge(std::size_t a, std::size_t b)
     {
-        if (!differ(a, b)) return;
+        if (!differ(a, b) || fades_out(a, b)) return;
         ++result_.guard.changes;
         if (paths_.crossings(nodes_[a], nodes_[b]) % 2 == 1) return;
         const auto start = tracer_.locate(nodes_[a], values_[a], nodes_[b], values_[b]);
@@ -128,8 +137,8 @@ double fine_enough(double precision, const Axis& x, const Axis& y, double step)
     constexpr double of_a_step = 0.05;
     for (const auto* axis : {&x, &y}) {
         const UnitAxis unit(*axis);
-        const double span = unit.log ? std::log(unit.high / unit.low)
-                                     : (unit.high - unit.low) / std::max(std::abs(unit.low), std::abs(unit.high));
+        const double span =
+            unit.log ? unit.span() : (unit.high - unit.low) / std::max(std::abs(unit.low), std::abs(unit.high));
         precision = std::min(precision, of_a_step * step * span);
     }
     return precision;

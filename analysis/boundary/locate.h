@@ -25,7 +25,7 @@ std::vector<BoundaryPoint> locate_on_ray(const Joint& joint, std::string_view pa
 
 /// The boundary over a chart: every crossing of the lines of a mesh at least `mesh` fine on both axes is located to
 /// linear_precision, and neighbours are joined. Pieces are separated by NaN. Islands smaller than a mesh cell can be
-/// missed.
+/// missed. The edge of an area in which sliding is neutral is no boundary.
 Curve locate_over_chart(const Joint& joint, const Axis& x, const Axis& y, Curve::Kind theory, int mesh = 96);
 
 /// The nearest state-variable boundary around the joint's own value of one parameter, searched over the axis widened

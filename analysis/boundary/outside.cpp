@@ -32,8 +32,9 @@ OutsideOfRay nearest_outside(const Joint& joint, const LocatedRay& ray, const Bo
             if (away < distance) distance = away, outside.nearest = p;
         }
     };
-    if (low > 0) outside.low = low / factor, look(outside.low, low, low);
-    if (high > 0) outside.high = high * factor, look(high, outside.high, high);
+    // beyond these ends a number leaves the range of normal ones
+    if (low > 0 && std::isnormal(low / factor)) outside.low = low / factor, look(outside.low, low, low);
+    if (high > 0 && std::isfinite(high * factor)) outside.high = high * factor, look(high, outside.high, high);
     return outside;
 }
 

@@ -162,7 +162,10 @@ std::optional<Located> Tracer::correct(UnitPoint q, const Exit& heading, const P
     // the sides keep to their hands along the way, so the side at q tells where the boundary lies
     const double left = along_y ? (t.u > 0 ? 1 : -1) : (t.v > 0 ? -1 : 1);
     const double outwards = (fa < 0 ? -1.0 : 1.0) == heading.left ? -left : left;
-    const double resolution = along_y ? y_.unit_width(q.v, sides_.precision) : x_.unit_width(q.u, sides_.precision);
+    // next to a value of zero nothing is relatively precise, but a place of the chart is no finer than this
+    constexpr double finest = 1e-15;
+    const double resolution =
+        std::max(finest, along_y ? y_.unit_width(q.v, sides_.precision) : x_.unit_width(q.u, sides_.precision));
     // Newton's step with a known slope, so little further that the other side is reached
     double width = sides_.continuous && expected.slope > 0
                        ? std::abs(fa) / expected.slope * (1 + expected.doubt) + 0.45 * resolution

@@ -5,9 +5,9 @@
 
 namespace stickslip {
 
-KernelTable read_kernel_table(const std::filesystem::path& file)
+KernelTable read_kernel_table(const std::filesystem::path& file, Motion motion)
 {
-    auto series = read_series(file, "g");
+    auto series = read_series(file, "g", SeriesQuantity{Quantity::stiffness, motion});
     KernelTable table{std::move(series.time), std::move(series.value)};
     if (const std::string problem = table.problem(); !problem.empty()) throw BadInput(file.string() + ": " + problem);
     return table;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace stickslip::files {
 
@@ -31,7 +32,9 @@ std::string read_number(const toml::node& node, const Field& f, Motion motion, d
         return "is " + written + ", allowed is " + allowed_text(f, motion);
     }
     const bool unlimited = given == infinity && value == infinity;
-    if (!unlimited && !f.range.holds(given)) return "is " + written + ", allowed is " + allowed_text(f, motion);
+    if (!unlimited && !f.range.holds(given))
+        return "is " + written + (std::isfinite(given) ? "" : ", which is no finite number") + ", allowed is " +
+               allowed_text(f, motion);
     value = given;
     return "";
 }
@@ -158,7 +161,8 @@ void StructReader::samples(std::string_view key, std::string_view help, std::str
     const toml::node* node = frame_.table->get(key);
     if (!node || !node->is_string()) return;
     try {
-        table = name.empty() ? nullptr : std::make_shared<const KernelTable>(read_kernel_table(folder_ / name));
+        table =
+            name.empty() ? nullptr : std::make_shared<const KernelTable>(read_kernel_table(folder_ / name, motion_));
     } catch (const BadInput& bad) {
         for (const auto& message : bad.messages()) complain(*node, key, "is \"" + name + "\": " + message);
     }

@@ -28,7 +28,12 @@ double shown_duration(const LinearJoint& joint)
     return longest;
 }
 
-SampledForce force_of(const AskedDisturbance& asked, double duration, double omega)
+Series force_record(const AskedDisturbance& asked, Motion motion)
+{
+    return read_series(asked.kind, "force", SeriesQuantity{Quantity::effort, motion});
+}
+
+SampledForce force_of(const AskedDisturbance& asked, double duration, double omega, Motion motion)
 {
     constexpr std::pair<const char*, ForceKind> kinds[] = {{"impulse", ForceKind::impulse},
                                                            {"step", ForceKind::step},
@@ -37,7 +42,7 @@ SampledForce force_of(const AskedDisturbance& asked, double duration, double ome
     for (const auto& [name, kind] : kinds)
         if (asked.kind == name) return sampled_force(kind, asked.size, duration, duration / samples, omega, asked.seed);
     SampledForce force = sampled_force(ForceKind::step, 0, duration, duration / samples);
-    force.value = read_series(asked.kind, "force").sampled(force.step, samples);
+    force.value = force_record(asked, motion).sampled(force.step, samples);
     for (double& d : force.value) d *= asked.size;
     return force;
 }
@@ -55,13 +60,13 @@ DisturbedMotion disturbed_motion(const Joint& joint, const AskedDisturbance& ask
 {
     const auto linear = linear_joint(joint, commanded_velocity(joint));
     double duration = is_set(asked.duration) ? asked.duration
-                      : is_force_file(asked) ? read_series(asked.kind, "force").duration()
+                      : is_force_file(asked) ? force_record(asked, joint.mechanism.motion).duration()
                                              : shown_duration(linear);
     const auto peak = response_peak(linear);
     const double omega = is_set(asked.omega) ? asked.omega : peak.omega > 0 ? peak.omega : 20 / duration;
     if (!is_set(asked.duration) && asked.kind == "sine") duration = std::max(duration, 12 * std::numbers::pi / omega);
     DisturbedMotion motion;
-    motion.force = force_of(asked, duration, omega);
+    motion.force = force_of(asked, duration, omega, joint.mechanism.motion);
     motion.memory = forced_response(linear, motion.force);
     motion.velocity_only = forced_response(velocity_only(linear), motion.force);
     const auto& x = motion.memory.position;

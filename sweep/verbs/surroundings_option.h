@@ -3,6 +3,7 @@
 #include "sweep/files/bad_input.h"
 #include "sweep/files/series_file.h"
 #include "sweep/report/disturbance_figure.h"
+#include "sweep/verbs/disturbance_option.h"
 
 #include <CLI/CLI.hpp>
 
@@ -21,21 +22,25 @@ struct SurroundingsOption {
                         "disturbing force d(t) on the link: impulse | step | sine | noise | a file with time and force")
             ->check(CLI::IsMember({"impulse", "step", "sine", "noise"}) | CLI::ExistingFile);
         verb.add_option("--force-size", force.size, "N·s of an impulse, N of others, a factor on a file")
+            ->check(finite_number())
             ->capture_default_str();
         verb.add_option("--omega", force.omega, "rad/s of a sine; default: the peak of |X/D|")
+            ->check(finite_number())
             ->check(CLI::PositiveNumber);
-        verb.add_option("--seed", force.seed, "of noise")->capture_default_str();
+        verb.add_option("--seed", force.seed, "of noise")->check(CLI::NonNegativeNumber)->capture_default_str();
         verb.add_option("--normal-load", load_file,
                         "normal load on the link's friction over time: a record with time and normal_load")
             ->check(CLI::ExistingFile);
         verb.add_option("--nominal-load", nominal_load,
                         "the normal load at which the numbers of the friction law hold, in the record's unit")
+            ->check(finite_number())
             ->check(CLI::PositiveNumber)
             ->capture_default_str();
     }
     void add_duration_to(CLI::App& verb, const char* by_default)
     {
         verb.add_option("--duration", force.duration, std::string("s; default: ") + by_default)
+            ->check(finite_number())
             ->check(CLI::PositiveNumber);
     }
 

@@ -1,5 +1,6 @@
 // Boundaries of joints, along axes and over charts, against the closed form of (34)-(35) and against each other.
 #include "analysis/boundary/boundary.h"
+#include "analysis/boundary/locate.h"
 #include "analysis/joint/parameters.h"
 #include "tests/analysis/boundary/axis.h"
 #include "tests/analysis/simulation/joints.h"
@@ -256,4 +257,48 @@ TEST_CASE("the least velocity over a chart is that along each of its columns", "
             REQUIRE(ray.points.size() == 1);
             CHECK(ray.points[0].value == Approx(piece.points[i].y).epsilon(1e-8));
         }
+}
+
+TEST_CASE("a boundary is found in a range of six hundred decades, along an axis and over a chart", "[boundary]")
+{
+    const auto memory = of(BoundaryKind::state_variable);
+    const double k_cr = closed_form(0, 1e-3);
+    for (const double end : {1e100, 1e300, 1e307}) {
+        CAPTURE(end);
+        const auto gain = locate_boundaries(example_joint(6e4, 0, 1e-3), axis("control.k_p", 1 / end, end), memory);
+        REQUIRE(gain.points.size() == 1);
+        CHECK(gain.points[0].value == Approx(k_cr).epsilon(1e-9));
+        // V_0² = L A (k_p L/(B − A) − 1)/m
+        const auto velocity = locate_boundaries(example_joint(6e4, 0, 1e-3), axis("control.V0", 1 / end, end), memory);
+        REQUIRE(velocity.points.size() == 1);
+        CHECK(velocity.points[0].value == Approx(std::sqrt(2e-6)).epsilon(1e-9));
+    }
+    const auto chart = follow_boundaries(example_joint(6e4, 0, 1e-3), axis("control.k_p", 1e-300, 1e300),
+                                         axis("control.k_v", 1, 1000), memory);
+    REQUIRE(chart.pieces.size() == 1);
+    for (const auto& p : chart.pieces[0].points)
+        if (p.x > 1e-3) CHECK(p.x == Approx(closed_form(p.y, 1e-3)).epsilon(1e-8));
+    CHECK(chart.pieces[0].points.back().y + chart.pieces[0].points.front().y == Approx(501));
+}
+
+TEST_CASE("at the edge of an area of neutral sliding no boundary is drawn, through a line of it one is", "[boundary]")
+{
+    Joint joint = example_joint(2e4, 0, 1e-3);
+    joint.friction.law = KineticStatic{10, 15};
+    const Axis x = axis("control.k_p", 1e3, 1e9);
+    for (const auto [kind, theory] : {std::pair(BoundaryKind::velocity_only, Curve::Kind::velocity_only),
+                                      std::pair(BoundaryKind::state_variable, Curve::Kind::state_variable)}) {
+        // damping of 1e-16 N·s/m is none within rounding, 10 is some
+        const Axis from_rounding = axis("control.k_v", 1e-16, 10);
+        CHECK(follow_boundaries(joint, x, from_rounding, of(kind)).pieces.empty());
+        CHECK(locate_over_chart(joint, x, from_rounding, theory).x.empty());
+        // k_v = 0 lies on nodes of both meshes
+        const Axis around_zero = axis("control.k_v", -6, 10, false);
+        const auto curve = locate_over_chart(joint, x, around_zero, theory, 32);
+        REQUIRE(!curve.x.empty());
+        for (const double k_v : curve.y) CHECK(std::abs(k_v) < 1e-9);
+        const auto followed = follow_boundaries(joint, x, around_zero, of(kind));
+        REQUIRE(followed.pieces.size() == 1);
+        for (const auto& p : followed.pieces[0].points) CHECK(std::abs(p.y) < 1e-9);
+    }
 }

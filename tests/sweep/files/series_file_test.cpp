@@ -42,6 +42,21 @@ TEST_CASE("a series is two columns, or the named one of more", "[files]")
     CHECK(named.value == std::vector<double>{250, 300});
 }
 
+TEST_CASE("units in the header of a series are converted, in either order of the columns", "[files]")
+{
+    const SeriesQuantity stiffness{Quantity::stiffness, Motion::prismatic};
+    const auto kernel = read_series(TemporaryFile("time [ms],g [kN/m]\n0,100\n10,50\n").path, "g", stiffness);
+    CHECK(kernel.time == std::vector<double>{0, 0.01});
+    CHECK(kernel.value == std::vector<double>{1e5, 5e4});
+    const auto swapped = read_series(TemporaryFile("g,time\n100,0\n50,0.01\n").path, "g", stiffness);
+    CHECK(swapped.time == kernel.time);
+    CHECK(swapped.value == std::vector<double>{100, 50});
+    // a normal load stays in the record's unit, its time does not
+    const auto load = read_series(TemporaryFile("time [min],normal_load [kN]\n0,1\n2,3\n").path, "normal_load");
+    CHECK(load.time == std::vector<double>{0, 120});
+    CHECK(load.value == std::vector<double>{1, 3});
+}
+
 TEST_CASE("a series that does not fit is refused at its place", "[files]")
 {
     const auto refuse = [&](const char* text, const char* says) {
@@ -53,6 +68,10 @@ TEST_CASE("a series that does not fit is refused at its place", "[files]")
     refuse("0,1\n1,two\n", ".csv:2:1: is no row of two numbers");
     refuse("0,1\n1,nan\n", ".csv:2:1");
     refuse("0,1\n", "fewer than two rows");
+    refuse("0;1\n0,5;2\n", ".csv:2:1: has 3 cells, the rows above have 2; numbers need a decimal point");
+    const TemporaryFile wrong("time [m],force\n0,1\n1,2\n");
+    CHECK_THROWS_WITH(read_series(wrong.path, "force", SeriesQuantity{Quantity::effort, Motion::prismatic}),
+                      Contains(".csv:1:1: column time [m]") && Contains("unit of something else"));
 }
 
 TEST_CASE("samples are means of the straight lines, the last value behind them", "[files]")

@@ -80,3 +80,15 @@ TEST_CASE("noise of a measured effort is that of its sensor, not what the encode
     const Case c = prepare(test::record_of(m, 3), test::nominal_joint(), notes);
     CHECK(c.joint.sensor.effort_noise == Approx(m.effort_noise).epsilon(0.05));
 }
+
+TEST_CASE("noise that is not stated counts although the step of the encoder makes most of it", "[gap]")
+{
+    test::Machine m;
+    m.quantum = 2e-5, m.noise = 3e-6;  // together 1.12 of what rounding alone makes
+    Joint joint = test::nominal_joint();
+    joint.sensor.position_noise = 0;
+    joint.sensor.encoder_quantum = m.quantum;
+    std::vector<std::string> notes;
+    const Case c = prepare(test::record_of(m, 5), joint, notes);
+    CHECK(c.sigma == Approx(std::hypot(m.noise, m.quantum / std::sqrt(12.0))).epsilon(0.03));
+}

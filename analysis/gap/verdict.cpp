@@ -53,7 +53,8 @@ double worst_at(const Attribution& a, std::size_t level)
 bool at_floor(const std::vector<Case>& cases, const Attribution& a, const Nominal& nominal, const Scales& scales,
               const ParallelFor& parallel)
 {
-    if (a.candidate.effects.empty() && nominal.worst <= 1.06) return true;
+    if (a.candidate.effects.empty() && (nominal.worst <= 1.06 || closed_loop_at_floor(cases, {}, {}, parallel)))
+        return true;
     const auto si = a.candidate.effects.empty() ? std::vector<double>{} : in_si(a.candidate, a.x[1], scales);
     constexpr double mostly = 0.9;
     if (!a.candidate.effects.empty() && a.explained > mostly && closed_loop_at_floor(cases, a.candidate, si, parallel))

@@ -92,3 +92,24 @@ TEST_CASE("noise that is not stated counts although the step of the encoder make
     const Case c = prepare(test::record_of(m, 5), joint, notes);
     CHECK(c.sigma == Approx(std::hypot(m.noise, m.quantum / std::sqrt(12.0))).epsilon(0.03));
 }
+
+TEST_CASE("a joint whose closed loop differs from no record by more than noise has no gap", "[gap]")
+{
+    const auto in_order = [](std::size_t n, const std::function<void(std::size_t)>& task) {
+        for (std::size_t i = 0; i < n; ++i) task(i);
+    };
+    const auto at_its_floor = [&](const test::Machine& m) {
+        std::vector<std::string> notes;
+        const std::vector<Case> cases{prepare(test::record_of(m, 1), test::nominal_joint(), notes)};
+        Nominal nominal = judge_nominal(cases);
+        nominal.worst = 1.2;  // a slow observer that once took a stop for a slip
+        Attribution none;
+        none.evaluation = nominal.evaluation;
+        for (auto& m : none.evaluation.back().records) m.position = 1.3;
+        return at_floor(cases, none, nominal, scales_of(cases), in_order);
+    };
+    CHECK(at_its_floor({}));
+    test::Machine rougher;
+    rougher.coulomb = 2.1;
+    CHECK_FALSE(at_its_floor(rougher));
+}

@@ -107,8 +107,7 @@ void audit_grid(std::vector<Case>& cases, Audit& result)
         quantum = std::min(quantum, grid_of(readings));
     }
     const Sensor documented = cases[0].joint.sensor;
-    const bool coarser = quantum > 1.3 * documented.encoder_quantum && quantum > 0.5 * documented.position_noise &&
-                         quantum > 0 && quantum < infinity;
+    const bool coarser = quantum < infinity && coarser_grid(quantum, documented);
     const double known = std::hypot(documented.position_noise, documented.encoder_quantum / std::sqrt(12.0));
     if (!coarser || quantum / std::sqrt(12.0) < 0.1 * known) return;
     if (!cases[0].noise_documented) {
@@ -195,6 +194,11 @@ bool filters_differently(double documented_tau, double tau, double tick)
 {
     const double documented = tick / (documented_tau + tick), now = tick / (tau + tick);
     return std::abs(now - documented) > flagged_gain * documented;
+}
+
+bool coarser_grid(double quantum, const Sensor& documented)
+{
+    return quantum > 1.3 * documented.encoder_quantum && quantum > 0.5 * documented.position_noise;
 }
 
 double grid_of(const std::vector<double>& readings)

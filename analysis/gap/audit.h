@@ -34,6 +34,9 @@ bool filters_differently(double documented_tau, double tau, double tick);
 /// The grid that all readings lie on, 0 if there is none.
 double grid_of(const std::vector<double>& readings);
 
+/// Whether readings on this grid are clearly coarser than documented, by the step and by the noise.
+bool coarser_grid(double quantum, const Sensor& documented);
+
 /// The step in which logged commands are given, 0 if they are not: a duty cycle of a servo comes in whole counts.
 double command_step(const Ticks& ticks);
 

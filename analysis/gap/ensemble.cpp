@@ -106,7 +106,7 @@ std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, 
         position.difference /= std::max(n, 1.0);
         position.floor = c.sigma * c.sigma * noise_amplification(slow, c.row_step);
         effort.difference /= std::max(n, 1.0);
-        effort.floor = c.effort_sigma * c.effort_sigma;
+        effort.floor = std::pow(effort_floor(c, slow), 2);
         position.rows = effort.rows = n;
         squares.push_back(position);
         if (c.effort_sigma > 0) squares.push_back(effort);

@@ -2,6 +2,7 @@
 
 #include "analysis/boundary/optimise.h"
 #include "analysis/gap/block.h"
+#include "analysis/gap/step.h"
 
 #include <algorithm>
 #include <cmath>
@@ -117,6 +118,12 @@ Plant edited_plant(const Joint& joint, const Candidate& candidate, const std::ve
     return plant;
 }
 
+double effort_floor(const Case& c, double omega)
+{
+    const double drag = push_of(c.joint.actuator, 0, c.joint.actuator.supply_voltage, 0).drag;
+    return std::hypot(c.effort_sigma, drag * c.sigma * std::sqrt(velocity_noise_amplification(omega, c.row_step)));
+}
+
 Evaluation evaluate(const std::vector<Case>& cases, const Candidate& candidate, const std::vector<double>& si,
                     double omega, std::vector<double>* residuals)
 {
@@ -142,9 +149,10 @@ Evaluation evaluate(const std::vector<Case>& cases, const Candidate& candidate, 
         Misfit misfit;
         misfit.position = add_blocks(scaled, begin, rows, block, result.objective);
         if (c.effort_sigma > 0) {
+            const double per_effort = 1 / effort_floor(c, omega);
             for (std::size_t k = 0; k < c.ticks.size(); ++k)
                 if (c.ticks.logged[k]) {
-                    const double e = innovation.effort[k] / c.effort_sigma;
+                    const double e = innovation.effort[k] * per_effort;
                     scaled.push_back(c.judged(k) && std::isfinite(e) ? std::clamp(e, -far, far) : 0);
                 }
             misfit.effort = add_blocks(scaled, begin + rows, rows, block, result.objective);

@@ -75,6 +75,10 @@ Joint edited(const Joint& joint, const Candidate& candidate, const std::vector<d
 /// The same, as the simulation takes it; only here do forces without a name take part.
 Plant edited_plant(const Joint& joint, const Candidate& candidate, const std::vector<double>& si, std::size_t record);
 
+/// Standard deviation of the effort's innovation in a true joint: the sensor's own noise, and in a motor the back-EMF
+/// of the velocity that the encoder's noise makes in the observer.
+double effort_floor(const Case& c, double omega);
+
 /// How far predictions are from one record at one level: mean squares over their floors, 1 where only noise is left.
 struct Misfit {
     double position = 0;

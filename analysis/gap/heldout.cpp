@@ -15,7 +15,10 @@ struct FoldResult {
     Trace trace_before, trace_after;
 };
 
-double overall(const std::map<std::string, std::array<double, 3>>& sums, std::size_t which)
+/// Mean squares before, after, of the floor and of the floor with the cause.
+using Squares = std::array<double, 4>;
+
+double overall(const std::map<std::string, Squares>& sums, std::size_t which)
 {
     double total = 0;
     for (const auto& [signal, s] : sums) total += s[which] / std::max(s[2], 1e-300);
@@ -131,20 +134,21 @@ HeldOut hold_out(const std::vector<Case>& cases, const std::vector<Joint>& docum
         results[i].after = compare(c, after, runs, folds[i].from, folds[i].to, &results[i].trace_after);
     });
 
-    // per signal: mean squares before, after, floor, summed over folds
-    std::map<std::string, std::array<double, 3>> all;
+    // per signal, summed over folds
+    std::map<std::string, Squares> all;
     std::map<std::string, double> rows;
     std::map<std::string, std::string> units;
     std::vector<double> gains, parts;
     for (const auto& r : results) {
-        std::map<std::string, std::array<double, 3>> own;
+        std::map<std::string, Squares> own;
         for (std::size_t s = 0; s < std::min(r.before.size(), r.after.size()); ++s) {
             const double floor = std::max(r.before[s].floor, 1e-300);
-            own[r.before[s].signal] = {r.before[s].difference, r.after[s].difference, floor};
+            own[r.before[s].signal] = {r.before[s].difference, r.after[s].difference, floor, r.after[s].floor};
             units[r.before[s].signal] = r.before[s].unit;
             const double n = r.before[s].rows;
             rows[r.before[s].signal] += n;
-            for (std::size_t k = 0; k < 3; ++k) all[r.before[s].signal][k] += n * own[r.before[s].signal][k];
+            for (std::size_t k = 0; k < own[r.before[s].signal].size(); ++k)
+                all[r.before[s].signal][k] += n * own[r.before[s].signal][k];
         }
         const double before = overall(own, 0), after = overall(own, 1);
         if (before > 0) gains.push_back(1 - after / before), parts.push_back(explained_part(before, after, 1));
@@ -158,6 +162,7 @@ HeldOut hold_out(const std::vector<Case>& cases, const std::vector<Joint>& docum
         held.signals.push_back(g);
     }
     held.overall = {overall(all, 0), overall(all, 1), 1};
+    held.overall.own_floor = overall(all, 3);
     held.overall.explained = explained_part(held.overall.before, held.overall.after, 1);
     held.gain = held.overall.before > 0 ? 1 - held.overall.after / held.overall.before : 0;
     if (!gains.empty()) {

@@ -72,7 +72,7 @@ std::vector<Share> locate_signals(const std::vector<Case>& cases, const std::vec
         const double inertia = plant.motor_inertia + (plant.two_mass ? plant.link_inertia : 0);
         const double to_force = inertia * omega * omega;
         const double motion_floor = std::pow(to_force * c.sigma, 2) * noise_amplification(omega, c.row_step);
-        const double effort_floor = c.effort_sigma * c.effort_sigma;
+        const double effort_square = std::pow(effort_floor(c, omega), 2);
         const double step = audited ? command_step(t) : 0, command_floor = std::pow(per_command * step, 2) / 12;
         Block block(3, 0);
         double started = t.size() ? t.time[0] : 0;
@@ -91,7 +91,7 @@ std::vector<Share> locate_signals(const std::vector<Case>& cases, const std::vec
                 counts[stage] += 1;
             };
             if (audited && t.enabled[k]) count(0, per_command * (t.command[k] - wanted[k]), command_floor);
-            if (c.effort_sigma > 0) count(1, innovation.effort[k], effort_floor);
+            if (c.effort_sigma > 0) count(1, innovation.effort[k], effort_square);
             count(2, to_force * innovation.position[k], motion_floor);
         }
         blocks.push_back(block);

@@ -1,5 +1,6 @@
 #include "analysis/gap/prepare.h"
 
+#include "analysis/gap/audit.h"
 #include "analysis/joint/parameters.h"
 
 #include <algorithm>
@@ -55,12 +56,20 @@ constexpr double effort_part = 1e-3;
 double noise_of(const std::vector<double>& y)
 {
     if (y.size() < 8) return 0;
-    double sum = 0;
-    for (std::size_t k = 3; k < y.size(); ++k) {
-        const double d = y[k] - 3 * y[k - 1] + 3 * y[k - 2] - y[k - 3];
-        sum += d * d;
-    }
-    return std::sqrt(sum / 20 / static_cast<double>(y.size() - 3));
+    std::vector<double> third;
+    for (std::size_t k = 3; k < y.size(); ++k) third.push_back(std::abs(y[k] - 3 * y[k - 1] + 3 * y[k - 2] - y[k - 3]));
+    const auto rms_below = [&](double limit) {
+        double sum = 0, n = 0;
+        for (double d : third)
+            if (d < limit) sum += d * d, n += 1;
+        return n > 0 ? std::sqrt(sum / n) : 0;
+    };
+    // impacts and steps are rare and large, and are no noise; where most differences vanish all that is left is steps
+    constexpr double normal = 1.4826, far = 5;
+    double spread = normal * percentile(third, 0.5);
+    if (spread == 0) return rms_below(infinity) / std::sqrt(20.0);
+    for (int i = 0; i < 5; ++i) spread = rms_below(far * spread);
+    return spread / std::sqrt(20.0);
 }
 
 double reading_sigma(const Sensor& sensor, double span)
@@ -84,15 +93,22 @@ Case prepare_with_effort(const Record& record, const Joint& joint, std::vector<s
     c.sigma = reading_sigma(c.joint.sensor, span);
     const bool documented = c.joint.sensor.position_noise > 0 || c.joint.sensor.encoder_quantum > 0;
     c.noise_documented = documented;
-    // a stated noise is believed unless it is clearly too small; a step of the encoder alone says nothing of noise
-    const double believed = c.joint.sensor.position_noise > 0 ? 1.25 : 1.02;
-    if (!documented || estimated > believed * c.sigma) {
+    // a grid that shows in the readings makes differences of its own: the audit names it, noise must not stand in for
+    // it
+    Sensor gridded = c.joint.sensor;
+    const double grid = grid_of(record.position);
+    const bool coarser = coarser_grid(grid, c.joint.sensor);
+    if (coarser) gridded.encoder_quantum = grid;
+    // a stated noise is believed unless it is clearly too small, the more so where rounding in the loop shakes the
+    // joint; a step of the encoder alone says nothing of noise
+    const double believed = c.joint.sensor.position_noise > 0 ? coarser ? 2 : 1.25 : 1.02;
+    if (!documented || estimated > believed * reading_sigma(gridded, span)) {
         notes.push_back(record.name +
                         (documented ? ": the readings are noisier than documented" : ": no documented noise") +
                         "; the floor uses the noise estimated from third differences");
         c.sigma = std::max(c.sigma, estimated);
         // what rounding adds is in the estimate, and a simulated reading will be rounded again
-        const double rounding = c.joint.sensor.encoder_quantum / std::sqrt(12.0);
+        const double rounding = gridded.encoder_quantum / std::sqrt(12.0);
         const double white = std::sqrt(std::max(0.0, estimated * estimated - rounding * rounding));
         c.joint.sensor.position_noise = std::max(c.joint.sensor.position_noise, white);
     }

@@ -122,6 +122,18 @@ void refine(const std::vector<Case>& cases, const std::vector<Case>& part, const
         a.evaluation[l] = fit.evaluation;
         if (l == 1 && fit.information.size()) a.information = fit.information;
     }
+    // a level may have come to rest in a hollow that the others found the way out of
+    constexpr double clearly = 0.8;
+    for (std::size_t l = 0; l < levels.size(); ++l)
+        for (std::size_t from = 0; from < levels.size(); ++from) {
+            if (a.x[from] == a.x[l]) continue;
+            const auto si = in_si(a.candidate, a.x[from], scales);
+            auto there = evaluate(cases, a.candidate, si, levels[l]);
+            ++a.evaluations;
+            if (!(there.objective < clearly * a.evaluation[l].objective)) continue;
+            a.x[l] = a.x[from];
+            a.evaluation[l] = std::move(there);
+        }
     judge(a, nominal);
 }
 

@@ -12,7 +12,8 @@ namespace {
 /// The same normal numbers on every machine: splitmix64 and Box-Muller.
 class Noise {
   public:
-    explicit Noise(std::uint64_t seed) : state_(seed * 0x9E3779B97F4A7C15ull) {}
+    /// The seed is scrambled: neighbours would else be one sequence, shifted, and move a slow loop alike.
+    explicit Noise(std::uint64_t seed) : state_(scrambled(seed * step)) {}
     double operator()()
     {
         const double radius = std::sqrt(-2 * std::log(1 - uniform()));
@@ -20,13 +21,14 @@ class Noise {
     }
 
   private:
-    double uniform()
+    static constexpr std::uint64_t step = 0x9E3779B97F4A7C15ull;
+    static std::uint64_t scrambled(std::uint64_t z)
     {
-        std::uint64_t z = (state_ += 0x9E3779B97F4A7C15ull);
         z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ull;
         z = (z ^ (z >> 27)) * 0x94D049BB133111EBull;
-        return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1.0p-53;
+        return z ^ (z >> 31);
     }
+    double uniform() { return static_cast<double>(scrambled(state_ += step) >> 11) * 0x1.0p-53; }
     std::uint64_t state_;
 };
 
@@ -293,21 +295,41 @@ void predict(const Plant& plant, const Ticks& ticks, std::span<const double> com
     }
 }
 
-double noise_amplification(double omega, double step)
+namespace {
+
+struct NoiseSums {
+    double error = 0, velocity = 0;
+};
+
+/// Sums of squares of the impulse response of e_k = n_k − q̂_k with q̂, v̂ driven by e.
+NoiseSums noise_sums(double omega, double step)
 {
-    // impulse response of e_k = n_k − q̂_k with q̂, v̂ driven by e
     const double T = std::min(step, 0.5 / std::max(omega, 1e-9));
     const double g = 1.6 * omega * T, k = omega * omega * T;
-    double q = 0, v = 0, sum = 0;
+    double q = 0, v = 0;
+    NoiseSums sums;
     for (int i = 0; i < 100000; ++i) {
         const double e = (i == 0 ? 1 : 0) - q;
-        sum += e * e;
+        sums.error += e * e;
         q += g * e;
         v += k * e;
+        sums.velocity += v * v;
         q += step * v;
         if (i > 10 && std::abs(q) + std::abs(v) * step < 1e-9) break;
     }
-    return sum;
+    return sums;
+}
+
+}  // namespace
+
+double noise_amplification(double omega, double step)
+{
+    return noise_sums(omega, step).error;
+}
+
+double velocity_noise_amplification(double omega, double step)
+{
+    return noise_sums(omega, step).velocity;
 }
 
 }  // namespace stickslip::gap

@@ -4,7 +4,7 @@ namespace stickslip::gap {
 
 bool withdraw_if_worse(Diagnosis& d)
 {
-    if (d.verdict != Verdict::gap || !(d.overall.after > d.overall.before)) return false;
+    if (d.verdict != Verdict::gap || !d.overall.worse()) return false;
     d.verdict = Verdict::unknown;
     std::string names;
     if (!d.effects.empty())

@@ -71,6 +71,15 @@ struct SignalGap {
 struct OverallGap {
     double before = 0, after = 0, floor = 0, explained = 0;  ///< in floors
     ConfidenceInterval interval;                             ///< of explained
+    double own_floor = 0;  ///< what noisy simulations with the cause differ by; 0: by no more than `floor`
+
+    /// Whether the cause leaves more beyond the noise than there was. A cause that is itself noise, as the steps of an
+    /// encoder are, makes two true simulations differ by more: that is not held against it.
+    bool worse() const
+    {
+        const double own = own_floor > floor ? own_floor : floor;
+        return after * after - own * own > before * before - floor * floor;
+    }
 };
 
 /// The force that drives the joint, low-passed, against what the model asks for along the measured motion: RMS over

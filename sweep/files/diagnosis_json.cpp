@@ -70,7 +70,7 @@ Json boundary_json(const Joint& given, double speed)
 
 Json diagnosis_json(const Diagnosis& d, const Joint& before, const Joint& after)
 {
-    if (d.verdict == Verdict::gap && d.overall.after > d.overall.before)
+    if (d.verdict == Verdict::gap && d.overall.worse())
         throw std::logic_error("a diagnosis names a cause that makes held-out data worse");
     Json json;
     json["verdict"] = name_of(d.verdict);

@@ -73,12 +73,23 @@ Headline where_card(const Diagnosis& d)
     return {Tone::neutral, s->name, meaning};
 }
 
+/// A cause that is itself noise cannot bring two simulations closer: it explains why they differ.
+bool adds_noise(const Diagnosis& d)
+{
+    return d.overall.after >= d.overall.before;
+}
+
 Headline how_much_card(const Diagnosis& d)
 {
     if (judged_by_force(d))
         return {Tone::neutral, fmt::format("− {}", whole_percent(1 - d.drive_force.after / d.drive_force.before)),
                 fmt::format("how much: held-out drive force that the model gets wrong, {:.3g} → {:.3g} {}",
                             d.drive_force.before, d.drive_force.after, d.drive_force.unit)};
+    if (d.verdict == Verdict::gap && adds_noise(d))
+        return {
+            Tone::neutral, floors(d.overall.after) + " floors",
+            fmt::format("how much: the gap on held-out data; simulations with the cause differ by {} among themselves",
+                        floors(d.overall.own_floor))};
     if (d.verdict == Verdict::gap)
         return {Tone::neutral, fmt::format("− {}", whole_percent(1 - d.overall.after / d.overall.before)),
                 fmt::format("how much: held-out gap, {} → {} noise floors", floors(d.overall.before),
@@ -139,6 +150,11 @@ std::string diagnosis_sentence(const Diagnosis& d)
                     ": on held-out data the drive force that the model gets wrong shrinks from {:.3g} "
                     "to {:.3g} {}",
                     d.drive_force.before, d.drive_force.after, d.drive_force.unit);
+            else if (d.overall.before > 0 && adds_noise(d))
+                text += fmt::format(
+                    ": it makes noise, and simulations with it differ by {} noise floors among themselves, "
+                    "the records from them by {}",
+                    floors(d.overall.own_floor), floors(d.overall.after));
             else if (d.overall.before > 0)
                 text += fmt::format(": on held-out data it shrinks from {} to {} noise floors",
                                     floors(d.overall.before), floors(d.overall.after));

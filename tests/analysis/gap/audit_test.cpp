@@ -22,6 +22,21 @@ std::pair<std::vector<Case>, Record> without_reference(const Machine& m)
 
 }  // namespace
 
+TEST_CASE("without a reference a coarse grid does not bend the gains", "[gap]")
+{
+    Machine m;
+    m.quantum = 2e-3;  // most readings repeat the last one
+    Record r = test::record_of(m, 1, 4);
+    r.reference_position.clear(), r.reference_velocity.clear();
+    // steps of the reference, as they come through k_p: a few rows that noise does not explain
+    for (std::size_t k = 0; k < r.rows(); ++k) r.effort_command[k] += k / 250 % 2 ? 3.0 : 0.0;
+    std::vector<std::string> notes;
+    std::vector<Case> cases{prepare(r, test::nominal_joint(), notes)};
+    const auto found = audit(cases);
+    for (const auto& f : found.findings) CHECK(f.effect == "quantisation");
+    CHECK(found.command_explained);
+}
+
 TEST_CASE("wrong gains and a wrong filter are found without a reference, by the noise that comes through them", "[gap]")
 {
     Machine m;

@@ -156,10 +156,36 @@ TEST_CASE("white reading noise reaches the innovation of a true model by the com
     for (const double omega : {110.0, 20.0}) {
         Innovation run;
         predict(plant, ticks, trace.command, omega, run);
-        double sum = 0;
+        double sum = 0, velocity = 0;
         for (double e : run.position) sum += e * e;
         CHECK(sum / 20000 == Approx(1e-8 * noise_amplification(omega, 1e-3)).epsilon(0.04));
+        // the body itself moves a little, too: noise goes round the loop
+        for (std::size_t k = 0; k < run.velocity.size(); ++k)
+            velocity += std::pow(run.velocity[k] - trace.true_velocity[k], 2);
+        CHECK(velocity / 20000 ==
+              Approx(1e-8 * velocity_noise_amplification(omega, 1e-3)).epsilon(4 / std::sqrt(10 * omega)));
     }
+}
+
+TEST_CASE("noise of neighbouring seeds is not one sequence, shifted", "[gap]")
+{
+    Joint j = sliding_mass(1, 1, 1);
+    j.sensor.position_noise = 1;
+    j.control.k_p = j.control.k_v = 0;
+    Record r = at_ticks(4000, 1e-3);
+    r.reference_position.assign(r.rows(), 0);
+    const Ticks ticks = on_clock(r, j);
+    const Plant plant = flatten(j);
+    const auto one = closed_loop(plant, ticks, 1).position;
+    for (std::uint64_t seed : {2, 3, 4, 5, 9})
+        for (int shift = -4; shift <= 4; ++shift) {
+            const auto other = closed_loop(plant, ticks, seed).position;
+            double product = 0, n = 0;
+            for (int k = 10; k + 10 < 4000; ++k)
+                product += one[static_cast<std::size_t>(k)] * other[static_cast<std::size_t>(k + shift)], n += 1;
+            INFO("seed " << seed << " shifted by " << shift);
+            CHECK(std::abs(product / n) < 5 / std::sqrt(n));
+        }
 }
 
 TEST_CASE("two masses with a stiff spring move like one", "[gap]")

@@ -105,11 +105,47 @@ TEST_CASE("a joint whose closed loop differs from no record by more than noise h
         nominal.worst = 1.2;  // a slow observer that once took a stop for a slip
         Attribution none;
         none.evaluation = nominal.evaluation;
-        for (auto& m : none.evaluation.back().records) m.position = 1.3;
+        for (auto& misfit : none.evaluation.back().records) misfit.position = 1.3;
         return at_floor(cases, none, nominal, scales_of(cases), in_order);
     };
     CHECK(at_its_floor({}));
     test::Machine rougher;
     rougher.coulomb = 2.1;
     CHECK_FALSE(at_its_floor(rougher));
+}
+
+TEST_CASE("a stop that shakes a joint now and then is not taken for noise of its encoder", "[gap]")
+{
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal;
+    std::vector<double> quiet, shaken;
+    for (int k = 0; k < 20000; ++k) {
+        quiet.push_back(std::sin(1e-3 * k) + 1e-4 * normal(random));
+        const int since = k % 400;  // ticks after an impact
+        shaken.push_back(quiet.back() + (since < 20 ? 5e-3 * std::exp(-0.1 * since) * std::sin(1.5 * since) : 0));
+    }
+    CHECK(noise_of(quiet) == Approx(1e-4).epsilon(0.02));
+    CHECK(noise_of(shaken) == Approx(1e-4).epsilon(0.1));
+}
+
+TEST_CASE("a coarser grid than documented is not booked as noise", "[gap]")
+{
+    test::Machine m;
+    m.noise = 1e-5, m.quantum = 8e-5;
+    Joint joint = test::nominal_joint();
+    joint.sensor.position_noise = m.noise;
+    joint.sensor.encoder_quantum = 0;
+    std::vector<std::string> notes;
+    const Case c = prepare(test::record_of(m, 2), joint, notes);
+    CHECK(c.joint.sensor.position_noise == m.noise);
+    CHECK(notes.empty());
+}
+
+TEST_CASE("a cause that is itself noise is not held to make things worse", "[gap]")
+{
+    OverallGap gap;
+    gap.before = 2.2, gap.after = 2.4, gap.floor = 1;
+    CHECK(gap.worse());
+    gap.own_floor = 2.4;  // two simulations with it differ by as much as the record does
+    CHECK_FALSE(gap.worse());
 }

@@ -12,11 +12,12 @@ namespace stickslip::gap {
 /// A record ready to be fitted: on its clock, with the joint that held in it and its noise.
 struct Case {
     Ticks ticks;
-    Joint joint;              ///< nominal, after what the controller audit has settled
-    double sigma = 1;         ///< standard deviation of a reading, quantisation included
-    double effort_sigma = 0;  ///< of a measured effort; 0: effort is not judged
-    std::size_t number = 0;   ///< of the record among all: which own parameters are its
-    double row_step = 1e-3;   ///< s between two readings
+    Joint joint;                      ///< nominal, after what the controller audit has settled
+    double sigma = 1;                 ///< standard deviation of a reading, quantisation included
+    double effort_sigma = 0;          ///< of a measured effort; 0: effort is not judged
+    std::size_t number = 0;           ///< of the record among all: which own parameters are its
+    double row_step = 1e-3;           ///< s between two readings
+    std::vector<double> temperature;  ///< °C at every tick; empty: not logged
     bool supply_logged = false;
     bool noise_documented = true;                      ///< the sensor's own numbers set the floor
     double skip_from = infinity, skip_to = -infinity;  ///< s; rows held out of the fit

@@ -1,6 +1,7 @@
 #include "analysis/gap/locate.h"
 
 #include "analysis/gap/audit.h"
+#include "analysis/gap/shares.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,42 +9,7 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double omega = 50;         // rad/s, at which the residual force is read
-constexpr double block_seconds = 1;  // resampled as a whole, since neighbours are correlated
-constexpr int resamples = 200;
-
-/// Sums of one block: excess square of each stage or regime.
-using Block = std::vector<double>;
-
-/// Bootstrap of shares over blocks with a fixed sequence.
-void add_shares(std::vector<Share>& shares, const std::vector<Block>& blocks, std::size_t whole)
-{
-    if (blocks.empty()) return;
-    const auto of = [&](const Block& sum, std::size_t i) {
-        double total = 0;
-        for (std::size_t j = 0; j < whole; ++j) total += std::max(0.0, sum[j]);
-        return total > 0 ? std::clamp(sum[i] / total, 0.0, 1.0) : 0;
-    };
-    Block sum(blocks[0].size(), 0);
-    for (const auto& b : blocks)
-        for (std::size_t i = 0; i < b.size(); ++i) sum[i] += b[i];
-    std::uint64_t state = 1;
-    std::vector<std::vector<double>> drawn(shares.size());
-    for (int r = 0; r < resamples; ++r) {
-        Block again(sum.size(), 0);
-        for (std::size_t n = 0; n < blocks.size(); ++n) {
-            state = state * 6364136223846793005ull + 1442695040888963407ull;
-            const auto& b = blocks[(state >> 33) % blocks.size()];
-            for (std::size_t i = 0; i < b.size(); ++i) again[i] += b[i];
-        }
-        for (std::size_t i = 0; i < shares.size(); ++i) drawn[i].push_back(of(again, i));
-    }
-    for (std::size_t i = 0; i < shares.size(); ++i) {
-        std::sort(drawn[i].begin(), drawn[i].end());
-        shares[i].share = of(sum, i);
-        shares[i].interval = {drawn[i][resamples / 40], drawn[i][resamples - 1 - resamples / 40]};
-    }
-}
+constexpr double omega = 50;  // rad/s, at which the residual force is read
 
 }  // namespace
 
@@ -104,70 +70,6 @@ std::vector<Share> locate_signals(const std::vector<Case>& cases, const std::vec
         }
     for (std::size_t s = 3; s-- > 0;)
         if (counts[s] == 0) shares.erase(shares.begin() + static_cast<std::ptrdiff_t>(s));
-    return shares;
-}
-
-std::vector<Share> locate_regimes(const std::vector<Case>& cases)
-{
-    static const char* const names[] = {
-        "stuck",    "low speed", "sliding", "reversal", "positive direction", "negative direction", "high acceleration",
-        "saturated"};
-    constexpr std::size_t exclusive = 3, all = std::size(names);
-    std::vector<Share> shares(all);
-    for (std::size_t i = 0; i < all; ++i) shares[i].name = names[i], shares[i].unit = "floors";
-    std::vector<double> squares(all, 0), counts(all, 0);
-    std::vector<Block> blocks;
-    for (const auto& c : cases) {
-        const Plant plant = flatten(c.joint);
-        const Ticks& t = c.ticks;
-        const auto command = known_command(plant, t);
-        Innovation innovation;
-        predict(plant, t, command, omega, innovation);
-        std::vector<double> speeds, accelerations(t.size(), 0);
-        for (double v : innovation.velocity) speeds.push_back(std::abs(v));
-        std::sort(speeds.begin(), speeds.end());
-        const double fast = speeds.empty() ? 1 : speeds[speeds.size() * 19 / 20];
-        for (std::size_t k = 5; k + 5 < t.size(); ++k)
-            accelerations[k] = std::abs(innovation.velocity[k + 5] - innovation.velocity[k - 5]);
-        std::vector<double> sorted = accelerations;
-        std::sort(sorted.begin(), sorted.end());
-        const double hard = sorted.empty() ? 1 : sorted[sorted.size() * 9 / 10];
-        double largest = 0;
-        for (double u : command) largest = std::max(largest, std::abs(u));
-        const double limit = std::min({plant.control.effort_limit,
-                                       plant.actuator.limit / std::abs(plant.actuator.effort_gain), 1.0001 * largest});
-        const double floor = c.sigma * c.sigma * noise_amplification(omega, c.row_step);
-        Block block(all, 0);
-        double started = t.size() ? t.time[0] : 0, reversed = -infinity, sign = 0;
-        for (std::size_t k = 0; k < t.size(); ++k) {
-            const double v = innovation.velocity[k], speed = std::abs(v);
-            if (speed > 0.005 * fast && v * sign < 0) reversed = t.time[k];
-            if (speed > 0.005 * fast) sign = v;
-            if (!t.logged[k]) continue;
-            if (t.time[k] - started > block_seconds) {
-                blocks.push_back(block);
-                block.assign(all, 0);
-                started = t.time[k];
-            }
-            constexpr double after_reversal = 0.1;  // s
-            const bool in[all] = {speed < 0.005 * fast,
-                                  speed >= 0.005 * fast && speed < 0.2 * fast,
-                                  speed >= 0.2 * fast,
-                                  t.time[k] - reversed<after_reversal, v> 0.005 * fast,
-                                  v<-0.005 * fast, accelerations[k]>
-                                      hard,
-                                  std::abs(command[k]) >= 0.999 * limit};
-            const double excess = innovation.position[k] * innovation.position[k] / floor - 1;
-            for (std::size_t i = 0; i < all; ++i)
-                if (in[i]) block[i] += excess, squares[i] += excess + 1, counts[i] += 1;
-        }
-        blocks.push_back(block);
-    }
-    add_shares(shares, blocks, exclusive);
-    for (std::size_t i = 0; i < all; ++i) {
-        shares[i].rms = counts[i] > 0 ? std::sqrt(squares[i] / counts[i]) : 0;
-        shares[i].floor = 1;
-    }
     return shares;
 }
 

@@ -9,8 +9,11 @@ namespace stickslip::gap {
 /// holds the joints before the audit corrected them.
 std::vector<Share> locate_signals(const std::vector<Case>& cases, const std::vector<Joint>& documented);
 
-/// Shares of the motion's gap by regime. Speed regimes (stuck, low speed, sliding) exclude each other, the rest
-/// overlap.
+/// Shares of the motion's gap by regime. Speed regimes (stuck, low speed, sliding) exclude each other and are the
+/// whole, the rest overlap: reversal, direction, acceleration, saturation, thirds of the positions, light and heavy
+/// load (effort below a third and above two thirds of its 95th percentile), early and late third of a record, cold and
+/// warm third where a temperature was logged. Last come bands of frequency, which are a whole of their own: of the
+/// prediction error at 50 rad/s, which holds little of what is slower than that.
 std::vector<Share> locate_regimes(const std::vector<Case>& cases);
 
 }  // namespace stickslip::gap

@@ -87,6 +87,9 @@ Case prepare_with_effort(const Record& record, const Joint& joint, std::vector<s
     c.joint = joint;
     c.ticks = on_clock(record, c.joint);
     c.supply_logged = !record.supply_voltage.empty();
+    for (std::size_t k = 0; k < c.ticks.size() && !record.temperature.empty(); ++k)
+        c.temperature.push_back(
+            record.temperature[std::min(k / static_cast<std::size_t>(c.ticks.ticks_per_row), record.rows() - 1)]);
     const auto rows = static_cast<double>(std::max<std::size_t>(record.rows(), 2));
     c.row_step = c.ticks.duration() / (rows - 1);
     const double estimated = noise_of(record.position), span = span_of(record.position);

@@ -297,39 +297,44 @@ void predict(const Plant& plant, const Ticks& ticks, std::span<const double> com
 
 namespace {
 
-struct NoiseSums {
-    double error = 0, velocity = 0;
-};
-
-/// Sums of squares of the impulse response of e_k = n_k − q̂_k with q̂, v̂ driven by e.
-NoiseSums noise_sums(double omega, double step)
+/// e_k = n_k − q̂_k with q̂, v̂ driven by e, for one reading that is off by one; `take` gets e and v̂.
+template <class Take>
+void respond(double omega, double step, Take&& take)
 {
     const double T = std::min(step, 0.5 / std::max(omega, 1e-9));
     const double g = 1.6 * omega * T, k = omega * omega * T;
     double q = 0, v = 0;
-    NoiseSums sums;
     for (int i = 0; i < 100000; ++i) {
         const double e = (i == 0 ? 1 : 0) - q;
-        sums.error += e * e;
         q += g * e;
         v += k * e;
-        sums.velocity += v * v;
+        take(e, v);
         q += step * v;
         if (i > 10 && std::abs(q) + std::abs(v) * step < 1e-9) break;
     }
-    return sums;
 }
 
 }  // namespace
 
 double noise_amplification(double omega, double step)
 {
-    return noise_sums(omega, step).error;
+    double sum = 0;
+    respond(omega, step, [&](double e, double) { sum += e * e; });
+    return sum;
 }
 
 double velocity_noise_amplification(double omega, double step)
 {
-    return noise_sums(omega, step).velocity;
+    double sum = 0;
+    respond(omega, step, [&](double, double v) { sum += v * v; });
+    return sum;
+}
+
+std::vector<double> innovation_response(double omega, double step)
+{
+    std::vector<double> response;
+    respond(omega, step, [&](double e, double) { response.push_back(e); });
+    return response;
 }
 
 }  // namespace stickslip::gap

@@ -39,6 +39,8 @@ void predict(const Plant& plant, const Ticks& ticks, std::span<const double> com
 
 /// How much larger than the encoder's variance the innovation's is for a free inertia under this observer.
 double noise_amplification(double omega, double step);
+/// The innovation of a free inertia under this observer after a reading that is off by one, reading by reading.
+std::vector<double> innovation_response(double omega, double step);
 
 /// Variance of the observer's velocity just after a correction, over the encoder's variance, 1/s².
 double velocity_noise_amplification(double omega, double step);

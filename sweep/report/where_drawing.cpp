@@ -76,6 +76,7 @@ Figure where_figure(const Diagnosis& d)
     finding.back() = '.';
     y += 28;
     constexpr std::size_t exclusive = 3;  // stuck, low speed and sliding, which add up to all
+    constexpr double worth_a_bar = 0.1;   // the table lists what holds less
     for (std::size_t i = 0; i < d.regimes.size(); ++i) {
         if (i == 0 || i == exclusive) {
             y += i == 0 ? 0 : 10;
@@ -83,6 +84,7 @@ Figure where_figure(const Diagnosis& d)
                    LineDrawing::Anchor::left);
             y += 18;
         }
+        if (i >= exclusive && d.regimes[i].share < worth_a_bar) continue;
         w.text(bars_left - 10, y + bar_height - 1, d.regimes[i].name, LineDrawing::Anchor::right);
         w.bar(y, d.regimes[i]);
         y += row_height;

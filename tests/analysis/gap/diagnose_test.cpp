@@ -1,5 +1,6 @@
 #include "analysis/gap/diagnose.h"
 #include "analysis/gap/audit.h"
+#include "analysis/gap/locate.h"
 #include "analysis/gap/prepare.h"
 #include "tests/analysis/gap/small_machine.h"
 
@@ -30,6 +31,33 @@ std::vector<Record> records_of(const Machine& m)
 }
 
 }  // namespace
+
+TEST_CASE("the gap is located in time, temperature and frequency", "[gap]")
+{
+    Record r = test::record_of({}, 1, 12);
+    for (std::size_t k = 0; k < r.rows(); ++k) {
+        r.temperature.push_back(20 + 15 * r.time[k] / 12);
+        // a wobble of the reading late in the record, in the middle of a band
+        if (r.time[k] > 9) r.position[k] += 2e-4 * std::sin(2 * M_PI * 3 * r.time[k]);
+    }
+    std::vector<std::string> notes;
+    const auto regimes = locate_regimes({prepare(r, test::nominal_joint(), notes)});
+    const auto share = [&](const std::string& name) {
+        const auto at = std::find_if(regimes.begin(), regimes.end(), [&](const Share& s) { return s.name == name; });
+        REQUIRE(at != regimes.end());
+        return at->share;
+    };
+    CHECK(share("late") > 0.95);
+    CHECK(share("early") < 0.02);
+    CHECK(share("warm") > 0.95);
+    CHECK(share("cold") < 0.02);
+    CHECK(share("1 to 5 Hz") > share("below 1 Hz"));
+    CHECK(share("1 to 5 Hz") > share("above 5 Hz"));
+    CHECK(share("below 1 Hz") + share("1 to 5 Hz") + share("above 5 Hz") == Approx(1));
+    CHECK(share("light load") + share("heavy load") < 1.01);
+    r.temperature.clear();
+    for (const auto& s : locate_regimes({prepare(r, test::nominal_joint(), notes)})) CHECK(s.name != "warm");
+}
 
 TEST_CASE(
     "the catalogue holds its pinned names, each with bounds that hold its seeds and an edit that changes the joint",

@@ -43,13 +43,13 @@ constexpr Column table[] = {
     coded<&PointResult::reason>(
         "reason", "why a value is missing",
         "none no_velocity law_needs_motion no_steady_state not_finite linear_only not_converged "
-        "solver_failed unsupported"),
+        "solver_failed unsupported neutral diverges"),
     coded<&PointResult::outcome>(
         "outcome", "what the nonlinear joint does after the stated disturbance",
         "not_asked stable-sliding stick-slip limit-cycle reversal period-n irregular undecided "
         "linear-only solver-failure",
         true),
-    coded<&PointResult::path>("path", "method that decided the outcome", "none lanes cvode shooting", true),
+    coded<&PointResult::path>("path", "method that decided the outcome", "none lanes cvode shooting method-of-steps", true),
     numbered("growth_rate", "growth rate of the small disturbance", Quantity::rate, &PointResult::growth_rate, true),
     numbered("amplitude", "limit-cycle amplitude in position, half peak to peak", Quantity::position,
              &PointResult::amplitude, true),

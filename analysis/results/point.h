@@ -20,7 +20,9 @@ enum class Reason : std::uint8_t {
     linear_only,       ///< the law is linear by definition: no nonlinear outcome exists
     not_converged,     ///< slow dynamics: the limit of work was reached before the outcome showed itself
     solver_failed,     ///< reference and fallback solver both gave up
-    unsupported        ///< this combination of law and joint has no evaluation
+    unsupported,       ///< this combination of law and joint has no evaluation
+    neutral,           ///< nothing damps the joint: small disturbances neither grow nor decay, and none decides
+    diverges           ///< the motion runs away from steady sliding: no spring or damper holds it back
 };
 
 /// What the nonlinear joint does after the stated disturbance.
@@ -37,8 +39,8 @@ enum class Outcome : std::uint8_t {
     solver_failure
 };
 
-/// Which method decided the outcome.
-enum class DecisionPath : std::uint8_t { none, lanes, cvode, shooting };
+/// Which method decided the outcome; `steps` is the method of steps, for friction that answers late.
+enum class DecisionPath : std::uint8_t { none, lanes, cvode, shooting, steps };
 
 inline constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 

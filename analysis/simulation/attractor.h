@@ -27,11 +27,20 @@ struct Attractor {
     double first_peak = missing;   ///< largest position excess of the first turn
     FlowVector start;              ///< of the cycle, on the section
     Eigen::VectorXcd multipliers;  ///< where shooting found the cycle
+
+    void take(const Turn& turn);    ///< the cycle that this turn is
+    void take(const Cycle& cycle);  ///< and that shooting found
+    bool oscillates() const;
+    Outcome outcome() const;
 };
 
 /// Follows the motion from y to its end. Slow points are decided, not waited for: when turns resemble one another the
 /// cycle is computed by shooting, and when the amplitude creeps it is scaled and the sign of its growth looked at
 /// again. `steady_attracts` says that the linear theory lets small disturbances decay.
 Attractor follow(const Flow& flow, const FlowVector& y, bool steady_attracts, const FollowOptions& options);
+
+/// The same with friction that answers late. The past has no dimension that shooting could work in: cycles are watched
+/// until they close.
+Attractor follow(const LateFlow& flow, const FlowVector& y, bool steady_attracts, const FollowOptions& options);
 
 }  // namespace stickslip

@@ -68,9 +68,22 @@ States ChainFlow::states_of(const FlowVector& y, int i) const
     return theta;
 }
 
-FrictionResponse ChainFlow::response(const FlowVector& y, int i) const
+double ChainFlow::static_force(int i) const
 {
     const auto& b = body[i];
+    const double at_rest = stickslip::static_force(b.friction);
+    // a curve with a jump at V = 0 is set-valued there if it answers late, whatever the law it is taken from
+    return b.late ? std::max(at_rest, steady_force(b.friction, rest_speed * b.ratio * b.speed)) : at_rest;
+}
+
+FrictionResponse ChainFlow::response(const FlowVector& y, int i, const LateFriction& late) const
+{
+    const auto& b = body[i];
+    if (b.late) {
+        FrictionResponse given;
+        given.force = late[i];
+        return given;
+    }
     const double V = b.ratio * velocity(y, i);
     const auto theta = states_of(y, i);
     if (b.logarithmic) return respond_logarithmic(b.friction, y[bodies + i], b.ratio * b.speed, theta);
@@ -86,12 +99,12 @@ double ChainFlow::needed(const FlowVector& y, int i) const
     return sum;
 }
 
-void ChainFlow::rate(const FlowVector& y, FlowVector& out) const
+void ChainFlow::rate(const FlowVector& y, const LateFriction& late, FlowVector& out) const
 {
     out.setZero(size());
     for (int i = 0; i < bodies; ++i) {
         const auto& b = body[i];
-        const auto r = response(y, i);
+        const auto r = response(y, i, late);
         for (int j = 0; j < b.states; ++j) out[b.first_state + j] = r.rate[j];
         if (b.mode == Mode::stuck) {
             out[i] = -b.speed;
@@ -108,7 +121,7 @@ void ChainFlow::jacobian(const FlowVector& y, FlowMatrix& J) const
     J.setZero(size(), size());
     for (int i = 0; i < bodies; ++i) {
         const auto& b = body[i];
-        const auto r = response(y, i);
+        const auto r = response(y, i, {});
         const double v = velocity(y, i), own = b.ratio * (b.logarithmic ? v : 1);  // dV_i / ds_i
         for (int j = 0; j < b.states; ++j) {
             J(b.first_state + j, bodies + i) = r.rate_by_velocity[j] * own;
@@ -148,41 +161,51 @@ std::unique_ptr<Flow> ChainFlow::with_gain(double k_p) const
     return copy;
 }
 
-void ChainFlow::switch_values(const FlowVector& y, double* values) const
+double ChainFlow::wind_up_time() const
+{
+    double held = 0, compliance = 1 / std::abs(loop.k_p);
+    for (int i = 0; i < bodies; ++i) held += body[i].ratio * static_force(i);
+    for (int i = 1; i < bodies; ++i) compliance += 1 / std::abs(loop.stiffness_at(i - 1, i));
+    return 2 * held * compliance / V0;
+}
+
+void ChainFlow::switch_values(const FlowVector& y, const LateFriction& late, double* values) const
 {
     for (int i = 0; i < bodies; ++i) {
         const auto& b = body[i];
         if (!b.rests)
             values[i] = 1;
         else if (b.mode == Mode::stuck)
-            values[i] = 1 - std::abs(needed(y, i)) / limit(i);
+            values[i] = 1 - std::abs(needed(y, i)) / limit(i, late);
         else
             values[i] = velocity(y, i) / b.speed;
     }
 }
 
-void ChainFlow::settle(int i, FlowVector& y)
+void ChainFlow::settle(int i, FlowVector& y, const LateFriction& late)
 {
     set_velocity(y, i, 0);
     const double force_needed = needed(y, i);
-    body[i].mode = std::abs(force_needed) <= limit(i) ? Mode::stuck : force_needed > 0 ? Mode::forward : Mode::reverse;
+    body[i].mode = std::abs(force_needed) <= limit(i, late) ? Mode::stuck
+                   : force_needed > 0                       ? Mode::forward
+                                                            : Mode::reverse;
 }
 
-void ChainFlow::enter(FlowVector& y)
+void ChainFlow::enter(FlowVector& y, const LateFriction& late)
 {
     for (int i = 0; i < bodies; ++i) {
         const double v = velocity(y, i);
         body[i].mode = v >= 0 ? Mode::forward : Mode::reverse;
-        if (body[i].rests && v == 0) settle(i, y);
+        if (body[i].rests && v == 0) settle(i, y, late);
     }
 }
 
-void ChainFlow::pass(int i, FlowVector& y)
+void ChainFlow::pass(int i, FlowVector& y, const LateFriction& late)
 {
     if (body[i].mode == Mode::stuck)
         body[i].mode = needed(y, i) > 0 ? Mode::forward : Mode::reverse;
     else
-        settle(i, y);
+        settle(i, y, late);
 }
 
 bool ChainFlow::anything_rests() const
@@ -195,9 +218,9 @@ bool ChainFlow::can_rest() const
     return std::any_of(body.begin(), body.begin() + bodies, [](const BodyFlow& b) { return b.rests; });
 }
 
-double ChainFlow::link_friction(const FlowVector& y) const
+double ChainFlow::link_friction(const FlowVector& y, const LateFriction& late) const
 {
-    return link_stuck() ? needed(y, link()) : response(y, link()).force;
+    return link_stuck() ? needed(y, link()) : response(y, link(), late).force;
 }
 
 FlowVector ChainFlow::slow_start(double share) const
@@ -211,8 +234,7 @@ FlowVector ChainFlow::slow_start(double share) const
         set_velocity(y, i, v);
         const auto theta = steady_state(b.friction, b.ratio * v);
         std::copy_n(theta.begin(), b.states, y.data() + b.first_state);
-        const double f =
-            v == 0 ? almost_released * static_force(b.friction) : respond(b.friction, b.ratio * v, theta).force;
+        const double f = v == 0 ? almost_released * static_force(i) : respond(b.friction, b.ratio * v, theta).force;
         carried[i] = b.ratio * (b.steady_friction - f);
         for (int k = 0; k < bodies; ++k) K(i, k) = stiffness(i, k);
     }
@@ -222,7 +244,7 @@ FlowVector ChainFlow::slow_start(double share) const
     return y;
 }
 
-ChainOrReason chain_flow(const Joint& joint)
+ChainOrReason chain_flow(const Joint& joint, bool with_late_friction)
 {
     ChainOrReason result;
     auto& flow = result.flow;
@@ -238,7 +260,10 @@ ChainOrReason chain_flow(const Joint& joint)
         b.friction = *chain.body[i].friction;
         const auto about = info(b.friction.law);
         if (about.linear_only) result.reason = Reason::linear_only;
-        if (about.needs_history || has_unsteady_terms(b.friction, joint.load)) result.reason = Reason::unsupported;
+        b.late = std::holds_alternative<TimeLag>(b.friction.law);
+        // memory on top of friction that answers late has states that nothing here follows
+        if (b.late && (!with_late_friction || states(b.friction) > 0)) result.reason = Reason::unsupported;
+        if (has_unsteady_terms(b.friction, joint.load)) result.reason = Reason::unsupported;
         if (sliding.velocity < 0) b.friction.asymmetry.coulomb *= -1, b.friction.asymmetry.viscous *= -1;
         b.inertia = chain.body[i].inertia;
         b.ratio = chain.body[i].ratio;

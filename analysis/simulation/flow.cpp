@@ -8,10 +8,6 @@
 namespace stickslip {
 namespace {
 
-/// A thousandth of a millionth of V_0: where a branch of a set-valued law is evaluated when a stage of the solver
-/// oversteps V = 0.
-constexpr double rest_speed = 1e-12;
-
 constexpr double least_change = 1e-6;  ///< of a state by a relative change of V of order one, per its level
 
 }  // namespace

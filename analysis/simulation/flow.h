@@ -42,6 +42,9 @@ class Flow {
     /// The same joint at another position gain.
     virtual std::unique_ptr<Flow> with_gain(double k_p) const = 0;
     virtual double gain() const = 0;
+    /// The longest time that bodies stick [s]: V_0 winds the springs up from what pushes them back to what drives them
+    /// on. Such a phase has a closed form, however long it is.
+    virtual double wind_up_time() const { return 0; }
     virtual std::unique_ptr<Flow> copy() const = 0;
 };
 
@@ -57,6 +60,10 @@ enum class Branch { forward, reverse };
 
 /// Whether V = 0 is a set of forces: memory with a direct effect, or bristles, make it a function.
 bool can_rest(const Friction& friction);
+
+/// Share of V_0 at which a branch of a set-valued law is evaluated at rest, and beyond where a solver's stage
+/// oversteps.
+inline constexpr double rest_speed = 1e-12;
 
 /// The response of one branch, continued smoothly through V = 0, where the event that ends the branch lies. V0 > 0 sets
 /// the scale.
@@ -104,6 +111,7 @@ class SlidingFlow final : public Flow {
     void surround(double d, double normal_load) override { force = d, friction.normal_load = normal_load; }
     std::unique_ptr<Flow> with_gain(double gain) const override;
     double gain() const override { return k_p; }
+    double wind_up_time() const override { return 2 * static_force() / (std::abs(k_p) * V0); }
     std::unique_ptr<Flow> copy() const override { return std::make_unique<SlidingFlow>(*this); }
 
     /// What the friction must carry for the mass to keep its speed V = 0: f_ss + d + k_v V_0 − k_p x.

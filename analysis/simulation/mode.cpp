@@ -79,6 +79,22 @@ SlowMode slow_mode(const Flow& flow)
     return mode;
 }
 
+LinearRates linear_rates(const Flow& flow)
+{
+    FlowMatrix J;
+    flow.jacobian(flow.steady(), J);
+    const Eigen::VectorXcd modes = J.eigenvalues();
+    const double largest = modes.cwiseAbs().maxCoeff();
+    LinearRates rates;
+    rates.fastest = largest;
+    for (const auto& s : modes)
+        if (std::abs(s) > neutral_mode * largest) {
+            rates.slowest = std::min(rates.slowest, std::abs(s));
+            rates.abscissa = std::max(rates.abscissa, s.real());
+        }
+    return rates;
+}
+
 double default_size(const SlidingFlow& flow, const SlowMode& mode, DisturbanceKind kind)
 {
     return small_size(flow.V0, flow.k_p, flow.inertia, mode, kind);
@@ -89,20 +105,18 @@ double default_size(const ChainFlow& flow, const SlowMode& mode, DisturbanceKind
     return small_size(flow.V0, flow.loop.k_p, flow.body[flow.link()].inertia, mode, kind);
 }
 
-FlowVector pushed(const SlidingFlow& flow, FlowVector y, double impulse)
+void push(const SlidingFlow& flow, FlowVector& y, double impulse)
 {
     const double gain = impulse / flow.inertia;
     y[1] += flow.logarithmic ? std::log1p(gain / flow.velocity(y)) : gain;
-    return y;
 }
 
-FlowVector pushed(const ChainFlow& flow, FlowVector y, double impulse)
+void push(const ChainFlow& flow, FlowVector& y, double impulse)
 {
     const int link = flow.link();
     const auto& b = flow.body[link];
     const double gain = impulse / b.inertia;
     y[flow.bodies + link] += b.logarithmic ? std::log1p(gain / flow.velocity(y, link)) : gain;
-    return y;
 }
 
 FlowVector disturbed(const SlidingFlow& flow, const SlowMode&, DisturbanceKind kind, double size)
@@ -123,7 +137,8 @@ FlowVector disturbed(const SlidingFlow& flow, const SlowMode&, DisturbanceKind k
             balance(flow.V0 + size, flow.steady_friction - flow.k_v * size);
             break;
         case DisturbanceKind::impulse:
-            return pushed(flow, y, size);
+            push(flow, y, size);
+            break;
         case DisturbanceKind::offset:
             y[0] = size;
             break;
@@ -160,7 +175,8 @@ FlowVector disturbed(const ChainFlow& flow, const SlowMode& mode, DisturbanceKin
             along_mode(n + link, size * per_speed);
             break;
         case DisturbanceKind::impulse:
-            return pushed(flow, y, size);
+            push(flow, y, size);
+            break;
         case DisturbanceKind::offset:
             y.head(n).array() += size;
             break;

@@ -36,6 +36,12 @@ struct SlowMode {
 };
 SlowMode slow_mode(const Flow& flow);
 
+/// The smallest |s| of a mode, the largest, and the largest Re s; states that do not evolve are no modes.
+struct LinearRates {
+    double slowest = infinity, fastest = 0, abscissa = -infinity;
+};
+LinearRates linear_rates(const Flow& flow);
+
 /// The size that is meant where none is given.
 double default_size(const SlidingFlow& flow, const SlowMode& mode, DisturbanceKind kind);
 double default_size(const ChainFlow& flow, const SlowMode& mode, DisturbanceKind kind);
@@ -45,8 +51,8 @@ double default_size(const ChainFlow& flow, const SlowMode& mode, DisturbanceKind
 FlowVector disturbed(const SlidingFlow& flow, const SlowMode& mode, DisturbanceKind kind, double size);
 FlowVector disturbed(const ChainFlow& flow, const SlowMode& mode, DisturbanceKind kind, double size);
 
-/// The state right after an impulse [N·s] on the link; not finite where a law that needs motion is pushed to rest.
-FlowVector pushed(const SlidingFlow& flow, FlowVector y, double impulse);
-FlowVector pushed(const ChainFlow& flow, FlowVector y, double impulse);
+/// An impulse [N·s] on the link; y is not finite where a law that needs motion is pushed to rest.
+void push(const SlidingFlow& flow, FlowVector& y, double impulse);
+void push(const ChainFlow& flow, FlowVector& y, double impulse);
 
 }  // namespace stickslip

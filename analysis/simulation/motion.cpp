@@ -2,6 +2,7 @@
 
 #include "analysis/simulation/break_away.h"
 #include "analysis/simulation/hermite.h"
+#include "analysis/simulation/late_flow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,8 +38,11 @@ constexpr int most_rests = 10'000;
 
 }  // namespace
 SlidingMotion::SlidingMotion(const Flow& flow, Solver solver, double rtol)
-    : flow_(flow.copy()), stepper_(stepper(solver, rtol)), solver_(solver), rtol_(rtol)
+    : flow_(flow.copy()), solver_(solver), rtol_(rtol)
 {
+    late_ = dynamic_cast<LateFlow*>(flow_.get());
+    if (late_) solver_ = Solver::rodas5p;
+    stepper_ = stepper(solver_, rtol_);
     auto* sliding = dynamic_cast<SlidingFlow*>(flow_.get());
     if (sliding && sliding->can_rest()) mutable_flow_ = sliding;
     switching_ = dynamic_cast<SwitchingFlow*>(flow_.get());
@@ -67,11 +71,12 @@ void SlidingMotion::start(const FlowVector& y, double t)
     rest_time_ = 0;
     release_position_ = missing;
     sticks_ = 0;
-    stuck_ = false;
+    stuck_ = became_slow_ = false;
     bounces_ = 0;
     release_excess_ = SlidingFlow::least_excess;
     stepper_ = stepper(solver_, rtol_);
     idle_switches_ = 0;
+    if (late_) late_->begin(y_);
     if (switching_) switching_->enter(y_);
     if (mutable_flow_ && y_[1] == 0) {
         arrive_at_rest();
@@ -90,6 +95,7 @@ void SlidingMotion::surround(double force, double normal_load)
         arrive_at_rest();
     } else {
         if (switching_) switching_->enter(y_);
+        if (late_) late_->note_kink(y_);
         restart();
     }
     tell();
@@ -177,7 +183,7 @@ bool SlidingMotion::fall_back()
     return true;
 }
 
-void SlidingMotion::measure_step(double from, const FlowVector& before, Turn& turn)
+void SlidingMotion::measure_step(double from, const FlowVector& before, const StepReport& report, Turn& turn)
 {
     const double V0 = flow_->commanded_velocity();
     double V = flow_->velocity(y_);
@@ -198,7 +204,12 @@ void SlidingMotion::measure_step(double from, const FlowVector& before, Turn& tu
         turn.velocity_min = std::min(turn.velocity_min, peak);
         turn.velocity_max = std::max(turn.velocity_max, peak);
     }
-    if (std::max(V, flow_->velocity(before)) <= near_rest * V0 * (1 + slow_event)) rest_time_ += h;
+    // an event knows that the speed passed near_rest even where the root in time leaves a steep speed far from it
+    const auto is_slow = [V0](double speed) { return speed <= near_rest * V0 * (1 + slow_event); };
+    const bool slow_event_here = report.end == StepEnd::event && report.event == slow;
+    const bool begins_slow = became_slow_ || is_slow(flow_->velocity(before));
+    if (begins_slow && (is_slow(V) || (slow_event_here && report.direction > 0))) rest_time_ += h;
+    became_slow_ = slow_event_here && report.direction < 0;
     if (V < -reversal * V0) turn.reversed = true;
     if (std::abs(V) > near_rest * V0) bounces_ = 0, release_excess_ = SlidingFlow::least_excess;
 }
@@ -248,17 +259,20 @@ Turn SlidingMotion::run(double t_end, const std::function<bool(const FlowVector&
         }
         const double from = stepper_->time();
         const FlowVector before = y_;
-        const auto report = stepper_->step(t_end - clock_);
+        const double limit = late_ ? std::min(t_end, t_ + late_->step_limit(y_) - late_->clock(y_)) : t_end;
+        const auto report = stepper_->step(limit - clock_);
         if (report.end == StepEnd::failure) {
             if (step_failed()) return finish(Turn::End::failure);
             continue;
         }
-        t_ = report.end == StepEnd::time ? t_end : clock_ + stepper_->time();
+        t_ = report.end == StepEnd::time ? limit : clock_ + stepper_->time();
         y_ = stepper_->state();
+        if (late_)
+            late_->remember(before, y_, [&](double f) { return stepper_->at(from + f * (stepper_->time() - from)); });
         if (stepper_->time() > from) idle_switches_ = 0;
         const bool at_rest = mutable_flow_ && report.end == StepEnd::event && report.event == rest;
         if (at_rest) y_[1] = 0;
-        measure_step(from, before, turn);
+        measure_step(from, before, report, turn);
         const bool switched = switching_ && report.end == StepEnd::event && report.event >= rest;
         if (at_rest)
             arrive_at_rest();
@@ -269,7 +283,7 @@ Turn SlidingMotion::run(double t_end, const std::function<bool(const FlowVector&
         tell();
         if (report.end == StepEnd::event && report.event == section && report.direction < 0)
             return finish(Turn::End::crossing);
-        if (report.end == StepEnd::time) return finish(Turn::End::time);
+        if (report.end == StepEnd::time && t_ >= t_end) return finish(Turn::End::time);
         if (settled && !stuck_ && settled(y_)) return finish(Turn::End::settled);
     }
 }

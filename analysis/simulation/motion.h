@@ -7,6 +7,8 @@
 
 namespace stickslip {
 
+class LateFlow;
+
 /// One revolution, from one downward crossing of V = V_0 to the next.
 struct Turn {
     enum class End { crossing, settled, time, failure, held };  ///< held: sticks for ever
@@ -33,7 +35,8 @@ struct Instant {
 
 /// Follows one flow. Laws that are set-valued at rest stick there while the force needed to hold the mass stays within
 /// the static friction; sticking has a closed form (the spring winds up at V_0) and ends with forward or reverse
-/// sliding.
+/// sliding. Friction that answers late is followed by the one-step method whichever is asked for: it ends its steps at
+/// kinks.
 class SlidingMotion {
   public:
     SlidingMotion(const Flow& flow, Solver solver, double rtol);
@@ -54,6 +57,7 @@ class SlidingMotion {
 
     double time() const { return t_; }
     const FlowVector& state() const { return y_; }
+    const Flow& flow() const { return *flow_; }  ///< with the branches that hold, and the past of a late one
     bool used_fallback() const { return used_fallback_; }
     void observe(std::function<void(const Instant&)> observer) { observer_ = std::move(observer); }
 
@@ -67,12 +71,13 @@ class SlidingMotion {
     bool pass_switch(int which);
     bool stick(double t_end);
     Turn run(double t_end, const std::function<bool(const FlowVector&)>& settled);
-    void measure_step(double from, const FlowVector& before, Turn& turn);
+    void measure_step(double from, const FlowVector& before, const StepReport& report, Turn& turn);
     void tell();
 
     std::unique_ptr<Flow> flow_;
     SlidingFlow* mutable_flow_ = nullptr;  ///< flow_, where branches are switched
     SwitchingFlow* switching_ = nullptr;   ///< flow_, where several bodies may rest
+    LateFlow* late_ = nullptr;             ///< flow_, where friction answers late
     Events events_;
     std::unique_ptr<Stepper> stepper_;
     Solver solver_;
@@ -80,6 +85,7 @@ class SlidingMotion {
     double t_ = 0, clock_ = 0;  ///< now, and the instant that the solver counts from
     FlowVector y_;
     bool stuck_ = false, used_fallback_ = false;
+    bool became_slow_ = false;  ///< the last step ended where V fell below near_rest
     double rest_time_ = 0, release_position_ = missing;
     int sticks_ = 0, rests_ = 0, restarts_ = 0;
     int bounces_ = 0;  ///< rests since the mass last moved faster than near_rest

@@ -2,9 +2,9 @@
 
 #include "analysis/simulation/attractor.h"
 #include "analysis/simulation/bifurcation.h"
-#include "analysis/simulation/delay.h"
 #include "analysis/simulation/growth.h"
-#include "analysis/simulation/large_disturbance.h"
+#include "analysis/simulation/large_starts.h"
+#include "analysis/simulation/late_flow.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/spectrum.h"
 #include "analysis/stability/steady.h"
@@ -17,9 +17,7 @@ namespace stickslip {
 namespace {
 
 constexpr std::string_view unmeasured = "the growth is too small beside its frequency to be told from rounding";
-constexpr std::string_view undamped = "neutral: small disturbances neither grow nor decay, as nothing damps them";
-constexpr std::string_view runs_away =
-    "diverges: the motion runs away from steady sliding, which no spring or damper holds back";
+constexpr std::string_view not_followed = "no motion was followed";
 constexpr std::string_view no_branch = "the branch of limit cycles could not be followed to its end";
 constexpr std::string_view no_smooth_branch = "folds are followed for cycles of one body with memory that never rests";
 
@@ -30,37 +28,7 @@ constexpr double degenerate_lyapunov = 1e-6;
 /// its mode so little that the lifted one would drown in the solver's tolerance.
 constexpr double lifted = 0.1, hidden = 1e-3 * small_disturbance;
 
-constexpr double neutral_abscissa = 1e-12;  ///< per |s|
 constexpr double another_gain = 1.5;
-
-Outcome outcome_of(const Attractor& a)
-{
-    using Kind = Attractor::Kind;
-    switch (a.kind) {
-        case Kind::steady:
-            return Outcome::stable_sliding;
-        case Kind::period_n:
-            return Outcome::period_n;
-        case Kind::irregular:
-            return Outcome::irregular;
-        case Kind::undecided:
-            return Outcome::undecided;
-        case Kind::failure:
-            return a.diverged ? Outcome::undecided : Outcome::solver_failure;
-        case Kind::held:
-            return Outcome::stick_slip;
-        case Kind::cycle:
-            break;
-    }
-    if (a.reversed) return Outcome::reversal;
-    return a.rest_time > 0 ? Outcome::stick_slip : Outcome::limit_cycle;
-}
-
-bool oscillates(const Attractor& a)
-{
-    using Kind = Attractor::Kind;
-    return a.kind == Kind::cycle || a.kind == Kind::period_n || a.kind == Kind::irregular || a.kind == Kind::held;
-}
 
 void describe_cycle(const Attractor& a, NonlinearVerdict& verdict)
 {
@@ -106,37 +74,44 @@ bool held_by_spring(const ChainFlow& flow)
 {
     return flow.gain() >= 0;  // beside a spring to the surroundings the loop may have none
 }
-
-/// Large disturbances: the start from near rest and, where friction with memory lets the mass rest or turn back without
-/// losing that memory, pulls of the spring from either side, whose motions approach the cycle from other states.
-template <class AnyFlow>
-std::vector<FlowVector> large_starts(const AnyFlow& flow, const SlowMode& mode)
+bool held_by_spring(const LateFlow& flow)
 {
-    std::vector<FlowVector> starts{disturbed(flow, mode, DisturbanceKind::start, near_rest_start)};
-    const bool forgets = flow.logarithmic_speed() || flow.can_rest() || mode.s.imag() == 0;
-    if (forgets) return starts;
-    const double reach = flow.commanded_velocity() / std::abs(mode.s);
-    for (const double pull : {1.25, -1.25, 3.0})
-        starts.push_back(disturbed(flow, mode, DisturbanceKind::offset, pull * reach));
-    return starts;
+    return held_by_spring(flow.chain());
 }
 
 std::string_view why_unsupported(const Joint& joint)
 {
-    const auto& several = joint.frictions;
-    for (const auto* friction : {&joint.friction, &several.motor, &several.transmission, &several.link})
-        if (info(friction->law).needs_history)
-            return "friction that answers late is followed on one body, and there without states of its own";
+    if (answers_late(joint)) return "friction that answers late is followed without memory on top of it";
     const auto& m = joint.mechanism;
     if (m.transmission.backlash + m.motor_transmission.backlash + m.transmission_link.backlash > 0)
         return "play in a transmission has no steady sliding to disturb";
     return "a force or friction that changes with position or time leaves no steady sliding to disturb";
 }
 
-/// The verdict on equations of motion that exist, with the largest real part of the linear spectrum.
+/// The linear theory's side of the axis, and whether it is neutral whatever the gain: at a critical gain memory still
+/// decides, but what nothing damps is left to itself.
+struct LinearSide {
+    double abscissa = missing;
+    bool undamped = false;
+};
+LinearSide linear_side(const Joint& joint)
+{
+    LinearJoint linear = linear_joint(joint, steady_sliding(joint).velocity);
+    LinearSide side{spectral_abscissa(linear)};
+    linear.k_p *= another_gain;
+    side.undamped = side.abscissa == 0 && spectral_abscissa(linear) == 0;
+    return side;
+}
+
+void leave_open(Reason reason, NonlinearVerdict& verdict)
+{
+    verdict.outcome = Outcome::undecided;
+    verdict.reason = reason;
+}
+
+/// The verdict on equations of motion that exist.
 template <class AnyFlow>
-void judge(const Joint& joint, const AnyFlow& flow, double abscissa, const NonlinearOptions& options,
-           NonlinearVerdict& verdict)
+void judge(const Joint& joint, const AnyFlow& flow, const NonlinearOptions& options, NonlinearVerdict& verdict)
 {
     FollowOptions follow_options;
     follow_options.solver = options.fallback_only ? Solver::rodas5p : Solver::cvode;
@@ -145,17 +120,13 @@ void judge(const Joint& joint, const AnyFlow& flow, double abscissa, const Nonli
     follow_options.accelerate = options.accelerate;
 
     const auto mode = slow_mode(flow);
+    const auto growth_of_mode = [&] { return measure_growth(flow, mode, mode.right.real()); };
     if (!held_by_spring(flow)) {
-        verdict.outcome = Outcome::undecided;
-        verdict.reason = Reason::unsupported;
-        verdict.explanation = runs_away;
-        return;
+        if (mode.shows_itself()) verdict.growth_rate = growth_of_mode();
+        return leave_open(Reason::diverges, verdict);
     }
-    if (!mode.shows_itself()) {
-        verdict.outcome = Outcome::undecided;
-        verdict.reason = std::isfinite(mode.fastest) ? Reason::not_converged : Reason::not_finite;
-        return;
-    }
+    if (!mode.shows_itself())
+        return leave_open(std::isfinite(mode.fastest) ? Reason::not_converged : Reason::not_finite, verdict);
     const double deflection = steady_sliding(joint).deflection;
     const auto kind = options.disturbance.kind;
     const bool stated_small = !is_set(options.disturbance.size);
@@ -163,34 +134,16 @@ void judge(const Joint& joint, const AnyFlow& flow, double abscissa, const Nonli
 
     const FlowVector y0 = disturbed(flow, mode, kind, verdict.disturbance.size);
     const bool no_states = kind == DisturbanceKind::state && (y0 - mode.steady).isZero(0);
-    if (no_states || !y0.allFinite()) {
-        verdict.outcome = Outcome::undecided;
-        verdict.reason = no_states ? Reason::unsupported : Reason::law_needs_motion;
-        return;
-    }
+    if (no_states || !y0.allFinite())
+        return leave_open(no_states ? Reason::unsupported : Reason::law_needs_motion, verdict);
     const FlowVector small = disturbed(flow, mode, kind, default_size(flow, mode, kind));
     verdict.growth_rate = measure_growth(flow, mode, small - mode.steady);
     // a disturbance that hardly excites the mode drowns where the mode itself, whose rate it is, still shows
-    if (std::isnan(verdict.growth_rate)) verdict.growth_rate = measure_growth(flow, mode, mode.right.real());
-    if (std::isnan(verdict.growth_rate)) verdict.growth_missing = unmeasured;
-    bool undamped_spring = false;
-    // at a critical gain memory still decides, but what is neutral at other gains, too, is left to itself
-    const auto is_neutral = [](double rate, const SlowMode& of) {
-        return std::abs(rate) <= neutral_abscissa * std::abs(of.s);
-    };
-    if (is_neutral(abscissa, mode)) {
-        const auto other = slow_mode(*flow.with_gain(another_gain * flow.gain()));
-        undamped_spring = is_neutral(other.s.real(), other);
-    }
-    if (undamped_spring) {
-        verdict.outcome = Outcome::undecided;
-        verdict.reason = Reason::not_converged;
-        verdict.explanation = undamped;
-        return;
-    }
+    if (std::isnan(verdict.growth_rate)) verdict.growth_rate = growth_of_mode();
+    const auto linear = linear_side(joint);
+    if (linear.undamped) return leave_open(Reason::neutral, verdict);
     const bool measurable = std::abs(verdict.growth_rate) > measurable_growth * std::abs(mode.s);
-    // a neutral mode, as of an undamped spring, does not grow
-    const bool decays = measurable ? verdict.growth_rate < 0 : abscissa <= neutral_abscissa * std::abs(mode.s);
+    const bool decays = measurable ? verdict.growth_rate < 0 : linear.abscissa <= 0;
 
     // the stated disturbance
     Attractor stated;
@@ -206,38 +159,39 @@ void judge(const Joint& joint, const AnyFlow& flow, double abscissa, const Nonli
         const double lift = stated_small ? lifted / (size < hidden ? size : small_disturbance) : 1;
         stated = follow(flow, mode.steady + lift * (y0 - mode.steady), decays, follow_options);
     }
-    verdict.outcome = outcome_of(stated);
+    verdict.outcome = stated.outcome();
     verdict.reason = stated.reason;
-    if (stated.diverged) verdict.explanation = runs_away;
     verdict.path = stated.path;
     verdict.used_fallback |= stated.used_fallback;
     // fmax ignores what is missing
     if (!stated.diverged)
         verdict.overshoot = std::fmax(0, std::fmax(stated.first_peak, stated.position_max)) / std::abs(deflection);
-    if (oscillates(stated)) describe_cycle(stated, verdict);
+    if (stated.oscillates()) describe_cycle(stated, verdict);
     FlowVector cycle_start = stated.start;
 
     if (!decays) {
         verdict.region = NonlinearRegion::stick_slip;
-    } else if (oscillates(stated)) {
+    } else if (stated.oscillates()) {
         verdict.region = NonlinearRegion::bistable;
     } else if (options.region) {
         Attractor large;
-        for (const auto& start : large_starts(flow, mode)) {
+        const auto starts = large_starts(flow, mode);
+        verdict.searched_from = starts.words;
+        for (const auto& start : starts.y) {
+            if (!start.allFinite()) continue;
             large = follow(flow, start, decays, follow_options);
             verdict.used_fallback |= large.used_fallback;
             if (large.kind != Attractor::Kind::steady) break;
         }
         if (large.kind == Attractor::Kind::steady) verdict.region = NonlinearRegion::stable;
-        if (oscillates(large)) {
+        if (large.oscillates()) {
             verdict.region = NonlinearRegion::bistable;
             describe_cycle(large, verdict);
             cycle_start = large.start;
         }
         if (verdict.region == NonlinearRegion::undecided) verdict.reason = large.reason;
-        if (large.diverged) verdict.explanation = runs_away;
     }
-    if (!options.bifurcation) return;
+    if (!options.bifurcation || answers_late(joint)) return;
     add_bifurcation(joint, flow, cycle_start, verdict);
     const bool followed = joint.mechanism.model == Model::single_mass && verdict.velocity_min > 0;
     if (verdict.region == NonlinearRegion::bistable && std::isnan(verdict.fold_k_p))
@@ -248,21 +202,22 @@ void judge(const Joint& joint, const AnyFlow& flow, double abscissa, const Nonli
 
 NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& options)
 {
-    if (const auto delayed = delayed_joint(joint); delayed && sliding_flow(joint).reason == Reason::unsupported)
-        return delayed_verdict(joint, *delayed, options);
     NonlinearVerdict verdict;
     verdict.disturbance = options.disturbance;
     const auto judged = [&](const auto& found) {
         verdict.reason = found.reason;
         if (found.reason == Reason::none) {
-            const auto linear = linear_joint(joint, steady_sliding(joint).velocity);
-            judge(joint, found.flow, spectral_abscissa(linear), options, verdict);
+            judge(joint, found.flow, options, verdict);
+            if (std::isnan(verdict.growth_rate)) verdict.growth_missing = unmeasured;
         } else {
             verdict.outcome = found.reason == Reason::linear_only ? Outcome::linear_only : Outcome::undecided;
             if (found.reason == Reason::unsupported) verdict.explanation = why_unsupported(joint);
+            verdict.growth_missing = not_followed;
         }
     };
-    if (joint.mechanism.model == Model::single_mass)
+    if (answers_late(joint))
+        judged(late_flow(joint));
+    else if (joint.mechanism.model == Model::single_mass)
         judged(sliding_flow(joint));
     else
         judged(chain_flow(joint));

@@ -46,16 +46,14 @@ struct NonlinearVerdict {
     std::string_view explanation;     ///< the reason in words where more is known than its code says
     std::string_view growth_missing;  ///< why there is no growth rate
     std::string_view fold_missing;    ///< why a fold was asked for and not found
+    std::string_view searched_from;   ///< larger disturbances that were tried where the stated one decays
     bool used_fallback = false;       ///< CVODE gave up on the way and Rodas5P finished
 };
 
 /// Integrates the joint through its disturbance and says where it ends. A joint that has no nonlinear answer gets its
-/// reason (no velocity, linear_only, unsupported, …); exceptions never. Safe to call from many threads.
+/// reason (no velocity, linear_only, unsupported, …); exceptions never. Safe to call from many threads. Of friction
+/// that answers late, stability and folds of the cycles are not computed.
 NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& options);
-
-/// The same for friction that answers late, by the method of steps. Stability and folds of its cycles are not computed.
-struct DelayedJoint;
-NonlinearVerdict delayed_verdict(const Joint& joint, const DelayedJoint& delayed, const NonlinearOptions& options);
 
 /// Writes a verdict into the nonlinear fields of a row whose linear fields stand; a bistable joint changes its region.
 void write_nonlinear(const NonlinearVerdict& verdict, PointResult& point);

@@ -50,6 +50,13 @@ int turns_to_repeat(int count, const std::function<double(int, int)>& gap, doubl
     return 0;
 }
 
+int nearest_return(int count, const std::function<double(int, int)>& gap, double allowed)
+{
+    for (int m = 1; m <= longest_repeat && m < count; ++m)
+        if (gap(count - 1, count - 1 - m) < allowed) return m;
+    return 0;
+}
+
 Turn merged(const std::deque<Turn>& turns, int newest)
 {
     Turn all = turns.back();

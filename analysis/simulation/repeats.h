@@ -14,6 +14,9 @@ inline constexpr int longest_repeat = 32;  ///< turns
 /// several turns must hold for each of them.
 int turns_to_repeat(int count, const std::function<double(int, int)>& gap, double allowed);
 
+/// The least number of turns after which the newest turn comes back within `allowed`, closing in or not; 0 if none.
+int nearest_return(int count, const std::function<double(int, int)>& gap, double allowed);
+
 /// The newest turns as one.
 Turn merged(const std::deque<Turn>& turns, int newest);
 

@@ -1,6 +1,6 @@
 #include "analysis/simulation/simulate.h"
 
-#include "analysis/simulation/delay.h"
+#include "analysis/simulation/late_flow.h"
 #include "analysis/simulation/mode.h"
 #include "analysis/simulation/motion.h"
 #include "analysis/stability/steady.h"
@@ -97,6 +97,15 @@ void keep(const ChainFlow& flow, const Instant& now, Trajectory& path)
     keep(now.t, flow.position(now.y), now.velocity, moving.link_friction(now.y), moving.link_stuck(), path);
 }
 
+void keep(const LateFlow& flow, const Instant& now, Trajectory& path)
+{
+    const auto& chain = flow.chain();
+    const auto& link = chain.body[chain.link()];
+    for (int i = 0; i < link.states; ++i) path.states[i].push_back(now.y[link.first_state + i]);
+    const auto& moving = static_cast<const LateFlow&>(now.flow);
+    keep(now.t, flow.position(now.y), now.velocity, moving.link_friction(now.y), moving.link_stuck(), path);
+}
+
 int link_states(const SlidingFlow& flow)
 {
     return flow.states;
@@ -104,6 +113,10 @@ int link_states(const SlidingFlow& flow)
 int link_states(const ChainFlow& flow)
 {
     return flow.body[flow.link()].states;
+}
+int link_states(const LateFlow& flow)
+{
+    return link_states(flow.chain());
 }
 double link_steady_friction(const SlidingFlow& flow)
 {
@@ -113,6 +126,10 @@ double link_steady_friction(const ChainFlow& flow)
 {
     return flow.body[flow.link()].steady_friction;
 }
+double link_steady_friction(const LateFlow& flow)
+{
+    return link_steady_friction(flow.chain());
+}
 
 const Friction& link_friction_of(const SlidingFlow& flow)
 {
@@ -121,6 +138,10 @@ const Friction& link_friction_of(const SlidingFlow& flow)
 const Friction& link_friction_of(const ChainFlow& flow)
 {
     return flow.body[flow.link()].friction;
+}
+const Friction& link_friction_of(const LateFlow& flow)
+{
+    return link_friction_of(flow.chain());
 }
 
 template <class AnyFlow>
@@ -139,7 +160,7 @@ void follow(AnyFlow& flow, const SimulateOptions& options, Trajectory& path)
         path.reason = Reason::not_finite;
     if (path.reason != Reason::none) return;
     FlowVector start = disturbed(flow, mode, kind, size);
-    if (options.force.impulse != 0) start = pushed(flow, start, options.force.impulse);
+    if (options.force.impulse != 0) push(flow, start, options.force.impulse);
     if (!start.allFinite()) {
         path.reason = Reason::law_needs_motion;
         return;
@@ -160,31 +181,6 @@ void follow(AnyFlow& flow, const SimulateOptions& options, Trajectory& path)
     path.used_fallback = motion.used_fallback();
 }
 
-void follow_delayed(DelayedJoint joint, const SimulateOptions& options, Trajectory& path)
-{
-    path.commanded_velocity = joint.V0;
-    path.steady_friction = joint.steady_friction;
-    const auto kind = options.disturbance.kind;
-    const double size = size_of(options, default_size(joint, kind));
-    auto start = disturbed(joint, kind, size);
-    start.V += options.force.impulse / joint.inertia;
-    const double duration =
-        is_set(options.duration) ? options.duration : default_turns * 2 * std::numbers::pi * natural_time(joint);
-    DelayMotion motion(joint, options.rtol);
-    motion.observe([&](double t, double x, double V, double f, bool stuck) { keep(t, x, V, f, stuck, path); });
-    motion.start(start.x, start.V);
-    for (const auto& piece : pieces(options, joint.normal_load, duration)) {
-        motion.surround(piece.force, piece.normal_load);
-        for (auto end = Turn::End::crossing; end != Turn::End::time;) {
-            const auto turn = motion.turn(piece.end, 0);
-            end = turn.end;
-            if (end != Turn::End::failure && end != Turn::End::held) continue;
-            path.reason = turn.reversed ? Reason::law_needs_motion : Reason::solver_failed;
-            return;
-        }
-    }
-}
-
 }  // namespace
 
 Trajectory simulate(const Joint& asked, const SimulateOptions& options)
@@ -196,16 +192,12 @@ Trajectory simulate(const Joint& asked, const SimulateOptions& options)
         path.reason = found.reason;
         if (found.reason == Reason::none) follow(found.flow, options, path);
     };
-    if (joint.mechanism.model != Model::single_mass) {
+    if (answers_late(joint))
+        attempt(late_flow(joint));
+    else if (joint.mechanism.model != Model::single_mass)
         attempt(chain_flow(joint));
-    } else if (const auto delayed = delayed_joint(joint)) {
-        path.reason = steady_sliding(joint).reason;
-        if (path.reason == Reason::none && options.disturbance.kind == DisturbanceKind::state)
-            path.reason = Reason::unsupported;
-        if (path.reason == Reason::none) follow_delayed(*delayed, options, path);
-    } else {
+    else
         attempt(sliding_flow(joint));
-    }
     return path;
 }
 

@@ -79,6 +79,7 @@ nlohmann::ordered_json nonlinear_json(const NonlinearVerdict& v)
             {"path", code_name("path", static_cast<std::uint8_t>(v.path))},
             {"used_fallback", v.used_fallback},
             {"reason", words(reason_text(v))},
+            {"searched_from", words(std::string(v.searched_from))},
             {"growth_reason", words(std::string(v.growth_missing))},
             {"fold_reason", words(std::string(v.fold_missing))}};
 }

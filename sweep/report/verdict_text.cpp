@@ -130,7 +130,8 @@ Table nonlinear_table(const Joint& joint, const NonlinearVerdict& v)
         table.rows.push_back(v.outcome == Outcome::stable_sliding
                                  ? std::vector<std::string>{"a larger disturbance", "ends in a limit cycle: bistable"}
                                  : std::vector<std::string>{"a small disturbance", "decays: bistable"});
-    if (v.region == NonlinearRegion::stable) table.rows.push_back({"a start from rest", "ends in steady sliding, too"});
+    if (v.region == NonlinearRegion::stable)
+        table.rows.push_back({"larger disturbances", "end in steady sliding, too: " + std::string(v.searched_from)});
     if (v.repeats > 1) table.rows.push_back({"turns after which the motion repeats", std::to_string(v.repeats)});
     const auto add = [&](const char* name, double value, Quantity q) {
         if (is_set(value)) table.rows.push_back({name, with_unit(value, q, motion, 6)});
@@ -172,6 +173,10 @@ std::string reason_text(Reason reason)
             return "both solvers failed";
         case Reason::unsupported:
             return "this combination of friction law, joint and disturbance is not computed";
+        case Reason::neutral:
+            return "neutral: small disturbances neither grow nor decay, as nothing damps them";
+        case Reason::diverges:
+            return "diverges: the motion runs away from steady sliding, which no spring or damper holds back";
     }
     return "unknown";
 }

@@ -136,17 +136,6 @@ TEST_CASE("time lag: a motion that repeats after two turns, against small fixed 
     CHECK(verdict.period == Approx(last.t - two_before.t).epsilon(1e-3));
 }
 
-TEST_CASE("time lag: beyond reversal the law says nothing, and no cycle is invented", "[nonlinear]")
-{
-    // at V = 0 the spring pulls with about m ω V_0 = 1 N, which a static friction of 0.55 N cannot hold
-    Stribeck curve;
-    curve.c0 = 0.05, curve.c1 = 0, curve.c2 = 0.5, curve.c3 = 0.02, curve.c4 = 2;
-    const auto verdict = nonlinear_verdict(lag_joint(1, 1e4, 0, 1e-2, 1e-3, curve), {});
-    CHECK(verdict.outcome == Outcome::reversal);
-    CHECK(verdict.reason == Reason::law_needs_motion);
-    CHECK(std::isnan(verdict.period));
-}
-
 TEST_CASE("a phase of sticking that outlasts ten thousand swings is no reason to give up", "[nonlinear]")
 {
     // the spring winds up at V_0 for 2 c2/(k_p V_0) = 45 s, sixty thousand periods of the mass on its spring

@@ -76,3 +76,22 @@ TEST_CASE("two states without inertia: period doublings at 0.866259 and 0.857039
     for (double share = 0.861; share > 0.8575; share -= 0.0005) two = orbit(share, 2, two.start);
     CHECK(doubling(2, 0.8560, 0.8580, two.start) == Approx(0.857039).margin(1e-6));
 }
+
+TEST_CASE("two states without inertia: beside a doubling the repeat is the attracting orbit's", "[nonlinear]")
+{
+    // where the multipliers of the orbits of 4 and of 8 turns fall through −1
+    const auto four = follow(two_states(0.856), two_states(0.856).steady() + FlowVector::Constant(3, 0.05), false, {});
+    REQUIRE(four.repeats == 4);
+    const double third = doubling(4, 0.8553, 0.8556, four.start);
+    CHECK(third == Approx(0.855394).margin(1e-6));
+    for (const auto& [share, turns] :
+         {std::pair{third + 1e-4, 4}, std::pair{third - 1e-4, 8}, std::pair{0.85515, 8}, std::pair{0.855, 16}}) {
+        const auto flow = two_states(share);
+        const auto end = follow(flow, flow.steady() + FlowVector::Constant(3, 0.05), false, {});
+        CAPTURE(share, end.turns);
+        CHECK(end.kind == Attractor::Kind::period_n);
+        CHECK(end.repeats == turns);
+        CHECK(end.path == DecisionPath::shooting);
+        CHECK(std::abs(end.multipliers[0]) < 1);
+    }
+}

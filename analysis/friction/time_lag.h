@@ -38,7 +38,7 @@ struct TimeLag {
         .name = "time-lag",
         .formula = "f(t) = f_ss(V(t - lag))",
         .source = "Hess & Soom 1990; Dupont 1991, section 2",
-        .validity = "where the curve is valid; velocities that keep their sign",
+        .validity = "where the curve is valid; through reversal the level is late, the direction is not",
         .steady_state_dependence = true,
         .set_valued_at_rest = true,
         .odd = true,

@@ -1,11 +1,15 @@
 #include "analysis/simulation/break_away.h"
 
 #include <cmath>
+#include <limits>
 
 namespace stickslip {
 namespace {
 
-constexpr double first_speed = 1e-6;       ///< of the speed asked for: where the exponent of the drop is read
+/// Where the exponent of the drop is read, per speed asked for: at the first of them where the drop is more than what
+/// rounding makes of two equal forces.
+constexpr double first_speeds[] = {1e-6, 1e-4, 1e-2};
+constexpr double clear_drop = 1e5 * std::numeric_limits<double>::epsilon();  ///< per static force
 constexpr double steepest_regular = 0.95;  ///< exponents from which on a solver manages: the slope is hardly infinite
 constexpr int steps = 64;
 
@@ -19,8 +23,11 @@ std::optional<BreakAway> break_away(const SlidingFlow& flow, const FlowVector& y
     const auto drop = [&](double v) {
         return flow.static_force() - sign * respond(flow.friction, sign * v, theta).force;
     };
-    const double small = first_speed * speed, exponent = std::log(drop(2 * small) / drop(small)) / std::log(2.0);
-    if (!(drop(small) > 0 && exponent > 0 && exponent < steepest_regular)) return std::nullopt;
+    double small = 0;
+    for (const double share : first_speeds)
+        if (small == 0 && drop(share * speed) > clear_drop * flow.static_force()) small = share * speed;
+    const double exponent = std::log(drop(2 * small) / drop(small)) / std::log(2.0);
+    if (!(small > 0 && exponent > 0 && exponent < steepest_regular)) return std::nullopt;
 
     // w = |V|^{1−exponent}: |V| = w^q, d|V|/dw = q w^{q−1}, and the surplus of force is ~ w^{q−1}, too
     const double q = 1 / (1 - exponent), h = std::pow(speed, 1 - exponent) / steps;

@@ -41,11 +41,16 @@ void widen(const Flow& flow, const RodasStep& step, Cycle& path)
         path.position_min = std::min(path.position_min, x);
         path.position_max = std::max(path.position_max, x);
     }
-    const double slow0 = flow.velocity(step.y) - near_rest * flow.commanded_velocity();
-    const double slow1 = flow.velocity(step.y1) - near_rest * flow.commanded_velocity();
-    if (slow0 < 0 && slow1 < 0) path.rest_time += step.h;
-    if (slow0 * slow1 < 0)
-        path.rest_time += step.h * std::min(slow0, slow1) / (std::min(slow0, slow1) - std::max(slow0, slow1));
+    const auto is_slow = [&](const FlowVector& y) { return flow.velocity(y) < near_rest * flow.commanded_velocity(); };
+    const bool slow0 = is_slow(step.y), slow1 = is_slow(step.y1);
+    if (slow0 && slow1) path.rest_time += step.h;
+    if (slow0 == slow1) return;
+    double before = 0, after = 1;  // speed spans decades within a step: only its own course says where it is slow
+    for (int i = 0; i < 50; ++i) {
+        const double middle = 0.5 * (before + after);
+        (is_slow(step.dense(middle)) == slow0 ? before : after) = middle;
+    }
+    path.rest_time += step.h * (slow0 ? before : 1 - before);
 }
 
 }  // namespace

@@ -9,8 +9,12 @@
 namespace stickslip {
 namespace {
 
-/// The disturbance that is followed, in units of the flow's scale: large enough to stand above the rounding of states.
-constexpr double probe_size = 1e-3;
+/// Disturbances that are followed, in units of the flow's scale, large ones first: they stand above the rounding of
+/// states, but not everywhere are they small beside what bends the motion.
+constexpr double probe_sizes[] = {1e-3, 1e-4, 1e-5, 1e-6};
+
+/// Change of the rate with the size of the disturbance, per rate. Its square is what extrapolation to size 0 leaves.
+constexpr double slightly_bent = 1e-3;
 
 constexpr int fewest_steps = 100, most_steps = 3200;  ///< of the window
 
@@ -37,7 +41,10 @@ std::optional<FlowVector> after(const Flow& flow, const FlowVector& start, doubl
 
 /// From differences of motions that start on opposite sides of steady sliding, so that even powers of the disturbance
 /// cancel, at two sizes, so that the third power does.
-double rate_in(int steps, const Flow& flow, const SlowMode& mode, const FlowVector& probe)
+struct Rate {
+    double value, bend;
+};
+Rate rate_in(int steps, const Flow& flow, const SlowMode& mode, const FlowVector& probe)
 {
     const double window = mode.window();
     const auto rate_of = [&](const FlowVector& offset) {
@@ -47,7 +54,8 @@ double rate_in(int steps, const Flow& flow, const SlowMode& mode, const FlowVect
         const FlowVector difference = *up - *down;
         return std::log(mode.size(mode.steady + difference / 2) / mode.size(mode.steady + offset)) / window;
     };
-    return (4 * rate_of(probe / 2) - rate_of(probe)) / 3;
+    const double half = rate_of(probe / 2), whole = rate_of(probe);
+    return {(4 * half - whole) / 3, half - whole};
 }
 
 }  // namespace
@@ -63,13 +71,18 @@ double size_of(const Flow& flow, const SlowMode& mode, const FlowVector& offset)
 
 double measure_growth(const Flow& flow, const SlowMode& mode, const FlowVector& probe)
 {
-    const FlowVector offset = probe * (probe_size / size_of(flow, mode, probe));
-    double coarse = rate_in(fewest_steps, flow, mode, offset), last = missing;
-    for (int steps = 2 * fewest_steps; steps <= most_steps && std::isfinite(coarse); steps *= 2) {
-        const double fine = rate_in(steps, flow, mode, offset);
-        const double best = (order * fine - coarse) / (order - 1);
-        if (std::abs(best - last) < agreement * growth_precision * std::abs(best)) return best;
-        coarse = fine, last = best;
+    for (const double probe_size : probe_sizes) {
+        const FlowVector offset = probe * (probe_size / size_of(flow, mode, probe));
+        const Rate first = rate_in(fewest_steps, flow, mode, offset);
+        if (!(std::abs(first.bend) < slightly_bent * std::abs(first.value))) continue;
+        double coarse = first.value, last = missing;
+        for (int steps = 2 * fewest_steps; steps <= most_steps && std::isfinite(coarse); steps *= 2) {
+            const double fine = rate_in(steps, flow, mode, offset).value;
+            const double best = (order * fine - coarse) / (order - 1);
+            if (std::abs(best - last) < agreement * growth_precision * std::abs(best)) return best;
+            coarse = fine, last = best;
+        }
+        return missing;
     }
     return missing;
 }

@@ -24,8 +24,10 @@ constexpr double excess_growth = 4, largest_excess = 1e-6;
 
 constexpr int most_idle_switches = 100;  ///< of bodies that stop and go without time moving on
 
-/// Speed from which a solver resolves a singular friction, in units of V_0 times its tolerance, and at most of V_0.
+/// Speed from which a solver resolves a singular friction, in units of V_0 times its tolerance, and at most of V_0:
+/// less than near_rest.
 constexpr double resolved = 1e4, largest_launch = 1e-3;
+static_assert(largest_launch < near_rest);
 
 /// Steps shorter than this share of the solver's clock start it anew: a slip after hours of creep lasts microseconds.
 constexpr double resolved_step = 1e-9;
@@ -116,6 +118,7 @@ void SlidingMotion::begin_slide(Branch branch)
     const double V = branch == Branch::forward ? speed : -speed;
     if (const auto launch = break_away(*mutable_flow_, y_, V)) {
         t_ += launch->time;
+        rest_time_ += launch->time;
         y_[0] = launch->x;
         y_[1] = V;
     }

@@ -95,4 +95,11 @@ TEST_CASE("a growth rate is right to 1e-5 or not given", "[nonlinear]")
             CHECK(rate == Approx(linear_verdict(joint).state_variable.spectral_abscissa).epsilon(1e-5));
         }
     CHECK(given >= 18);
+    // k_v V_0 is all but B − A, and friction far outweighs inertia: a thousandth of V_0 is no small disturbance
+    Joint bent = example_joint(0.99635, 18317.5, 0.000112123);
+    bent.mechanism.inertia = 5.70714;
+    auto& law = std::get<RateAndState>(bent.friction.law);
+    law.A = 1.45683, law.B[0] = 3.51071, law.L[0] = 3.67484e-05;
+    const double abscissa = linear_verdict(bent).state_variable.spectral_abscissa;
+    CHECK(nonlinear_verdict(bent, {}).growth_rate == Approx(abscissa).epsilon(1e-5));
 }

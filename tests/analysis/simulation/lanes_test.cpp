@@ -90,7 +90,7 @@ void check_against_cvode(const std::vector<Joint>& joints, bool region, double l
         CHECK(c.same_outcome());
         CHECK(c.growth < 1e-5);
         CHECK(c.row_spectrum < 1e-5);
-        CHECK(c.rest < 1e-4);  // the reference counts by steps, of which the last before a slip may be missed
+        CHECK(c.rest < 1e-6);
         CHECK(c.period < 1e-5);
         CHECK(c.amplitude < 1e-3);
         by_lanes += c.row.path == DecisionPath::lanes;

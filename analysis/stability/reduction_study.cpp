@@ -43,6 +43,36 @@ double holds_from(const ReductionStudy& study, double limit)
     return from;
 }
 
+/// Whether a boundary moves so far between two values that a line through both would show corners, or begins or ends.
+bool far_apart(const ReductionError& a, const ReductionError& b)
+{
+    constexpr double most = 0.1;  // of the logarithm
+    for (auto side : {&ReductionError::full, &ReductionError::reduced}) {
+        if ((a.*side).size() != (b.*side).size()) return true;
+        for (std::size_t i = 0; i < (a.*side).size(); ++i)
+            if (std::abs(std::log((a.*side)[i] / (b.*side)[i])) > most) return true;
+    }
+    return false;
+}
+
+/// Adds a value between every two that are far apart.
+template <class Compare>
+void refine(ReductionStudy& study, Compare&& compare_at)
+{
+    std::vector<double> values;
+    std::vector<ReductionError> at;
+    for (std::size_t i = 0; i < study.values.size(); ++i) {
+        if (i > 0 && far_apart(study.at[i - 1], study.at[i])) {
+            values.push_back(std::sqrt(study.values[i - 1] * study.values[i]));
+            at.push_back(compare_at(values.back()));
+        }
+        values.push_back(study.values[i]);
+        at.push_back(study.at[i]);
+    }
+    study.values = std::move(values);
+    study.at = std::move(at);
+}
+
 ReductionStudy study_of(Joint joint, const NamedReduction& c, const StudyOptions& options)
 {
     ReductionStudy study;
@@ -75,11 +105,15 @@ ReductionStudy study_of(Joint joint, const NamedReduction& c, const StudyOptions
     if (c.assumption_path.empty()) return study;
     double& assumed = *find_parameter(joint, c.assumption_path);
     const double own = assumed;
+    const auto compare_at = [&](double value) {
+        assumed = value;
+        return compare();
+    };
     for (int i = 0; i < options.values; ++i) {
-        assumed = own * std::pow(10, options.decades * (2.0 * i / (options.values - 1) - 1));
-        study.values.push_back(assumed);
-        study.at.push_back(compare());
+        study.values.push_back(own * std::pow(10, options.decades * (2.0 * i / (options.values - 1) - 1)));
+        study.at.push_back(compare_at(study.values.back()));
     }
+    for (int round = 0; round < options.refinements; ++round) refine(study, compare_at);
     study.good_from = holds_from(study, 0.01);
     study.fair_from = holds_from(study, 0.1);
     return study;

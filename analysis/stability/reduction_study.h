@@ -42,6 +42,7 @@ struct ReductionStudy {
 struct StudyOptions {
     double decades = 2;           ///< how far the assumption's number moves to either side of its own value
     int values = 33;              ///< steps of it
+    int refinements = 3;          ///< how often steps are halved where a boundary moves far, begins or ends
     double boundary_decades = 3;  ///< how far the boundary is searched to either side of its own value
     double far_decades = 9;       ///< the same where neither joint has one nearer
     int scan = 48;

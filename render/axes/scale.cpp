@@ -22,7 +22,8 @@ Ticks linear_ticks(const Scale& scale, int room, double divisor);
 /// A stretch too short for powers, or for the 1, 2 and 5 between them, is labelled in even steps.
 Ticks log_ticks(const Scale& scale, int room, double divisor)
 {
-    constexpr double short_stretch = 3;  // from the lower end to the upper, as a factor
+    constexpr double short_stretch = 3;                                 // from the lower end to the upper, as a factor
+    constexpr double log10_least_plain = -3.1, log10_most_plain = 4.1;  // numbers without a power of ten
     if (scale.high < short_stretch * scale.low) return linear_ticks(scale, room, divisor);
     Ticks result;
     const double a = std::log10(scale.low / divisor), b = std::log10(scale.high / divisor);
@@ -30,6 +31,11 @@ Ticks log_ticks(const Scale& scale, int room, double divisor)
     const int powers = static_cast<int>(std::floor(b + tiny)) - static_cast<int>(std::ceil(a - tiny)) + 1;
     const int every = std::max(1, (powers + room - 1) / room);
     const bool few = powers < 3 && b - a < 2.2;
+    const bool plain = few && a > log10_least_plain && b < log10_most_plain;
+    const auto text = [&](int digit, int exponent, double printed) {
+        if (plain) return plain_number(printed);
+        return (digit == 1 ? "" : std::to_string(digit) + "×") + power_of_ten(exponent);
+    };
     for (int exponent = first; exponent <= last; ++exponent)
         for (int digit = 1; digit <= 9; ++digit) {
             const double printed = digit * std::pow(10, exponent), value = printed * divisor;
@@ -38,7 +44,7 @@ Ticks log_ticks(const Scale& scale, int room, double divisor)
             if (!labelled)
                 result.minor.push_back(value);
             else
-                result.major.push_back({value, few ? plain_number(printed) : power_of_ten(exponent)});
+                result.major.push_back({value, text(digit, exponent, printed)});
         }
     return result;
 }

@@ -25,14 +25,38 @@ Json numbers_json(const std::vector<double>& list)
     return json;
 }
 
-Json velocities_json(const StableVelocities& v)
+/// Why a least velocity is missing, or is no more than the end of the search.
+Json velocities_reason(const StableVelocities& v, const Interval& searched)
+{
+    if (v.intervals.empty()) return "no velocity of the searched range is stable with these gains";
+    std::string text;
+    if (v.least <= searched.low) text = "sliding is stable at the lowest velocity searched, so the least lies below it";
+    if (std::isnan(v.all_above))
+        text += (text.empty() ? "" : "; ") + std::string("the highest velocity searched is not stable");
+    return text.empty() ? Json(nullptr) : Json(text);
+}
+
+/// Why margins are missing or without end.
+Json margins_reason(const LoopMargins& m, double searched_to)
+{
+    if (std::isnan(m.gain_below)) return "sliding is not stable with these gains, there is no margin to lose";
+    std::string text;
+    if (std::isinf(m.gain_above))
+        text = "gain_above: no boundary lies above this k_p" +
+               (std::isfinite(searched_to) ? fmt::format(" up to {:.4g}, as far as was searched", searched_to)
+                                           : std::string());
+    if (std::isnan(m.crossover))
+        text += (text.empty() ? "" : "; ") + std::string("phase: |L| is 1 nowhere, no lag makes the joint unstable");
+    return text.empty() ? Json(nullptr) : Json(text);
+}
+
+Json velocities_json(const StableVelocities& v, const Interval& searched)
 {
     return {{"stable", intervals_json(v.intervals)},
             {"least", json_number(v.least)},
             {"all_above", json_number(v.all_above)},
             {"least_force_rate", json_number(v.least_force_rate)},
-            {"reason", v.intervals.empty() ? Json("no velocity of the searched range is stable with these gains")
-                                           : Json(nullptr)}};
+            {"reason", velocities_reason(v, searched)}};
 }
 
 Json velocity_study_json(const LinearStudy& s)
@@ -45,8 +69,8 @@ Json velocity_study_json(const LinearStudy& s)
                 {"hardest", nullptr},
                 {"reason", "a kernel is friction found at one velocity and says nothing about others"}};
     Json json = {{"searched", {json_number(s.velocities.low), json_number(s.velocities.high)}},
-                 {"velocity_only", velocities_json(s.velocity_only)},
-                 {"state_variable", velocities_json(s.state_variable)},
+                 {"velocity_only", velocities_json(s.velocity_only, s.velocities)},
+                 {"state_variable", velocities_json(s.state_variable, s.velocities)},
                  {"k_v_for_all", s.range_gain ? json_number(s.range_gain->k_v) : Json(nullptr)},
                  {"hardest", s.range_gain ? json_number(s.range_gain->velocity) : Json(nullptr)}};
     json["stable_k_v_for_all"] = s.range_gain ? intervals_json(s.range_gain->stable_k_v) : Json(nullptr);
@@ -132,13 +156,19 @@ Json locus_json(const Joint& joint)
 Json study_json(const Joint& joint, const LinearStudy& s)
 {
     Json json;
-    json["response"] = {{"at_rest", json_number(s.compliance)},
-                        {"peak", json_number(s.peak.magnitude)},
-                        {"peak_omega", json_number(s.peak.omega)}};
+    json["response"] = {
+        {"at_rest", json_number(s.compliance)},
+        {"peak", json_number(s.peak.magnitude)},
+        {"peak_omega", json_number(s.peak.omega)},
+        {"reason", std::isnan(s.peak.magnitude) ? Json("sliding is not stable: a steady sine has no steady answer")
+                   : std::isinf(s.peak.magnitude)
+                       ? Json("sliding is neutral: the answer to a sine at peak_omega grows without end")
+                       : Json(nullptr)}};
     json["margins"] = {{"gain_below", json_number(s.margins.gain_below)},
                        {"gain_above", json_number(s.margins.gain_above)},
                        {"phase", json_number(s.margins.phase)},
-                       {"crossover", json_number(s.margins.crossover)}};
+                       {"crossover", json_number(s.margins.crossover)},
+                       {"reason", margins_reason(s.margins, s.comparison.searched_to)}};
     json["root_locus"] = locus_json(joint);
     json["velocities"] = velocity_study_json(s);
     json["comparison"] = comparison_json(s.comparison);

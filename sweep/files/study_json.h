@@ -6,7 +6,7 @@
 namespace stickslip {
 
 /// {"response", "margins", "root_locus", "velocities", "comparison", "force_ramp", "reductions"}; what does not exist
-/// or has no bound is null. docs/evaluate.md says what each name means.
+/// or has no bound is null. docs/paper/experiments.md says where each answer is.
 Json study_json(const Joint& joint, const LinearStudy& study);
 
 }  // namespace stickslip

@@ -33,11 +33,18 @@ Figure demand_figure(Joint joint, const LinearStudy& study, bool rational)
     LineChart::Line simple{"velocity alone", {}, {}, true}, memory{"with memory", {}, {}};
     const double own = commanded_velocity(joint);
     joint.control.force_rate = not_set;
-    for (const double V : log_steps(study.velocities.low, study.velocities.high, rational ? 121 : 25)) {
+    const auto at = [&](double V) {
         joint.control.V0 = std::copysign(V, own);
-        const auto both = compare_theories(joint);
+        return compare_theories(joint);
+    };
+    for (const double V : log_steps(study.velocities.low, study.velocities.high, rational ? 121 : 25)) {
+        const auto both = at(V);
         simple.x.push_back(V), simple.y.push_back(both.k_v_demanded_velocity_only());
         memory.x.push_back(V), memory.y.push_back(both.k_v_demanded_memory());
+    }
+    if (rational) {
+        smooth(simple, [&](double V) { return at(V).k_v_demanded_velocity_only(); });
+        smooth(memory, [&](double V) { return at(V).k_v_demanded_memory(); });
     }
     // demands span decades; none, which is zero, lies on the lower edge
     for (const auto* line : {&memory, &simple})

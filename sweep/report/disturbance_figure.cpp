@@ -82,7 +82,10 @@ Figure disturbance_figure(const Joint& joint, const AskedDisturbance& asked, con
     const auto unit = joint.mechanism.motion;
     LineChart chart;
     chart.title = "Answer to a disturbing force: " + asked.kind;
-    chart.fixed = "size " + with_unit(asked.size, asked.kind == "impulse" ? Quantity::impulse : Quantity::effort, unit);
+    chart.fixed =
+        is_force_file(asked)
+            ? "the file's force times " + plain_number(asked.size)
+            : "size " + with_unit(asked.size, asked.kind == "impulse" ? Quantity::impulse : Quantity::effort, unit);
     chart.x_label = axis_label("time t", Quantity::time, unit);
     chart.y_label = axis_label("excess position x", Quantity::position, unit);
     // an unstable answer would squeeze the other one into a line

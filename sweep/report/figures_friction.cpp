@@ -1,6 +1,7 @@
 // Figs. 1-3 of the paper.
 #include "analysis/friction/imposed_velocity.h"
 #include "analysis/results/text.h"
+#include "analysis/stability/maximum.h"
 #include "sweep/report/figures_report.h"
 #include "sweep/report/line_figure.h"
 
@@ -13,17 +14,19 @@ namespace {
 constexpr auto prismatic = Motion::prismatic;
 const std::string velocity_label = "velocity V [m/s]", force_label = "friction f [N]";
 
-/// A curve over −V … V with the jump of its set-valued point at rest.
-LineChart curve_chart(const char* title, const Friction& friction, double highest, double at_rest)
+/// A curve over −V … V and its set-valued point at rest.
+LineChart curve_chart(const char* title, std::string parameters, const Friction& friction, double highest,
+                      double at_rest)
 {
     LineChart chart;
     chart.title = title;
+    chart.fixed = std::move(parameters);
     chart.x_label = velocity_label;
     chart.y_label = force_label;
     LineChart::Line line{"steady sliding", {}, {}};
     constexpr int steps = 400;
     for (const int side : {-1, 1}) {
-        if (side > 0) line.x.insert(line.x.end(), {0, 0}), line.y.insert(line.y.end(), {-at_rest, at_rest});
+        if (side > 0) line.x.push_back(missing), line.y.push_back(missing);
         for (int i = 0; i <= steps; ++i) {
             const double share = side > 0 ? double(i) / steps : 1 - double(i) / steps;
             const double V = side * std::max(highest * share, 1e-9 * highest);
@@ -31,7 +34,7 @@ LineChart curve_chart(const char* title, const Friction& friction, double highes
             line.y.push_back(steady_force(friction, V));
         }
     }
-    chart.lines = {std::move(line)};
+    chart.lines = {std::move(line), {"at rest: any force in between", {0, 0}, {-at_rest, at_rest}, true}};
     return chart;
 }
 
@@ -40,7 +43,7 @@ Figure kinetic_static()
     Friction friction;
     friction.law = KineticStatic{10, 14};
     return line_figure(
-        "fig-1a", curve_chart("Fig. 1a: kinetic and static friction", friction, 0.1, 14),
+        "fig-1a", curve_chart("Fig. 1a: kinetic and static friction", "F_{k} = 10 N, F_{s} = 14 N", friction, 0.1, 14),
         "Kinetic friction of 10 N in motion, anything up to 14 N at rest.",
         "Friction against velocity. At rest the force is whatever holds the body, up to the static level.");
 }
@@ -49,11 +52,17 @@ Figure stribeck()
 {
     Friction friction;
     friction.law = Stribeck{10, 30, 5, 0.01, 2};
+    auto chart =
+        curve_chart("Fig. 1b: the friction-velocity curve of lubricated hard materials",
+                    "c_{0} = 10 N, c_{1} = 30 N·s/m, c_{2} = 5 N, c_{3} = 10 mm/s, c_{4} = 2", friction, 0.1, 15);
+    // where f_{ss}' vanishes: c_{1} = (2 c_{2} V/c_{3}²) e^{−(V/c_{3})²}
+    const double end_of_A = maximiser([&](double V) { return -steady_force(friction, V); }, 0.01, 0.05);
+    chart.x_marks = {{"end of range A", end_of_A}};
     return line_figure(
-        "fig-1b", curve_chart("Fig. 1b: the friction-velocity curve of lubricated hard materials", friction, 0.1, 15),
+        "fig-1b", std::move(chart),
         "Friction falls from 15 N at rest to its minimum and rises again with viscous friction.",
-        "Equation (7) with c_{0} = 10 N, c_{1} = 30 N·s/m, c_{2} = 5 N, c_{3} = 10 mm/s, c_{4} = 2. The steep piece "
-        "next to rest is range A of the paper: sliding there is what both theories are about.");
+        "Equation (7). The falling piece next to rest is range A of the paper: sliding there is what both theories are "
+        "about.");
 }
 
 Figure velocity_steps()

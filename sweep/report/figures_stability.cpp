@@ -2,11 +2,11 @@
 #include "analysis/results/text.h"
 #include "analysis/stability/comparison.h"
 #include "analysis/stability/joint_spectrum.h"
-#include "analysis/stability/loop.h"
 #include "analysis/stability/resolution.h"
 #include "analysis/stability/steady.h"
 #include "sweep/report/figures_report.h"
 #include "sweep/report/line_figure.h"
+#include "sweep/report/loop_figures.h"
 #include "sweep/report/maps.h"
 
 #include <algorithm>
@@ -76,29 +76,15 @@ Figure crossing_condition()
 
 Figure locus()
 {
-    const Joint joint = paper_joint();
-    const auto rows = root_locus(linear_joint(joint, commanded_velocity(joint)), log_steps(1e3, 1e7, 600));
-    LineChart chart;
-    chart.title = "Root locus over k_{p} at k_{v} = 0 (§4)";
-    chart.x_label = "Re s [1/s]";
-    chart.y_label = "Im s [rad/s]";
-    for (std::size_t root = 0; root < rows.front().size(); ++root) {
-        LineChart::Line line{"root " + std::to_string(root + 1), {}, {}};
-        for (const auto& row : rows) {
-            const auto s = row[root];
-            const bool shown = std::abs(s.imag()) < 400 && s.real() > -200;  // the pair that crosses, not the fast root
-            line.x.push_back(shown ? s.real() : missing);
-            line.y.push_back(shown ? s.imag() : missing);
-        }
-        const bool drawn = std::any_of(line.x.begin(), line.x.end(), [](double x) { return !std::isnan(x); });
-        if (drawn) chart.lines.push_back(std::move(line));
-    }
-    chart.x_marks = {{"boundary", 0}};
-    return line_figure(
-        "root-locus", std::move(chart),
+    Figure figure = loop_figures(paper_joint(), 1e3, 1e7).front();
+    std::get<LineChart>(figure.picture).title = "Root locus over k_{p} at k_{v} = 0 (§4)";
+    figure.finding =
         "As k_{p} grows, two real growing roots meet, turn into a pair and cross the imaginary axis at "
-        "± 70.7 i rad/s, where k_{p} = k_{cr} = 55 kN/m.",
-        "Roots of (27) for k_{p} from 1 kN/m to 10 MN/m. A fast decaying root lies outside the picture.");
+        "± 70.7 i rad/s, where k_{p} = k_{cr} = 55 kN/m.";
+    figure.caption = figure.finding +
+                     " Roots of (27) for k_{p} from 1 kN/m to 10 MN/m, split by whether the joint is stable at their "
+                     "k_{p}; those that decay too fast to matter lie outside the picture.";
+    return figure;
 }
 
 /// §5: the damping that each theory asks of Armstrong's joint as velocity goes to zero.
@@ -116,11 +102,12 @@ Figure armstrong()
     LineChart::Line gauss{"velocity alone, (22)-(23)", {}, {}, true},
         logarithm{"velocity alone, slope of (6)", {}, {}, true}, soft{"with memory, k_{p} = 20 kN/m", {}, {}},
         stiff{"with memory, k_{p} = 52 kN/m", {}, {}};
+    constexpr double least_shown = 0.1;  // N·s/m
     for (const double V : log_steps(1e-5, 1e-1, 161)) {
         joint.control.V0 = V;
         const auto add = [&](LineChart::Line& line, double k_v) {
             line.x.push_back(V);
-            line.y.push_back(k_v > 0.1 ? k_v : missing);
+            line.y.push_back(k_v > least_shown ? k_v : missing);
         };
         add(gauss, -steady_slope(linearise(curve, V)));
         add(logarithm, -steady_slope(linearise(joint.friction, V)));
@@ -129,6 +116,13 @@ Figure armstrong()
             add(*line, compare_theories(joint).k_v_demanded_memory());
         }
     }
+    const auto shown = [](double k_v) { return k_v > least_shown ? k_v : missing; };
+    smooth(gauss, [&](double V) { return shown(-steady_slope(linearise(curve, V))); });
+    joint.control.k_p = 5.2e4;
+    smooth(stiff, [&](double V) {
+        joint.control.V0 = V;
+        return shown(compare_theories(joint).k_v_demanded_memory());
+    });
     chart.lines = {std::move(gauss), std::move(logarithm), std::move(soft), std::move(stiff)};
     return line_figure(
         "armstrong", std::move(chart),

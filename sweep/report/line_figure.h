@@ -3,6 +3,7 @@
 #include "analysis/results/report.h"
 #include "analysis/stability/verdict.h"
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,10 @@ namespace stickslip {
 
 /// "velocity V_{0} [m/s]"
 std::string axis_label(std::string_view name, Quantity quantity, Motion motion);
+
+/// Adds samples of y(x) to a line over a logarithmic axis where neighbours lie so far apart that it would show corners,
+/// and where it begins, ends or falls to zero. `most`: what ln y may change by from sample to sample.
+void smooth(LineChart::Line& line, const std::function<double(double)>& y, double most = 0.15, int rounds = 6);
 
 /// `count` values from low to high, evenly in the logarithm.
 std::vector<double> log_steps(double low, double high, int count);

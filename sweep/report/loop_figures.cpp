@@ -38,7 +38,8 @@ double reach(const std::vector<std::vector<std::complex<double>>>& rows)
     return size;
 }
 
-constexpr double longest = 0.02;  // step of a branch, per |s| of what is drawn
+// steps of a branch, per |s| of what is drawn: the longest of a smooth line, and what no root goes at once
+constexpr double longest = 0.004, longest_late = 0.02, leap = 0.1;
 
 struct Locus {
     std::vector<double> gains;
@@ -50,7 +51,8 @@ struct Locus {
 /// root of the gain.
 Locus smooth_locus(const LinearJoint& linear, double low, double high)
 {
-    const int rounds = linear.rational() ? 8 : 3;
+    const int rounds = linear.rational() ? 10 : 3;
+    const double step = linear.rational() ? longest : longest_late;
     Locus locus{log_steps(low, high, linear.rational() ? locus_gains : late_gains), {}, 0};
     for (int round = 0;; ++round) {
         locus.rows = root_locus(linear, locus.gains);
@@ -65,8 +67,8 @@ Locus smooth_locus(const LinearJoint& linear, double low, double high)
             bool jumps = false;
             for (std::size_t k = 0; k < locus.rows[i].size(); ++k) {
                 const auto a = locus.rows[i - 1][k], b = locus.rows[i][k];
-                jumps = jumps ||
-                        (std::min(std::abs(a), std::abs(b)) < locus.limit && std::abs(a - b) > longest * locus.limit);
+                jumps =
+                    jumps || (std::min(std::abs(a), std::abs(b)) < locus.limit && std::abs(a - b) > step * locus.limit);
             }
             if (jumps) finer.push_back(std::sqrt(locus.gains[i - 1] * locus.gains[i]));
             finer.push_back(locus.gains[i]);
@@ -76,23 +78,54 @@ Locus smooth_locus(const LinearJoint& linear, double low, double high)
     }
 }
 
-/// Many branches of one kind, one after the other.
-LineChart::Line one_line(const std::vector<LineChart::Line>& branches)
-{
-    LineChart::Line all{"rightmost roots", {}, {}};
-    for (const auto& branch : branches) {
-        all.x.insert(all.x.end(), branch.x.begin(), branch.x.end());
-        all.y.insert(all.y.end(), branch.y.begin(), branch.y.end());
-        all.x.push_back(missing), all.y.push_back(missing);
+/// All branches in two lines: the roots of the gains at which the joint is stable, and of those at which it is not.
+class LocusLines {
+  public:
+    explicit LocusLines(const Locus& locus) : locus_(locus)
+    {
+        for (std::size_t branch = 0; branch < locus.rows.front().size(); ++branch) add(branch);
     }
-    return all;
-}
+
+    std::vector<LineChart::Line> drawn() &&
+    {
+        std::vector<LineChart::Line> lines;
+        for (auto* line : {&stable_, &unstable_})
+            if (std::any_of(line->x.begin(), line->x.end(), [](double v) { return std::isfinite(v); }))
+                lines.push_back(std::move(*line));
+        return lines;
+    }
+
+  private:
+    bool stable_at(std::size_t row) const
+    {
+        return std::all_of(locus_.rows[row].begin(), locus_.rows[row].end(), [](auto s) { return s.real() < 0; });
+    }
+
+    void add(std::size_t branch)
+    {
+        for (std::size_t i = 1; i < locus_.rows.size(); ++i) {
+            const auto a = locus_.rows[i - 1][branch], b = locus_.rows[i][branch];
+            // another root has taken the place of one that went out of sight
+            const bool leaps = std::abs(b - a) > leap * locus_.limit;
+            if (leaps || std::abs(a) > locus_.limit || std::abs(b) > locus_.limit) continue;
+            auto& line = stable_at(i) ? stable_ : unstable_;
+            const bool goes_on = !line.x.empty() && line.x.back() == a.real() && line.y.back() == a.imag();
+            if (!goes_on) append(line, missing, missing), append(line, a.real(), a.imag());
+            append(line, b.real(), b.imag());
+        }
+    }
+
+    static void append(LineChart::Line& line, double x, double y) { line.x.push_back(x), line.y.push_back(y); }
+
+    const Locus& locus_;
+    LineChart::Line stable_{"k_{p} at which sliding is stable", {}, {}},
+        unstable_{"k_{p} at which it is not", {}, {}, true};
+};
 
 Figure root_locus_figure(const Joint& joint, const LinearJoint& linear, double low, double high)
 {
     const auto motion = joint.mechanism.motion;
     const auto locus = smooth_locus(linear, low, high);
-    const auto& rows = locus.rows;
     const double limit = locus.limit;
     LineChart chart;
     chart.title = "Root locus over k_{p}";
@@ -100,22 +133,7 @@ Figure root_locus_figure(const Joint& joint, const LinearJoint& linear, double l
                   with_unit(limit, Quantity::rate, motion);
     chart.x_label = "Re s [1/s]";
     chart.y_label = "Im s [rad/s]";
-    for (std::size_t branch = 0; branch < rows.front().size(); ++branch) {
-        LineChart::Line line;
-        line.name = "root " + std::to_string(branch + 1);
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            const auto s = rows[i][branch];
-            // another root has taken the place of one that went out of sight
-            const bool leaps = i > 0 && std::abs(s - rows[i - 1][branch]) > 5 * longest * limit;
-            if (leaps) line.x.push_back(missing), line.y.push_back(missing);
-            const bool near = std::abs(s) <= limit;
-            line.x.push_back(near ? s.real() : missing);
-            line.y.push_back(near ? s.imag() : missing);
-        }
-        if (std::any_of(line.x.begin(), line.x.end(), [](double v) { return std::isfinite(v); }))
-            chart.lines.push_back(std::move(line));
-    }
-    if (!linear.rational() && !chart.lines.empty()) chart.lines = {one_line(chart.lines)};
+    if (!locus.rows.front().empty()) chart.lines = LocusLines(locus).drawn();
     chart.x_marks.emplace_back("boundary Re s = 0", 0);
     if (chart.lines.empty()) return {"root-locus", std::move(chart), "", ""};
     std::string crossing;
@@ -127,8 +145,8 @@ Figure root_locus_figure(const Joint& joint, const LinearJoint& linear, double l
         "Root locus over the position gain. " + (crossing.empty() ? std::string("No root crosses the imaginary axis.")
                                                                   : "Stability changes at k_{p} = " + crossing + ".");
     figure.caption =
-        "How to read it: each line follows one root of the design's characteristic equation while k_{p} "
-        "alone changes; left of the dashed mark it decays. " +
+        "How to read it: the lines follow the roots of the design's characteristic equation while k_{p} alone "
+        "changes; left of the mark a root decays, and where all of them do, sliding is stable. " +
         std::string(linear.rational() ? "" : "A delay has roots without end; those furthest to the right are drawn. ") +
         figure.finding;
     figure.picture = std::move(chart);

@@ -178,7 +178,8 @@ LineDrawing lever(const Joint& joint)
            LineDrawing::Anchor::right);
     const std::string arms = labelled("d", m.lever_arm, Quantity::length, d.motion());
     d.text(at, pivot + 26, arms + " below, N d above, N = " + plain_number(m.motor_transmission.ratio));
-    d.text(at, spring_y - 40, "f_{tr}: " + std::string(info(joint.frictions.transmission.law).name));
+    d.text(at + 14, pivot + 5, "f_{tr}: " + std::string(info(joint.frictions.transmission.law).name),
+           LineDrawing::Anchor::left);
     d.spring(at, at + gap, arm, labelled("k_{tr-l}", m.transmission_link.stiffness, Quantity::stiffness, d.motion()));
     const auto damping = [&](double x1, double y, const char* symbol, double value) {
         if (value != 0) d.text(x1 + gap / 2, y + 22, labelled(symbol, value, Quantity::damping, d.motion()));

@@ -42,10 +42,12 @@ Figure vmin_figure(const Joint& given, const LinearStudy& study)
         joint.control.k_v = k_v;
         const std::string name = "k_{v} = " + with_unit(k_v, Quantity::damping, motion);
         LineChart::Line line{name, k_p, {}};
-        for (const double k : k_p) {
+        const auto least = [&, &low = low, &high = high](double k) {
             joint.control.k_p = k;
-            line.y.push_back(stable_velocities(joint, low, high, Theory::state_variable, scan).all_above);
-        }
+            return stable_velocities(joint, low, high, Theory::state_variable, scan).all_above;
+        };
+        for (const double k : k_p) line.y.push_back(least(k));
+        if (rational) smooth(line, least, 0.25, 5);
         joint.control.k_p = given.control.k_p;
         const double here = stable_velocities(joint, low, high, Theory::state_variable, 2 * scan).all_above;
         const std::string from =

@@ -44,6 +44,10 @@ TEST_CASE("many powers thin out, few are filled with 1, 2 and 5", "[axes]")
     CHECK(labels(ticks({1e-8, 1e8, true}, 6)) == Labels{"10^{−6}", "10^{−3}", "10^{0}", "10^{3}", "10^{6}"});
     CHECK(labels(ticks({3, 40, true}, 7)) == Labels{"5", "10", "20"});
     CHECK(labels(ticks({1, 100, true}, 7)).size() == 3);
+    // beyond what reads well as a plain number all of them are powers
+    CHECK(labels(ticks({2e4, 1e6, true}, 7)) ==
+          Labels{"2×10^{4}", "5×10^{4}", "10^{5}", "2×10^{5}", "5×10^{5}", "10^{6}"});
+    CHECK(labels(ticks({2e-5, 4e-4, true}, 7)) == Labels{"2×10^{−5}", "5×10^{−5}", "10^{−4}", "2×10^{−4}"});
 }
 
 TEST_CASE("a log axis of less than half a power has even steps: 1, 2 and 5 would leave it bare", "[axes]")

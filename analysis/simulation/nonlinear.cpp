@@ -120,6 +120,7 @@ void judge(const Joint& joint, const AnyFlow& flow, const NonlinearOptions& opti
     follow_options.accelerate = options.accelerate;
 
     const auto mode = slow_mode(flow);
+    if (!mode.shows_itself()) verdict.growth_missing = not_followed;
     const auto growth_of_mode = [&] { return measure_growth(flow, mode, mode.right.real()); };
     if (!held_by_spring(flow)) {
         if (mode.shows_itself()) verdict.growth_rate = growth_of_mode();
@@ -208,7 +209,7 @@ NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& o
         verdict.reason = found.reason;
         if (found.reason == Reason::none) {
             judge(joint, found.flow, options, verdict);
-            if (std::isnan(verdict.growth_rate)) verdict.growth_missing = unmeasured;
+            if (std::isnan(verdict.growth_rate) && verdict.growth_missing.empty()) verdict.growth_missing = unmeasured;
         } else {
             verdict.outcome = found.reason == Reason::linear_only ? Outcome::linear_only : Outcome::undecided;
             if (found.reason == Reason::unsupported) verdict.explanation = why_unsupported(joint);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 namespace stickslip::gap {
@@ -64,6 +65,19 @@ bool at_floor(const std::vector<Case>& cases, const Attribution& a, const Nomina
     return within(spread_of(cases, a.candidate, si, runs, parallel), a.evaluation, levels.size());
 }
 
+bool bends_only(const Candidate& candidate, const Eigen::VectorXd& x, const Scales& scales)
+{
+    constexpr double turn = 2.0 / 3;  // of a period: the wave has turned back
+    const auto si = in_si(candidate, x, scales);
+    for (std::size_t i = 0; i < si.size(); ++i) {
+        const Comb comb = candidate.parameter(i).comb;
+        if (comb == Comb::none) continue;
+        const double seen = si[i] * (comb == Comb::time ? scales.duration : scales.position);
+        if (seen < turn * 2 * std::numbers::pi) return true;
+    }
+    return false;
+}
+
 void confirm(const std::vector<Case>& cases, std::vector<Attribution>& ranked, const Nominal& nominal,
              const Scales& scales, const ParallelFor& parallel)
 {
@@ -71,10 +85,15 @@ void confirm(const std::vector<Case>& cases, std::vector<Attribution>& ranked, c
     constexpr double clear = 0.04;  // of score: so little is left that nothing else can be in it
     for (std::size_t i = 0; i < std::min(few, ranked.size()); ++i) {
         Attribution& a = ranked[i];
+        if (a.accepted && flexible(a) && bends_only(a.candidate, a.x[1], scales)) {
+            a.accepted = false;
+            continue;
+        }
         if (!a.refined || (a.accepted && a.score < clear)) continue;
         const auto si = in_si(a.candidate, a.x[1], scales);
         a.accepted = flexible(a)
-                         ? within(spread_of(cases, a.candidate, si, runs, parallel), a.evaluation, levels.size())
+                         ? !bends_only(a.candidate, a.x[1], scales) &&
+                               within(spread_of(cases, a.candidate, si, runs, parallel), a.evaluation, levels.size())
                          : at_floor(cases, a, nominal, scales, parallel);
     }
     std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.score < b.score; });
@@ -88,7 +107,9 @@ Decision decide(const std::vector<Attribution>& singles, const std::vector<Attri
     const Attribution* best_single = singles.empty() ? nullptr : &singles[0];
     const Attribution* best_pair = pairs.empty() ? nullptr : &pairs[0];
     if (best_single) d.best_explained = best_single->explained;
-    if (best_pair) d.best_explained = std::max(d.best_explained, best_pair->explained);
+    // two free shapes that are not accepted come near anything: that explains nothing
+    if (best_pair && (best_pair->accepted || !flexible(*best_pair)))
+        d.best_explained = std::max(d.best_explained, best_pair->explained);
     if (single && best_single->accepted) {
         d.winner = best_single;
         from = &singles;

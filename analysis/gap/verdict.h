@@ -8,6 +8,10 @@ namespace stickslip::gap {
 bool at_floor(const std::vector<Case>& cases, const Attribution& a, const Nominal& nominal, const Scales& scales,
               const ParallelFor& parallel);
 
+/// Whether a wave among the effects has a period so much longer than the travel, or than the records, that only a bend
+/// of it is seen: with a second free shape beside it, it bends into any smooth force.
+bool bends_only(const Candidate& candidate, const Eigen::VectorXd& x, const Scales& scales);
+
 /// Judges the best few against the noise that they themselves would have, which fixed thresholds do not know.
 void confirm(const std::vector<Case>& cases, std::vector<Attribution>& ranked, const Nominal& nominal,
              const Scales& scales, const ParallelFor& parallel);

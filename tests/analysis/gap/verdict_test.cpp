@@ -27,6 +27,7 @@ TEST_CASE("two free functions of position are named only when nothing is left", 
     const std::vector<Attribution> singles{found({"gravity"}, 1.8, 0.65, false)};
     std::vector<Attribution> pairs{found({"gravity", "cogging"}, 0.08, 0.999, false)};
     CHECK_FALSE(decide(singles, pairs).named);
+    CHECK(decide(singles, pairs).best_explained == 0.65);
     pairs[0].accepted = true;
     CHECK(decide(singles, pairs).named);
     // a shape and a slope cannot bend into anything
@@ -148,4 +149,20 @@ TEST_CASE("a cause that is itself noise is not held to make things worse", "[gap
     CHECK(gap.worse());
     gap.own_floor = 2.4;  // two simulations with it differ by as much as the record does
     CHECK_FALSE(gap.worse());
+}
+
+TEST_CASE("a wave of which the travel holds only a bend is told from one that turns", "[gap]")
+{
+    const auto pair = found({"gravity", "cogging"}, 0.02, 1, true).candidate;
+    Scales scales;
+    scales.position = 6.6;
+    const auto seen = [&](double wave_number) {
+        std::vector<double> x(pair.parameter_count(), 0.1);
+        for (std::size_t i = 0; i < x.size(); ++i)
+            if (pair.parameter(i).comb == Comb::position) x[i] = wave_number * scales.position;
+        return bends_only(pair, to_fit(pair, x), scales);
+    };
+    CHECK(seen(0.45));  // period 14 rad
+    CHECK_FALSE(seen(1.5));
+    CHECK_FALSE(bends_only(found({"gravity"}, 0.02, 1, true).candidate, Eigen::VectorXd::Zero(2), scales));
 }

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "analysis/stability/comparison.h"
+#include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/reduction_study.h"
 #include "tests/analysis/joint/sample_joints.h"
 
@@ -21,6 +22,56 @@ TEST_CASE("velocity-only asks for k_v whatever the spring, memory for less with 
     CHECK(both.forbidden_needlessly[0].low == Approx(55000));
     CHECK(both.forbidden_needlessly[0].high == infinity);
     CHECK(both.allowed_wrongly.empty());
+}
+
+TEST_CASE("windows of k_v and k_p end where the spectrum of either theory turns, for several masses, too",
+          "[stability]")
+{
+    // two masses, the link fed back: a spring between sensor and motor bounds the gains from above
+    Joint joint = samples::two_mass();
+    auto& m = joint.mechanism;
+    m.motor_inertia = 10, m.link_inertia = 1;
+    m.transmission = {1e5, 0, 1, 0};
+    joint.frictions.motor.law = CoulombViscous{1, 10};
+    RateAndState link;
+    link.f0 = 60, link.A = 1, link.V_star = 1e-3;
+    link.B.push_back(0.9), link.L.push_back(1e-5);
+    joint.frictions.link.law = link;
+    joint.control.kind = ControlKind::position;
+    joint.control.feedback = Feedback::link;
+    joint.control.k_p = 1.26e5, joint.control.k_v = 300, joint.control.V0 = 1e-4;
+    const auto turns = [&](const std::vector<Interval>& windows, double& gain, bool memory) {
+        const double own = gain;
+        for (const auto& window : windows)
+            for (const double end : {window.low, window.high}) {
+                if (end == 0 || end == infinity) continue;
+                for (const double side : {-1e-6, 1e-6}) {
+                    gain = end * (1 + side);
+                    const auto linear = linear_joint(joint, joint.control.V0);
+                    const double growth = spectral_abscissa(memory ? linear : velocity_only(linear));
+                    CHECK((growth < 0) == ((side > 0) == (end == window.low)));
+                }
+            }
+        gain = own;
+    };
+    const auto both = compare_theories(joint);
+    turns(both.k_p_memory, joint.control.k_p, true);
+    turns(both.k_p_velocity_only, joint.control.k_p, false);
+    // a gain that velocity-only allows and memory forbids, although f_v > 0 and g ≥ 0
+    REQUIRE(both.allowed_wrongly.size() == 1);
+    CHECK(both.allowed_wrongly[0].low == both.k_p_memory.back().high);
+    CHECK(both.allowed_wrongly[0].high == both.k_p_velocity_only.back().high);
+    CHECK(both.allowed_wrongly[0].low < joint.control.k_p);
+    CHECK(joint.control.k_p < both.allowed_wrongly[0].high);
+
+    joint.control.k_p = 5e4;
+    const auto softer = compare_theories(joint);
+    turns(softer.k_v_memory, joint.control.k_v, true);
+    turns(softer.k_v_velocity_only, joint.control.k_v, false);
+    for (const auto* windows : {&softer.k_v_memory, &softer.k_v_velocity_only}) {
+        REQUIRE(windows->size() == 1);
+        CHECK(std::isfinite(windows->front().high));
+    }
 }
 
 TEST_CASE("a lag and LuGre forbid what velocity-only allows", "[stability]")

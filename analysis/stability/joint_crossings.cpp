@@ -87,22 +87,49 @@ GainLimit gain_limit(const LinearJoint& j)
     return {std::max(enough, 4 * std::abs(j.k_p)), infinity};
 }
 
-/// Intervals that need no look of their own, one probe in each: a delay can bring thousands of crossings, each of which
-/// takes a pair of roots over the axis. Counted at both ends; where the pairs between do not make up the difference,
-/// nothing is excluded.
-std::vector<bool> excluded_by_counts(const std::vector<LinearJoint>& probes, const std::vector<Crossing>& crossings)
-{
-    constexpr std::size_t few = 8;
-    std::vector<bool> excluded(probes.size(), false);
-    if (probes.size() <= few || probes.front().rational()) return excluded;
-    const auto first = roots_right_of(probes.front(), 0), last = roots_right_of(probes.back(), 0);
-    if (!first || !last) return excluded;
-    std::vector<int> count{*first};
-    for (std::size_t i = 0; i + 1 < probes.size(); ++i) count.push_back(count.back() + 2 * crossings[i].direction);
-    if (count.back() != *last || *std::min_element(count.begin(), count.end()) < 0) return excluded;
-    for (std::size_t i = 0; i < probes.size(); ++i) excluded[i] = count[i] > 0;
-    return excluded;
-}
+/// The roots right of the axis at each probe, one probe in each interval between crossings. A delay can bring thousands
+/// of crossings, each of which takes a pair of roots over the axis: where the pairs between two counted probes make up
+/// their difference, those between need no count of their own; elsewhere the probe in the middle is counted, too.
+class CountedProbes {
+  public:
+    CountedProbes(const std::vector<LinearJoint>& probes, const std::vector<Crossing>& crossings)
+        : probes_(probes), crossings_(crossings), unstable_(probes.size(), false)
+    {
+        constexpr std::size_t few = 8;
+        if (probes.size() <= few || probes.front().rational()) return;
+        between(0, count(0), probes.size() - 1, count(probes.size() - 1));
+    }
+    /// Has roots right of the axis for certain.
+    bool unstable(std::size_t probe) const { return unstable_[probe]; }
+
+  private:
+    std::optional<int> count(std::size_t probe)
+    {
+        const auto roots = roots_right_of(probes_[probe], 0);
+        unstable_[probe] = roots && *roots > 0;
+        return roots;
+    }
+    void between(std::size_t low, std::optional<int> at_low, std::size_t high, std::optional<int> at_high)
+    {
+        if (high - low < 2 || (at_low && at_high && stepped(low, *at_low, high, *at_high))) return;
+        const std::size_t middle = (low + high) / 2;
+        const auto at_middle = count(middle);
+        between(low, at_low, middle, at_middle);
+        between(middle, at_middle, high, at_high);
+    }
+    bool stepped(std::size_t low, int at_low, std::size_t high, int at_high)
+    {
+        std::vector<int> roots{at_low};
+        for (std::size_t i = low; i < high; ++i) roots.push_back(roots.back() + 2 * crossings_[i].direction);
+        if (roots.back() != at_high || *std::min_element(roots.begin(), roots.end()) < 0) return false;
+        for (std::size_t i = low; i <= high; ++i) unstable_[i] = roots[i - low] > 0;
+        return true;
+    }
+
+    const std::vector<LinearJoint>& probes_;
+    const std::vector<Crossing>& crossings_;
+    std::vector<bool> unstable_;
+};
 
 }  // namespace
 
@@ -162,10 +189,10 @@ std::vector<Interval> stable_intervals(const LinearJoint& j, const std::vector<C
                                                               : low == 0         ? high / 2
                                                                                  : std::sqrt(low * high);
     }
-    const auto excluded = excluded_by_counts(probes, crossings);
+    const CountedProbes counted(probes, crossings);
     std::vector<Interval> intervals;
     for (std::size_t i = 0; i < probes.size(); ++i) {
-        if (excluded[i] || !is_stable(probes[i])) continue;
+        if (counted.unstable(i) || !is_stable(probes[i])) continue;
         if (!intervals.empty() && intervals.back().high == bounds[i])
             intervals.back().high = bounds[i + 1];
         else

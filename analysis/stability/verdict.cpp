@@ -116,6 +116,7 @@ PointResult joint_point(const Joint& joint, double V)
     point.state_variable_stable = code_of(point.spectral_abscissa);
     point.region = region_of(point.velocity_only_stable, point.state_variable_stable);
     const auto all = crossings(linear);
+    if (all.crossings.size() != 1) return point;  // no single critical gain, whatever is stable between them
     if (has_single_gain(all.crossings, stable_intervals(linear, all.crossings, all.searched_to))) {
         point.k_cr = all.crossings[0].k_p;
         point.omega = all.crossings[0].omega;

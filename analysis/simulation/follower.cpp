@@ -32,6 +32,7 @@ constexpr int most_settling = 8;        ///< turns that a scaled motion gets to 
 constexpr double settled_growth = 0.3;  ///< change of growth, relative, of one that has
 constexpr double near_return = 1e-3;    ///< gap after several turns, per amplitude, from which an orbit is looked for
 constexpr int patient_turns = 600;      ///< before what only watching says of repeats is believed
+constexpr int most_steps = 1'500'000;   ///< of a motion; 3000 turns of an irregular one take fewer
 constexpr int settling_turns = 60;      ///< before a motion that neither closes nor settles is tested for repeats
 
 }  // namespace
@@ -192,7 +193,8 @@ Attractor Follower::run(const FlowVector& y)
                 break;
         }
         idle_turns_ = turn.period() > least_turn_ ? 0 : idle_turns_ + 1;
-        if (idle_turns_ > most_idle_turns) return ended(Kind::undecided, Reason::not_converged);
+        steps_ += turn.steps;
+        if (idle_turns_ > most_idle_turns || steps_ > most_steps) return ended(Kind::undecided, Reason::not_converged);
         points_.push_back(turn.state);
         turns_.push_back(turn);
         ++quiet_turns_;

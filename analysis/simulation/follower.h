@@ -48,6 +48,7 @@ class Follower {
     double last_growth_ = missing;            ///< ln of the amplitude ratio of the last two turns
     Creep creep_;
     int next_shot_ = 0, patience_ = 1;  ///< turns
+    int steps_ = 0;                     ///< of the solver
     int idle_turns_ = 0;                ///< in succession that were shorter
     int quiet_turns_ = 0;               ///< turns since the amplitude was last scaled
 };

@@ -263,6 +263,7 @@ Turn SlidingMotion::run(double t_end, const std::function<bool(const FlowVector&
         const double from = stepper_->time();
         const FlowVector before = y_;
         const double limit = late_ ? std::min(t_end, t_ + late_->step_limit(y_) - late_->clock(y_)) : t_end;
+        ++turn.steps;
         const auto report = stepper_->step(limit - clock_);
         if (report.end == StepEnd::failure) {
             if (step_failed()) return finish(Turn::End::failure);

@@ -20,6 +20,7 @@ struct Turn {
     double rest_time = 0;               ///< at rest or below near_rest · V_0
     double release_position = missing;  ///< where true sticking last ended
     int sticks = 0;                     ///< phases of true sticking, of any body
+    int steps = 0;                      ///< of the solver
     bool reversed = false;
     double period() const { return t1 - t0; }
 };

@@ -43,8 +43,13 @@ Figure demand_figure(Joint joint, const LinearStudy& study, bool rational)
         memory.x.push_back(V), memory.y.push_back(both.k_v_demanded_memory());
     }
     if (rational) {
+        // one set of samples, so that both can be read at one place
         smooth(simple, [&](double V) { return at(V).k_v_demanded_velocity_only(); });
+        memory = {memory.name, simple.x, {}};
+        for (const double V : memory.x) memory.y.push_back(at(V).k_v_demanded_memory());
         smooth(memory, [&](double V) { return at(V).k_v_demanded_memory(); });
+        simple = {simple.name, memory.x, {}, true};
+        for (const double V : simple.x) simple.y.push_back(at(V).k_v_demanded_velocity_only());
     }
     // demands span decades; none, which is zero, lies on the lower edge
     for (const auto* line : {&memory, &simple})

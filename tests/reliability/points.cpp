@@ -52,7 +52,7 @@ std::string fault_of(const PointResult& row, bool nonlinear)
         if (row.region == Region::undecided) return "undecided without a reason";
         if (std::isnan(row.spectral_abscissa)) return "no spectral abscissa and no reason";
         // no velocity gain may be enough for a joint of several bodies, but then the present one is not either
-        if (std::isnan(row.k_v_min) && row.velocity_only_stable) return "stable, yet no velocity gain is enough";
+        if (std::isnan(row.k_v_min) && row.velocity_only_stable == 1) return "stable, yet no velocity gain is enough";
     }
     if (!nonlinear) return {};
     const bool open = row.outcome == Outcome::undecided || row.outcome == Outcome::solver_failure;

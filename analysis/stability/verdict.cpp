@@ -87,7 +87,7 @@ LinearVerdict joint_verdict(const Joint& joint, LinearVerdict verdict)
     memory.eigenvalues = spectrum(linear);
     memory.all_eigenvalues = linear.rational();
     memory.spectral_abscissa = spectral_abscissa(linear);
-    if (!std::isfinite(memory.spectral_abscissa) || (simple.stable && simple.stable_k_v.empty())) {
+    if (!std::isfinite(memory.spectral_abscissa)) {
         verdict.steady.reason = Reason::not_finite;
         return verdict;
     }
@@ -113,12 +113,6 @@ PointResult joint_point(const Joint& joint, double V)
     }
     point.k_v_min = least(velocity_only_gains(linear));
     point.velocity_only_stable = velocity_only_code(linear);
-    if (point.velocity_only_stable == 1 && !is_set(point.k_v_min)) {
-        // numbers so far apart that the search for gains contradicts the verdict
-        PointResult undecided;
-        undecided.reason = Reason::not_finite;
-        return undecided;
-    }
     point.state_variable_stable = code_of(point.spectral_abscissa);
     point.region = region_of(point.velocity_only_stable, point.state_variable_stable);
     const auto all = crossings(linear);

@@ -46,6 +46,13 @@ std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales&
                                    const std::vector<Attribution>& singles, std::size_t partners,
                                    const ParallelFor& parallel);
 
+/// Backward elimination: each member of the best pair refitted alone, from the numbers that it has in the pair, takes
+/// the place of the same effect among the singles where it is better. A search that starts from nothing may have missed
+/// what the pair found, and the partner then only makes up for the start.
+void fit_members_alone(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
+                       std::vector<Attribution>& singles, const std::vector<Attribution>& pairs,
+                       const ParallelFor& parallel);
+
 /// Score, explained part and acceptance from the evaluations.
 void judge(Attribution& attribution, const Nominal& nominal);
 

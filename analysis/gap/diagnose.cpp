@@ -33,9 +33,8 @@ struct Work {
 Cause cause_of(const Work& w, const Attribution& a, double probability)
 {
     Cause c;
-    if (a.candidate.effects.empty() || a.accepted)
-        for (const auto& f : w.audit.findings)
-            if (std::find(c.names.begin(), c.names.end(), f.effect) == c.names.end()) c.names.push_back(f.effect);
+    for (const auto& f : w.audit.findings)
+        if (std::find(c.names.begin(), c.names.end(), f.effect) == c.names.end()) c.names.push_back(f.effect);
     const Motion motion = w.documented[0].mechanism.motion;
     if (!c.names.empty())
         for (const auto& f : w.audit.findings)
@@ -221,6 +220,8 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
             progress("fitting pairs", 0.5);
             pairs = fit_pairs(w.cases, w.scales, w.nominal, singles, options.pair_partners, parallel);
             confirm(w.cases, pairs, w.nominal, w.scales, parallel);
+            fit_members_alone(w.cases, w.scales, w.nominal, singles, pairs, parallel);
+            confirm(w.cases, singles, w.nominal, w.scales, parallel);
         }
         const bool floor_documented =
             std::all_of(w.cases.begin(), w.cases.end(), [](const auto& c) { return c.noise_documented; });

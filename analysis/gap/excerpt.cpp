@@ -119,4 +119,10 @@ std::vector<Case> excerpts(const std::vector<Case>& cases, double omega, std::si
     return some;
 }
 
+std::vector<Case> uncut(std::vector<Case> cases, double step_factor)
+{
+    for (auto& c : cases) c.step_factor = step_factor;
+    return cases;
+}
+
 }  // namespace stickslip::gap

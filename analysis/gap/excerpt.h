@@ -10,4 +10,7 @@ namespace stickslip::gap {
 /// so what depends on time stays where it was. Records that are short enough stay whole.
 std::vector<Case> excerpts(const std::vector<Case>& cases, double omega, std::size_t budget, double step_factor);
 
+/// Whole records with time steps longer by `step_factor`.
+std::vector<Case> uncut(std::vector<Case> cases, double step_factor);
+
 }  // namespace stickslip::gap

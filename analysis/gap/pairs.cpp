@@ -66,19 +66,23 @@ void look_at(Pair& p, const std::vector<Case>& brief, const Scales& scales, doub
     p.fit.evaluations = evaluations + static_cast<int>(from.size());
 }
 
-/// The best single in its other forms: which form it has may show only beside its partner.
-std::vector<Attribution> other_forms(const std::vector<Attribution>& singles, const std::vector<Case>& brief,
-                                     std::size_t records, const Scales& scales, double omega,
-                                     const ParallelFor& parallel)
+/// The best singles in their other forms: which form one has may show only beside its partner. Where the best is play
+/// or a spring that holds for everything in the mechanism: alone, each inertia stands in for the other.
+std::vector<Attribution> other_forms(const std::vector<Attribution>& singles, std::size_t partners,
+                                     const std::vector<Case>& brief, std::size_t records, const Scales& scales,
+                                     double omega, const ParallelFor& parallel)
 {
     std::vector<Attribution> others;
-    if (singles.empty() || two_mass_edit(singles[0].candidate)) return others;
-    const Candidate& best = singles[0].candidate;
-    for (const auto& form : best.effects[0]->forms) {
-        Attribution other;
-        other.candidate = {best.effects, {&form}, records};
-        const bool own = form.own > 0 && records < 2;
-        if (&form != best.forms[0] && !own && other.candidate.applies(brief[0].joint)) others.push_back(other);
+    for (std::size_t i = 0; i < singles.size(); ++i) {
+        const Candidate& best = singles[i].candidate;
+        const bool beside_play = two_mass_edit(singles[0].candidate) && best.effects[0]->stage == "mechanism";
+        if (two_mass_edit(best) || (i >= partners && !beside_play)) continue;
+        for (const auto& form : best.effects[0]->forms) {
+            Attribution other;
+            other.candidate = {best.effects, {&form}, records};
+            const bool own = form.own > 0 && records < 2;
+            if (&form != best.forms[0] && !own && other.candidate.applies(brief[0].joint)) others.push_back(other);
+        }
     }
     parallel(others.size(), [&](std::size_t i) {
         const auto from = starts(brief, scales, others[i].candidate, {}, {});
@@ -95,12 +99,26 @@ std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales&
                                    const ParallelFor& parallel)
 {
     const double omega = screening_level(nominal);
-    const auto brief = excerpts(cases, omega, brief_ticks, coarse);
-    const auto forms = other_forms(singles, brief, cases.size(), scales, omega, parallel);
+    const auto brief = excerpts(cases, omega, brief_ticks, coarse), whole = uncut(cases, coarse);
+    const auto part = [&](const Pair& p) -> const std::vector<Case>& { return needs_history(p.both) ? whole : brief; };
+    // with known masses the slope towards the right play is longer over a longer horizon
+    const auto level = [&](const Pair& p) { return needs_history(p.both) ? std::min(omega, levels[1]) : omega; };
+    const auto forms = other_forms(singles, partners, brief, cases.size(), scales, omega, parallel);
     std::vector<Pair> simple, divided;
-    for (const auto& form : forms)
-        for (std::size_t j = 1; j < singles.size(); ++j)
-            if (!two_mass_edit(singles[j].candidate)) simple.push_back(pair_of(form, singles[j], cases.size()));
+    for (const auto& form : forms) {
+        bool behind = true;  // of the effect in its best form
+        for (const auto& single : singles) {
+            if (single.candidate.effects == form.candidate.effects) {
+                behind = false;
+                continue;
+            }
+            const bool best = form.candidate.effects == singles[0].candidate.effects;
+            if (two_mass_edit(single.candidate))
+                divided.push_back(pair_of(behind ? single : form, behind ? form : single, cases.size()));
+            else if (best)
+                simple.push_back(pair_of(form, single, cases.size()));
+        }
+    }
     for (std::size_t i = 0; i < std::min(partners, singles.size()); ++i)
         for (std::size_t j = i + 1; j < singles.size(); ++j) {
             const bool a = two_mass_edit(singles[i].candidate), b = two_mass_edit(singles[j].candidate);
@@ -110,16 +128,20 @@ std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales&
         }
     std::vector<Attribution> pairs;
     const auto screen = [&](std::vector<Pair>& some, std::size_t finalists) {
-        parallel(some.size(), [&](std::size_t i) { look_at(some[i], brief, scales, omega); });
-        std::stable_sort(some.begin(), some.end(), [](const Pair& a, const Pair& b) {
-            return a.fit.evaluation.objective < b.fit.evaluation.objective;
-        });
+        parallel(some.size(), [&](std::size_t i) { look_at(some[i], part(some[i]), scales, level(some[i])); });
+        // what is seen in excerpts and in whole records is on one scale beside the nominal joint
+        const double of_brief = evaluate(brief, {}, {}, omega).objective;
+        const double of_whole = evaluate(whole, {}, {}, std::min(omega, levels[1])).objective;
+        const auto left = [&](const Pair& p) {
+            return p.fit.evaluation.objective / (needs_history(p.both) ? of_whole : of_brief);
+        };
+        std::stable_sort(some.begin(), some.end(), [&](const Pair& a, const Pair& b) { return left(a) < left(b); });
         some.resize(std::min(finalists, some.size()));
         std::vector<Attribution> found(some.size());
         parallel(some.size(), [&](std::size_t i) {
             Pair& p = some[i];
             const int looked = p.fit.evaluations;
-            p.fit = improve(brief, p.both, scales, p.fit.x, omega, full_effort);
+            p.fit = improve(part(p), p.both, scales, p.fit.x, level(p), full_effort);
             p.fit.evaluations += looked;
             found[i] = as_screened(cases, scales, nominal, p.both, p.fit);
         });

@@ -23,6 +23,13 @@ bool two_mass_edit(const Candidate& candidate)
                        [](const auto* e) { return e->name == "compliance" || e->name == "backlash"; });
 }
 
+bool needs_history(const Candidate& candidate)
+{
+    for (std::size_t i = 0; i < candidate.effects.size(); ++i)
+        if (candidate.effects[i]->name == "backlash" && candidate.forms[i]->name == "two-mass") return true;
+    return false;
+}
+
 bool better(const Attribution& a, const Attribution& b)
 {
     return a.score < b.score;
@@ -53,6 +60,12 @@ LevelFit improve(const std::vector<Case>& cases, const Candidate& candidate, con
                            turn == 0 ? first_step : 0.1 * first_step, smooth);
         evaluations += fit.evaluations;
     }
+    constexpr Eigen::Index few = 3;
+    if (fit.x.size() <= few) {  // play and inertia make up for each other: in turn they creep along a narrow valley
+        fit = search_rough(cases, candidate, scales, fit.x, omega, effort * static_cast<int>(fit.x.size()),
+                           0.1 * first_step);
+        evaluations += fit.evaluations;
+    }
     fit.evaluations = evaluations;
     return fit;
 }
@@ -74,6 +87,22 @@ LevelFit best_of(const std::vector<Case>& cases, const Scales& scales, const Can
         auto fit = improve(cases, candidate, scales, from[i], omega, effort, descents);
         evaluations += fit.evaluations;
         if (best.x.size() == 0 || fit.evaluation.objective < best.evaluation.objective) best = std::move(fit);
+    }
+    if (constexpr double longer = levels[1]; jagged(candidate) && omega > longer) {
+        // the slope towards the right play or limit is longer where a prediction has to hold for longer
+        std::size_t start = 0;
+        double least = infinity;
+        for (std::size_t i = 0; i < from.size(); ++i)
+            if (const double o = evaluate(cases, candidate, in_si(candidate, from[i], scales), longer).objective;
+                o < least)
+                least = o, start = i;
+        const int count = effort * static_cast<int>(candidate.parameter_count());
+        constexpr double first_step = 0.3, near = 0.03;
+        auto fit = search_rough(cases, candidate, scales, from[start], longer, count, first_step);
+        evaluations += static_cast<int>(from.size()) + fit.evaluations;
+        fit = search_rough(cases, candidate, scales, fit.x, omega, count / 2, near);
+        evaluations += fit.evaluations;
+        if (fit.evaluation.objective < best.evaluation.objective) best = std::move(fit);
     }
     best.evaluations = evaluations;
     return best;

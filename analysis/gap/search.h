@@ -14,6 +14,9 @@ inline constexpr int iterations = 12;
 bool jagged(const Candidate& candidate);
 /// Whether it divides the mass or lets it play: ten times as dear as the others.
 bool two_mass_edit(const Candidate& candidate);
+/// Whether it lets two known masses play: where the link rests in its play is history, which excerpts cut off, and a
+/// wrong flank at their start outweighs the right width. Such a candidate is looked at on whole records.
+bool needs_history(const Candidate& candidate);
 bool better(const Attribution& a, const Attribution& b);
 
 /// One descent, or a search of `effort` evaluations a parameter where the misfit is jagged.

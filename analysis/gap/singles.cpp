@@ -15,7 +15,7 @@ std::vector<Attribution> fit_singles(const std::vector<Case>& cases, const Scale
                                      const std::vector<Candidate>& candidates, const ParallelFor& parallel)
 {
     const double omega = screening_level(nominal);
-    const auto brief = excerpts(cases, omega, brief_ticks, coarse);
+    const auto brief = excerpts(cases, omega, brief_ticks, coarse), whole = uncut(cases, coarse);
     std::vector<Attribution> best;
     const auto screen = [&](const std::vector<Candidate>& some) {
         std::vector<Attribution> forms(some.size());
@@ -23,7 +23,8 @@ std::vector<Attribution> fit_singles(const std::vector<Case>& cases, const Scale
             // frequencies are found on whole records: gaps would blur their spectra
             const auto from = starts(cases, scales, some[i], {}, {});
             if (from.empty()) return;
-            forms[i] = as_screened(cases, scales, nominal, some[i], best_of(brief, scales, some[i], from, omega));
+            const auto& part = needs_history(some[i]) ? whole : brief;
+            forms[i] = as_screened(cases, scales, nominal, some[i], best_of(part, scales, some[i], from, omega));
         });
         for (auto& f : forms) {
             if (f.x[0].size() == 0) continue;

@@ -65,6 +65,19 @@ bool at_floor(const std::vector<Case>& cases, const Attribution& a, const Nomina
     return within(spread_of(cases, a.candidate, si, runs, parallel), a.evaluation, levels.size());
 }
 
+double explained_beyond(const NoiseSpread& own, const Evaluation& middle, const Nominal& nominal)
+{
+    constexpr std::size_t level = 1;
+    double before = 0, after = 0;
+    for (std::size_t i = 0; i < middle.records.size(); ++i) {
+        const auto &was = nominal.evaluation[level].records[i], &is = middle.records[i], &noise = own.mean[level][i];
+        before += std::max(0.0, was.position - 1) + std::max(0.0, was.effort - 1);
+        after += std::max(0.0, is.position - std::max(1.0, noise.position)) +
+                 std::max(0.0, is.effort - std::max(1.0, noise.effort));
+    }
+    return before > 0 ? 1 - after / before : 0;
+}
+
 bool bends_only(const Candidate& candidate, const Eigen::VectorXd& x, const Scales& scales)
 {
     constexpr double turn = 2.0 / 3;  // of a period: the wave has turned back
@@ -91,10 +104,15 @@ void confirm(const std::vector<Case>& cases, std::vector<Attribution>& ranked, c
         }
         if (!a.refined || (a.accepted && a.score < clear)) continue;
         const auto si = in_si(a.candidate, a.x[1], scales);
-        a.accepted = flexible(a)
-                         ? !bends_only(a.candidate, a.x[1], scales) &&
-                               within(spread_of(cases, a.candidate, si, runs, parallel), a.evaluation, levels.size())
-                         : at_floor(cases, a, nominal, scales, parallel);
+        if (flexible(a)) {
+            a.accepted = !bends_only(a.candidate, a.x[1], scales) &&
+                         within(spread_of(cases, a.candidate, si, runs, parallel), a.evaluation, levels.size());
+            continue;
+        }
+        a.accepted = at_floor(cases, a, nominal, scales, parallel);
+        constexpr double most = 0.75;  // less is never named: the runs would be wasted
+        if (!a.accepted && a.explained > most)
+            a.explained = explained_beyond(spread_of(cases, a.candidate, si, runs, parallel), a.evaluation[1], nominal);
     }
     std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.score < b.score; });
 }

@@ -166,3 +166,18 @@ TEST_CASE("a wave of which the travel holds only a bend is told from one that tu
     CHECK_FALSE(seen(1.5));
     CHECK_FALSE(bends_only(found({"gravity"}, 0.02, 1, true).candidate, Eigen::VectorXd::Zero(2), scales));
 }
+
+TEST_CASE("what a true joint's own noise leaves is no unexplained rest", "[gap]")
+{
+    Nominal nominal;
+    nominal.evaluation[1].records = {{101, 1}, {2, 1}};
+    Evaluation middle;
+    middle.records = {{4, 1}, {1, 1}};
+    NoiseSpread own;
+    for (auto& level : own.mean) level = {{1, 1}, {1, 1}};
+    CHECK(explained_beyond(own, middle, nominal) == Approx(1 - 3 / 101.0));
+    own.mean[1][0].position = 3;  // a jump between two rows of a slow log
+    CHECK(explained_beyond(own, middle, nominal) == Approx(1 - 1 / 101.0));
+    own.mean[1][0].position = 0.5;  // fewer than one floor is luck
+    CHECK(explained_beyond(own, middle, nominal) == Approx(1 - 3 / 101.0));
+}

@@ -4,6 +4,7 @@
 #include "analysis/gap/seeds.h"
 
 #include <algorithm>
+#include <map>
 
 namespace stickslip::gap {
 namespace {
@@ -16,14 +17,15 @@ struct Pair {
     const Attribution *a, *b;  ///< the better single first
     Candidate both;
     LevelFit fit;
+    double omega;  ///< level of the first look
 };
 
 /// Both effects in the order of the catalogue: edits that change the model of the joint come last.
-Pair pair_of(const Attribution& a, const Attribution& b, std::size_t records)
+Pair pair_of(const Attribution& a, const Attribution& b, std::size_t records, double omega)
 {
     const bool swap = a.candidate.effects[0] > b.candidate.effects[0];
     const auto &first = (swap ? b : a).candidate, &second = (swap ? a : b).candidate;
-    return {&a, &b, {{first.effects[0], second.effects[0]}, {first.forms[0], second.forms[0]}, records}, {}};
+    return {&a, &b, {{first.effects[0], second.effects[0]}, {first.forms[0], second.forms[0]}, records}, {}, omega};
 }
 
 Eigen::VectorXd join(const Pair& p, const Eigen::VectorXd& of_a, const Eigen::VectorXd& of_b)
@@ -36,12 +38,12 @@ Eigen::VectorXd join(const Pair& p, const Eigen::VectorXd& of_a, const Eigen::Ve
 
 /// A first look: from where both came to alone, and from the second started afresh on what the first leaves. Play and
 /// limits are searched while the first keeps its values.
-void look_at(Pair& p, const std::vector<Case>& brief, const Scales& scales, double omega)
+void look_at(Pair& p, const std::vector<Case>& brief, const Scales& scales)
 {
     std::vector<std::pair<double, Eigen::VectorXd>> from;
     const auto add = [&](const Eigen::VectorXd& of_b) {
         const Eigen::VectorXd x = join(p, p.a->x[0], of_b);
-        from.emplace_back(evaluate(brief, p.both, in_si(p.both, x, scales), omega).objective, x);
+        from.emplace_back(evaluate(brief, p.both, in_si(p.both, x, scales), p.omega).objective, x);
     };
     const auto held = in_si(p.a->candidate, p.a->x[0], scales);
     for (const auto& x : starts(brief, scales, p.b->candidate, p.a->candidate, held)) add(x);
@@ -56,10 +58,10 @@ void look_at(Pair& p, const std::vector<Case>& brief, const Scales& scales, doub
     for (const auto& [objective, x] : from) {
         LevelFit fit;
         if (second_jagged)
-            fit = search_block(brief, p.both, scales, x, omega,
+            fit = search_block(brief, p.both, scales, x, p.omega,
                                2 * first_effort * static_cast<int>(p.b->candidate.parameter_count()), 0.3, kept);
         else
-            fit = descend_block(brief, p.both, scales, x, omega, first_look, jagged(p.a->candidate) ? kept : Kept{});
+            fit = descend_block(brief, p.both, scales, x, p.omega, first_look, jagged(p.a->candidate) ? kept : Kept{});
         evaluations += fit.evaluations;
         if (p.fit.x.size() == 0 || fit.evaluation.objective < p.fit.evaluation.objective) p.fit = fit;
     }
@@ -101,10 +103,14 @@ std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales&
     const double omega = screening_level(nominal);
     const auto brief = excerpts(cases, omega, brief_ticks, coarse), whole = uncut(cases, coarse);
     const auto part = [&](const Pair& p) -> const std::vector<Case>& { return needs_history(p.both) ? whole : brief; };
-    // with known masses the slope towards the right play is longer over a longer horizon
-    const auto level = [&](const Pair& p) { return needs_history(p.both) ? std::min(omega, levels[1]) : omega; };
     const auto forms = other_forms(singles, partners, brief, cases.size(), scales, omega, parallel);
     std::vector<Pair> simple, divided;
+    const auto add = [&](std::vector<Pair>& to, const Attribution& a, const Attribution& b) {
+        to.push_back(pair_of(a, b, cases.size(), omega));
+        // with known masses the slope towards the right play is longer over a longer horizon, while what sticks and
+        // slips beside it shows over a short one
+        if (needs_history(to.back().both) && omega > levels[1]) to.push_back(pair_of(a, b, cases.size(), levels[1]));
+    };
     for (const auto& form : forms) {
         bool behind = true;  // of the effect in its best form
         for (const auto& single : singles) {
@@ -114,9 +120,9 @@ std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales&
             }
             const bool best = form.candidate.effects == singles[0].candidate.effects;
             if (two_mass_edit(single.candidate))
-                divided.push_back(pair_of(behind ? single : form, behind ? form : single, cases.size()));
+                add(divided, behind ? single : form, behind ? form : single);
             else if (best)
-                simple.push_back(pair_of(form, single, cases.size()));
+                add(simple, form, single);
         }
     }
     for (std::size_t i = 0; i < std::min(partners, singles.size()); ++i)
@@ -124,24 +130,21 @@ std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales&
             const bool a = two_mass_edit(singles[i].candidate), b = two_mass_edit(singles[j].candidate);
             // divided masses cost ten times as much: they look for a partner only where they are best
             if ((a && b) || (i > 0 && a)) continue;
-            (a || b ? divided : simple).push_back(pair_of(singles[i], singles[j], cases.size()));
+            add(a || b ? divided : simple, singles[i], singles[j]);
         }
     std::vector<Attribution> pairs;
     const auto screen = [&](std::vector<Pair>& some, std::size_t finalists) {
-        parallel(some.size(), [&](std::size_t i) { look_at(some[i], part(some[i]), scales, level(some[i])); });
-        // what is seen in excerpts and in whole records is on one scale beside the nominal joint
-        const double of_brief = evaluate(brief, {}, {}, omega).objective;
-        const double of_whole = evaluate(whole, {}, {}, std::min(omega, levels[1])).objective;
-        const auto left = [&](const Pair& p) {
-            return p.fit.evaluation.objective / (needs_history(p.both) ? of_whole : of_brief);
-        };
-        std::stable_sort(some.begin(), some.end(), [&](const Pair& a, const Pair& b) { return left(a) < left(b); });
-        some.resize(std::min(finalists, some.size()));
+        parallel(some.size(), [&](std::size_t i) { look_at(some[i], part(some[i]), scales); });
+        std::stable_sort(some.begin(), some.end(), [](const Pair& a, const Pair& b) {
+            return a.fit.evaluation.objective < b.fit.evaluation.objective;
+        });
+        std::map<std::pair<double, bool>, std::size_t> taken;  // objectives compare on one level of one kind of data
+        std::erase_if(some, [&](const Pair& p) { return ++taken[{p.omega, needs_history(p.both)}] > finalists; });
         std::vector<Attribution> found(some.size());
         parallel(some.size(), [&](std::size_t i) {
             Pair& p = some[i];
             const int looked = p.fit.evaluations;
-            p.fit = improve(part(p), p.both, scales, p.fit.x, level(p), full_effort);
+            p.fit = improve(part(p), p.both, scales, p.fit.x, p.omega, full_effort);
             p.fit.evaluations += looked;
             found[i] = as_screened(cases, scales, nominal, p.both, p.fit);
         });

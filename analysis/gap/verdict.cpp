@@ -9,13 +9,15 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double margin = 0.02;       // of score: rivals this close cannot be told apart
-constexpr double temperature = 0.01;  // of score: from margins to probabilities
+constexpr double margin = 0.02;  // of score: rivals this close cannot be told apart
+// From margins to probabilities, fitted by likelihood to 107 named causes in three draws of sealed cases: of score; far
+// above the floor, where margins are model error, of the best score itself.
+constexpr double temperature = 0.003, relative_temperature = 0.007;
 // A rival with one more parameter that gains nothing by it holds the winner as a special case. A true one would have
-// used its parameter: the odds against it.
-constexpr double needless_parameter = 10;
-// The chance that a cause is not the one although it is named: what is left is not noise.
-constexpr double doubt = 0.3;
+// used its parameter: the odds against it, Schwarz's √n for a thousand independent readings.
+constexpr double needless_parameter = 30;
+// The chance that a cause is not the one although it is named, where what is left is noise and where it is not.
+constexpr double doubt_of_accepted = 0.03, doubt = 0.2;
 constexpr int runs = 3;
 
 /// Stick-slip amplifies what two integrators do differently, so slower levels get more room. Scores of misfit at which
@@ -167,7 +169,7 @@ std::vector<Ranked> rank(const std::vector<Attribution>& singles, const std::vec
     if (all.empty()) return all;
     const double best = all.front().attribution->score;
     // far above the floor the margins between scores are model error, not noise
-    const double width = std::max(temperature, 0.02 * best);
+    const double width = std::max(temperature, relative_temperature * best);
     double sum = 0;
     const auto parameters = [](const Ranked& r) {
         return static_cast<double>(r.attribution->candidate.parameter_count());
@@ -180,8 +182,11 @@ std::vector<Ranked> rank(const std::vector<Attribution>& singles, const std::vec
     }
     // what the best leaves unexplained is the chance that it is something else
     const Attribution& first = *all.front().attribution;
-    const double unexplained = 0.5 * std::clamp(1 - first.explained, 0.0, 1.0);
-    const double else_ = !decision.named ? 0.9 : first.accepted ? 0.01 + unexplained : doubt + unexplained;
+    const double unexplained = std::clamp(1 - first.explained, 0.0, 1.0);
+    constexpr double unnamed = 0.9, most = 0.95;
+    const double else_ = !decision.named  ? unnamed
+                         : first.accepted ? doubt_of_accepted + 0.5 * unexplained
+                                          : std::min(most, doubt + unexplained);
     for (auto& r : all) r.probability *= (1 - else_) / sum;
     return all;
 }

@@ -8,8 +8,9 @@ namespace stickslip::gap {
 bool at_floor(const std::vector<Case>& cases, const Attribution& a, const Nominal& nominal, const Scales& scales,
               const ParallelFor& parallel);
 
-/// Part of the nominal joint's excess misfit at the middle level that is gone, where what a true joint of the kind would
-/// leave by its own noise is no excess: between the rows of a slow log, or behind a jump, that can be many floors.
+/// Part of the nominal joint's excess misfit at the middle level that is gone, where what a true joint of the kind
+/// would leave by its own noise is no excess: between the rows of a slow log, or behind a jump, that can be many
+/// floors.
 double explained_beyond(const NoiseSpread& own, const Evaluation& middle, const Nominal& nominal);
 
 /// Whether a wave among the effects has a period so much longer than the travel, or than the records, that only a bend

@@ -83,12 +83,18 @@ bool Follower::makes_turn(const Cycle& cycle) const
     return turn.end == Turn::End::crossing && smooth(turn) && std::abs(turn.period() / cycle.period - 1) < alike;
 }
 
-bool Follower::shoot(const FlowVector& guess)
+/// Each miss doubles the wait: a motion that creeps past a fold would be shot at in every turn for nothing.
+bool Follower::takes_aim()
 {
-    // each miss doubles the wait: a motion that creeps past a fold would be shot at in every turn for nothing
     if (result_.turns < next_shot_) return false;
     next_shot_ = result_.turns + patience_;
     patience_ = std::min(2 * patience_, 32);
+    return true;
+}
+
+bool Follower::shoot(const FlowVector& guess)
+{
+    if (!takes_aim()) return false;
     CycleOptions options;
     options.rtol = fine_ ? 1e-11 : std::min(1e-9, options_.rtol);
     const auto cycle = find_cycle(flow_, guess, options);
@@ -142,9 +148,7 @@ bool Follower::jump(double growth)
 /// Beside a period doubling turns come back long before they have told after how many: the orbit that attracts decides.
 bool Follower::shoot_repeat(int watched_turns)
 {
-    if (result_.turns < next_shot_) return false;
-    next_shot_ = result_.turns + patience_;
-    patience_ = std::min(2 * patience_, 32);
+    if (!takes_aim()) return false;
     const double rtol = std::min(1e-9, options_.rtol);
     const auto orbit = attracting_orbit(flow_, points_.back(), watched_turns, rtol, alike * amplitude());
     if (!orbit) return false;
@@ -248,10 +252,9 @@ Attractor Follower::run(const FlowVector& y)
 bool Follower::wild() const
 {
     if (flow_.size() <= 3 || points_.size() < 3) return false;
-    int grew = 0, shrank = 0;
-    for (std::size_t i = 1; i < points_.size(); ++i)
-        ++(distance(points_[i], steady_) > distance(points_[i - 1], steady_) ? grew : shrank);
-    return grew > 0 && shrank > 0;
+    std::vector<double> sizes;
+    for (const auto& point : points_) sizes.push_back(distance(point, steady_));
+    return grows_and_shrinks(sizes);
 }
 
 Attractor follow(const Flow& flow, const FlowVector& y, bool steady_attracts, const FollowOptions& options)

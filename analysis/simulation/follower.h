@@ -21,6 +21,7 @@ class Follower {
     }
     Attractor ended(Attractor::Kind kind, Reason reason = Reason::none);
     Attractor from_turn(const Turn& turn);
+    bool takes_aim();
     bool shoot(const FlowVector& guess);
     bool may_rest() const;
     bool makes_turn(const Cycle& cycle) const;

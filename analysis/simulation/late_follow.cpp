@@ -31,13 +31,6 @@ Attractor from_turns(const std::deque<Turn>& turns, int newest, Attractor result
     return result;
 }
 
-bool grows_and_shrinks(const std::vector<double>& sizes)
-{
-    int grew = 0, shrank = 0;
-    for (std::size_t i = 1; i < sizes.size(); ++i) ++(sizes[i] > sizes[i - 1] ? grew : shrank);
-    return grew > 0 && shrank > 0;
-}
-
 }  // namespace
 
 Attractor follow(const LateFlow& flow, const FlowVector& from, bool steady_attracts, const FollowOptions& options)

@@ -28,7 +28,7 @@ constexpr double degenerate_lyapunov = 1e-6;
 /// its mode so little that the lifted one would drown in the solver's tolerance.
 constexpr double lifted = 0.1, hidden = 1e-3 * small_disturbance;
 
-constexpr double another_gain = 1.5;
+constexpr double another_gain = 1.5;  ///< per k_p: at two gains only what nothing damps is neutral
 
 void describe_cycle(const Attractor& a, NonlinearVerdict& verdict)
 {

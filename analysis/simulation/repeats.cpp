@@ -82,4 +82,11 @@ int full_turns(const std::deque<Turn>& turns, int newest)
                                           [&](const Turn& t) { return t.position_max - t.position_min > least; }));
 }
 
+bool grows_and_shrinks(const std::vector<double>& sizes)
+{
+    int grew = 0, shrank = 0;
+    for (std::size_t i = 1; i < sizes.size(); ++i) ++(sizes[i] > sizes[i - 1] ? grew : shrank);
+    return grew > 0 && shrank > 0;
+}
+
 }  // namespace stickslip

@@ -2,6 +2,7 @@
 #pragma once
 #include <deque>
 #include <functional>
+#include <vector>
 
 #include "analysis/simulation/motion.h"
 
@@ -22,5 +23,8 @@ Turn merged(const std::deque<Turn>& turns, int newest);
 
 /// How many of the newest turns are turns of their own: those that ring within a phase of sticking are not.
 int full_turns(const std::deque<Turn>& turns, int newest);
+
+/// Whether some of these sizes, one a turn, are larger and some smaller than the one before: what creeps is not.
+bool grows_and_shrinks(const std::vector<double>& sizes);
 
 }  // namespace stickslip

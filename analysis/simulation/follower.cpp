@@ -28,11 +28,13 @@ constexpr double runaway = 1e12;  ///< speed in units of V_0: no slip reaches it
 
 /// Contraction of a turn, 1 − |μ|, that the variational equations of shooting resolve.
 constexpr double clear_contraction = 1e-5;
+constexpr int longest_wait = 32;        ///< turns until what creeps past a fold is shot at again
 constexpr int most_settling = 8;        ///< turns that a scaled motion gets to forget how it was scaled
 constexpr double settled_growth = 0.3;  ///< change of growth, relative, of one that has
 constexpr double near_return = 1e-3;    ///< gap after several turns, per amplitude, from which an orbit is looked for
 constexpr int patient_turns = 600;      ///< before what only watching says of repeats is believed
-constexpr int most_steps = 1'500'000;   ///< of a motion; 3000 turns of an irregular one take fewer
+constexpr int most_steps = 3'000'000;   ///< of a motion; 3000 turns of the irregular one of the tests take 2.1 million
+constexpr int wild_turns = 600;         ///< before a motion that neither closes nor settles is called irregular
 constexpr int settling_turns = 60;      ///< before a motion that neither closes nor settles is tested for repeats
 
 }  // namespace
@@ -50,6 +52,8 @@ Follower::Follower(const Flow& flow, bool steady_attracts, const FollowOptions& 
     turn_limit_ = longest_turn / rates.slowest + (std::isfinite(wind_up) ? wind_up : 0);
     abscissa_ = rates.abscissa;
     least_turn_ = shortest_turn / rates.fastest;
+    one_turn_.longest_wait = longest_wait;
+    several_turns_.longest_wait = options.turn_limit;  // each costs as much as hundreds of turns
 }
 
 Attractor Follower::ended(Attractor::Kind kind, Reason reason)
@@ -83,18 +87,17 @@ bool Follower::makes_turn(const Cycle& cycle) const
     return turn.end == Turn::End::crossing && smooth(turn) && std::abs(turn.period() / cycle.period - 1) < alike;
 }
 
-/// Each miss doubles the wait: a motion that creeps past a fold would be shot at in every turn for nothing.
-bool Follower::takes_aim()
+bool Follower::Aim::taken_at(int turn)
 {
-    if (result_.turns < next_shot_) return false;
-    next_shot_ = result_.turns + patience_;
-    patience_ = std::min(2 * patience_, 32);
+    if (turn < next) return false;
+    next = turn + wait;
+    wait = std::min(2 * wait, longest_wait);
     return true;
 }
 
 bool Follower::shoot(const FlowVector& guess)
 {
-    if (!takes_aim()) return false;
+    if (!one_turn_.taken_at(result_.turns)) return false;
     CycleOptions options;
     options.rtol = fine_ ? 1e-11 : std::min(1e-9, options_.rtol);
     const auto cycle = find_cycle(flow_, guess, options);
@@ -148,7 +151,7 @@ bool Follower::jump(double growth)
 /// Beside a period doubling turns come back long before they have told after how many: the orbit that attracts decides.
 bool Follower::shoot_repeat(int watched_turns)
 {
-    if (!takes_aim()) return false;
+    if (!several_turns_.taken_at(result_.turns)) return false;
     const double rtol = std::min(1e-9, options_.rtol);
     const auto orbit = attracting_orbit(flow_, points_.back(), watched_turns, rtol, alike * amplitude());
     if (!orbit) return false;
@@ -198,7 +201,8 @@ Attractor Follower::run(const FlowVector& y)
         }
         idle_turns_ = turn.period() > least_turn_ ? 0 : idle_turns_ + 1;
         steps_ += turn.steps;
-        if (idle_turns_ > most_idle_turns || steps_ > most_steps) return ended(Kind::undecided, Reason::not_converged);
+        if (idle_turns_ > most_idle_turns) return ended(Kind::undecided, Reason::not_converged);
+        if (steps_ > most_steps) break;
         points_.push_back(turn.state);
         turns_.push_back(turn);
         ++quiet_turns_;
@@ -251,7 +255,7 @@ Attractor Follower::run(const FlowVector& y)
 /// Bounded, and neither creeping nor in a flow too small for chaos.
 bool Follower::wild() const
 {
-    if (flow_.size() <= 3 || points_.size() < 3) return false;
+    if (flow_.size() <= 3 || result_.turns < wild_turns || points_.size() < 3) return false;
     std::vector<double> sizes;
     for (const auto& point : points_) sizes.push_back(distance(point, steady_));
     return grows_and_shrinks(sizes);

@@ -15,13 +15,18 @@ class Follower {
     Attractor run(const FlowVector& y);
 
   private:
+    /// When shooting is tried again: each miss doubles the wait, up to the longest, all in turns.
+    struct Aim {
+        int longest_wait = 0, next = 0, wait = 1;
+        bool taken_at(int turn);
+    };
+
     double distance(const FlowVector& a, const FlowVector& b) const
     {
         return (a - b).cwiseQuotient(scale_).cwiseAbs().maxCoeff();
     }
     Attractor ended(Attractor::Kind kind, Reason reason = Reason::none);
     Attractor from_turn(const Turn& turn);
-    bool takes_aim();
     bool shoot(const FlowVector& guess);
     bool may_rest() const;
     bool makes_turn(const Cycle& cycle) const;
@@ -48,10 +53,10 @@ class Follower {
     int linear_turns_ = 0;                    ///< in succession that decayed at the linear rate
     double last_growth_ = missing;            ///< ln of the amplitude ratio of the last two turns
     Creep creep_;
-    int next_shot_ = 0, patience_ = 1;  ///< turns
-    int steps_ = 0;                     ///< of the solver
-    int idle_turns_ = 0;                ///< in succession that were shorter
-    int quiet_turns_ = 0;               ///< turns since the amplitude was last scaled
+    Aim one_turn_, several_turns_;
+    int steps_ = 0;        ///< of the solver
+    int idle_turns_ = 0;   ///< in succession that were shorter
+    int quiet_turns_ = 0;  ///< turns since the amplitude was last scaled
 };
 
 }  // namespace stickslip

@@ -6,6 +6,9 @@ namespace stickslip {
 namespace {
 
 constexpr double same_orbit = 1e-6;  ///< gap of an orbit that closes sooner than it was asked to, per size
+/// Multiplier, as a modulus, of an orbit beside which none of twice its turns attracts any more: in the logistic map
+/// that one loses its hold where the multiplier of the first has come to 1 − √6.
+constexpr double most_repelling = 3;
 
 double distance(const Flow& flow, const FlowVector& a, const FlowVector& b)
 {
@@ -37,6 +40,9 @@ std::optional<Orbit> attracting_orbit(const Flow& flow, const FlowVector& guess,
 {
     CycleOptions options;
     options.rtol = rtol;
+    options.turns = watched_turns;
+    const auto near = revolve(flow, guess, options);
+    if (!near || std::abs(floquet_multipliers(flow, *near)[0]) > most_repelling) return {};
     for (int turns = 1; turns <= 2 * watched_turns; ++turns) {
         if (watched_turns % turns != 0 && turns != 2 * watched_turns) continue;
         options.turns = turns;

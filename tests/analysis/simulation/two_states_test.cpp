@@ -12,13 +12,18 @@ namespace {
 
 constexpr double critical = 0.0802755656;  // κ_cr, published
 
-QuasiStaticFlow two_states(double share)
+SlidingFlow two_states_with_mass(double share, double mass)
 {
-    Joint joint = dimensionless_joint(share * critical, 1, 1, 0);
+    Joint joint = dimensionless_joint(share * critical, mass, 1, 0);
     auto& law = std::get<RateAndState>(joint.friction.law);
     law.B.push_back(0.84);
     law.L.push_back(1 / 0.048);
-    return QuasiStaticFlow(sliding_flow(joint).flow);
+    return sliding_flow(joint).flow;
+}
+
+QuasiStaticFlow two_states(double share)
+{
+    return QuasiStaticFlow(two_states_with_mass(share, 1));
 }
 
 /// The orbit of the given number of turns at this gain, from that of a neighbouring gain.
@@ -94,4 +99,34 @@ TEST_CASE("two states without inertia: beside a doubling the repeat is the attra
         CHECK(end.path == DecisionPath::shooting);
         CHECK(std::abs(end.multipliers[0]) < 1);
     }
+}
+
+TEST_CASE("two states and a small mass: where neighbouring motions part, the motion is irregular", "[nonlinear]")
+{
+    const auto flow = two_states_with_mass(0.848, 1e-3);
+    FollowOptions options;
+    options.turn_limit = 700;
+    const auto end = follow(flow, flow.steady() + FlowVector::Constant(flow.size(), 0.05), false, options);
+    CHECK(end.kind == Attractor::Kind::irregular);
+
+    // the growth of a displacement, by the variational equations of one-step integration over the same number of turns
+    CycleOptions turn;
+    turn.rtol = 1e-8;
+    FlowVector y = end.start, displaced = FlowVector::Ones(flow.size());
+    double growth = 0;
+    constexpr int turns = 200;
+    for (int i = 0; i < turns; ++i) {
+        const auto once = revolve(flow, y, turn);
+        REQUIRE(once);
+        // along the flow nothing grows: what counts is the part across it, back on the section
+        FlowVector rate;
+        flow.rate(once->end, rate);
+        const FlowVector normal = flow.speed_gradient(once->end);
+        displaced = once->displacement * displaced;
+        displaced -= rate * (normal.dot(displaced) / normal.dot(rate));
+        growth += std::log(displaced.norm());
+        displaced.normalize();
+        y = once->end;
+    }
+    CHECK(growth / turns > 0.05);
 }

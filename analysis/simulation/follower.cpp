@@ -170,7 +170,8 @@ bool Follower::repeats()
         if (near > 1 && shoot_repeat(near)) return true;
         if (result_.turns < patient_turns) return false;
     }
-    if (m == 0 || (m == 1 && fine_)) return false;  // what creeps seems closed: its growth decides
+    // what creeps seems closed: its growth decides
+    if (m == 0 || (m == 1 && fine_ && smooth(turns_.back()))) return false;
     from_turn(merged(turns_, m));
     result_.repeats = full_turns(turns_, m);
     return true;
@@ -203,6 +204,7 @@ Attractor Follower::run(const FlowVector& y)
         steps_ += turn.steps;
         if (idle_turns_ > most_idle_turns) return ended(Kind::undecided, Reason::not_converged);
         if (steps_ > most_steps) break;
+        if (idle_turns_ > 0) continue;  // the motion never left the section
         points_.push_back(turn.state);
         turns_.push_back(turn);
         ++quiet_turns_;
@@ -215,12 +217,13 @@ Attractor Follower::run(const FlowVector& y)
         // a motion that rests forgets everything but the spring: two equal turns are a closed orbit
         const bool equal = gap <= std::max(closed, 10 * options_.rtol) * std::max(size, 1.0);
         const Turn& last = turns_[turns_.size() - 2];
-        if (turn.sticks > 0 && last.sticks > 0 && equal) return from_turn(turn);
+        const bool rests = turn.sticks > 0 && last.sticks > 0, slows = turn.rest_time > 0 && last.rest_time > 0;
+        if ((rests || (slows && !smooth(turn))) && equal) return from_turn(turn);
         if (options_.accelerate && smooth(turn)) {
             const bool due = gap < alike * size || quiet_turns_ % 12 == 11;
             if (due && shoot(now)) return ended(Kind::cycle);
             // near rest, speeds span more decades than shooting through them resolves
-            if (turn.rest_time > 0 && last.rest_time > 0 && equal) return from_turn(turn);
+            if (slows && equal) return from_turn(turn);
             const bool creeping = std::abs(growth) < 0.3 && std::abs(growth - last_growth_) < 0.05;
             if (creeping && flow_.size() <= 3 && quiet_turns_ >= 3) {
                 if (steady_attracts_ && growth < 0 && size < 1e-3) return ended(Kind::steady);

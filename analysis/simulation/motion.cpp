@@ -32,8 +32,13 @@ static_assert(largest_launch < near_rest);
 /// Steps shorter than this share of the solver's clock start it anew: a slip after hours of creep lasts microseconds.
 constexpr double resolved_step = 1e-9;
 
-/// Fresh starts after failures that one turn may take before the other solver has its try.
-constexpr int most_restarts = 20;
+/// Steps that a fresh start gets to leave what stopped the one before: the rest of a step that an event cut is short,
+/// too.
+constexpr int settled_steps = 20;
+
+/// Fresh starts after failures, with less than settled_steps between them, before the other solver has its try: where
+/// the speed stands on the section to the last bit, CVODE's search for roots finds the same one for ever.
+constexpr int most_restarts = 5;
 
 /// Times that one turn may come to rest; a motion that rests more often than that chatters, and would for ever.
 constexpr int most_rests = 10'000;
@@ -106,6 +111,7 @@ void SlidingMotion::surround(double force, double normal_load)
 void SlidingMotion::restart()
 {
     clock_ = t_;
+    steps_of_clock_ = 0;
     stepper_->start(*flow_, 0, y_, events_);
 }
 
@@ -237,7 +243,7 @@ Turn SlidingMotion::run(double t_end, const std::function<bool(const FlowVector&
     turn.velocity_min = turn.velocity_max = stuck_ ? 0 : flow_->velocity(y_);
     turn.position_min = turn.position_max = flow_->position(y_);
     rest_time_ = 0;
-    rests_ = restarts_ = 0;
+    rests_ = 0;
     sticks_ = stuck_ || (switching_ && switching_->anything_rests()) ? 1 : 0;
     release_position_ = missing;
     const auto finish = [&](Turn::End end) {
@@ -274,6 +280,7 @@ Turn SlidingMotion::run(double t_end, const std::function<bool(const FlowVector&
         if (late_)
             late_->remember(before, y_, [&](double f) { return stepper_->at(from + f * (stepper_->time() - from)); });
         if (stepper_->time() > from) idle_switches_ = 0;
+        if (steps_of_clock_ > settled_steps) restarts_ = 0;
         const bool at_rest = mutable_flow_ && report.end == StepEnd::event && report.event == rest;
         if (at_rest) y_[1] = 0;
         measure_step(from, before, report, turn);
@@ -282,7 +289,7 @@ Turn SlidingMotion::run(double t_end, const std::function<bool(const FlowVector&
             arrive_at_rest();
         else if (switched && !pass_switch(report.event - rest))
             return finish(Turn::End::failure);
-        else if (!switched && stepper_->time() - from < resolved_step * from)
+        else if (!switched && ++steps_of_clock_ > settled_steps && stepper_->time() - from < resolved_step * from)
             restart();
         tell();
         if (report.end == StepEnd::event && report.event == section && report.direction < 0)

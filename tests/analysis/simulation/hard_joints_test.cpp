@@ -1,5 +1,6 @@
 // Joints at which an integration once stood still, ran for ever, or lost its time in rounding.
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "analysis/simulation/break_away.h"
 #include "analysis/simulation/nonlinear.h"
@@ -155,4 +156,24 @@ TEST_CASE("turns that take no time are no cycle")
     CHECK(verdict.region == NonlinearRegion::undecided);
     CHECK(verdict.reason == Reason::not_converged);
     CHECK(std::isnan(verdict.period));
+}
+
+TEST_CASE("bristles let a mass go from a speed that stands on the section to the last bit")
+{
+    // the other integrator is the oracle: each of these stood still under CVODE at its first crossing
+    LuGre law;
+    law.sigma0 = 1e6, law.sigma1 = 1e3, law.sigma2 = 50;
+    law.coulomb = 15, law.breakaway = 20, law.stribeck_velocity = 2e-3;
+    for (const double decades : {3.3, 3.45, 4.125, 5.175}) {
+        const auto joint = joint_with(law, 1, std::pow(10, decades), 10, 1e-3);
+        NonlinearOptions options, other;
+        options.region = other.region = false;
+        other.fallback_only = true;
+        const auto verdict = nonlinear_verdict(joint, options), expected = nonlinear_verdict(joint, other);
+        CAPTURE(decades);
+        CHECK(verdict.reason == Reason::none);
+        CHECK(verdict.outcome == (decades < 5 ? Outcome::reversal : Outcome::period_n));
+        CHECK(verdict.outcome == expected.outcome);
+        CHECK(verdict.period == Approx(expected.period).epsilon(1e-5));
+    }
 }

@@ -27,6 +27,20 @@ double instability(const Joint& joint, Curve::Kind theory)
     return growth_rate(joint);
 }
 
+std::optional<bool> is_stable(const Joint& joint, Curve::Kind theory)
+{
+    if (joint.mechanism.model != Model::single_mass) {
+        const auto steady = steady_sliding(joint);
+        if (steady.reason != Reason::none) return {};
+        auto linear = linear_joint(joint, steady.velocity);
+        if (theory == Curve::Kind::velocity_only) linear = velocity_only(linear);
+        if (linear.rational()) return is_stable(linear);
+    }
+    const double size = instability(joint, theory);
+    if (std::isnan(size)) return {};
+    return size < 0;
+}
+
 std::vector<BoundaryPoint> locate_on_ray(const Joint& given, std::string_view path, double low, double high, bool log,
                                          Curve::Kind theory, int scan)
 {

@@ -4,6 +4,7 @@
 #include "analysis/results/boundary.h"
 #include "analysis/results/point.h"
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -17,6 +18,10 @@ inline constexpr double linear_precision = 1e-12;
 /// state_variable: max Re s of (27). velocity_only: the larger of −(k_v + f_ss') and −k_p, (21); several bodies,
 /// contact or force gain: max Re s of the joint with its steady-state curves.
 double instability(const Joint& joint, Curve::Kind theory);
+
+/// Whether `instability` is negative, without its size, which costs joints of several bodies ten times as much; nothing
+/// where the theory cannot say.
+std::optional<bool> is_stable(const Joint& joint, Curve::Kind theory);
 
 /// Every sign change of `instability` for the parameter at `path` between low and high. A scan of `scan` intervals
 /// (evenly in the logarithm if `log`) brackets them: two boundaries within one interval can be missed.

@@ -21,6 +21,9 @@ constexpr double crossing_precision = 1e-10;
 constexpr double robust_precision = 1e-7;  ///< the worst case itself is known no better
 constexpr int global_evaluations = 150;    ///< per coordinate, of DIRECT over the directions
 constexpr int local_evaluations = 80;      ///< per coordinate, of SBPLX within an uncertainty
+constexpr int normal_steps = 6;            ///< at most
+constexpr double normal_precision = 1e-4;  ///< of the distance, where its gain by another step ends them
+constexpr double gradient_step = 1e-5;     ///< in units of the coordinates
 constexpr int corner_limit = 6;            ///< coordinates of which all corners are looked at
 
 double norm(const Vector& v)
@@ -55,26 +58,27 @@ class NearestSearch {
         result_.stable = here_ < 0;
         result_.distance = options_.reach;
         if (!result_.decided || n_ == 0) return result_;
-        std::vector<Vector> starts;
-        if (!options_.start.empty()) starts.push_back(options_.start);
-        for (std::size_t i = 0; i < n_; ++i)
+        std::vector<Vector> starts = options_.starts;
+        const bool further = !options_.along_starts_only;
+        for (std::size_t i = 0; further && i < n_; ++i)
             for (const double sign : {-1.0, 1.0}) {
                 starts.emplace_back(n_, 0);
                 starts.back()[i] = sign;
             }
         const Bounds cube{Vector(n_, -1), Vector(n_, 1)};
         const auto distance = [this](const Vector& direction) { return first_crossing(direction); };
-        Vector best = starts.front();
+        Vector best;
         double least = infinity;
         const auto consider = [&](const Vector& direction) {
             const double d = distance(direction);
             if (d < least) least = d, best = direction;
         };
         for (const auto& s : starts) consider(s);
-        if (options_.global && n_ > 1)
+        if (further && options_.global && n_ > 1)
             consider(global_minimum(distance, cube, global_evaluations * static_cast<int>(n_)));
+        if (further && n_ > 1) follow_normals(best, least);
         for (const double step : {0.3, 0.05})
-            if (n_ > 1 && (options_.global || step < 0.1))
+            if (further && n_ > 1 && options_.local > 0 && (options_.global || step < 0.1))
                 consider(local_minimum(distance, cube, scaled_by(best, 0.7 / norm(best)), step,
                                        options_.local * static_cast<int>(n_)));
         if (least < options_.reach) finish(best, least);
@@ -95,18 +99,58 @@ class NearestSearch {
         if (length < 1e-9) return 4 * options_.reach;
         const Vector unit = scaled_by(direction, 1 / length);
         const auto at = [&](double r) { return measure(scaled_by(unit, r)); };
-        double a = 0, fa = here_;
+        double a = 0;
         // what lies beyond the reach does not count, but leads the search to what does
         const double far = 2 * options_.reach;
         for (int k = 1; k <= options_.rays; ++k) {
             const double share = static_cast<double>(k) / options_.rays;  // finer where it matters: near the joint
-            const double b = far * share * share, fb = at(b);
-            if (std::isnan(fb)) break;
-            if ((fb < 0) != (fa < 0)) return bracketed_root(at, a, fa, b, fb, crossing_precision).value;
-            a = b, fa = fb;
+            const double b = far * share * share;
+            ++result_.evaluations;
+            const auto side = is_stable(movable_.at(scaled_by(unit, b)), options_.theory);
+            if (!side) break;
+            if (*side != result_.stable) {
+                const double fa = a == 0 ? here_ : at(a), fb = at(b);
+                if ((fa < 0) != (fb < 0)) return bracketed_root(at, a, fa, b, fb, crossing_precision).value;
+            }
+            a = b;
         }
         // without a crossing the search is led to where the measure has come down most
-        return far * (1 + 0.5 * std::clamp(fa / here_, 0.0, 1.0));
+        const double left = a > 0 ? at(a) / here_ : 1;
+        return far * (1 + 0.5 * (std::isnan(left) ? 1 : std::clamp(left, 0.0, 1.0)));
+    }
+
+    /// The nearest point of a smooth boundary lies along the boundary's normal there, so each point's normal leads to a
+    /// nearer one. Source: R. Rackwitz & B. Fiessler, Comput. Struct. 9 (1978) 489-494.
+    void follow_normals(Vector& direction, double& distance)
+    {
+        for (int k = 0; k < normal_steps; ++k) {
+            Vector next = steepest(scaled_by(direction, distance / norm(direction)));
+            const double length = norm(next);
+            if (!(length > 0) || !std::isfinite(length)) return;
+            for (std::size_t i = 0; i < n_; ++i) next[i] /= length;
+            double reached = first_crossing(next);
+            if (!(reached < distance)) {  // the normal turns quickly: half the way
+                for (std::size_t i = 0; i < n_; ++i) next[i] += direction[i] / norm(direction);
+                reached = first_crossing(next);
+            }
+            if (!(reached < distance)) return;
+            const bool enough = distance - reached < normal_precision * distance;
+            direction = next, distance = reached;
+            if (enough) return;
+        }
+    }
+
+    /// The direction in which the verdict changes fastest at a point, of any length.
+    Vector steepest(const Vector& point)
+    {
+        const double here = measure(point);
+        Vector gradient(n_);
+        for (std::size_t i = 0; i < n_; ++i) {
+            Vector beside = point;
+            beside[i] += gradient_step;
+            gradient[i] = (measure(beside) - here) * (result_.stable ? 1 : -1);
+        }
+        return gradient;
     }
 
     void finish(const Vector& best, double distance)

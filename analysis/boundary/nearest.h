@@ -9,9 +9,10 @@ struct NearestOptions {
     Curve::Kind theory = Curve::Kind::state_variable;
     double reach = not_set;  ///< distance searched; not set: a factor of ten in the least of the scales
     int rays = 48;           ///< steps, finer near the joint, along each direction before the first crossing is located
-    bool global = true;      ///< first NLopt's DIRECT over all directions; otherwise only from `start`
-    int local = 80;          ///< steps of the local search per coordinate
-    std::vector<double> start;  ///< a direction to begin with; empty: the axes
+    bool global = true;      ///< first NLopt's DIRECT over all directions; otherwise only from the starts
+    int local = 80;          ///< steps of the local search per coordinate; 0: the boundary's normals alone
+    std::vector<std::vector<double>> starts;  ///< directions to begin with, beside the axes
+    bool along_starts_only = false;           ///< nothing but these is looked along
 };
 
 /// The smallest distance √Σ q_i², q_i = ln(value ratio)/scale, at which the verdict of the joint changes. Every

@@ -15,6 +15,7 @@ namespace {
 using Place = std::vector<double>;
 
 constexpr int global_evaluations = 250, local_evaluations = 100, rim_points = 24;
+constexpr int most_rounds = 6;            ///< of searches, each with what the last one overlooked
 constexpr double tolerance = 1e-6;        ///< of a demand, in its logarithm
 constexpr double offence = 1e3;           ///< what any violation costs the global search, far above ln(cost)
 constexpr double most_of_margin = 0.995;  ///< of the largest margin, where the front ends
@@ -34,8 +35,17 @@ class Search {
 
     Search(Judge& judge, Goal goal, int without = -1) : judge_(judge), goal_(std::move(goal)), without_(without) {}
 
-    /// From the whole range, or from given places; nothing is promised but that the best place seen is returned.
-    Place run(std::vector<Place> starts, bool global)
+    /// From the whole range, or from given places and those judged before; nothing is promised but that the best place
+    /// seen is returned, and that its margin is what a thorough judgement finds where that took few rounds.
+    Place run(const std::vector<Place>& starts, bool global)
+    {
+        Place best = once(starts, global);
+        for (int round = 0; round < most_rounds && judge_.learns_at(best); ++round) best = once({best}, false);
+        return best;
+    }
+
+  private:
+    Place once(std::vector<Place> starts, bool global)
     {
         const Bounds bounds = judge_.bounds();
         const Objective penalised = [&](const Place& t) {
@@ -53,6 +63,8 @@ class Search {
                 t[1 - held] += (bounds.high[1 - held] - bounds.low[1 - held]) * i / rim_points;
                 starts.push_back(t);
             }
+        const auto before = judge_.places();
+        starts.insert(starts.end(), before.begin(), before.end());
         Place best = starts.front();
         for (const auto& s : starts)
             if (penalised(s) < penalised(best)) best = s;
@@ -77,7 +89,6 @@ class Search {
         return penalised(next) < penalised(best) ? next : best;
     }
 
-  private:
     Judge& judge_;
     Goal goal_;
     int without_;
@@ -126,7 +137,7 @@ Fared fared(Judge& judge, const GainChoice& best, const Place& place, int i, boo
     report.reached = reached(best, i);
     report.met = judge.violations(best)[index] <= tolerance;
     const auto offends = [&judge, index](const GainChoice& c) { return judge.violations(c)[index]; };
-    auto at = Search(judge, offends, i).run({place}, !feasible);
+    auto at = Search(judge, offends, i).run({place}, true);
     report.others_met = worst_of(judge.violations(judge.at(at)), i) <= tolerance;
     if (!report.others_met) {
         at = local_minimum([&](const Place& t) { return offends(judge.at(t)); }, judge.bounds(), place, 0.2,
@@ -253,9 +264,9 @@ GainDesign design_gains(const Joint& joint, const Requirements& r, const Paralle
     std::vector<int> counts(front.size());
     if (largest > 0)
         parallel(front.size(), [&](std::size_t i) {
-            Requirements step = r;
-            step.margin = least + (largest - least) * static_cast<double>(i) / (static_cast<double>(front.size()) - 1);
-            Judge own_judge(joint, step, Curve::Kind::state_variable);
+            const double margin =
+                least + (largest - least) * static_cast<double>(i) / (static_cast<double>(front.size()) - 1);
+            Judge own_judge = judge.with_margin(margin);
             const auto at = Search(own_judge, log_cost).run({best, own}, false);
             const auto choice = judged_at(own_judge, at);
             if (worst_of(own_judge.violations(choice)) <= 1e-3) front[i] = choice;
@@ -266,9 +277,7 @@ GainDesign design_gains(const Joint& joint, const Requirements& r, const Paralle
         design.evaluations += counts[i];
     }
     keep_undominated(design.front, [&](const GainChoice& quiet, const GainChoice& far) {
-        Requirements step = r;
-        step.margin = quiet.margin;
-        Judge own_judge(joint, step, Curve::Kind::state_variable);
+        Judge own_judge = judge.with_margin(quiet.margin);
         const auto at = Search(own_judge, log_cost).run({own_judge.place_of(far.k_p, far.k_v)}, false);
         const auto choice = judged_at(own_judge, at);
         design.evaluations += own_judge.evaluations();

@@ -21,7 +21,7 @@ struct Requirements {
     double noise_multiple = 3;          ///< of the effort noise that counts towards the limit
     std::vector<Coordinate> uncertain;  ///< whose distance the margin is; empty: the friction's
     double k_p_low = not_set, k_p_high = not_set, k_v_low = 0, k_v_high = not_set;  ///< not set: three decades around
-    double front_points = 12;  ///< points of the Pareto front
+    double front_points = 12;                                                       ///< points of the Pareto front
 };
 
 /// Minimises the cost over (k_p, k_v): NLopt's DIRECT-L over the whole range, then COBYLA under the constraints. The

@@ -13,6 +13,7 @@ namespace {
 constexpr int velocity_steps = 12;      ///< a decade, when the least velocity is looked for
 constexpr double velocity_decades = 4;  ///< below V_0, as far as it is looked for without a demand
 constexpr double beyond_demand = 1.25;  ///< how far a margin is looked for, per demanded one
+constexpr double overlooking = 0.99;    ///< a margin that turns out less than that, per the one thought of, was wrong
 
 }  // namespace
 
@@ -20,7 +21,7 @@ Judge::Judge(const Joint& joint, const Requirements& requirements, Curve::Kind t
     : joint_(joint), requirements_(requirements), theory_(theory)
 {
     coordinates_ = requirements.uncertain.empty() ? friction_coordinates(joint) : requirements.uncertain;
-    reach_ = std::max(default_reach(coordinates_), beyond_demand * requirements.margin);
+    reach_ = reach_for(requirements.margin);
     range_ = gain_range(joint, requirements);
     damping_unit_ = 1e-4 * range_.k_v.high;
     const auto steady = steady_sliding(joint);
@@ -28,9 +29,29 @@ Judge::Judge(const Joint& joint, const Requirements& requirements, Curve::Kind t
     steady_effort_ = std::abs(steady.friction) + std::abs(joint.load.constant);
 }
 
+double Judge::reach_for(double margin) const
+{
+    return std::max(default_reach(coordinates_), beyond_demand * margin);
+}
+
+Judge Judge::with_margin(double margin) const
+{
+    Judge other = *this;
+    other.requirements_.margin = margin;
+    other.evaluations_ = 0;
+    const double reach = reach_for(margin);
+    if (reach != reach_) other.reach_ = reach, other.judged_.clear();  // margins are cut off there
+    return other;
+}
+
 Bounds Judge::bounds() const
 {
     return {place_of(range_.k_p.low, range_.k_v.low), place_of(range_.k_p.high, range_.k_v.high)};
+}
+
+std::pair<double, double> Judge::gains_at(const std::vector<double>& t) const
+{
+    return {std::exp(t[0]), damping_unit_ * std::sinh(t[1])};
 }
 
 std::vector<double> Judge::place_of(double k_p, double k_v) const
@@ -40,16 +61,44 @@ std::vector<double> Judge::place_of(double k_p, double k_v) const
 
 const GainChoice& Judge::at(const std::vector<double>& t)
 {
-    // objective and constraints are asked one after the other at the same place
-    if (t == last_place_) return last_;
-    last_ = judged(std::exp(t[0]), damping_unit_ * std::sinh(t[1]), false);
-    last_place_ = t;
-    return last_;
+    const auto known = judged_.find(t);
+    if (known != judged_.end()) return known->second;
+    const auto [k_p, k_v] = gains_at(t);
+    NearestOptions options;
+    options.global = false, options.rays = 12, options.local = 0;
+    options.starts = overlooked_;
+    if (!direction_.empty()) options.starts.push_back(direction_);
+    const auto found = nearest(k_p, k_v, options);
+    if (found.found) direction_ = found.direction;
+    return judged_[t] = judged(k_p, k_v, signed_margin(found), false);
+}
+
+bool Judge::learns_at(const std::vector<double>& t)
+{
+    const double thought = at(t).margin;
+    const auto [k_p, k_v] = gains_at(t);
+    const auto sure = nearest(k_p, k_v, {});
+    if (!sure.found || std::abs(signed_margin(sure)) >= overlooking * std::abs(thought)) return false;
+    overlooked_.push_back(sure.direction);
+    NearestOptions along;
+    along.rays = 12, along.starts = {sure.direction}, along.along_starts_only = true;
+    for (auto& [place, choice] : judged_) {
+        const double margin = signed_margin(nearest(choice.k_p, choice.k_v, along));
+        if (std::abs(margin) < std::abs(choice.margin)) choice = judged(choice.k_p, choice.k_v, margin, false);
+    }
+    return true;
+}
+
+std::vector<std::vector<double>> Judge::places() const
+{
+    std::vector<std::vector<double>> known;
+    for (const auto& [place, choice] : judged_) known.push_back(place);
+    return known;
 }
 
 GainChoice Judge::thorough(double k_p, double k_v)
 {
-    return judged(k_p, k_v, true);
+    return judged(k_p, k_v, signed_margin(nearest(k_p, k_v, {})), true);
 }
 
 double Judge::least_velocity(Joint joint) const
@@ -73,23 +122,24 @@ double Judge::least_velocity(Joint joint) const
     return lowest;
 }
 
-GainChoice Judge::judged(double k_p, double k_v, bool thoroughly)
+NearestBoundary Judge::nearest(double k_p, double k_v, NearestOptions options) const
 {
+    Joint joint = joint_;
+    joint.control.k_p = k_p, joint.control.k_v = k_v;
+    options.theory = theory_;
+    options.reach = reach_;
     ++evaluations_;
+    return nearest_boundary(joint, coordinates_, options);
+}
+
+GainChoice Judge::judged(double k_p, double k_v, double margin, bool thoroughly) const
+{
     GainChoice choice;
-    choice.k_p = k_p, choice.k_v = k_v;
+    choice.k_p = k_p, choice.k_v = k_v, choice.margin = margin;
     Joint joint = joint_;
     joint.control.k_p = k_p, joint.control.k_v = k_v;
     auto linear = linear_joint(joint, velocity_);
     if (theory_ == Curve::Kind::velocity_only) linear = velocity_only(linear);
-    NearestOptions options;
-    options.theory = theory_;
-    options.reach = reach_;
-    options.global = thoroughly;
-    if (!thoroughly) options.rays = 12, options.local = 12, options.start = direction_;
-    const auto nearest = nearest_boundary(joint, coordinates_, options);
-    if (nearest.found) direction_ = nearest.direction;
-    choice.margin = signed_margin(nearest);
     choice.effort_noise = effort_noise(linear, requirements_.noise);
     const bool asked = thoroughly || requirements_.objective == DesignObjective::motion;
     choice.motion_noise = asked && choice.margin > 0 ? motion_noise(linear, requirements_.noise) : missing;

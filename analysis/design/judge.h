@@ -5,6 +5,8 @@
 #include "analysis/design/design.h"
 
 #include <array>
+#include <map>
+#include <utility>
 
 namespace stickslip {
 
@@ -18,11 +20,20 @@ class Judge {
   public:
     Judge(const Joint& joint, const Requirements& requirements, Curve::Kind theory);
 
-    /// The pair at a point of the search's plane, (ln k_p, asinh(k_v/unit)).
+    /// The same judge asked for another margin; it remembers what was judged.
+    Judge with_margin(double margin) const;
+
+    /// The pair at a point of the search's plane, (ln k_p, asinh(k_v/unit)). Each is judged once.
     const GainChoice& at(const std::vector<double>& t);
     /// The same with every direction searched for the margin.
     GainChoice thorough(double k_p, double k_v);
+    /// Judges the place thoroughly. Where the margin is smaller than it was thought, its direction is looked along at
+    /// every place from now on, those judged before included; true then. Adding what was overlooked until nothing is
+    /// follows A. Mutapcic & S. Boyd, Optim. Methods Softw. 24 (2009) 381-406.
+    bool learns_at(const std::vector<double>& t);
     Violations violations(const GainChoice& choice) const;
+    /// All places judged so far.
+    std::vector<std::vector<double>> places() const;
 
     Bounds bounds() const;
     std::vector<double> place_of(double k_p, double k_v) const;
@@ -32,19 +43,22 @@ class Judge {
     double steady_effort() const { return steady_effort_; }
 
   private:
-    GainChoice judged(double k_p, double k_v, bool thoroughly);
+    std::pair<double, double> gains_at(const std::vector<double>& t) const;
+    NearestBoundary nearest(double k_p, double k_v, NearestOptions options) const;
+    GainChoice judged(double k_p, double k_v, double margin, bool thoroughly) const;
     double least_velocity(Joint joint) const;
+    double reach_for(double margin) const;
 
     Joint joint_;
     Requirements requirements_;
     Curve::Kind theory_;
     std::vector<Coordinate> coordinates_;
-    std::vector<double> direction_;  ///< of the last margin: neighbours have similar ones
+    std::vector<std::vector<double>> overlooked_;  ///< directions
+    std::vector<double> direction_;                ///< of the last margin: neighbours have similar ones
     GainRange range_;
     double reach_ = 1, damping_unit_ = 1, velocity_ = 0, steady_effort_ = 0;
-    std::vector<double> last_place_;
-    GainChoice last_;
-    int evaluations_ = 0;
+    std::map<std::vector<double>, GainChoice> judged_;
+    mutable int evaluations_ = 0;
 };
 
 }  // namespace stickslip

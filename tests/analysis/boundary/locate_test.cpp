@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <random>
 #include <set>
 
 using namespace stickslip;
@@ -44,6 +45,32 @@ Joint two_masses()
 }
 
 }  // namespace
+
+TEST_CASE("the side of a joint is the sign of its largest real part", "[boundary]")
+{
+    constexpr unsigned seed = 20261122;
+    std::mt19937 random(seed);
+    const auto log_uniform = [&random](double low, double high) {
+        return std::exp(std::uniform_real_distribution(std::log(low), std::log(high))(random));
+    };
+    int stable = 0;
+    for (int i = 0; i < 500; ++i) {
+        Joint joint = i % 2 == 0 ? two_masses() : reference;
+        joint.control.k_p = log_uniform(1e3, 1e7);
+        joint.control.k_v = log_uniform(1, 1e4);
+        joint.control.V0 = log_uniform(1e-5, 1e-1);
+        for (const auto theory : {Curve::Kind::state_variable, Curve::Kind::velocity_only}) {
+            CAPTURE(seed, i, joint.control.k_p, joint.control.k_v, joint.control.V0);
+            CHECK(is_stable(joint, theory) == (instability(joint, theory) < 0));
+            stable += *is_stable(joint, theory) ? 1 : 0;
+        }
+    }
+    CHECK(stable > 200);
+    CHECK(stable < 800);
+    Joint at_rest = two_masses();
+    at_rest.control.V0 = 0;
+    CHECK_FALSE(is_stable(at_rest, Curve::Kind::state_variable).has_value());
+}
 
 TEST_CASE("a bracketed root is found to its precision", "[boundary]")
 {

@@ -36,7 +36,7 @@ class Search {
     Search(Judge& judge, Goal goal, int without = -1) : judge_(judge), goal_(std::move(goal)), without_(without) {}
 
     /// From the whole range, or from given places and those judged before; nothing is promised but that the best place
-    /// seen is returned, and that its margin is what a thorough judgement finds where that took few rounds.
+    /// seen is returned, and that nothing nearer than its margin was overlooked where that took few rounds.
     Place run(const std::vector<Place>& starts, bool global)
     {
         Place best = once(starts, global);
@@ -48,13 +48,13 @@ class Search {
     Place once(std::vector<Place> starts, bool global)
     {
         const Bounds bounds = judge_.bounds();
-        const Objective penalised = [&](const Place& t) {
-            const auto& c = judge_.at(t);
+        const auto penalty = [&](const GainChoice& c) {
             const double worst = worst_of(judge_.violations(c), without_);
             if (worst > 0 || std::isnan(worst)) return offence * (1 + (std::isnan(worst) ? 100 : worst));
             const double goal = goal_(c);
             return std::isfinite(goal) ? goal : offence;
         };
+        const Objective penalised = [&](const Place& t) { return penalty(judge_.at(t)); };
         if (global) starts.push_back(global_minimum(penalised, bounds, global_evaluations));
         // feedback of one kind alone lies on the rim of the range, where no search inside ever looks
         for (int i = 0; i <= rim_points; ++i)
@@ -63,8 +63,7 @@ class Search {
                 t[1 - held] += (bounds.high[1 - held] - bounds.low[1 - held]) * i / rim_points;
                 starts.push_back(t);
             }
-        const auto before = judge_.places();
-        starts.insert(starts.end(), before.begin(), before.end());
+        if (const auto known = judge_.best_known(penalty); !known.empty()) starts.push_back(known);
         Place best = starts.front();
         for (const auto& s : starts)
             if (penalised(s) < penalised(best)) best = s;

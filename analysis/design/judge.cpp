@@ -62,7 +62,7 @@ std::vector<double> Judge::place_of(double k_p, double k_v) const
 const GainChoice& Judge::at(const std::vector<double>& t)
 {
     const auto known = judged_.find(t);
-    if (known != judged_.end()) return known->second;
+    if (known != judged_.end()) return up_to_date(known->second);
     const auto [k_p, k_v] = gains_at(t);
     NearestOptions options;
     options.global = false, options.rays = 12, options.local = 0;
@@ -70,30 +70,45 @@ const GainChoice& Judge::at(const std::vector<double>& t)
     if (!direction_.empty()) options.starts.push_back(direction_);
     const auto found = nearest(k_p, k_v, options);
     if (found.found) direction_ = found.direction;
-    return judged_[t] = judged(k_p, k_v, signed_margin(found), false);
+    return (judged_[t] = {judged(k_p, k_v, signed_margin(found), false), overlooked_.size()}).choice;
 }
 
 bool Judge::learns_at(const std::vector<double>& t)
 {
     const double thought = at(t).margin;
     const auto [k_p, k_v] = gains_at(t);
-    const auto sure = nearest(k_p, k_v, {});
+    const auto sure = nearest(k_p, k_v, affordable_search(joint_));
     if (!sure.found || std::abs(signed_margin(sure)) >= overlooking * std::abs(thought)) return false;
     overlooked_.push_back(sure.direction);
-    NearestOptions along;
-    along.rays = 12, along.starts = {sure.direction}, along.along_starts_only = true;
-    for (auto& [place, choice] : judged_) {
-        const double margin = signed_margin(nearest(choice.k_p, choice.k_v, along));
-        if (std::abs(margin) < std::abs(choice.margin)) choice = judged(choice.k_p, choice.k_v, margin, false);
-    }
     return true;
 }
 
-std::vector<std::vector<double>> Judge::places() const
+const GainChoice& Judge::up_to_date(Judged& known)
 {
-    std::vector<std::vector<double>> known;
-    for (const auto& [place, choice] : judged_) known.push_back(place);
-    return known;
+    auto& choice = known.choice;
+    NearestOptions along;
+    along.rays = 12, along.along_starts_only = true;
+    for (; known.looked_along < overlooked_.size(); ++known.looked_along) {
+        along.starts = {overlooked_[known.looked_along]};
+        const double margin = signed_margin(nearest(choice.k_p, choice.k_v, along));
+        if (std::abs(margin) < std::abs(choice.margin)) choice.margin = margin;  // its side, and all else, stays
+    }
+    return choice;
+}
+
+std::vector<double> Judge::best_known(const std::function<double(const GainChoice&)>& value)
+{
+    for (;;) {
+        auto best = judged_.end();
+        double least = infinity;
+        for (auto it = judged_.begin(); it != judged_.end(); ++it)
+            if (const double v = value(it->second.choice); v < least) least = v, best = it;
+        if (best == judged_.end()) return {};
+        // what more directions are looked along only falls: who is best without them and stays it, is
+        const bool was_up_to_date = best->second.looked_along == overlooked_.size();
+        up_to_date(best->second);
+        if (was_up_to_date) return best->first;
+    }
 }
 
 GainChoice Judge::thorough(double k_p, double k_v)

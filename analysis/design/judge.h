@@ -5,6 +5,7 @@
 #include "analysis/design/design.h"
 
 #include <array>
+#include <functional>
 #include <map>
 #include <utility>
 
@@ -27,13 +28,14 @@ class Judge {
     const GainChoice& at(const std::vector<double>& t);
     /// The same with every direction searched for the margin.
     GainChoice thorough(double k_p, double k_v);
-    /// Judges the place thoroughly. Where the margin is smaller than it was thought, its direction is looked along at
-    /// every place from now on, those judged before included; true then. Adding what was overlooked until nothing is
-    /// follows A. Mutapcic & S. Boyd, Optim. Methods Softw. 24 (2009) 381-406.
+    /// Looks in many more directions at the place. Where the margin is smaller than it was thought, its direction is
+    /// looked along at every place from now on, those judged before included; true then. Adding what was overlooked
+    /// until nothing is follows A. Mutapcic & S. Boyd, Optim. Methods Softw. 24 (2009) 381-406.
     bool learns_at(const std::vector<double>& t);
     Violations violations(const GainChoice& choice) const;
-    /// All places judged so far.
-    std::vector<std::vector<double>> places() const;
+    /// Of the places judged so far the one with the least `value`, exactly so where that does not rise with the margin.
+    /// Empty if none.
+    std::vector<double> best_known(const std::function<double(const GainChoice&)>& value);
 
     Bounds bounds() const;
     std::vector<double> place_of(double k_p, double k_v) const;
@@ -43,6 +45,11 @@ class Judge {
     double steady_effort() const { return steady_effort_; }
 
   private:
+    struct Judged {
+        GainChoice choice;
+        std::size_t looked_along;  ///< of the overlooked directions, the first so many
+    };
+    const GainChoice& up_to_date(Judged& known);
     std::pair<double, double> gains_at(const std::vector<double>& t) const;
     NearestBoundary nearest(double k_p, double k_v, NearestOptions options) const;
     GainChoice judged(double k_p, double k_v, double margin, bool thoroughly) const;
@@ -57,7 +64,7 @@ class Judge {
     std::vector<double> direction_;                ///< of the last margin: neighbours have similar ones
     GainRange range_;
     double reach_ = 1, damping_unit_ = 1, velocity_ = 0, steady_effort_ = 0;
-    std::map<std::vector<double>, GainChoice> judged_;
+    std::map<std::vector<double>, Judged> judged_;
     mutable int evaluations_ = 0;
 };
 

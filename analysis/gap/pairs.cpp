@@ -132,6 +132,17 @@ std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales&
             if ((a && b) || (i > 0 && a)) continue;
             add(a || b ? divided : simple, singles[i], singles[j]);
         }
+    // alone, an effect that another one hides may rank low; the best pair tells that it is there
+    const auto beside_members_of = [&](const Attribution& pair) {
+        std::vector<Pair> further;
+        for (std::size_t i = partners; i < singles.size(); ++i) {
+            if (std::ranges::count(pair.candidate.effects, singles[i].candidate.effects[0]) == 0) continue;
+            for (std::size_t j = partners; j < singles.size(); ++j)
+                if (j != i && !two_mass_edit(singles[i].candidate) && !two_mass_edit(singles[j].candidate))
+                    add(further, singles[std::min(i, j)], singles[std::max(i, j)]);
+        }
+        return further;
+    };
     std::vector<Attribution> pairs;
     const auto screen = [&](std::vector<Pair>& some, std::size_t finalists) {
         parallel(some.size(), [&](std::size_t i) { look_at(some[i], part(some[i]), scales); });
@@ -153,6 +164,10 @@ std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales&
         refine_best(cases, scales, nominal, pairs, refined_pairs, parallel);
     };
     screen(simple, simple_finalists);
+    if (!pairs.empty() && !pairs[0].accepted) {
+        auto further = beside_members_of(pairs[0]);
+        screen(further, simple_finalists);
+    }
     if (!divided.empty() && (pairs.empty() || !pairs[0].accepted)) screen(divided, divided_finalists);
     // of every pair its best form: the others are no rivals
     std::vector<Attribution> best;

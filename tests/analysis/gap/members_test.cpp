@@ -55,6 +55,30 @@ TEST_CASE("a member that explains everything alone, from where the pair found it
     CHECK(singles.size() == 2);
 }
 
+TEST_CASE("what the best pair brings to light looks for its own partner", "[gap]")
+{
+    test::Machine m;
+    m.inertia = 1.5;
+    m.viscous = 3;
+    std::vector<std::string> notes;
+    const std::vector<Case> cases{prepare(test::record_of(m, 1), test::nominal_joint(), notes)};
+    const Scales scales = scales_of(cases);
+    const Nominal nominal = judge_nominal(cases);
+    std::vector<Attribution> singles;
+    for (const char* name : {"coulomb-level", "inertia", "viscous"}) {
+        const Candidate c = of({name});
+        LevelFit fit;
+        fit.x = to_fit(c, {0.05});
+        fit.evaluation = evaluate(cases, c, in_si(c, fit.x, scales), levels[0]);
+        singles.push_back(as_screened(cases, scales, nominal, c, fit));
+    }
+    // only the first of the singles, which is no part of the truth, looks for a partner among all
+    const auto pairs = fit_pairs(cases, scales, nominal, singles, 1, in_order);
+    REQUIRE_FALSE(pairs.empty());
+    CHECK(pairs[0].candidate.effects == std::vector{effect_named("viscous"), effect_named("inertia")});
+    CHECK(pairs[0].accepted);
+}
+
 TEST_CASE("play in a single mass damps its contact by the ratio that is fitted", "[gap]")
 {
     const Candidate play = of({"backlash"});

@@ -17,13 +17,17 @@ constexpr int default_turns = 50;
 constexpr int most_turns = 400;       ///< of a default duration: pages of longer motions are hard to read
 constexpr double lead = 14;           ///< e-folds from the small disturbance to a cycle: ln(1/small_disturbance)
 constexpr double watched_turns = 30;  ///< of that cycle
+constexpr double shown_cycles = 9;    ///< three of them in the last third, which is shown as what the motion settled to
 
-/// Fifty turns, or what a slow growth takes to become a cycle.
-double default_duration(const SlowMode& mode)
+/// Fifty turns, or what a slow growth takes to become a cycle; a relaxation cycle lasts many turns of the mode that it
+/// came from.
+double default_duration(const SlowMode& mode, double cycle_period)
 {
     const double turn = 2 * std::numbers::pi / std::abs(mode.s);
-    if (!(mode.s.real() > 0)) return default_turns * turn;
-    return std::clamp(lead / mode.s.real() + watched_turns * turn, default_turns * turn, most_turns * turn);
+    double duration = default_turns * turn;
+    if (mode.s.real() > 0)
+        duration = std::clamp(lead / mode.s.real() + watched_turns * turn, duration, most_turns * turn);
+    return is_set(cycle_period) ? std::max(duration, shown_cycles * cycle_period) : duration;
 }
 
 constexpr std::size_t most_cvode_pieces = 10;
@@ -153,7 +157,7 @@ void follow(AnyFlow& flow, const SimulateOptions& options, Trajectory& path)
     const auto mode = slow_mode(flow);
     const auto kind = options.disturbance.kind;
     const double size = size_of(options, default_size(flow, mode, kind));
-    const double duration = is_set(options.duration) ? options.duration : default_duration(mode);
+    const double duration = is_set(options.duration) ? options.duration : default_duration(mode, options.cycle_period);
     if (!mode.shows_itself() && !(is_set(options.disturbance.size) && is_set(options.duration)))
         path.reason = Reason::not_converged;  // nothing says how far or for how long
     if (!std::isfinite(mode.fastest) || !std::isfinite(size) || !std::isfinite(duration))

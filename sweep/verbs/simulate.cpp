@@ -77,11 +77,13 @@ int simulate_joint(const Options& options, const Invocation& invocation)
     simulation.disturbance = options.disturbance.disturbance(asked.spec.nonlinear);
     simulation.rtol = options.tolerance;
     const auto surroundings = surround(joint, options.surroundings, simulation);
-    const auto trajectory = simulate(joint, simulation);
     NonlinearOptions outcome;
     outcome.disturbance = simulation.disturbance;
     outcome.rtol = simulation.rtol;
-    auto report = trajectory_report(joint, trajectory, nonlinear_verdict(joint, outcome), surroundings);
+    const auto verdict = nonlinear_verdict(joint, outcome);
+    simulation.cycle_period = verdict.period;
+    const auto trajectory = simulate(joint, simulation);
+    auto report = trajectory_report(joint, trajectory, verdict, surroundings);
     report.provenance = {{"version", program_version()}, {"command", invocation.command}};
     fmt::print("{}\n", plain_text(report.verdict));
     if (trajectory.time.empty()) return exit_undecided;

@@ -4,6 +4,7 @@
 
 #include "analysis/simulation/break_away.h"
 #include "analysis/simulation/nonlinear.h"
+#include "analysis/simulation/simulate.h"
 #include "analysis/stability/verdict.h"
 
 using namespace stickslip;
@@ -176,4 +177,21 @@ TEST_CASE("bristles let a mass go from a speed that stands on the section to the
         CHECK(verdict.outcome == expected.outcome);
         CHECK(verdict.period == Approx(expected.period).epsilon(1e-5));
     }
+}
+
+TEST_CASE("a motion is followed through turns of the cycle that it ends in, however long they are")
+{
+    LuGre law;
+    law.sigma0 = 1e6, law.sigma1 = 1e3, law.sigma2 = 50;
+    law.coulomb = 15, law.breakaway = 20, law.stribeck_velocity = 2e-3;
+    const auto joint = joint_with(law, 1, 2818, 10, 1e-3);
+    SimulateOptions options;
+    options.cycle_period = nonlinear_verdict(joint, {}).period;
+    const auto path = simulate(joint, options);
+    REQUIRE(path.reason == Reason::none);
+    // counted in the motion itself: slips of the last third, each beginning where the speed rises through ten V_0
+    int slips = 0;
+    for (std::size_t i = 1; i < path.time.size(); ++i)
+        if (path.time[i] > 2 * path.time.back() / 3 && path.velocity[i - 1] < 0.01 && path.velocity[i] >= 0.01) ++slips;
+    CHECK(slips >= 2);
 }

@@ -38,6 +38,9 @@ struct Push {
     double at(double v) const { return push - drag * v; }
 };
 
+constexpr double least_resistance =
+    0.05;  ///< of a winding that feeds back into a sagging supply, as a share of its own
+
 /// The effort behind dead time and lag. `supply` is the bus voltage of a motor; drive off means an open winding.
 inline Push push_of(const Actuator& a, double command, double supply, double v)
 {
@@ -47,7 +50,11 @@ inline Push push_of(const Actuator& a, double command, double supply, double v)
         const double duty = a.signal == DriveSignal::duty ? command : bus_known ? command / supply : 0;
         double volts = a.signal == DriveSignal::duty ? command * supply : command;
         if (bus_known) volts = std::clamp(volts, -supply, supply);
-        const double resistance = a.resistance + std::min(std::abs(duty), 1.0) * a.supply_resistance;
+        // the supply sags by R_b |i|, also where the motor feeds its current back; there the loop keeps some resistance
+        const double sag = std::min(std::abs(duty), 1.0) * a.supply_resistance;
+        const bool feeds_back = (volts - a.k_e * v) * duty < 0;
+        const double resistance =
+            feeds_back ? std::max(a.resistance - sag, least_resistance * a.resistance) : a.resistance + sag;
         p.push = a.effort_gain * a.k_t * volts / resistance;
         p.drag = a.effort_gain * a.k_t * a.k_e / resistance;
     } else {

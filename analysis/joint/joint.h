@@ -194,7 +194,7 @@ struct Actuator {
     ActuatorKind kind = ActuatorKind::effort;
     double effort_gain = 1, lag = 0, limit = infinity;
     double k_t = not_set, k_e = not_set, resistance = not_set, supply_voltage = not_set;
-    double supply_resistance = 0;  ///< the supply sags by this times the motor current
+    double supply_resistance = 0;  ///< the supply sags by this times the magnitude of the motor current
     double sag_effort = infinity;  ///< effort source: the effort whose current would pull the supply down to nothing
     DriveSignal signal = DriveSignal::voltage;
 

@@ -105,8 +105,10 @@ class ContinuousMachine {
         double e = 0;
         if (a.kind == ActuatorKind::dc_motor) {
             const double duty = std::clamp(u, -1.0, 1.0), volts = duty * a.supply_voltage;
-            e = a.effort_gain * a.k_t * (volts - a.k_e * y[velocity(0)]) /
-                (a.resistance + std::abs(duty) * a.supply_resistance);
+            // R i = duty (V_0 − R_b |i|) − k_e ω; the sign of i is that of what is left without the sag
+            const double left = volts - a.k_e * y[velocity(0)];
+            const double current = left / (a.resistance + std::copysign(duty, duty * left) * a.supply_resistance);
+            e = a.effort_gain * a.k_t * current;
         } else {
             e = a.effort_gain * u;
             if (std::isfinite(a.sag_effort)) e /= 1 + std::abs(e) / a.sag_effort;

@@ -1,4 +1,5 @@
 #include "analysis/gap/simulator.h"
+#include "analysis/gap/step.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -267,4 +268,19 @@ TEST_CASE("an observer on the motor carries along a link that presses on it", "[
         for (std::size_t k = 100; k < record.rows(); ++k)
             REQUIRE(divided.position[k] == Approx(whole.position[k]).margin(2e-5));
     }
+}
+
+TEST_CASE("a supply sags by its resistance times the current, whichever way that flows", "[gap]")
+{
+    Actuator a;
+    a.kind = ActuatorKind::dc_motor;
+    a.signal = DriveSignal::duty;
+    a.k_t = 0.3, a.k_e = 0.3, a.resistance = 4, a.supply_resistance = 0.7;
+    for (const double duty : {-1.0, -0.4, 0.0, 0.3, 1.0})
+        for (const double speed : {-50.0, -20.0, -3.0, 0.0, 5.0, 30.0, 50.0}) {
+            const double current = push_of(a, duty, 12, speed).at(speed) / a.k_t;
+            CAPTURE(duty, speed);
+            CHECK(a.resistance * current ==
+                  Approx(duty * (12 - a.supply_resistance * std::abs(current)) - a.k_e * speed).margin(1e-12));
+        }
 }

@@ -126,7 +126,7 @@ struct Fared {
     GainChoice at;
 };
 
-Fared fared(Judge& judge, const GainChoice& best, const Place& place, int i, bool feasible)
+Fared fared(Judge& judge, const GainChoice& best, const Place& place, int i)
 {
     const auto& r = judge.requirements();
     const auto index = static_cast<std::size_t>(i);
@@ -245,7 +245,7 @@ GainDesign design_gains(const Joint& joint, const Requirements& r, const Paralle
     design.feasible = worst_of(judge.violations(design.best)) <= tolerance && std::isfinite(std::log(design.best.cost));
     std::vector<Fared> demands;
     for (int i = 0; i < demand_count; ++i)
-        if (is_demanded(r, i)) demands.push_back(fared(judge, design.best, best, i, design.feasible));
+        if (is_demanded(r, i)) demands.push_back(fared(judge, design.best, best, i));
     if (!design.feasible) design.best = nearest_feasible(judge, demands, design.best);
     for (auto& d : demands) {
         const auto i = std::find(demand_names.begin(), demand_names.end(), d.report.name) - demand_names.begin();

@@ -17,10 +17,9 @@ struct SampledLoad {
 struct SimulateOptions {
     Disturbance disturbance;
     double duration = missing;  ///< s; not set: fifty turns of the slowest mode, up to 400 where it grows slowly
-    double cycle_period =
-        missing;              ///< s, where the motion is known to end in a cycle: not set, no duration waits for it
-    SampledForce force;       ///< d(t) of (9) on the link, on top of the disturbance
-    SampledLoad normal_load;  ///< σ_n(t) of (1); empty: as the joint says
+    double cycle_period = missing;  ///< s, of the cycle that the motion ends in; not set: nothing waits for a cycle
+    SampledForce force;             ///< d(t) of (9) on the link, on top of the disturbance
+    SampledLoad normal_load;        ///< σ_n(t) of (1); empty: as the joint says
     double rtol = 1e-8;
     bool fallback_only = false;  ///< Rodas5P in place of CVODE
 };

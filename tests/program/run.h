@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/temporary_directory.h"
+
 namespace program {
 
 struct Run {
@@ -42,24 +44,15 @@ inline Run stickslip(const std::string& arguments)
 /// A folder of its own, removed at the end.
 class Folder {
   public:
-    Folder()
-    {
-        std::string name = (std::filesystem::temp_directory_path() / "stickslip-test-XXXXXX").string();
-        if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-        path_ = name;
-    }
-    ~Folder() { std::filesystem::remove_all(path_); }
-    Folder(const Folder&) = delete;
-
-    std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+    std::string operator/(const std::string& name) const { return (directory_ / name).string(); }
     std::string write(const std::string& name, const std::string& text) const
     {
-        std::ofstream(path_ / name) << text;
-        return (path_ / name).string();
+        std::ofstream(directory_ / name) << text;
+        return (directory_ / name).string();
     }
 
   private:
-    std::filesystem::path path_;
+    TemporaryDirectory directory_;
 };
 
 inline std::string read(const std::string& file)

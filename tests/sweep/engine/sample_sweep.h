@@ -9,29 +9,12 @@
 #include "sweep/engine/plan.h"
 #include "sweep/engine/run_sweep.h"
 #include "tests/analysis/simulation/joints.h"
+#include "tests/temporary_directory.h"
 
 namespace sample {
 
 namespace fs = std::filesystem;
 using namespace stickslip;
-
-/// A directory that is gone when the test ends.
-class TemporaryDirectory {
-  public:
-    TemporaryDirectory()
-    {
-        std::string pattern = (fs::temp_directory_path() / "stickslip-XXXXXX").string();
-        if (!mkdtemp(pattern.data())) throw std::runtime_error("no temporary directory");
-        path_ = pattern;
-    }
-    TemporaryDirectory(const TemporaryDirectory&) = delete;
-    ~TemporaryDirectory() { fs::remove_all(path_); }
-    fs::path operator/(const std::string& name) const { return path_ / name; }
-    const fs::path& path() const { return path_; }
-
-  private:
-    fs::path path_;
-};
 
 inline Joint joint()
 {

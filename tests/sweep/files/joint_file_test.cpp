@@ -2,8 +2,7 @@
 
 #include "analysis/joint/parameters.h"
 #include "tests/sweep/files/messages.h"
-
-#include <unistd.h>
+#include "tests/temporary_directory.h"
 
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -329,8 +328,9 @@ TEST_CASE("a setting takes numbers without a digit on either side of the point",
 
 TEST_CASE("rows of a law, a law inside a law, a table from a file")
 {
-    const auto folder = std::filesystem::temp_directory_path() / "stickslip-kernel-test";
-    std::filesystem::create_directories(folder);
+    const TemporaryDirectory directory;
+    const auto folder = directory.path() / "tables";
+    std::filesystem::create_directory(folder);
     const auto table = [&](const std::string& content) { std::ofstream(folder / "g.csv") << content; };
     const std::string head = "joint.inertia = 1\ncontrol.k_p = 1\n";
     const std::string kernel = head + "[friction]\nlaw = \"kernel\"\nf_v = 1\ntable = \"g.csv\"\n";

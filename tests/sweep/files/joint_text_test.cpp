@@ -1,8 +1,7 @@
 #include "analysis/joint/parameters.h"
 #include "sweep/files/joint_file.h"
 #include "tests/sweep/files/messages.h"
-
-#include <unistd.h>
+#include "tests/temporary_directory.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -14,7 +13,11 @@ using namespace stickslip;
 
 namespace {
 
-const auto folder = std::filesystem::temp_directory_path() / "stickslip-round-trip";
+const TemporaryDirectory& folder()
+{
+    static const TemporaryDirectory directory;
+    return directory;
+}
 
 /// Gives every leaf, choice and law of a joint a random value within its range.
 struct Shuffler {
@@ -48,7 +51,7 @@ struct Shuffler {
     void samples(std::string_view, std::string_view, std::string& name, KernelTablePtr& table)
     {
         if (coin()) return;
-        name = (folder / ("\"g\" " + std::to_string(tables++) + ".csv")).string();
+        name = (folder() / ("\"g\" " + std::to_string(tables++) + ".csv")).string();
         const KernelTable samples{{0, 0.25, 1.5}, {3, -2, static_cast<double>(random())}};
         std::ofstream out(name);
         out << "time,g\n";
@@ -90,7 +93,6 @@ struct Shuffler {
 
 TEST_CASE("a joint that is written reads back equal")
 {
-    std::filesystem::create_directories(folder);
     const unsigned seed = 20240817;
     std::mt19937_64 random(seed);
     int valid = 0;
@@ -108,7 +110,6 @@ TEST_CASE("a joint that is written reads back equal")
         REQUIRE(joint_text(again) == text);
     }
     CHECK(valid > 500);
-    std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("defaults are left out, units stand in comments")

@@ -2,8 +2,7 @@
 
 #include "sweep/files/joint_file.h"
 #include "tests/sweep/files/messages.h"
-
-#include <unistd.h>
+#include "tests/temporary_directory.h"
 
 #include <catch2/catch.hpp>
 
@@ -16,14 +15,17 @@ using Catch::Contains;
 
 namespace {
 
-const std::filesystem::path folder =
-    std::filesystem::temp_directory_path() / ("stickslip-outcome-test-" + std::to_string(getpid()));
+/// Made when first used: a test that does not write makes none.
+const TemporaryDirectory& folder()
+{
+    static const TemporaryDirectory directory;
+    return directory;
+}
 
 std::filesystem::path file(const std::string& content)
 {
-    std::filesystem::create_directories(folder);
-    std::ofstream(folder / "rows.csv", std::ios::binary) << content;
-    return folder / "rows.csv";
+    std::ofstream(folder() / "rows.csv", std::ios::binary) << content;
+    return folder() / "rows.csv";
 }
 
 const Joint joint = read_joint_text(
@@ -38,7 +40,7 @@ std::string only_error(const std::string& content)
     auto all = messages_of([&] { read_outcomes(path, joint, warnings); });
     for (const auto& message : all) UNSCOPED_INFO(message);
     REQUIRE(all.size() == 1);
-    return all[0].substr(folder.string().size() + 1);
+    return all[0].substr(folder().path().string().size() + 1);
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 
 #include "sweep/files/joint_file.h"
 #include "tests/sweep/files/messages.h"
+#include "tests/temporary_directory.h"
 
 #include <zlib.h>
-#include <unistd.h>
 
 #include <catch2/catch.hpp>
 
@@ -20,9 +20,12 @@ using Catch::StartsWith;
 
 namespace {
 
-// the tests run side by side, each in a process of its own
-const std::filesystem::path folder =
-    std::filesystem::temp_directory_path() / ("stickslip-record-test-" + std::to_string(getpid()));
+/// Made when first used: a test that does not write makes none.
+const TemporaryDirectory& folder()
+{
+    static const TemporaryDirectory directory;
+    return directory;
+}
 
 Joint joint_of(const std::string& motion)
 {
@@ -34,9 +37,8 @@ Joint joint_of(const std::string& motion)
 
 std::filesystem::path file(const std::string& content, const std::string& name = "run.csv")
 {
-    std::filesystem::create_directories(folder);
-    std::ofstream(folder / name, std::ios::binary) << content;
-    return folder / name;
+    std::ofstream(folder() / name, std::ios::binary) << content;
+    return folder() / name;
 }
 
 RecordReading read(const std::string& content, const std::string& layout = "", const std::string& motion = "prismatic")
@@ -53,8 +55,8 @@ std::vector<std::string> errors(const std::string& content, const std::string& l
     auto all = messages_of(
         [&] { read_record(file(content), joint, read_record_layout_text(layout, "record.toml", joint), limits); });
     for (auto& message : all)
-        while (message.find(folder.string()) != std::string::npos)
-            message.erase(message.find(folder.string()), folder.string().size() + 1);
+        while (message.find(folder().path().string()) != std::string::npos)
+            message.erase(message.find(folder().path().string()), folder().path().string().size() + 1);
     return all;
 }
 
@@ -68,8 +70,7 @@ std::string only_error(const std::string& content, const std::string& layout = "
 
 std::string gzipped(const std::string& text)
 {
-    const auto path = (folder / "zip.gz").string();
-    std::filesystem::create_directories(folder);
+    const auto path = (folder() / "zip.gz").string();
     gzFile out = gzopen(path.c_str(), "wb");
     gzwrite(out, text.data(), static_cast<unsigned>(text.size()));
     gzclose(out);
@@ -177,7 +178,8 @@ TEST_CASE("the drive signal is the one that the actuator takes")
 
 TEST_CASE("rows with the motor off are kept and counted")
 {
-    const auto [record, warnings, contradictions, missing] = read("time,position,torque_enable\n0,1,1\n1e-3,2,0\n2e-3,3,0\n");
+    const auto [record, warnings, contradictions, missing] =
+        read("time,position,torque_enable\n0,1,1\n1e-3,2,0\n2e-3,3,0\n");
     CHECK(record.rows() == 3);
     CHECK(warnings == std::vector<std::string>{"2 of 3 rows have torque_enable = 0: the motor was off"});
     CHECK(only_error("time,position,torque_enable\n0,1,2\n") ==
@@ -202,9 +204,10 @@ TEST_CASE("tables that are none")
     damaged[damaged.size() - 6] ^= 1;  // inside the check sum
     CHECK_THAT(only_error(damaged), Contains("damaged or cut off"));
     const Joint joint = joint_of("prismatic");
-    CHECK_THAT(messages_of([&] { read_record(folder / "absent.csv", joint); }).at(0),
+    CHECK_THAT(messages_of([&] { read_record(folder() / "absent.csv", joint); }).at(0),
                EndsWith("there is no such file"));
-    CHECK_THAT(messages_of([&] { read_record(folder, joint); }).at(0), EndsWith("is a folder, expected is a CSV file"));
+    CHECK_THAT(messages_of([&] { read_record(folder().path(), joint); }).at(0),
+               EndsWith("is a folder, expected is a CSV file"));
 }
 
 TEST_CASE("headers that do not do")
@@ -314,7 +317,8 @@ TEST_CASE("measured records of others read with a few lines of layout")
     }
     SECTION("a ball-screw drive: own names, nothing to say")
     {
-        const auto [record, warnings, contradictions, missing] = read_record(data / "emps" / "run.csv.gz", joint_of("prismatic"));
+        const auto [record, warnings, contradictions, missing] =
+            read_record(data / "emps" / "run.csv.gz", joint_of("prismatic"));
         CHECK(record.rows() == 24841);
         CHECK(record.drive[0] == 2.53863);
         CHECK(record.position[1] == 1.43e-5);
@@ -352,7 +356,8 @@ effort_measured = "friction_coefficient"
 normal_load = { name = "normal_stress_MPa", unit = "MPa" }
 )",
                                                     "record.toml", joint);
-        const auto [record, warnings, contradictions, missing] = read_record(data / "basalt" / "velocity-step.csv.gz", joint, layout);
+        const auto [record, warnings, contradictions, missing] =
+            read_record(data / "basalt" / "velocity-step.csv.gz", joint, layout);
         CHECK(record.rows() == 5849);
         CHECK(record.reference_position[0] == 8503.602e-6);
         CHECK(record.effort_measured[0] == 0.607016);

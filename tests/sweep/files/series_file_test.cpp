@@ -1,31 +1,23 @@
 // Records of one quantity: which columns are taken, what is refused, and means over samples.
 #include "sweep/files/series_file.h"
 
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 
 #include "sweep/files/bad_input.h"
+#include "tests/temporary_directory.h"
 
 using namespace stickslip;
 using Catch::Matchers::Contains;
 
 namespace {
 
-/// A file of its own, removed at the end.
-class TemporaryFile {
-  public:
-    explicit TemporaryFile(const std::string& text)
-        : path(std::filesystem::temp_directory_path() / ("stickslip-series-" + std::to_string(getpid()) + ".csv"))
-    {
-        std::ofstream(path) << text;
-    }
-    ~TemporaryFile() { std::filesystem::remove(path); }
-    TemporaryFile(const TemporaryFile&) = delete;
+struct TemporaryFile {
+    explicit TemporaryFile(const std::string& text) { std::ofstream(path) << text; }
 
-    const std::filesystem::path path;
+    const TemporaryDirectory directory;
+    const std::filesystem::path path = directory / "series.csv";
 };
 
 }  // namespace

@@ -3,8 +3,7 @@
 #include "sweep/files/joint_file.h"
 #include "sweep/files/symbols.h"
 #include "tests/sweep/files/messages.h"
-
-#include <unistd.h>
+#include "tests/temporary_directory.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -128,7 +127,7 @@ tolerance = "2 %"
 
 TEST_CASE("a joint file is looked up from the folder of the spec, its errors come with its name")
 {
-    const auto folder = std::filesystem::temp_directory_path() / "stickslip-spec-test";
+    const TemporaryDirectory folder;
     std::filesystem::create_directories(folder / "joints");
     std::ofstream(folder / "joints" / "arm.toml") << joint << "[record]\n";
     std::ofstream(folder / "spec.toml") << "joint = \"joints/arm.toml\"\n" << axes;
@@ -144,8 +143,7 @@ TEST_CASE("a joint file is looked up from the folder of the spec, its errors com
     CHECK_THAT(all[0], StartsWith((folder / "joints" / "arm.toml").string() + ":13:2: loat: unknown key"));
     CHECK_THAT(all[1], StartsWith((folder / "spec.toml").string() + ":2:2: control: does not belong beside joint = "));
     CHECK_THAT(all[2], EndsWith("did you mean \"check\"?"));
-    std::filesystem::remove_all(folder);
-    CHECK_THAT(messages_of([&] { read_spec_text("joint = \"x.toml\"\n", "spec.toml", folder); }).at(0),
+    CHECK_THAT(messages_of([&] { read_spec_text("joint = \"x.toml\"\n", "spec.toml", folder.path() / "gone"); }).at(0),
                StartsWith("spec.toml:1:9: joint: names ") &&
                    EndsWith("x.toml, which does not exist; the path starts at this file"));
 }

@@ -19,7 +19,7 @@ std::string content(const std::filesystem::path& file)
 
 TEST_CASE("a file is replaced whole, and its folders are made")
 {
-    const sample::TemporaryDirectory folder;
+    const TemporaryDirectory folder;
     const auto file = folder / "new/design.json";
     write_whole(file, "one");
     write_whole(file, std::string_view("t\0wo", 4));
@@ -29,7 +29,7 @@ TEST_CASE("a file is replaced whole, and its folders are made")
 
 TEST_CASE("on a full disk the old file stays, and the reason is told")
 {
-    const sample::TemporaryDirectory folder;
+    const TemporaryDirectory folder;
     const auto file = folder / "design.json";
     write_whole(file, "old");
     const std::string large(1 << 20, 'x');

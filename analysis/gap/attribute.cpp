@@ -5,13 +5,29 @@
 
 namespace stickslip::gap {
 
-double mean_log_misfit(const std::array<Evaluation, levels.size()>& evaluations)
+namespace {
+
+double mean_log(const std::array<Evaluation, levels.size()>& evaluations, double least)
 {
     double sum = 0, n = 0;
     for (const auto& level : evaluations)
-        for (const auto& m : level.records) sum += std::log(std::max(1.0, m.position)), n += 1;
-    for (const auto& m : evaluations[0].records) sum += std::log(std::max(1.0, m.effort)), n += 1;
+        for (const auto& m : level.records) sum += std::log(std::max(least, m.position)), n += 1;
+    for (const auto& m : evaluations[0].records) sum += std::log(std::max(least, m.effort)), n += 1;
     return n > 0 ? sum / n : 0;
+}
+
+}  // namespace
+
+double mean_log_misfit(const std::array<Evaluation, levels.size()>& evaluations)
+{
+    constexpr double noise = 1;
+    return mean_log(evaluations, noise);
+}
+
+double mean_log_square(const std::array<Evaluation, levels.size()>& evaluations)
+{
+    constexpr double exact = 1e-12;  // of the floor: what stood still has no logarithm
+    return mean_log(evaluations, exact);
 }
 
 Nominal judge_nominal(const std::vector<Case>& cases)
@@ -29,12 +45,15 @@ Nominal judge_nominal(const std::vector<Case>& cases)
 void judge(Attribution& a, const Nominal& nominal)
 {
     a.score = mean_log_misfit(a.evaluation) + price_of_parameter * static_cast<double>(a.candidate.parameter_count());
+    a.evidence = mean_log_square(a.evaluation);
     const auto excess = [](const Evaluation& e) {
         double sum = 0;
         for (const auto& m : e.records) sum += std::max(0.0, m.position - 1) + std::max(0.0, m.effort - 1);
         return sum;
     };
-    const double before = excess(nominal.evaluation[1]), after = excess(a.evaluation[1]);
+    // noise as coarse as a grid hides a gap that only the longest horizon shows
+    const std::size_t shown_at = excess(nominal.evaluation[1]) > 0 ? 1 : 2;
+    const double before = excess(nominal.evaluation[shown_at]), after = excess(a.evaluation[shown_at]);
     a.explained = before > 0 ? 1 - after / before : 0;
     bool fast = true;
     std::size_t middle = 0;

@@ -18,6 +18,7 @@ struct Attribution {
     std::array<Evaluation, levels.size()> evaluation;
     Eigen::MatrixXd information;  ///< at the middle level
     double score = 0;             ///< mean log misfit over levels and records, plus a price a parameter; less is better
+    double evidence = 0;          ///< the same with what is below the floor and without the price: minus log likelihood
     double explained = 0;         ///< part of the excess misfit that is gone
     double screened = 0;          ///< objective of the screening
     bool refined = false;         ///< carried through all levels
@@ -57,8 +58,11 @@ void fit_members_alone(const std::vector<Case>& cases, const Scales& scales, con
 /// Score, explained part and acceptance from the evaluations.
 void judge(Attribution& attribution, const Nominal& nominal);
 
-/// Misfit averaged over levels and records.
+/// Misfit averaged over levels and records; what is below the floor is noise and counts as one.
 double mean_log_misfit(const std::array<Evaluation, levels.size()>& evaluations);
+/// The same without that: minus twice the log likelihood a reading of white innovations whose variance is unknown, up
+/// to a constant. Rivals that both come down to the noise are told apart by it, a floor that is too high or not.
+double mean_log_square(const std::array<Evaluation, levels.size()>& evaluations);
 
 inline constexpr double price_of_parameter = 0.003;
 

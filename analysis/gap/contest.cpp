@@ -122,7 +122,7 @@ double square_in(const Case& c, const Fold& fold, const Scales& scales, const Ca
 {
     std::vector<double> residuals;
     evaluate({c}, candidate, in_si(candidate, x, scales), omega, &residuals);
-    const auto rows = static_cast<std::size_t>(std::count(c.ticks.logged.begin(), c.ticks.logged.end(), 1));
+    const auto rows = c.ticks.rows();
     double sum = 0, n = 0;
     std::size_t row = 0;
     for (std::size_t k = 0; k < c.ticks.size(); ++k) {

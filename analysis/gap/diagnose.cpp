@@ -266,7 +266,7 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
     }
 
     // ranking: the named set first, then everything that was fitted, by probability
-    const auto ranked = quiet ? std::vector<Ranked>{} : rank(singles, pairs, decision);
+    const auto ranked = quiet ? std::vector<Ranked>{} : rank(singles, pairs, decision, rows_of(w.cases));
     const Attribution& winner = contest.decided            ? contest.ranked[0].fit
                                 : quiet || !decision.named ? none
                                                            : *ranked.front().attribution;

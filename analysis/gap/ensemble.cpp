@@ -141,8 +141,12 @@ std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, 
     add("position", position_unit, t.position, &Trace::position);
     add("effort_command", command.unit, t.command, &Trace::command, command.factor);
     if (c.effort_sigma > 0) add("effort_measured", effort_unit, t.effort, &Trace::effort);
-    for (auto& s : squares)
-        if (s.signal == "position") s.floor = std::max(s.floor, 2 * c.sigma * c.sigma * 0.25);
+    // the noise of a reading is there, simulated or not, and k_p passes it on
+    const double reading = 2 * c.sigma * c.sigma * 0.25, passed_on = command.factor * joint.control.k_p;
+    for (auto& s : squares) {
+        if (s.signal == "position") s.floor = std::max(s.floor, reading);
+        if (s.signal == "effort_command") s.floor = std::max(s.floor, passed_on * passed_on * reading);
+    }
     if (first && !traces.empty()) *first = std::move(traces[0]);
     return squares;
 }

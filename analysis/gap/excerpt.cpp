@@ -24,7 +24,7 @@ std::vector<Piece> pieces_of(const Case& c, double omega)
     const auto rows = std::max<std::size_t>(20, static_cast<std::size_t>(std::lround(piece / c.row_step)));
     std::vector<double> residuals;
     evaluate({c}, {}, {}, omega, &residuals);
-    const auto count = static_cast<std::size_t>(std::count(t.logged.begin(), t.logged.end(), 1));
+    const auto count = t.rows();
     std::vector<Piece> pieces;
     for (std::size_t row = 0; row + rows / 2 < count; row += rows) {
         const std::size_t last = row + rows + rows / 2 < count ? row + rows : count;

@@ -54,7 +54,7 @@ void block_weights(const std::vector<Case>& cases, const std::vector<double>& sc
     weights.resize(scaled.size());
     std::size_t begin = 0;
     for (const auto& c : cases) {
-        const std::size_t rows = static_cast<std::size_t>(std::count(c.ticks.logged.begin(), c.ticks.logged.end(), 1));
+        const std::size_t rows = c.ticks.rows();
         const std::size_t channels = c.effort_sigma > 0 ? 2 : 1, block = block_rows(c);
         for (std::size_t ch = 0; ch < channels; ++ch, begin += rows)
             for (std::size_t b = 0; b < rows; b += block) {

@@ -29,6 +29,14 @@ struct Case {
     }
 };
 
+/// Of all records together.
+inline double rows_of(const std::vector<Case>& cases)
+{
+    std::size_t rows = 0;
+    for (const auto& c : cases) rows += c.ticks.rows();
+    return static_cast<double>(rows);
+}
+
 /// Bandwidths of the observer, rad/s: the horizons over which a prediction has to hold (9, 20 and 50 ms, in 1/ω).
 inline constexpr std::array<double, 3> levels{110, 50, 20};
 

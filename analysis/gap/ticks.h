@@ -3,6 +3,7 @@
 #include "analysis/gap/record.h"
 #include "analysis/joint/joint.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -45,6 +46,7 @@ struct Ticks {
     double initial_velocity = 0;
 
     std::size_t size() const { return time.size(); }
+    std::size_t rows() const { return static_cast<std::size_t>(std::count(logged.begin(), logged.end(), 1)); }
     double duration() const { return time.empty() ? 0 : time.back() - time.front(); }
 };
 

@@ -10,14 +10,15 @@ namespace stickslip::gap {
 namespace {
 
 constexpr double margin = 0.02;  // of score: rivals this close cannot be told apart
-// From margins to probabilities, fitted by likelihood to 107 named causes in three draws of sealed cases: of score; far
-// above the floor, where margins are model error, of the best score itself.
-constexpr double temperature = 0.003, relative_temperature = 0.007;
+// From evidence to probabilities. Innovations of a true joint would be white, every row a reading of its own; so many
+// rows count as one, which the nine nearest ties in two draws of sealed cases bear out. Far above the floor margins are
+// model error, and grow with the best score itself.
+constexpr double rows_per_reading = 15, relative_temperature = 0.007;
 // A rival with one more parameter that gains nothing by it holds the winner as a special case. A true one would have
 // used its parameter: the odds against it, Schwarz's √n for a thousand independent readings.
 constexpr double needless_parameter = 30;
 // The chance that a cause is not the one although it is named, where what is left is noise and where it is not.
-constexpr double doubt_of_accepted = 0.03, doubt = 0.2;
+constexpr double doubt_of_accepted = 0.015, doubt = 0.2;
 constexpr int runs = 3;
 
 /// Stick-slip amplifies what two integrators do differently, so slower levels get more room. Scores of misfit at which
@@ -42,6 +43,20 @@ bool flexible(const Attribution& a)
     for (const auto* e : a.candidate.effects)
         n += static_cast<std::size_t>(std::count(shapes.begin(), shapes.end(), e->name));
     return n > 1;
+}
+
+/// Best score first. Of the leading ones that come down to the noise, within the margin, the likeliest: their scores
+/// are those of the floor, and tell nothing.
+void put_likeliest_first(std::vector<Attribution>& ranked)
+{
+    std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.score < b.score; });
+    const auto end = std::find_if(ranked.begin(), ranked.end(), [&](const auto& a) {
+        return !a.accepted || !a.refined || a.score > ranked[0].score + margin;
+    });
+    const auto priced = [](const Attribution& a) {
+        return a.evidence + price_of_parameter * static_cast<double>(a.candidate.parameter_count());
+    };
+    std::stable_sort(ranked.begin(), end, [&](const auto& a, const auto& b) { return priced(a) < priced(b); });
 }
 
 double worst_at(const Attribution& a, std::size_t level)
@@ -98,6 +113,7 @@ void confirm(const std::vector<Case>& cases, std::vector<Attribution>& ranked, c
 {
     constexpr std::size_t few = 2;
     constexpr double clear = 0.04;  // of score: so little is left that nothing else can be in it
+    put_likeliest_first(ranked);
     for (std::size_t i = 0; i < std::min(few, ranked.size()); ++i) {
         Attribution& a = ranked[i];
         if (a.accepted && flexible(a) && bends_only(a.candidate, a.x[1], scales)) {
@@ -116,7 +132,7 @@ void confirm(const std::vector<Case>& cases, std::vector<Attribution>& ranked, c
         if (!a.accepted && a.explained > most)
             a.explained = explained_beyond(spread_of(cases, a.candidate, si, runs, parallel), a.evaluation[1], nominal);
     }
-    std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.score < b.score; });
+    put_likeliest_first(ranked);
 }
 
 Decision decide(const std::vector<Attribution>& singles, const std::vector<Attribution>& pairs)
@@ -154,7 +170,7 @@ Decision decide(const std::vector<Attribution>& singles, const std::vector<Attri
 }
 
 std::vector<Ranked> rank(const std::vector<Attribution>& singles, const std::vector<Attribution>& pairs,
-                         const Decision& decision)
+                         const Decision& decision, double rows)
 {
     std::vector<Ranked> all;
     const bool pair_wins = decision.named && decision.winner->candidate.effects.size() > 1;
@@ -167,21 +183,21 @@ std::vector<Ranked> rank(const std::vector<Attribution>& singles, const std::vec
         return a.attribution->score < b.attribution->score;
     });
     if (all.empty()) return all;
-    const double best = all.front().attribution->score;
-    // far above the floor the margins between scores are model error, not noise
-    const double width = std::max(temperature, relative_temperature * best);
+    const Attribution& first = *all.front().attribution;
+    const double width = std::max(2 * rows_per_reading / rows, relative_temperature * first.score);
     double sum = 0;
     const auto parameters = [](const Ranked& r) {
         return static_cast<double>(r.attribution->candidate.parameter_count());
     };
     for (auto& r : all) {
         const double needless = std::max(0.0, parameters(r) - parameters(all.front()));
-        r.probability =
-            std::exp(-std::max(0.0, r.attribution->score - best) / width) * std::pow(needless_parameter, -needless);
+        r.probability = std::exp(-std::max(0.0, r.attribution->evidence - first.evidence) / width) *
+                        std::pow(needless_parameter, -needless);
         sum += r.probability;
     }
+    std::stable_sort(all.begin() + 1, all.end(),
+                     [](const Ranked& a, const Ranked& b) { return a.probability > b.probability; });
     // what the best leaves unexplained is the chance that it is something else
-    const Attribution& first = *all.front().attribution;
     const double unexplained = std::clamp(1 - first.explained, 0.0, 1.0);
     constexpr double unnamed = 0.9, most = 0.95;
     const double else_ = !decision.named  ? unnamed
@@ -197,12 +213,9 @@ Quality quality_of(const std::vector<Case>& cases, const Attribution& a, const S
     const auto n = static_cast<Eigen::Index>(a.candidate.parameter_count());
     q.standard_error.assign(static_cast<std::size_t>(n), not_set);
     const auto si = in_si(a.candidate, a.x[1], scales);
-    double rows = 0;
-    for (const auto& c : cases)
-        rows += static_cast<double>(std::count(c.ticks.logged.begin(), c.ticks.logged.end(), 1));
     if (a.information.rows() == n && n > 0 && a.information.diagonal().minCoeff() > 0) {
         // weights are one over the rows of a record: undo that, and scale with what is left
-        const double per_record = rows / static_cast<double>(cases.size());
+        const double per_record = rows_of(cases) / static_cast<double>(cases.size());
         const Eigen::MatrixXd covariance =
             (a.information * per_record).completeOrthogonalDecomposition().pseudoInverse();
         double left = 0;

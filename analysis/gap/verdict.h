@@ -36,10 +36,10 @@ struct Ranked {
     double probability = 0;
 };
 
-/// Everything fitted, most probable first: a softmax of scores whose temperature was set on generated cases; what is
-/// left for "none of these" grows with the winner's misfit.
+/// Everything fitted, the named one first, then the most probable: by the likelihood of `rows` rows in all records;
+/// what is left for "none of these" grows with the winner's misfit.
 std::vector<Ranked> rank(const std::vector<Attribution>& singles, const std::vector<Attribution>& pairs,
-                         const Decision& decision);
+                         const Decision& decision, double rows);
 
 struct Quality {
     std::vector<double> standard_error;  ///< SI; NaN where the records leave a parameter open

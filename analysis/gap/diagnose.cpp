@@ -203,6 +203,8 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
     bool nearest_only = false;  // a cause was found, but is only the nearest in shape
     Decision decision;
     Contest contest;
+    const bool floor_documented =
+        std::all_of(w.cases.begin(), w.cases.end(), [](const auto& c) { return c.noise_documented; });
     if (!quiet) {
         progress("fitting single effects", 0.1);
         const auto fit = [&] {
@@ -223,8 +225,6 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
             fit_members_alone(w.cases, w.scales, w.nominal, singles, pairs, parallel);
             confirm(w.cases, singles, w.nominal, w.scales, parallel);
         }
-        const bool floor_documented =
-            std::all_of(w.cases.begin(), w.cases.end(), [](const auto& c) { return c.noise_documented; });
         decision = decide(singles, pairs);
         // without a documented floor nothing can be told to be noise: what predicts unseen data clearly best is named;
         // else what takes a good part of the misfit away, and whatever takes half as much is said to be a rival
@@ -333,7 +333,8 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
             after = edited(after, winner.candidate, in_si(winner.candidate, winner.x[1], w.scales), 0);
         result.after = after;
     }
-    if (withdraw_if_worse(d)) result.after = joint;
+    const bool settled = quiet || contest.decided || winner.accepted || !w.audit.findings.empty();
+    if (withdraw_if_no_better(d, {settled, floor_documented})) result.after = joint;
     progress("done", 1);
     return result;
 }

@@ -18,7 +18,7 @@ constexpr double rows_per_reading = 15, relative_temperature = 0.007;
 // used its parameter: the odds against it, Schwarz's √n for a thousand independent readings.
 constexpr double needless_parameter = 30;
 // The chance that a cause is not the one although it is named, where what is left is noise and where it is not.
-constexpr double doubt_of_accepted = 0.015, doubt = 0.2;
+constexpr double doubt_of_accepted = 0.015, doubt = 0.15;
 constexpr int runs = 3;
 
 /// Stick-slip amplifies what two integrators do differently, so slower levels get more room. Scores of misfit at which

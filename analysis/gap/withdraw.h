@@ -1,11 +1,18 @@
-// A cause that makes unseen data worse is none, however well it fits.
+// A named cause held against unseen data: what makes them no better is none, however well it fits.
 #pragma once
 #include "analysis/results/diagnosis.h"
 
 namespace stickslip::gap {
 
-/// Where a named cause leaves a larger gap on held-out data than there was, the verdict becomes `unknown`, the reasons
-/// say why, and nothing is left to confuse it with. The ranking stays. Whether it did so.
-bool withdraw_if_worse(Diagnosis& diagnosis);
+/// What was known of the named cause before it was simulated.
+struct Standing {
+    bool settled = false;           ///< its predictions come down to the noise, or the controller's audit found it
+    bool noise_documented = false;  ///< floors are those of the document
+};
+
+/// Where a named cause leaves a larger gap on held-out data than there was, or, without being settled, more than half
+/// of it, the verdict becomes `unknown`, the reasons say why, and nothing is left to confuse it with; the ranking
+/// stays. An unsettled one that leaves more than a documented noise is doubted. Whether the cause was withdrawn.
+bool withdraw_if_no_better(Diagnosis& diagnosis, const Standing& standing);
 
 }  // namespace stickslip::gap

@@ -73,13 +73,15 @@ struct OverallGap {
     ConfidenceInterval interval;                             ///< of explained
     double own_floor = 0;  ///< what noisy simulations with the cause differ by; 0: by no more than `floor`
 
-    /// Whether the cause leaves more beyond the noise than there was. A cause that is itself noise, as the steps of an
-    /// encoder are, makes two true simulations differ by more: that is not held against it.
-    bool worse() const
+    /// What the cause leaves of the mean square beyond the noise; above 1 it makes things worse. A cause that is itself
+    /// noise, as the steps of an encoder are, makes two true simulations differ by more: that is not held against it.
+    double left() const
     {
         const double own = own_floor > floor ? own_floor : floor;
-        return after * after - own * own > before * before - floor * floor;
+        const double was = before * before - floor * floor, is = after * after - own * own;
+        return is <= 0 ? 0 : is <= was ? is / was : std::numeric_limits<double>::infinity();
     }
+    bool worse() const { return left() > 1; }
 };
 
 /// The force that drives the joint, low-passed, against what the model asks for along the measured motion: RMS over

@@ -157,7 +157,7 @@ OutcomeAnswer explain(const Joint& nominal, const OutcomeTable& table, const Par
     };
     for (const auto& f : a.laws) d.effects.push_back(cause_of(a, f, best_of(!f.rival->memory)));
     locate(a);
-    withdraw_if_worse(d);
+    withdraw_if_no_better(d, {.settled = true});
     const LawFit& winner = a.laws.front();
     if (d.verdict == Verdict::gap) {
         a.after = with_law(nominal, winner.law);

@@ -1,6 +1,5 @@
 #include "analysis/gap/drive_force.h"
 #include "analysis/gap/prepare.h"
-#include "analysis/gap/withdraw.h"
 
 #include <catch2/catch.hpp>
 
@@ -64,24 +63,4 @@ TEST_CASE("above the corner the missing force is not seen", "[gap]")
     double largest = 0;
     for (int n = 1000; n < 3000; ++n) largest = std::max(largest, std::abs(force[static_cast<std::size_t>(n)]));
     CHECK(largest < 1e-3);
-}
-
-TEST_CASE("a cause that makes held-out data worse is withdrawn, one that helps is not", "[gap]")
-{
-    Diagnosis d;
-    d.verdict = Verdict::gap;
-    d.effects.resize(1);
-    d.effects[0].names = {"stribeck"};
-    d.ambiguous_with = {{"viscous"}};
-    d.overall.before = 3;
-    d.overall.after = 2.9;
-    CHECK_FALSE(withdraw_if_worse(d));
-    CHECK(d.verdict == Verdict::gap);
-    d.overall.after = 3.1;
-    CHECK(withdraw_if_worse(d));
-    CHECK(d.verdict == Verdict::unknown);
-    CHECK(d.ambiguous_with.empty());
-    REQUIRE(d.reasons.size() == 1);
-    CHECK(d.reasons[0].starts_with("stribeck fits best, but makes"));
-    CHECK(d.effects.size() == 1);
 }

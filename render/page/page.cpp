@@ -51,13 +51,20 @@ class Ids {
     std::set<std::string> taken_;
 };
 
+/// A number stays on one line with its unit; names may wrap where the screen is narrow.
+std::string headline_value(const std::string& value)
+{
+    const bool number = value.find_first_of("0123456789") != std::string::npos;
+    return (number ? "<b>" : "<b class=\"words\">") + html_of_markup(value) + "</b>";
+}
+
 std::string headlines(const std::vector<Headline>& list)
 {
     if (list.empty()) return "";
     std::string html = "<ul class=\"cards\">\n";
     for (const Headline& h : list)
-        html += std::string("<li class=\"card ") + tone_class(h.tone) + "\"><b>" + html_of_markup(h.value) +
-                "</b><span>" + html_of_markup(h.meaning) + "</span></li>\n";
+        html += std::string("<li class=\"card ") + tone_class(h.tone) + "\">" + headline_value(h.value) + "<span>" +
+                html_of_markup(h.meaning) + "</span></li>\n";
     return html + "</ul>\n";
 }
 

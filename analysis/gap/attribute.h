@@ -42,8 +42,8 @@ std::vector<Candidate> single_candidates(const std::vector<Case>& cases, const A
 std::vector<Attribution> fit_singles(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
                                      const std::vector<Candidate>& candidates, const ParallelFor& parallel);
 
-/// Fits pairs: each of the best `partners` singles with every other effect, and where none of these is accepted the
-/// members of the best pair with every other effect; best score first.
+/// Fits pairs: each of the best `partners` singles with every other effect, and the members of the best pair with every
+/// other effect; best score first.
 std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
                                    const std::vector<Attribution>& singles, std::size_t partners,
                                    const ParallelFor& parallel);

@@ -164,7 +164,7 @@ std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales&
         refine_best(cases, scales, nominal, pairs, refined_pairs, parallel);
     };
     screen(simple, simple_finalists);
-    if (!pairs.empty() && !pairs[0].accepted) {
+    if (!pairs.empty()) {
         auto further = beside_members_of(pairs[0]);
         screen(further, simple_finalists);
     }

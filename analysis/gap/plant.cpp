@@ -106,8 +106,10 @@ int substeps(const Plant& p, double tick)
 {
     // s; exact under constant force, so that only laws which bend within a tick need the shorter one
     constexpr double plain_step = 0.5e-3, bent_step = 0.25e-3;
+    // bristles forget at k|v|/F_c, a thousand times a second and more
+    constexpr double bristle_step = 0.03125e-3;
     double step = p.motor.plain() && !p.dc_motor() ? plain_step : bent_step;
-    if (p.motor.bristle_stiffness > 0 || p.link.bristle_stiffness > 0) step = 0.125e-3;
+    if (p.motor.bristle_stiffness > 0 || p.link.bristle_stiffness > 0) step = bristle_step;
     if (p.two_mass) {
         const double reduced = 1 / (1 / p.link_inertia + 1 / (p.ratio * p.ratio * p.motor_inertia));
         const double period_part = 0.25 / std::sqrt(p.stiffness / reduced);  // phase error of leapfrog (ωh)²/24 ≈ 0.3 %

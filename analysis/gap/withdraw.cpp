@@ -17,7 +17,7 @@ void believe_at_most(std::vector<Cause>& causes, double most)
 bool withdraw_if_no_better(Diagnosis& d, const Standing& standing)
 {
     constexpr double mostly_left = 0.5;  // of the mean square beyond the noise
-    // In floors. Of ten unsettled causes in three draws of sealed cases the six that left less were right, and the four
+    // In floors. Of ten unsettled causes in two draws of sealed cases the six that left less were right, and the four
     // that left more were wrong, or lacked a second effect.
     constexpr double more_than_noise = 1.5, doubted = 0.2, withdrawn = 0.1;
     if (d.verdict != Verdict::gap) return false;

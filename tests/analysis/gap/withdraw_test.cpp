@@ -42,6 +42,7 @@ TEST_CASE("a cause that predictions leave open and that hardly helps on held-out
     auto d = leaving(3, 2.4);  // (2.4² - 1)/(3² - 1) = 0.595 is left
     CHECK(withdraw_if_no_better(d, {}));
     CHECK(d.verdict == Verdict::unknown);
+    REQUIRE(d.reasons.size() == 1);
     CHECK(d.reasons[0].starts_with("stribeck fits best, but leaves most"));
     CHECK(d.effects[0].probability + d.effects[1].probability < 0.2);
     // two simulations of a joint that sticks or slips by chance differ by more than two of the nominal one

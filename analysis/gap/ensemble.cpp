@@ -1,5 +1,8 @@
 #include "analysis/gap/ensemble.h"
 
+#include "analysis/gap/jumps.h"
+#include "analysis/gap/reference.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,8 +35,10 @@ NoiseSpread spread_of(const std::vector<Case>& cases, const Candidate& candidate
         for (std::size_t k = 0; k < t.size(); ++k) {
             if (!t.logged[k]) continue;
             log.time.push_back(t.time[k]);
-            log.reference_position.push_back(t.reference[k]);
-            log.reference_velocity.push_back(t.reference_rate[k]);
+            if (!t.reference_rebuilt) {
+                log.reference_position.push_back(t.reference[k]);
+                log.reference_velocity.push_back(t.reference_rate[k]);
+            }
             log.position.push_back(trace.position[k]);
             if (is_set(t.velocity[k])) log.velocity.push_back(trace.velocity[k]);
             if (is_set(t.command[k])) log.effort_command.push_back(trace.command[k]);
@@ -43,8 +48,11 @@ NoiseSpread spread_of(const std::vector<Case>& cases, const Candidate& candidate
         }
         log.at_rest_at_start = t.at_rest;
         c.ticks = on_clock(log, c.joint);
+        if (t.reference_rebuilt) rebuild_reference(c);
+        std::vector<Case> one{std::move(c)};
+        settle_jumps(one, {}, {});
         for (std::size_t l = 0; l < levels.size(); ++l)
-            all[task].misfit[l] = evaluate({c}, {}, {}, levels[l]).records[0];
+            all[task].misfit[l] = evaluate(one, {}, {}, levels[l]).records[0];
     });
     for (std::size_t i = 0; i < cases.size(); ++i)
         for (std::size_t l = 0; l < levels.size(); ++l) {

@@ -87,21 +87,6 @@ double rate_between(const std::vector<double>& x, const std::vector<double>& rat
     }
 }
 
-/// Rows after which a smooth reference jumps: a difference that stands alone.
-std::vector<std::size_t> jumps_of(const std::vector<double>& reference)
-{
-    std::vector<std::size_t> found;
-    if (reference.size() < 4) return found;
-    const auto [low, high] = std::minmax_element(reference.begin(), reference.end());
-    constexpr double least = 2e-3, alone = 4;  // of the span; of the neighbours
-    const auto difference = [&](std::size_t k) { return std::abs(reference[k + 1] - reference[k]); };
-    for (std::size_t k = 0; k + 1 < reference.size(); ++k) {
-        const double before = k > 0 ? difference(k - 1) : 0, after = k + 2 < reference.size() ? difference(k + 1) : 0;
-        if (difference(k) > std::max(least * (*high - *low), alone * std::max(before, after))) found.push_back(k);
-    }
-    return found;
-}
-
 /// The position of the tick between two rows: v_k = v_{k−2}(1−g)² + g(1−g) d_{k−1} + g d_k and d_{k−1} + d_k is known.
 void rebuild_halves(const Record& r, const Joint& joint, Ticks& t)
 {
@@ -146,6 +131,20 @@ void fill_reference_rate(const Record& r, Ticks& t)
 }
 
 }  // namespace
+
+std::vector<std::size_t> jumps_of(const std::vector<double>& signal)
+{
+    std::vector<std::size_t> found;
+    if (signal.size() < 4) return found;
+    const auto [low, high] = std::minmax_element(signal.begin(), signal.end());
+    constexpr double least = 2e-3, alone = 4;  // of the span; of the neighbours
+    const auto difference = [&](std::size_t k) { return std::abs(signal[k + 1] - signal[k]); };
+    for (std::size_t k = 0; k + 1 < signal.size(); ++k) {
+        const double before = k > 0 ? difference(k - 1) : 0, after = k + 2 < signal.size() ? difference(k + 1) : 0;
+        if (difference(k) > std::max(least * (*high - *low), alone * std::max(before, after))) found.push_back(k);
+    }
+    return found;
+}
 
 Ticks on_clock(const Record& r, const Joint& joint)
 {
@@ -216,11 +215,19 @@ Ticks on_clock(const Record& r, const Joint& joint)
     return t;
 }
 
-void place_jump(Ticks& t, std::size_t which, int after)
+void place_jump(Ticks& t, const Control& control, std::size_t which, int after)
 {
-    const std::size_t from = t.jumps[which], m = static_cast<std::size_t>(t.ticks_per_row);
-    for (std::size_t i = 1; i < m && from + m < t.size(); ++i)
-        t.reference[from + i] = i < static_cast<std::size_t>(after) ? t.reference[from] : t.reference[from + m];
+    const std::size_t from = t.jumps[which], m = static_cast<std::size_t>(t.ticks_per_row), to = from + m;
+    if (to >= t.size()) return;
+    const bool by_rate = t.reference_rebuilt && control.reference_velocity && control.k_v != 0;
+    const auto wanted = [&](std::size_t k) { return control.k_p * t.reference[k] + control.k_v * t.reference_rate[k]; };
+    for (std::size_t i = 1; i < m; ++i) {
+        const std::size_t k = from + i, as = i < static_cast<std::size_t>(after) ? from : to;
+        if (by_rate)
+            t.reference_rate[k] = (wanted(as) - control.k_p * t.reference[k]) / control.k_v;
+        else
+            t.reference[k] = t.reference[as];
+    }
 }
 
 }  // namespace stickslip::gap

@@ -41,6 +41,7 @@ struct Ticks {
     int ticks_per_row = 1;
     bool regular = true;   ///< equal steps
     bool rebuilt = false;  ///< positions between rows follow exactly from the logged velocities
+    bool reference_rebuilt = false;  ///< the reference follows from the command: see rebuild_reference()
     bool has_velocity = false, has_effort = false, has_reference = false;
     bool at_rest = true;
     double initial_velocity = 0;
@@ -54,7 +55,11 @@ struct Ticks {
 /// themselves). Rows must be sorted and finite in time and position: see inspect() for what is refused and why.
 Ticks on_clock(const Record& record, const Joint& joint);
 
-/// Lets the reference jump at the given tick (1 … ticks_per_row) after the row of `jumps[which]`.
-void place_jump(Ticks& ticks, std::size_t which, int after);
+/// Rows after which a smooth signal jumps: a difference that stands alone.
+std::vector<std::size_t> jumps_of(const std::vector<double>& signal);
+
+/// Lets the reference, or what a rebuilt one makes the controller want, jump at the given tick (1 … ticks_per_row)
+/// after the row of `jumps[which]`.
+void place_jump(Ticks& ticks, const Control& control, std::size_t which, int after);
 
 }  // namespace stickslip::gap

@@ -1,4 +1,5 @@
 #include "analysis/gap/audit.h"
+#include "analysis/gap/jumps.h"
 #include "analysis/gap/prepare.h"
 #include "tests/analysis/gap/small_machine.h"
 
@@ -104,4 +105,35 @@ TEST_CASE("a reference that was not logged is rebuilt from the command", "[gap]"
         REQUIRE(t.reference[k] == Approx(whole.reference_position[k]).margin(2e-6));
         REQUIRE(t.reference_rate[k] == Approx(whole.reference_velocity[k]).margin(1e-4));
     }
+}
+
+TEST_CASE("of a log at every second tick and without a reference the commands between are those that were given", "[gap]")
+{
+    Machine m;
+    m.command_limit = 20;
+    m.step = GENERATE(0.01, 0.03);         // 12 N, and 36 N: into the limit
+    m.step_time = GENERATE(2.000, 2.001);  // with a row, and between two rows
+    CAPTURE(m.step, m.step_time);
+    const Record whole = test::record_of(m, 1, 4);
+    Record half;
+    half.name = "half";
+    for (std::size_t k = 0; k < whole.rows(); k += 2) {
+        half.time.push_back(whole.time[k]), half.position.push_back(whole.position[k]);
+        half.velocity.push_back(whole.velocity[k]), half.effort_command.push_back(whole.effort_command[k]);
+    }
+    Joint joint = test::nominal_joint();
+    joint.control.effort_limit = m.command_limit;
+    std::vector<std::string> notes;
+    std::vector<Case> cases{prepare(half, joint, notes)};
+    CHECK(audit(cases).findings.empty());
+    settle_jumps(cases, {}, {});
+    const auto command = known_command(flatten(cases[0].joint), cases[0].ticks);
+    int limited = 0;
+    for (std::size_t k = 0; k < command.size(); ++k) {
+        if (std::abs(whole.time[k] - 1) < 1.5e-3) continue;  // this machine's rate jumps in two halves
+        CAPTURE(whole.time[k]);
+        REQUIRE(command[k] == Approx(whole.effort_command[k]).margin(0.05));
+        limited += std::abs(command[k]) == m.command_limit;
+    }
+    CHECK((limited > 0) == (m.step > 0.02));
 }

@@ -18,6 +18,9 @@ struct Machine {
     double limit = 1e9;       ///< N, of the effort that reaches the mass
     double amplitude = 1;     ///< of the motion, as a factor
     double effort_noise = 0;  ///< N; above 0 the effort that reaches the mass is logged, too
+    double step = 0;              ///< m: by this much the reference jumps at step_time
+    double step_time = 2;         ///< s
+    double command_limit = 1e9;   ///< N, of the controller
     double one_way = 0;       ///< part of the viscous slope that changes its sign with the direction
 };
 
@@ -51,7 +54,8 @@ inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
     for (int k = 0; k < static_cast<int>(seconds / period); ++k) {
         const double t = k * period;
         const auto reference = [&](double s) {
-            return m.amplitude * std::min(1.0, s) * (0.08 * std::sin(slow * s) + 0.02 * std::sin(quick * s));
+            const double smooth = std::min(1.0, s) * (0.08 * std::sin(slow * s) + 0.02 * std::sin(quick * s));
+            return m.amplitude * smooth + (t > m.step_time - 0.5 * period ? m.step : 0.0);
         };
         double y = q + m.noise * normal(random);
         y = m.quantum * std::round(y / m.quantum);
@@ -60,6 +64,7 @@ inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
         const double rate = (reference(t + 1e-5) - reference(std::max(0.0, t - 1e-5))) / (t > 0 ? 2e-5 : 1e-5);
         double u = m.k_p * (reference(t) - y) + m.k_v * (rate - estimate);
         if (m.command_step > 0) u = m.command_step * std::round(u / m.command_step);
+        u = std::clamp(u, -m.command_limit, m.command_limit);
         r.time.push_back(t);
         r.reference_position.push_back(reference(t));
         r.reference_velocity.push_back(rate);

@@ -25,9 +25,9 @@ Eigen::VectorXd bounded(const Candidate& c, Eigen::VectorXd x)
     return x;
 }
 
-/// Adds one channel's blocks to the objective; gives its mean square.
+/// Adds one channel's blocks to the objective and lists their mean squares; gives the mean square of all.
 double add_blocks(const std::vector<double>& scaled, std::size_t begin, std::size_t count, std::size_t block,
-                  double& objective)
+                  double& objective, std::vector<double>& blocks)
 {
     double total = 0, robust = 0;
     for (std::size_t b = 0; b < count; b += block) {
@@ -35,8 +35,9 @@ double add_blocks(const std::vector<double>& scaled, std::size_t begin, std::siz
         double sum = 0;
         for (std::size_t i = b; i < end; ++i) sum += scaled[begin + i] * scaled[begin + i];
         total += sum;
-        robust +=
-            static_cast<double>(end - b) * block_scale * std::log1p(sum / static_cast<double>(end - b) / block_scale);
+        const double rows = static_cast<double>(end - b);
+        blocks.push_back(sum / rows);
+        robust += rows * block_scale * std::log1p(blocks.back() / block_scale);
     }
     const double n = static_cast<double>(std::max<std::size_t>(count, 1));
     objective += robust / n;
@@ -147,7 +148,7 @@ Evaluation evaluate(const std::vector<Case>& cases, const Candidate& candidate, 
             }
         const std::size_t rows = scaled.size() - begin;
         Misfit misfit;
-        misfit.position = add_blocks(scaled, begin, rows, block, result.objective);
+        misfit.position = add_blocks(scaled, begin, rows, block, result.objective, misfit.position_blocks);
         if (c.effort_sigma > 0) {
             const double per_effort = 1 / effort_floor(c, omega);
             for (std::size_t k = 0; k < c.ticks.size(); ++k)
@@ -155,7 +156,7 @@ Evaluation evaluate(const std::vector<Case>& cases, const Candidate& candidate, 
                     const double e = innovation.effort[k] * per_effort;
                     scaled.push_back(c.judged(k) && std::isfinite(e) ? std::clamp(e, -far, far) : 0);
                 }
-            misfit.effort = add_blocks(scaled, begin + rows, rows, block, result.objective);
+            misfit.effort = add_blocks(scaled, begin + rows, rows, block, result.objective, misfit.effort_blocks);
         }
         result.records.push_back(misfit);
     }

@@ -92,6 +92,8 @@ double effort_floor(const Case& c, double omega);
 struct Misfit {
     double position = 0;
     double effort = 1;  ///< 1 where effort is not judged
+    /// The same block by block of 200 ms, the last one shorter, if it is.
+    std::vector<double> position_blocks = {}, effort_blocks = {};
 };
 
 /// A joint's misfit in every record at one level, and the robust objective that fits minimise: Σ over 200 ms blocks of

@@ -160,6 +160,19 @@ Case prepare(const Record& record, const Joint& nominal, std::vector<std::string
     }
     return prepare_with_effort(record, c.joint, notes);
 }
+void share_noise(std::vector<Case>& cases, const Sensor& documented)
+{
+    constexpr double seldom = 0.5;  // of a step: what moves less than that is seen only in passing
+    const double step = documented.encoder_quantum;
+    double noise = 0, sigma = 0;
+    for (const auto& c : cases) {
+        noise = std::max(noise, c.joint.sensor.position_noise), sigma = std::max(sigma, c.sigma);
+        if (c.joint.sensor.encoder_quantum != step) return;
+    }
+    if (documented.position_noise > 0 || sigma >= seldom * step) return;
+    for (auto& c : cases) c.joint.sensor.position_noise = noise, c.sigma = sigma;
+}
+
 Scales scales_of(const std::vector<Case>& cases)
 {
     Scales s;

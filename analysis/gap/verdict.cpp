@@ -1,5 +1,7 @@
 #include "analysis/gap/verdict.h"
 
+#include "analysis/gap/moment.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -64,6 +66,12 @@ double worst_at(const Attribution& a, std::size_t level)
     double worst = 0;
     for (const auto& m : a.evaluation[level].records) worst = std::max({worst, m.position, m.effort});
     return worst;
+}
+
+/// How much of a rival's misfit may be a lost step. Where anything but noise is left, all of it counts.
+double by_chance(const Attribution& winner, const Attribution& rival)
+{
+    return winner.accepted && rival.accepted ? hangs_on_a_moment(winner.evaluation, rival.evaluation) : 0;
 }
 
 }  // namespace
@@ -164,7 +172,7 @@ Decision decide(const std::vector<Attribution>& singles, const std::vector<Attri
     d.named = d.winner != nullptr;
     if (d.named)
         for (const auto& rival : *from)
-            if (&rival != d.winner && rival.refined && rival.score < d.winner->score + margin)
+            if (&rival != d.winner && rival.refined && rival.score - by_chance(*d.winner, rival) < d.winner->score + margin)
                 d.ambiguous.push_back(&rival);
     return d;
 }
@@ -191,7 +199,8 @@ std::vector<Ranked> rank(const std::vector<Attribution>& singles, const std::vec
     };
     for (auto& r : all) {
         const double needless = std::max(0.0, parameters(r) - parameters(all.front()));
-        r.probability = std::exp(-std::max(0.0, r.attribution->evidence - first.evidence) / width) *
+        const double worse = r.attribution->evidence - first.evidence - by_chance(first, *r.attribution);
+        r.probability = std::exp(-std::max(0.0, worse) / width) *
                         std::pow(needless_parameter, -needless);
         sum += r.probability;
     }

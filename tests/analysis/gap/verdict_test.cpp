@@ -94,6 +94,34 @@ TEST_CASE("of causes that come down to the noise the likelier comes first, thoug
     CHECK(singles[2].candidate.effects[0]->name == "viscous");  // not accepted: its floor is not the question
 }
 
+TEST_CASE("a step lost in one moment does not decide between causes that are alike everywhere else", "[gap]")
+{
+    std::vector<Attribution> singles{found({"coulomb-level"}, 0.02, 1, true), found({"viscous"}, 0.12, 1, true)};
+    constexpr std::size_t blocks = 100, at = 40;
+    constexpr double rows = 1e4;
+    const auto odds = [&](double everywhere, double in_one_moment) {
+        for (auto& a : singles)
+            for (auto& level : a.evaluation) level.records.assign(1, {1, 1, std::vector<double>(blocks, 1.0), {}});
+        auto& slow = singles[1].evaluation[2].records[0].position_blocks;
+        for (double& x : slow) x = everywhere;
+        slow[at] += in_one_moment, slow[at + 1] += in_one_moment;
+        double mean = 0;
+        for (double x : slow) mean += x / blocks;
+        // three levels of one record, and its effort at the fastest
+        singles[1].evidence = 0.02 + std::log(mean) / 4;
+        const auto ranked = rank(singles, {}, decide(singles, {}), rows);
+        return ranked[0].probability / ranked[1].probability;
+    };
+    CHECK(odds(1, 100) == Approx(1));
+    CHECK(decide(singles, {}).ambiguous.size() == 1);
+    // the same misfit all over the record tells them apart: half of log 3 for each of its fifteenths of rows
+    CHECK(odds(3, 0) == Approx(std::exp(rows / 15 / 2 * std::log(3.0) / 4)).epsilon(1e-3));
+    CHECK(decide(singles, {}).ambiguous.empty());
+    // where one of them is not known to be right, a lost step may be what is wrong with it
+    singles[1].accepted = false;
+    CHECK(odds(1, 100) > 1e10);
+}
+
 TEST_CASE("noise estimated from rounded readings is that before rounding", "[gap]")
 {
     test::Machine m;
@@ -126,6 +154,36 @@ TEST_CASE("noise that is not stated counts although the step of the encoder make
     std::vector<std::string> notes;
     const Case c = prepare(test::record_of(m, 5), joint, notes);
     CHECK(c.sigma == Approx(std::hypot(m.noise, m.quantum / std::sqrt(12.0))).epsilon(0.03));
+}
+
+TEST_CASE("a joint at rest hides the noise of its encoder behind the steps, and gets that of the others", "[gap]")
+{
+    test::Machine m;
+    m.quantum = 2e-5, m.noise = 5e-6;
+    Joint joint = test::nominal_joint();
+    joint.sensor.position_noise = 0;
+    joint.sensor.encoder_quantum = m.quantum;
+    std::vector<std::string> notes;
+    test::Machine still = m;
+    still.amplitude = 0;
+    std::vector<Case> cases{prepare(test::record_of(m, 5), joint, notes),
+                            prepare(test::record_of(still, 6), joint, notes)};
+    const double rounding = m.quantum / std::sqrt(12.0), truth = std::hypot(m.noise, rounding);
+    REQUIRE(cases[1].sigma < 0.99 * truth);
+    share_noise(cases, joint.sensor);
+    for (const auto& c : cases) {
+        CHECK(c.sigma == Approx(truth).epsilon(0.03));
+        CHECK(c.joint.sensor.position_noise == Approx(m.noise).epsilon(0.1));
+    }
+    // a documented noise is nobody else's
+    Joint documented = joint;
+    documented.sensor.position_noise = m.noise;
+    std::vector<Case> told{prepare(test::record_of(m, 5), documented, notes),
+                           prepare(test::record_of(still, 6), documented, notes)};
+    const double before = told[1].sigma;
+    told[0].sigma *= 1.3;
+    share_noise(told, documented.sensor);
+    CHECK(told[1].sigma == before);
 }
 
 TEST_CASE("a joint whose closed loop differs from no record by more than noise has no gap", "[gap]")

@@ -39,8 +39,8 @@ struct Ticks {
     std::vector<std::uint8_t> judged;  ///< empty: every row; else 0 where a prediction has only just started anew
     CommandSource source = CommandSource::none;
     int ticks_per_row = 1;
-    bool regular = true;   ///< equal steps
-    bool rebuilt = false;  ///< positions between rows follow exactly from the logged velocities
+    bool regular = true;             ///< equal steps
+    bool rebuilt = false;            ///< positions between rows follow exactly from the logged velocities
     bool reference_rebuilt = false;  ///< the reference follows from the command: see rebuild_reference()
     bool has_velocity = false, has_effort = false, has_reference = false;
     bool at_rest = true;

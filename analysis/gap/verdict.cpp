@@ -172,7 +172,8 @@ Decision decide(const std::vector<Attribution>& singles, const std::vector<Attri
     d.named = d.winner != nullptr;
     if (d.named)
         for (const auto& rival : *from)
-            if (&rival != d.winner && rival.refined && rival.score - by_chance(*d.winner, rival) < d.winner->score + margin)
+            if (&rival != d.winner && rival.refined &&
+                rival.score - by_chance(*d.winner, rival) < d.winner->score + margin)
                 d.ambiguous.push_back(&rival);
     return d;
 }
@@ -200,8 +201,7 @@ std::vector<Ranked> rank(const std::vector<Attribution>& singles, const std::vec
     for (auto& r : all) {
         const double needless = std::max(0.0, parameters(r) - parameters(all.front()));
         const double worse = r.attribution->evidence - first.evidence - by_chance(first, *r.attribution);
-        r.probability = std::exp(-std::max(0.0, worse) / width) *
-                        std::pow(needless_parameter, -needless);
+        r.probability = std::exp(-std::max(0.0, worse) / width) * std::pow(needless_parameter, -needless);
         sum += r.probability;
     }
     std::stable_sort(all.begin() + 1, all.end(),

@@ -107,7 +107,8 @@ TEST_CASE("a reference that was not logged is rebuilt from the command", "[gap]"
     }
 }
 
-TEST_CASE("of a log at every second tick and without a reference the commands between are those that were given", "[gap]")
+TEST_CASE("of a log at every second tick and without a reference the commands between are those that were given",
+          "[gap]")
 {
     Machine m;
     m.command_limit = 20;

@@ -73,6 +73,7 @@ std::vector<Candidate> single_candidates(const std::vector<Case>& cases, const A
         if (e.name == "quantisation") continue;  // the audit reads it off the grid
         const bool of_controller = e.name == "gain-k_p" || e.name == "gain-k_v" || e.name == "velocity-filter";
         if (of_controller && (logged || audit.possible)) continue;
+        if (e.name == "velocity-filter" && audit.filter_seen) continue;
         for (const auto& f : e.forms) {
             if (f.own > 0 && cases.size() < 2) continue;
             Candidate c{{&e}, {&f}, cases.size()};

@@ -1,5 +1,6 @@
 #include "analysis/gap/audit.h"
 
+#include "analysis/gap/audit_filter.h"
 #include "analysis/gap/audit_reference.h"
 #include "analysis/gap/controller.h"
 #include "analysis/gap/line_search.h"
@@ -240,6 +241,7 @@ Audit audit(std::vector<Case>& cases)
     if (cases.empty()) return result;
     audit_grid(cases, result);
     audit_supply(cases, result);
+    audit_filter(cases, result);
     const bool without_reference = std::all_of(cases.begin(), cases.end(), [](const auto& c) {
         return c.ticks.source == CommandSource::logged && !c.ticks.has_reference && c.ticks.regular &&
                c.joint.control.kind == ControlKind::position && (c.ticks.ticks_per_row == 1 || c.ticks.rebuilt);

@@ -87,23 +87,6 @@ double rate_between(const std::vector<double>& x, const std::vector<double>& rat
     }
 }
 
-/// The position of the tick between two rows: v_k = v_{k−2}(1−g)² + g(1−g) d_{k−1} + g d_k and d_{k−1} + d_k is known.
-void rebuild_halves(const Record& r, const Joint& joint, Ticks& t)
-{
-    const double T = joint.control.period;
-    const double g = T / (joint.control.velocity_estimate.tau + T);
-    const double quantum = joint.sensor.encoder_quantum;
-    for (std::size_t k = 1; k < r.rows(); ++k) {
-        const double sum = (r.position[k] - r.position[k - 1]) / T;
-        const double drive = r.velocity[k] - (1 - g) * (1 - g) * r.velocity[k - 1];
-        const double last = (drive / g - (1 - g) * sum) / g;
-        double middle = r.position[k] - T * last;
-        if (quantum > 0) middle = quantum * std::round(middle / quantum);
-        t.position[2 * k - 1] = middle;
-    }
-    t.rebuilt = true;
-}
-
 void fill_reference_rate(const Record& r, Ticks& t)
 {
     const std::size_t n = t.size();
@@ -144,6 +127,28 @@ std::vector<std::size_t> jumps_of(const std::vector<double>& signal)
         if (difference(k) > std::max(least * (*high - *low), alone * std::max(before, after))) found.push_back(k);
     }
     return found;
+}
+
+std::vector<double> halves(const Ticks& t, double tau)
+{
+    std::vector<double> middle;
+    for (std::size_t k = 2; k < t.size(); k += 2) {
+        const double T = t.step[k - 1], g = T / (tau + T);
+        const double sum = (t.position[k] - t.position[k - 2]) / T;
+        const double drive = t.velocity[k] - (1 - g) * (1 - g) * t.velocity[k - 2];
+        const double last = (drive / g - (1 - g) * sum) / g;
+        middle.push_back(t.position[k] - T * last);
+    }
+    return middle;
+}
+
+void rebuild_halves(Ticks& t, const Joint& joint)
+{
+    const double quantum = joint.sensor.encoder_quantum;
+    const auto middle = halves(t, joint.control.velocity_estimate.tau);
+    for (std::size_t i = 0; i < middle.size(); ++i)
+        t.position[2 * i + 1] = quantum > 0 ? quantum * std::round(middle[i] / quantum) : middle[i];
+    t.rebuilt = true;
 }
 
 Ticks on_clock(const Record& r, const Joint& joint)
@@ -209,7 +214,7 @@ Ticks on_clock(const Record& r, const Joint& joint)
     for (std::size_t k = 0; k + 1 < n; ++k) t.step[k] = t.time[k + 1] - t.time[k];
     if (m == 2 && t.has_velocity && joint.control.velocity_estimate.form == EstimateForm::backward_difference &&
         joint.control.velocity_estimate.average == 1)
-        rebuild_halves(r, joint, t);
+        rebuild_halves(t, joint);
     if (t.has_reference) fill_reference_rate(r, t);
     if (!t.at_rest && n > 8) t.initial_velocity = (t.position[8] - t.position[0]) / (t.time[8] - t.time[0]);
     return t;

@@ -1,4 +1,5 @@
 #include "analysis/gap/audit.h"
+#include "analysis/gap/attribute.h"
 #include "analysis/gap/jumps.h"
 #include "analysis/gap/prepare.h"
 #include "tests/analysis/gap/small_machine.h"
@@ -137,4 +138,46 @@ TEST_CASE("of a log at every second tick and without a reference the commands be
         limited += std::abs(command[k]) == m.command_limit;
     }
     CHECK((limited > 0) == (m.step > 0.02));
+}
+
+TEST_CASE("logged velocities tell the filter without a command, exactly", "[gap]")
+{
+    Machine m;
+    m.tau = GENERATE(0.003, 0.0051);  // documented: 0.003
+    Record r = test::record_of(m, 1, 3);
+    r.effort_command.clear();
+    std::vector<std::string> notes;
+    std::vector<Case> cases{prepare(r, test::nominal_joint(), notes)};
+    auto found = audit(cases);
+    CHECK(found.filter_seen);
+    REQUIRE(found.findings.size() == (m.tau == 0.003 ? 0 : 1));
+    CHECK(cases[0].joint.control.velocity_estimate.tau == Approx(m.tau).epsilon(1e-6));
+    for (const auto& c : single_candidates(cases, found)) CHECK(c.effects[0]->name != "velocity-filter");
+    // a velocity from anywhere else is no evidence of the controller's filter
+    for (std::size_t k = 1; k + 1 < r.rows(); ++k)
+        r.velocity[k] = (r.position[k + 1] - r.position[k - 1]) / (r.time[k + 1] - r.time[k - 1]);
+    cases = {prepare(r, test::nominal_joint(), notes)};
+    found = audit(cases);
+    CHECK_FALSE(found.filter_seen);
+    CHECK(found.findings.empty());
+}
+
+TEST_CASE("velocities at every second tick tell the filter by the grid on which the readings between must lie", "[gap]")
+{
+    Machine m;
+    m.tau = 0.0044;  // documented: 0.003
+    const Record whole = test::record_of(m, 1, 3);
+    Record half;
+    half.name = "half";
+    for (std::size_t k = 0; k < whole.rows(); k += 2) {
+        half.time.push_back(whole.time[k]), half.position.push_back(whole.position[k]);
+        half.velocity.push_back(whole.velocity[k]), half.reference_position.push_back(whole.reference_position[k]);
+    }
+    std::vector<std::string> notes;
+    std::vector<Case> cases{prepare(half, test::nominal_joint(), notes)};
+    const auto found = audit(cases);
+    REQUIRE(found.findings.size() == 1);
+    CHECK(found.findings[0].value == Approx(m.tau).epsilon(1e-4));
+    for (std::size_t k = 0; k < cases[0].ticks.size(); ++k)
+        REQUIRE(cases[0].ticks.position[k] == Approx(whole.position[k]).margin(1e-9));
 }

@@ -1,0 +1,13 @@
+// What logged velocities say of the controller's filter: they are its own numbers.
+#pragma once
+#include "analysis/gap/audit.h"
+
+namespace stickslip::gap {
+
+/// Where velocities were logged at every tick, v_k − v_{k−1} = g (d_k − v_{k−1}) gives g = T/(τ + T) by least squares,
+/// exactly. At every second tick the time constant is right that puts the readings between the rows onto the grid of
+/// the encoder. Corrects the joints (and the readings between the rows), adds
+/// what it finds, and says in `filter_seen` whether the velocities follow a filter exactly.
+void audit_filter(std::vector<Case>& cases, Audit& result);
+
+}  // namespace stickslip::gap

@@ -182,12 +182,12 @@ LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidat
     ++fit.evaluations;
     double damping = 1e-3;
     Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(here.size()), n);
+    Eigen::VectorXd last = fit.x;  // where the step came from; at first, where the effect is absent
+    for (Eigen::Index i = 0; i < n; ++i)
+        if (!candidate.parameter(static_cast<std::size_t>(i)).logarithmic) last[i] = 0;
     for (int iteration = 0; iteration < iterations && n > 0; ++iteration) {
-        block_weights(cases, here, weights);
         const Eigen::Map<const Eigen::VectorXd> r(here.data(), static_cast<Eigen::Index>(here.size()));
-        const Eigen::Map<const Eigen::VectorXd> w(weights.data(), r.size());
-        for (Eigen::Index i = 0; i < n; ++i) {
-            if (!kept.empty() && kept[static_cast<std::size_t>(i)]) continue;
+        const auto slope = [&](Eigen::Index i) -> Eigen::VectorXd {
             Eigen::VectorXd shifted = fit.x;
             double step = 1e-4 * std::max(0.1, std::abs(candidate.parameter(static_cast<std::size_t>(i)).prior));
             if (candidate.parameter(static_cast<std::size_t>(i)).logarithmic) step = 1e-4;
@@ -195,8 +195,22 @@ LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidat
             if (bounded(candidate, shifted)[i] != shifted[i]) shifted[i] -= 2 * step, step = -step;
             evaluate(cases, candidate, in_si(candidate, shifted, scales), omega, &there);
             ++fit.evaluations;
-            jacobian.col(i) = (Eigen::Map<const Eigen::VectorXd>(there.data(), r.size()) - r) / step;
+            return (Eigen::Map<const Eigen::VectorXd>(there.data(), r.size()) - r) / step;
+        };
+        for (Eigen::Index i = 0; i < n; ++i) {
+            if (!kept.empty() && kept[static_cast<std::size_t>(i)]) continue;
+            jacobian.col(i) = slope(i);
+            // friction that has been taken away altogether has no slope that leads back
+            constexpr int halvings = 10;
+            for (int k = 0; k < halvings && jacobian.col(i).isZero(0) && last[i] != fit.x[i]; ++k) {
+                fit.x[i] = 0.5 * (fit.x[i] + last[i]);
+                fit.evaluation = evaluate(cases, candidate, in_si(candidate, fit.x, scales), omega, &here);
+                ++fit.evaluations;
+                jacobian.col(i) = slope(i);
+            }
         }
+        block_weights(cases, here, weights);
+        const Eigen::Map<const Eigen::VectorXd> w(weights.data(), r.size());
         const Eigen::MatrixXd weighted = w.asDiagonal() * jacobian;
         const Eigen::MatrixXd normal = jacobian.transpose() * weighted;
         const Eigen::VectorXd gradient = weighted.transpose() * r;
@@ -218,6 +232,7 @@ LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidat
             ++fit.evaluations;
             if (trial.objective < fit.evaluation.objective) {
                 better = true;
+                last = fit.x;
                 fit.x = next;
                 fit.evaluation = trial;
                 here.swap(there);

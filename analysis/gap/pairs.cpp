@@ -9,7 +9,7 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr std::size_t refined_pairs = 6;
+constexpr std::size_t refined_pairs = 6, polished_pairs = 3;
 constexpr int first_look = 3, first_effort = 8;                      // iterations; evaluations a parameter
 constexpr std::size_t simple_finalists = 16, divided_finalists = 6;  // that go on from a first look
 
@@ -168,7 +168,11 @@ std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales&
         auto further = beside_members_of(pairs[0]);
         screen(further, simple_finalists);
     }
-    if (!divided.empty() && (pairs.empty() || !pairs[0].accepted)) screen(divided, divided_finalists);
+    if (!divided.empty() && (pairs.empty() || !pairs[0].accepted)) {
+        screen(divided, divided_finalists);
+        constexpr double clear = 0.04;  // of score: so little is left that no better numbers are needed
+        if (pairs[0].score > clear) polish_best(cases, scales, nominal, pairs, polished_pairs, parallel);
+    }
     // of every pair its best form: the others are no rivals
     std::vector<Attribution> best;
     for (auto& p : pairs)

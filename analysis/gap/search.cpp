@@ -189,6 +189,35 @@ void refine_best(const std::vector<Case>& cases, const Scales& scales, const Nom
     some(0, most);
 }
 
+void polish_best(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
+                 std::vector<Attribution>& ranked, std::size_t most, const ParallelFor& parallel)
+{
+    constexpr int long_search = 40, short_search = 20;  // evaluations a parameter
+    constexpr double wide = 0.3, narrow = 0.05;         // first steps
+    const auto part = excerpts(cases, levels[1], refine_ticks, 1);
+    std::vector<Attribution*> some;
+    for (auto& a : ranked)
+        if (some.size() < most && a.refined && jagged(a.candidate)) some.push_back(&a);
+    const auto search = [&](Attribution& a, std::size_t l, const Eigen::VectorXd& from, int effort, double step) {
+        const auto fit = search_rough(part, a.candidate, scales, from, levels[l],
+                                      effort * static_cast<int>(a.candidate.parameter_count()), step);
+        a.evaluations += fit.evaluations + 1;
+        auto there = evaluate(cases, a.candidate, in_si(a.candidate, fit.x, scales), levels[l]);
+        if (there.objective < a.evaluation[l].objective) a.x[l] = fit.x, a.evaluation[l] = std::move(there);
+    };
+    parallel(some.size(), [&](std::size_t i) { search(*some[i], 0, some[i]->x[0], long_search, wide); });
+    double least = infinity;
+    for (const auto* a : some) least = std::min(least, a->evaluation[0].objective);
+    constexpr double behind = 1.15;
+    std::erase_if(some, [&](const auto* a) { return a->evaluation[0].objective > behind * least; });
+    parallel(some.size(), [&](std::size_t i) {
+        Attribution& a = *some[i];
+        for (std::size_t l = 1; l < levels.size(); ++l) search(a, l, a.x[l - 1], short_search, narrow);
+        judge(a, nominal);
+    });
+    std::stable_sort(ranked.begin(), ranked.end(), better);
+}
+
 double screening_level(const Nominal& nominal)
 {
     for (std::size_t l = 0; l < levels.size(); ++l) {

@@ -38,6 +38,12 @@ Attribution as_screened(const std::vector<Case>& cases, const Scales& scales, co
 void refine_best(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
                  std::vector<Attribution>& ranked, std::size_t most, const ParallelFor& parallel);
 
+/// Searches all numbers of the best `most` refined candidates with a jagged misfit at once, fastest level first: what
+/// is fitted in turn creeps along the valley in which play, shares of the mass and a partner make up for each other.
+/// Those far behind at the fastest level are left there.
+void polish_best(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
+                 std::vector<Attribution>& ranked, std::size_t most, const ParallelFor& parallel);
+
 /// The fastest level at which the nominal joint clearly fails: there a fit is least troubled by what stick-slip
 /// amplifies.
 double screening_level(const Nominal& nominal);

@@ -47,6 +47,16 @@ bool flexible(const Attribution& a)
     return n > 1;
 }
 
+/// Whether a partner beside play or a spring takes away most of what that one leaves alone. The contact of a real play
+/// is none of the ones that can be simulated, so a rest remains of both.
+bool completes(const Attribution& pair, const Attribution& single)
+{
+    constexpr double most = 0.75, enough = 0.94;
+    const bool holds = std::ranges::count(pair.candidate.effects, single.candidate.effects[0]) > 0;
+    return holds && divided(single) && pair.explained > enough && !flexible(pair) &&
+           1 - pair.explained < (1 - most) * (1 - single.explained);
+}
+
 /// Best score first. Of the leading ones that come down to the noise, within the margin, the likeliest: their scores
 /// are those of the floor, and tell nothing.
 void put_likeliest_first(std::vector<Attribution>& ranked)
@@ -157,7 +167,8 @@ Decision decide(const std::vector<Attribution>& singles, const std::vector<Attri
     if (single && best_single->accepted) {
         d.winner = best_single;
         from = &singles;
-    } else if (best_pair && (best_pair->accepted || (best_pair->explained > explained_pair && !flexible(*best_pair)))) {
+    } else if (best_pair && (best_pair->accepted || (best_pair->explained > explained_pair && !flexible(*best_pair)) ||
+                             (best_single && completes(*best_pair, *best_single)))) {
         // a second effect must earn its place: else the first alone is the answer with a rest
         const double worth = best_pair->accepted ? 0.06 : 0.15;
         const bool alone = best_single &&

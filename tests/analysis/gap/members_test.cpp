@@ -25,6 +25,13 @@ Candidate of(std::initializer_list<const char*> names)
     return c;
 }
 
+double worst(const Attribution& a)
+{
+    double most = 0;
+    for (const auto& level : a.evaluation) most = std::max(most, level.records[0].position);
+    return most;
+}
+
 }  // namespace
 
 TEST_CASE("a member that explains everything alone, from where the pair found it, takes the place of its own poor fit",
@@ -77,6 +84,51 @@ TEST_CASE("what the best pair brings to light looks for its own partner", "[gap]
     REQUIRE_FALSE(pairs.empty());
     CHECK(pairs[0].candidate.effects == std::vector{effect_named("viscous"), effect_named("inertia")});
     CHECK(pairs[0].accepted);
+}
+
+TEST_CASE("a descent finds back from where friction has been taken away altogether", "[gap]")
+{
+    test::Machine m;
+    m.viscous = 0.3;  // documented: 1.5
+    std::vector<std::string> notes;
+    const std::vector<Case> cases{prepare(test::record_of(m, 1), test::nominal_joint(), notes)};
+    const Scales scales = scales_of(cases);
+    const Candidate viscous = of({"viscous"});
+    const double all_of_it = -1.5 / unit_of(Scale::damping, scales);
+    // nothing depends on the change where all of the friction is gone
+    const auto fit = descend(cases, viscous, scales, to_fit(viscous, {3 * all_of_it}), levels[1], 12);
+    CHECK(in_si(viscous, fit.x, scales)[0] == Approx(-1.2).epsilon(0.02));
+    CHECK(fit.evaluation.records[0].position < 1.1);
+}
+
+TEST_CASE("numbers that make up for each other are searched together in the end", "[gap]")
+{
+    test::Machine m;
+    m.coulomb = 2.4, m.limit = 3;
+    std::vector<std::string> notes;
+    const std::vector<Case> cases{prepare(test::record_of(m, 1), test::nominal_joint(), notes)};
+    const Scales scales = scales_of(cases);
+    const Nominal nominal = judge_nominal(cases);
+    const auto at = [&](const Candidate& c, const std::vector<double>& scaled) {
+        LevelFit fit;
+        fit.x = to_fit(c, scaled);
+        fit.evaluation = evaluate(cases, c, in_si(c, fit.x, scales), levels[0]);
+        auto a = as_screened(cases, scales, nominal, c, fit);
+        a.refined = true;
+        return a;
+    };
+    const double limit = m.limit / scales.peak_effort;
+    std::vector<Attribution> pairs{at(of({"coulomb-level", "saturation"}), {0.1 / scales.effort, 0.9 * limit}),
+                                   at(of({"coulomb-level", "viscous"}), {0.1 / scales.effort, 0.01})};
+    REQUIRE(worst(pairs[0]) > 1.5);
+    const auto smooth = pairs[1].x[0];
+    polish_best(cases, scales, nominal, pairs, 2, in_order);
+    REQUIRE(pairs[0].candidate.effects[1]->name == "saturation");
+    CHECK(worst(pairs[0]) < 1.1);
+    const auto si = in_si(pairs[0].candidate, pairs[0].x[1], scales);
+    CHECK(si[0] == Approx(0.4).epsilon(0.05));
+    CHECK(si[1] == Approx(m.limit).epsilon(0.01));
+    CHECK(pairs[1].x[0] == smooth);  // a smooth misfit needs no simplex
 }
 
 TEST_CASE("play in a single mass damps its contact by the ratio that is fitted", "[gap]")

@@ -46,6 +46,21 @@ TEST_CASE("a pair that leaves nothing wins over a single that leaves little, one
     CHECK(with(0.08, false) == 1);
 }
 
+TEST_CASE("a partner beside play is named where it takes away most of what the play leaves", "[gap]")
+{
+    const auto named = [](double single, double pair, const char* alone = "backlash") -> std::size_t {
+        const std::vector<Attribution> singles{found({alone}, 1.6, single, false)};
+        const std::vector<Attribution> pairs{found({"viscous", "backlash"}, 0.7, pair, false)};
+        const auto d = decide(singles, pairs);
+        return d.named ? d.winner->candidate.effects.size() : 0;
+    };
+    CHECK(named(0.85, 0.97) == 2);
+    CHECK(named(0.85, 0.95) == 1);                // a third of the rest remains
+    CHECK(named(0.70, 0.93) == 0);                // neither explains enough
+    CHECK(named(0.955, 0.983) == 1);              // more than a quarter remains
+    CHECK(named(0.85, 0.97, "compliance") == 1);  // the pair says another thing
+}
+
 TEST_CASE("probabilities fall with the misfit, with a needless parameter and where something is left", "[gap]")
 {
     std::vector<Attribution> singles{found({"constant-load"}, 0.010, 1, true),

@@ -71,6 +71,7 @@ struct EffectForm {
     bool (*applies)(const Joint& nominal) = nullptr;                  ///< null: always
     std::size_t own = 0;  ///< the last so many parameters have a value of their own in every record
     bool rough = false;   ///< the misfit is jagged in its parameters: search before descending
+    int apart = -1;       ///< parameter of which every seeded value gets a descent of its own; −1: none
 };
 
 struct Effect {

@@ -170,8 +170,7 @@ std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales&
     }
     if (!divided.empty() && (pairs.empty() || !pairs[0].accepted)) {
         screen(divided, divided_finalists);
-        constexpr double clear = 0.04;  // of score: so little is left that no better numbers are needed
-        if (pairs[0].score > clear) polish_best(cases, scales, nominal, pairs, polished_pairs, parallel);
+        if (pairs[0].score > clear_score) polish_best(cases, scales, nominal, pairs, polished_pairs, parallel);
     }
     // of every pair its best form: the others are no rivals
     std::vector<Attribution> best;

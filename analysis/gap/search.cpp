@@ -80,7 +80,18 @@ LevelFit best_of(const std::vector<Case>& cases, const Scales& scales, const Can
         order.emplace_back(rough ? evaluate(cases, candidate, in_si(candidate, from[i], scales), omega).objective : 0,
                            i);
     std::stable_sort(order.begin(), order.end());
-    if (rough && order.size() > 2) order.resize(2);
+    const int apart = candidate.forms.size() == 1 ? candidate.forms[0]->apart : -1;
+    if (apart >= 0) {
+        std::vector<double> taken;
+        std::erase_if(order, [&](const auto& start) {
+            const double value = from[start.second][apart];
+            const bool again = std::ranges::count(taken, value) > 0;
+            taken.push_back(value);
+            return again;
+        });
+    } else if (rough && order.size() > 2) {
+        order.resize(2);
+    }
     LevelFit best;
     int evaluations = rough ? static_cast<int>(from.size()) : 0;
     for (const auto& [objective, i] : order) {
@@ -194,10 +205,11 @@ void polish_best(const std::vector<Case>& cases, const Scales& scales, const Nom
 {
     constexpr int long_search = 40, short_search = 20;  // evaluations a parameter
     constexpr double wide = 0.3, narrow = 0.05;         // first steps
+    constexpr double promising = 0.8;                   // of the excess misfit explained
     const auto part = excerpts(cases, levels[1], refine_ticks, 1);
     std::vector<Attribution*> some;
     for (auto& a : ranked)
-        if (some.size() < most && a.refined && jagged(a.candidate)) some.push_back(&a);
+        if (some.size() < most && a.refined && jagged(a.candidate) && a.explained > promising) some.push_back(&a);
     const auto search = [&](Attribution& a, std::size_t l, const Eigen::VectorXd& from, int effort, double step) {
         const auto fit = search_rough(part, a.candidate, scales, from, levels[l],
                                       effort * static_cast<int>(a.candidate.parameter_count()), step);

@@ -10,6 +10,7 @@ inline constexpr std::size_t brief_ticks = 24000;  ///< of all records together,
 inline constexpr double coarse = 2;                ///< and time steps longer by this
 inline constexpr int full_effort = 25;             ///< evaluations a parameter where the misfit is jagged
 inline constexpr int iterations = 12;
+inline constexpr double clear_score = 0.04;  ///< so little is left that no better numbers are needed
 
 bool jagged(const Candidate& candidate);
 /// Whether it divides the mass or lets it play: ten times as dear as the others.
@@ -24,7 +25,7 @@ LevelFit improve(const std::vector<Case>& cases, const Candidate& candidate, con
                  const Eigen::VectorXd& x, double omega, int effort, int descents = iterations);
 
 /// The best of descents from the given starts at one level. With many starts, or a jagged misfit, all are evaluated
-/// and the two best go on.
+/// and the two best go on, or the best of each value that the form wants apart.
 LevelFit best_of(const std::vector<Case>& cases, const Scales& scales, const Candidate& candidate,
                  const std::vector<Eigen::VectorXd>& from, double omega, int effort = full_effort,
                  int descents = iterations);
@@ -40,7 +41,7 @@ void refine_best(const std::vector<Case>& cases, const Scales& scales, const Nom
 
 /// Searches all numbers of the best `most` refined candidates with a jagged misfit at once, fastest level first: what
 /// is fitted in turn creeps along the valley in which play, shares of the mass and a partner make up for each other.
-/// Those far behind at the fastest level are left there.
+/// Those that explain little are left as they are, those far behind at the fastest level are left there.
 void polish_best(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
                  std::vector<Attribution>& ranked, std::size_t most, const ParallelFor& parallel);
 

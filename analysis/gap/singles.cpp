@@ -49,6 +49,8 @@ std::vector<Attribution> fit_singles(const std::vector<Case>& cases, const Scale
         });
     }
     if (!divided.empty()) screen(divided);
+    if (!best.empty() && jagged(best[0].candidate) && best[0].score > clear_score)
+        polish_best(cases, scales, nominal, best, 1, parallel);
     return best;
 }
 

@@ -26,6 +26,8 @@ constexpr int runs = 3;
 /// Stick-slip amplifies what two integrators do differently, so slower levels get more room. Scores of misfit at which
 /// a cause still counts as found although a rest remains.
 constexpr double explained_single = 0.97, explained_pair = 0.985;
+/// Play leaves a little wherever its contact is not quite the one that is simulated: so little is no second effect.
+constexpr double explained_by_play = 0.99;
 /// A single that leaves so much counts where a second effect hardly helps it: what is left is then not the second.
 constexpr double explained_alone = 0.9;
 
@@ -170,7 +172,8 @@ Decision decide(const std::vector<Attribution>& singles, const std::vector<Attri
     } else if (best_pair && (best_pair->accepted || (best_pair->explained > explained_pair && !flexible(*best_pair)) ||
                              (best_single && completes(*best_pair, *best_single)))) {
         // a second effect must earn its place: else the first alone is the answer with a rest
-        const double worth = best_pair->accepted ? 0.06 : 0.15;
+        const bool all_but = best_single && divided(*best_single) && best_single->explained > explained_by_play;
+        const double worth = best_pair->accepted && !all_but ? 0.06 : 0.15;
         const bool alone = best_single &&
                            best_single->explained > (best_pair->accepted ? explained_single : explained_alone) &&
                            best_single->score < best_pair->score + worth;

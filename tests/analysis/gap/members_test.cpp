@@ -101,6 +101,28 @@ TEST_CASE("a descent finds back from where friction has been taken away altogeth
     CHECK(fit.evaluation.records[0].position < 1.1);
 }
 
+TEST_CASE("a soft spring is found although springs too stiff to be seen miss by less than others as soft", "[gap]")
+{
+    test::Machine m;
+    m.amplitude = 0.05, m.step = 0.02;
+    std::vector<std::string> notes;
+    std::vector<Case> cases{prepare(test::record_of(m, 1, 4), test::nominal_joint(), notes)};
+    Ticks& t = cases[0].ticks;
+    const Candidate spring = of({"compliance"});
+    const Scales scales = scales_of(cases);
+    const double stiffness = 700;  // 53 rad/s
+    const Joint soft = edited(cases[0].joint, spring, {0.7, stiffness, 0, 0.07}, 0);
+    const Trace trace = closed_loop(flatten(soft), t, 5);
+    t.position = trace.position, t.velocity = trace.velocity, t.command = trace.command;
+    const Nominal nominal = judge_nominal(cases);
+    const auto found = fit_singles(cases, scales, nominal, {spring}, in_order);
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].accepted);
+    const auto si = in_si(spring, found[0].x[1], scales);
+    CHECK(si[0] == Approx(0.7).epsilon(0.02));
+    CHECK(si[1] == Approx(stiffness).epsilon(0.03));
+}
+
 TEST_CASE("numbers that make up for each other are searched together in the end", "[gap]")
 {
     test::Machine m;

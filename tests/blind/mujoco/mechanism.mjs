@@ -78,16 +78,26 @@ export class Mechanism {
   position(body) { return this.q[body] - 0.5 * this.step * this.v[body]; }
   velocity(body) { return this.v[body]; }
 
+  /// What the transmission carries; without one the effort itself.
+  transmitted(effort) {
+    const m = this.machine.mechanism;
+    if (m.bodies < 2) return effort;
+    const apart = this.q[0] - this.q[1], stretch = Math.sign(apart) * Math.max(Math.abs(apart) - m.backlash / 2, 0);
+    if (m.backlash > 0 && stretch === 0) return 0;
+    return m.stiffness * stretch + m.damping * (this.v[0] - this.v[1]);
+  }
+
   /// One step under a constant effort on the motor.
   advance(effort) {
     const m = this.machine.mechanism, link = m.bodies - 1, q = this.q, v = this.v;
+    const carried = this.transmitted(effort);
     this.applied[0] = effort;
     if (link === 1) this.applied[1] = 0;
     this.applied[link] += m.constant_load + wave(m.cogging, q[link]) + wave(m.disturbance, this.time + 0.5 * this.step) +
       outsideForce(m.outside, q[link], v[link], this.memory);
     for (let i = 0; i < m.bodies; ++i) {
       const f = m.friction[i], speed = Math.abs(v[i]);
-      let level = f.coulomb + wave(f.ripple, q[i]) + f.load_share * Math.abs(effort);
+      let level = f.coulomb + wave(f.ripple, q[i]) + f.load_share * Math.abs(carried);
       if (f.static_rise !== 0) level += f.static_rise * Math.exp(-((speed / f.stribeck_velocity) ** f.stribeck_exponent));
       if (f.drift !== 0) level += f.drift * (1 - Math.exp(-this.time / f.drift_time));
       this.dry[i] = Math.max(level, 0);

@@ -158,6 +158,15 @@ std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales&
             p.fit = improve(part(p), p.both, scales, p.fit.x, p.omega, full_effort);
             p.fit.evaluations += looked;
             found[i] = as_screened(cases, scales, nominal, p.both, p.fit);
+            if (!jagged(p.both)) return;
+            // excerpts may mislead a play; what both came to alone, on whole records, may be nearer
+            for (std::size_t l = 0; l < levels.size(); ++l) {
+                LevelFit alone;
+                alone.x = join(p, p.a->x[l], p.b->x[l]);
+                auto as_alone = as_screened(cases, scales, nominal, p.both, alone);
+                as_alone.evaluations += found[i].evaluations;
+                if (better(as_alone, found[i])) found[i] = std::move(as_alone);
+            }
         });
         pairs.insert(pairs.end(), found.begin(), found.end());
         std::stable_sort(pairs.begin(), pairs.end(), better);

@@ -205,7 +205,7 @@ void polish_best(const std::vector<Case>& cases, const Scales& scales, const Nom
 {
     constexpr int long_search = 40, short_search = 20;  // evaluations a parameter
     constexpr double wide = 0.3, narrow = 0.05;         // first steps
-    constexpr double promising = 0.8;                   // of the excess misfit explained
+    constexpr double promising = 0.5;                   // of the excess misfit explained
     const auto part = excerpts(cases, levels[1], refine_ticks, 1);
     std::vector<Attribution*> some;
     for (auto& a : ranked)

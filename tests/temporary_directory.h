@@ -22,3 +22,11 @@ class TemporaryDirectory {
   private:
     std::filesystem::path path_;
 };
+
+/// One for all tests of a program that need no directory of their own. Made when first used: who does not write makes
+/// none.
+inline const TemporaryDirectory& shared_directory()
+{
+    static const TemporaryDirectory directory;
+    return directory;
+}

@@ -1,6 +1,7 @@
 #include "analysis/gap/verdict.h"
 
 #include "analysis/gap/moment.h"
+#include "analysis/gap/search.h"
 
 #include <algorithm>
 #include <array>
@@ -63,7 +64,7 @@ bool completes(const Attribution& pair, const Attribution& single)
 /// are those of the floor, and tell nothing.
 void put_likeliest_first(std::vector<Attribution>& ranked)
 {
-    std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.score < b.score; });
+    std::stable_sort(ranked.begin(), ranked.end(), better);
     const auto end = std::find_if(ranked.begin(), ranked.end(), [&](const auto& a) {
         return !a.accepted || !a.refined || a.score > ranked[0].score + margin;
     });

@@ -23,8 +23,7 @@ bool withdraw_if_no_better(Diagnosis& d, const Standing& standing)
     if (d.verdict != Verdict::gap) return false;
     const bool worse = d.overall.worse();
     if (!worse && (standing.settled || d.overall.left() < mostly_left)) {
-        if (!standing.settled && standing.noise_documented &&
-            d.overall.after > more_than_noise * std::max(d.overall.floor, d.overall.own_floor))
+        if (!standing.settled && standing.noise_documented && d.overall.after > more_than_noise * d.overall.noise())
             believe_at_most(d.effects, doubted);
         return false;
     }

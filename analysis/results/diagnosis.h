@@ -73,12 +73,13 @@ struct OverallGap {
     ConfidenceInterval interval;                             ///< of explained
     double own_floor = 0;  ///< what noisy simulations with the cause differ by; 0: by no more than `floor`
 
+    /// What two true simulations differ by, with the cause.
+    double noise() const { return own_floor > floor ? own_floor : floor; }
     /// What the cause leaves of the mean square beyond the noise; above 1 it makes things worse. A cause that is itself
     /// noise, as the steps of an encoder are, makes two true simulations differ by more: that is not held against it.
     double left() const
     {
-        const double own = own_floor > floor ? own_floor : floor;
-        const double was = before * before - floor * floor, is = after * after - own * own;
+        const double was = before * before - floor * floor, is = after * after - noise() * noise();
         return is <= 0 ? 0 : is <= was ? is / was : std::numeric_limits<double>::infinity();
     }
     bool worse() const { return left() > 1; }

@@ -101,6 +101,16 @@ TEST_CASE("no text of a report can become an element of the page", "[page]")
     }
 }
 
+TEST_CASE("names among the headlines may wrap on a phone, numbers may not", "[page]")
+{
+    Report report = one_figure();
+    report.headlines = {{Headline::Tone::bad, "backlash with sensor-offset", "cause"},
+                        {Headline::Tone::bad, "5.4 floors", "gap"}};
+    const std::string html = page(report, {blank()});
+    CHECK(count(html, "<b class=\"words\">backlash with sensor-offset</b>") == 1);
+    CHECK(count(html, "<b>5.4 floors</b>") == 1);
+}
+
 TEST_CASE("a page asks for nothing from outside", "[page]")
 {
     const std::string html = page(one_figure(), {blank()});

@@ -1,4 +1,5 @@
 #include "analysis/gap/verdict.h"
+#include "analysis/gap/ensemble.h"
 #include "analysis/gap/prepare.h"
 #include "tests/analysis/gap/small_machine.h"
 
@@ -247,6 +248,41 @@ TEST_CASE("a coarser grid than documented is not booked as noise", "[gap]")
     const Case c = prepare(test::record_of(m, 2), joint, notes);
     CHECK(c.joint.sensor.position_noise == m.noise);
     CHECK(notes.empty());
+}
+
+TEST_CASE("what a cause explains is measured over the longest horizon where shorter ones hide the gap", "[gap]")
+{
+    const auto at = [](double middle, double slow) {
+        std::array<Evaluation, levels.size()> all;
+        for (auto& level : all) level.records.resize(1);
+        all[0].records[0].position = 1, all[1].records[0].position = middle, all[2].records[0].position = slow;
+        return all;
+    };
+    Nominal nominal;
+    nominal.evaluation = at(0.99, 5);
+    Attribution a = found({"viscous"}, 0, 0, false);
+    a.evaluation = at(0.99, 2);
+    judge(a, nominal);
+    CHECK(a.explained == Approx(0.75));  // (2 − 1)/(5 − 1) is left
+    // where the middle one shows it, the middle one counts
+    nominal.evaluation = at(3, 5);
+    a.evaluation = at(2, 2);
+    judge(a, nominal);
+    CHECK(a.explained == Approx(0.5));
+}
+
+TEST_CASE("what a coarse grid leaves open reaches the command's floor through k_p", "[gap]")
+{
+    test::Machine m;
+    m.noise = 0, m.quantum = 2e-3, m.amplitude = 0;
+    Joint joint = test::nominal_joint();
+    joint.sensor.position_noise = 0;
+    joint.sensor.encoder_quantum = m.quantum;
+    std::vector<std::string> notes;
+    const Case c = prepare(test::record_of(m, 1, 2), joint, notes);
+    // a joint at rest on a step of its grid: every run gives the same readings and the same command
+    for (const auto& s : compare(c, joint, 3, -infinity, infinity))
+        if (s.signal == "effort_command") CHECK(s.floor == Approx(0.5 * std::pow(m.k_p * m.quantum, 2) / 12));
 }
 
 TEST_CASE("a cause that is itself noise is not held to make things worse", "[gap]")

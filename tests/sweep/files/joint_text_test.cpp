@@ -13,12 +13,6 @@ using namespace stickslip;
 
 namespace {
 
-const TemporaryDirectory& folder()
-{
-    static const TemporaryDirectory directory;
-    return directory;
-}
-
 /// Gives every leaf, choice and law of a joint a random value within its range.
 struct Shuffler {
     std::mt19937_64& random;
@@ -51,7 +45,7 @@ struct Shuffler {
     void samples(std::string_view, std::string_view, std::string& name, KernelTablePtr& table)
     {
         if (coin()) return;
-        name = (folder() / ("\"g\" " + std::to_string(tables++) + ".csv")).string();
+        name = (shared_directory() / ("\"g\" " + std::to_string(tables++) + ".csv")).string();
         const KernelTable samples{{0, 0.25, 1.5}, {3, -2, static_cast<double>(random())}};
         std::ofstream out(name);
         out << "time,g\n";

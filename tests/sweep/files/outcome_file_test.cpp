@@ -15,17 +15,10 @@ using Catch::Contains;
 
 namespace {
 
-/// Made when first used: a test that does not write makes none.
-const TemporaryDirectory& folder()
-{
-    static const TemporaryDirectory directory;
-    return directory;
-}
-
 std::filesystem::path file(const std::string& content)
 {
-    std::ofstream(folder() / "rows.csv", std::ios::binary) << content;
-    return folder() / "rows.csv";
+    std::ofstream(shared_directory() / "rows.csv", std::ios::binary) << content;
+    return shared_directory() / "rows.csv";
 }
 
 const Joint joint = read_joint_text(
@@ -40,7 +33,7 @@ std::string only_error(const std::string& content)
     auto all = messages_of([&] { read_outcomes(path, joint, warnings); });
     for (const auto& message : all) UNSCOPED_INFO(message);
     REQUIRE(all.size() == 1);
-    return all[0].substr(folder().path().string().size() + 1);
+    return all[0].substr(shared_directory().path().string().size() + 1);
 }
 
 }  // namespace

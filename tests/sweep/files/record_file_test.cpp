@@ -20,13 +20,6 @@ using Catch::StartsWith;
 
 namespace {
 
-/// Made when first used: a test that does not write makes none.
-const TemporaryDirectory& folder()
-{
-    static const TemporaryDirectory directory;
-    return directory;
-}
-
 Joint joint_of(const std::string& motion)
 {
     return read_joint_text("joint = { motion = \"" + motion +
@@ -37,8 +30,8 @@ Joint joint_of(const std::string& motion)
 
 std::filesystem::path file(const std::string& content, const std::string& name = "run.csv")
 {
-    std::ofstream(folder() / name, std::ios::binary) << content;
-    return folder() / name;
+    std::ofstream(shared_directory() / name, std::ios::binary) << content;
+    return shared_directory() / name;
 }
 
 RecordReading read(const std::string& content, const std::string& layout = "", const std::string& motion = "prismatic")
@@ -55,8 +48,8 @@ std::vector<std::string> errors(const std::string& content, const std::string& l
     auto all = messages_of(
         [&] { read_record(file(content), joint, read_record_layout_text(layout, "record.toml", joint), limits); });
     for (auto& message : all)
-        while (message.find(folder().path().string()) != std::string::npos)
-            message.erase(message.find(folder().path().string()), folder().path().string().size() + 1);
+        while (message.find(shared_directory().path().string()) != std::string::npos)
+            message.erase(message.find(shared_directory().path().string()), shared_directory().path().string().size() + 1);
     return all;
 }
 
@@ -70,7 +63,7 @@ std::string only_error(const std::string& content, const std::string& layout = "
 
 std::string gzipped(const std::string& text)
 {
-    const auto path = (folder() / "zip.gz").string();
+    const auto path = (shared_directory() / "zip.gz").string();
     gzFile out = gzopen(path.c_str(), "wb");
     gzwrite(out, text.data(), static_cast<unsigned>(text.size()));
     gzclose(out);
@@ -204,9 +197,9 @@ TEST_CASE("tables that are none")
     damaged[damaged.size() - 6] ^= 1;  // inside the check sum
     CHECK_THAT(only_error(damaged), Contains("damaged or cut off"));
     const Joint joint = joint_of("prismatic");
-    CHECK_THAT(messages_of([&] { read_record(folder() / "absent.csv", joint); }).at(0),
+    CHECK_THAT(messages_of([&] { read_record(shared_directory() / "absent.csv", joint); }).at(0),
                EndsWith("there is no such file"));
-    CHECK_THAT(messages_of([&] { read_record(folder().path(), joint); }).at(0),
+    CHECK_THAT(messages_of([&] { read_record(shared_directory().path(), joint); }).at(0),
                EndsWith("is a folder, expected is a CSV file"));
 }
 

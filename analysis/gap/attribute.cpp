@@ -20,14 +20,12 @@ double mean_log(const std::array<Evaluation, levels.size()>& evaluations, double
 
 double mean_log_misfit(const std::array<Evaluation, levels.size()>& evaluations)
 {
-    constexpr double noise = 1;
-    return mean_log(evaluations, noise);
+    return mean_log(evaluations, noise_square);
 }
 
 double mean_log_square(const std::array<Evaluation, levels.size()>& evaluations)
 {
-    constexpr double exact = 1e-12;  // of the floor: what stood still has no logarithm
-    return mean_log(evaluations, exact);
+    return mean_log(evaluations, exact_square);
 }
 
 Nominal judge_nominal(const std::vector<Case>& cases)

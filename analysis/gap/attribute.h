@@ -20,7 +20,6 @@ struct Attribution {
     double score = 0;             ///< mean log misfit over levels and records, plus a price a parameter; less is better
     double evidence = 0;          ///< the same with what is below the floor and without the price
     double explained = 0;         ///< part of the excess misfit that is gone
-    double screened = 0;          ///< objective of the screening
     bool refined = false;         ///< carried through all levels
     bool accepted = false;        ///< what is left is noise
     int evaluations = 0;

@@ -119,7 +119,7 @@ void audit_without_reference(std::vector<Case>& cases, double limit, Audit& resu
     const bool damped = documented.k_v != 0;
     const bool filtered = damped && documented.velocity_estimate.form == EstimateForm::backward_difference;
     double tau = documented.velocity_estimate.tau;
-    if (filtered) {
+    if (filtered && !result.filter_seen) {
         const double before = misfit_of(cases, tau, limit), found = best_tau(cases, limit);
         const double after = misfit_of(cases, found, limit);
         if (after < 0.5 * before && after < well_explained && filters_differently(tau, found, cases[0].ticks.step[0])) {
@@ -151,7 +151,7 @@ void audit_without_reference(std::vector<Case>& cases, double limit, Audit& resu
         if (k_p.off()) c.joint.control.k_p *= k_p.value;
         if (damped && k_v.off()) c.joint.control.k_v *= k_v.value;
         c.joint.control.velocity_estimate.tau = tau;
-        rebuild_reference(c);
+        rebuild_reference(c, limit);
     }
 }
 

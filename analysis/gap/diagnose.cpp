@@ -176,7 +176,7 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
         w.cases.push_back(prepare(*r, joint, d.notes));
         w.cases.back().number = w.cases.size() - 1;
     }
-    share_noise(w.cases, joint.sensor);
+    share_noise(w.cases, joint.sensor, d.notes);
     for (const auto& c : w.cases) w.documented.push_back(c.joint);
     describe_data(w.cases, d);
     progress("auditing the controller", 0.02);

@@ -59,6 +59,7 @@ struct EffectParameter {
     double prior;              ///< what would be usual, in units of `scale`
     std::string_view help;
     Comb comb = Comb::none;
+    bool vanishes = false;  ///< a change from 0; beyond some value nothing is left of what it changes
 };
 
 /// One way to write the effect down; an effect may have several (Dahl or LuGre bristles).

@@ -48,7 +48,7 @@ NoiseSpread spread_of(const std::vector<Case>& cases, const Candidate& candidate
         }
         log.at_rest_at_start = t.at_rest;
         c.ticks = on_clock(log, c.joint);
-        if (t.reference_rebuilt) rebuild_reference(c);
+        if (t.reference_rebuilt) rebuild_reference(c, c.joint.control.effort_limit);
         std::vector<Case> one{std::move(c)};
         settle_jumps(one, {}, {});
         for (std::size_t l = 0; l < levels.size(); ++l)

@@ -182,9 +182,12 @@ LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidat
     ++fit.evaluations;
     double damping = 1e-3;
     Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(here.size()), n);
+    LevelFit best = fit;
     Eigen::VectorXd last = fit.x;  // where the step came from; at first, where the effect is absent
     for (Eigen::Index i = 0; i < n; ++i)
-        if (!candidate.parameter(static_cast<std::size_t>(i)).logarithmic) last[i] = 0;
+        if (candidate.parameter(static_cast<std::size_t>(i)).vanishes) last[i] = 0;
+    constexpr int most_halvings = 10;
+    int halvings = 0;
     for (int iteration = 0; iteration < iterations && n > 0; ++iteration) {
         const Eigen::Map<const Eigen::VectorXd> r(here.data(), static_cast<Eigen::Index>(here.size()));
         const auto slope = [&](Eigen::Index i) -> Eigen::VectorXd {
@@ -200,14 +203,14 @@ LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidat
         for (Eigen::Index i = 0; i < n; ++i) {
             if (!kept.empty() && kept[static_cast<std::size_t>(i)]) continue;
             jacobian.col(i) = slope(i);
-            // friction that has been taken away altogether has no slope that leads back
-            constexpr int halvings = 10;
-            for (int k = 0; k < halvings && jacobian.col(i).isZero(0) && last[i] != fit.x[i]; ++k) {
-                fit.x[i] = 0.5 * (fit.x[i] + last[i]);
-                fit.evaluation = evaluate(cases, candidate, in_si(candidate, fit.x, scales), omega, &here);
-                ++fit.evaluations;
-                jacobian.col(i) = slope(i);
-            }
+            const bool lost = candidate.parameter(static_cast<std::size_t>(i)).vanishes && last[i] != fit.x[i] &&
+                              jacobian.col(i).isZero(0);
+            if (!lost || halvings == most_halvings) continue;
+            // friction that has been taken away altogether has no slope that leads back: half way, and all slopes anew
+            fit.x[i] = 0.5 * (fit.x[i] + last[i]);
+            fit.evaluation = evaluate(cases, candidate, in_si(candidate, fit.x, scales), omega, &here);
+            ++fit.evaluations, ++halvings;
+            i = -1;
         }
         block_weights(cases, here, weights);
         const Eigen::Map<const Eigen::VectorXd> w(weights.data(), r.size());
@@ -241,9 +244,12 @@ LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidat
                 damping = std::max(1e-3, damping) * 8;
             }
         }
+        if (fit.evaluation.objective <= best.evaluation.objective)
+            best.x = fit.x, best.evaluation = fit.evaluation, best.information = fit.information;
         if (!better || before - fit.evaluation.objective < 2e-4 * before) break;
     }
-    return fit;
+    best.evaluations = fit.evaluations;
+    return best;
 }
 
 LevelFit search_rough(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales,

@@ -88,6 +88,9 @@ Plant edited_plant(const Joint& joint, const Candidate& candidate, const std::ve
 /// of the velocity that the encoder's noise makes in the observer.
 double effort_floor(const Case& c, double omega);
 
+/// Least mean squares over the floor that count: noise, or what stood still and has no logarithm.
+inline constexpr double noise_square = 1, exact_square = 1e-12;
+
 /// How far predictions are from one record at one level: mean squares over their floors, 1 where only noise is left.
 struct Misfit {
     double position = 0;

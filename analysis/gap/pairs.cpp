@@ -159,8 +159,9 @@ std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales&
             p.fit.evaluations += looked;
             found[i] = as_screened(cases, scales, nominal, p.both, p.fit);
             if (!jagged(p.both)) return;
-            // excerpts may mislead a play; what both came to alone, on whole records, may be nearer
+            // excerpts may mislead a play; what both came to alone, refined on more, may be nearer
             for (std::size_t l = 0; l < levels.size(); ++l) {
+                if (l > 0 && p.a->x[l] == p.a->x[l - 1] && p.b->x[l] == p.b->x[l - 1]) continue;
                 LevelFit alone;
                 alone.x = join(p, p.a->x[l], p.b->x[l]);
                 auto as_alone = as_screened(cases, scales, nominal, p.both, alone);

@@ -160,7 +160,8 @@ Case prepare(const Record& record, const Joint& nominal, std::vector<std::string
     }
     return prepare_with_effort(record, c.joint, notes);
 }
-void share_noise(std::vector<Case>& cases, const Sensor& documented)
+
+void share_noise(std::vector<Case>& cases, const Sensor& documented, std::vector<std::string>& notes)
 {
     constexpr double seldom = 0.5;  // of a step: what moves less than that is seen only in passing
     const double step = documented.encoder_quantum;
@@ -170,7 +171,13 @@ void share_noise(std::vector<Case>& cases, const Sensor& documented)
         if (c.joint.sensor.encoder_quantum != step) return;
     }
     if (documented.position_noise > 0 || sigma >= seldom * step) return;
-    for (auto& c : cases) c.joint.sensor.position_noise = noise, c.sigma = sigma;
+    for (auto& c : cases) {
+        if (c.sigma < sigma)
+            notes.push_back(
+                c.ticks.name +
+                ": little noise shows behind the steps of the encoder; the floor is that of the noisiest record");
+        c.joint.sensor.position_noise = noise, c.sigma = sigma;
+    }
 }
 
 Scales scales_of(const std::vector<Case>& cases)

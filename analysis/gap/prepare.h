@@ -17,8 +17,8 @@ double noise_of(const std::vector<double>& y);
 Case prepare(const Record& record, const Joint& nominal, std::vector<std::string>& notes);
 
 /// Where no noise is documented and what there is stays below half a step of the encoder, a record mostly at rest shows
-/// none of it: every record gets the largest estimate, since all have one encoder.
-void share_noise(std::vector<Case>& cases, const Sensor& documented);
+/// none of it: every record gets the largest estimate, since all have one encoder, and `notes` says so.
+void share_noise(std::vector<Case>& cases, const Sensor& documented, std::vector<std::string>& notes);
 
 /// Sigma of a reading from the sensor's numbers.
 double reading_sigma(const Sensor& sensor, double span);

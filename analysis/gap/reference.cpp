@@ -14,14 +14,14 @@ struct Seen {
     std::vector<int> limited;   ///< sign of the command while a limit held, else 0
 };
 
-Seen see(const Case& c)
+Seen see(const Case& c, double limit)
 {
     const Ticks& t = c.ticks;
     const Control& control = c.joint.control;
     const std::size_t n = t.size(), m = static_cast<std::size_t>(t.ticks_per_row);
     constexpr double at_limit = 0.999;
     const auto side = [&](std::size_t k) {
-        if (!is_set(t.command[k]) || std::abs(t.command[k]) <= at_limit * control.effort_limit) return 0;
+        if (!is_set(t.command[k]) || std::abs(t.command[k]) <= at_limit * limit) return 0;
         return t.command[k] > 0 ? 1 : -1;
     };
     Seen seen{std::vector<double>(n, not_set), std::vector<double>(n, not_set), std::vector<int>(n, 0)};
@@ -35,7 +35,7 @@ Seen see(const Case& c)
         const std::size_t row = k - k % m, next = std::min(row + m, n - 1);
         seen.limited[k] = t.logged[k] || side(row) == side(next) ? side(row) : 0;
         if (seen.limited[k] != 0)
-            seen.least[k] = seen.limited[k] * control.effort_limit + fed_back;
+            seen.least[k] = seen.limited[k] * limit + fed_back;
         else if (t.logged[k] && is_set(t.command[k]))
             seen.sum[k] = t.command[k] + fed_back;
     }
@@ -88,15 +88,15 @@ void follow(Ticks& t, const Control& control, const std::vector<double>& sum)
 
 }  // namespace
 
-bool rebuild_reference(Case& c)
+bool rebuild_reference(Case& c, double limit)
 {
     Ticks& t = c.ticks;
     const Control& control = c.joint.control;
     if (t.has_reference || t.source != CommandSource::logged || t.size() < 2 || control.k_p == 0 ||
-        control.kind != ControlKind::position || (t.ticks_per_row > 1 && !t.rebuilt && !t.has_velocity))
+        control.kind != ControlKind::position || (t.ticks_per_row > 1 && !t.rebuilt))
         return false;
     const auto m = static_cast<std::size_t>(t.ticks_per_row);
-    const Seen seen = see(c);
+    const Seen seen = see(c, limit);
     const auto row = sum_at_rows(seen, m);
     if (row.empty()) return false;
     t.jumps.clear();

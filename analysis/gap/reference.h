@@ -5,10 +5,11 @@
 namespace stickslip::gap {
 
 /// k_p r + k_v ṙ is the logged command plus k_p y + k_v v of the same tick, and all of these are exact numbers of the
-/// controller: the reference follows up to where it began, which is forgotten within k_v/k_p. Between rows, and while a
-/// limit held, the sum is interpolated. Afterwards the case has a reference, so that its loop can be simulated. False,
-/// and nothing changed, where the command was not logged, no position was controlled, or a slow log without velocities
-/// leaves the controller's estimate open.
-bool rebuild_reference(Case& c);
+/// controller: the reference follows up to where it began, which is forgotten within k_v/k_p, or a tick. Between the
+/// rows of a log of every second tick, and while the command was at `limit`, the sum is interpolated, but for jumps:
+/// those stand in `jumps`, for settle_jumps(). Afterwards the case has a reference, so that its loop can be simulated.
+/// False, and nothing changed, where the command was not logged, no position was controlled, or readings between rows
+/// are unknown.
+bool rebuild_reference(Case& c, double limit);
 
 }  // namespace stickslip::gap

@@ -124,7 +124,6 @@ Attribution as_screened(const std::vector<Case>& cases, const Scales& scales, co
 {
     Attribution a;
     a.candidate = candidate;
-    a.screened = screened.evaluation.objective;
     for (std::size_t l = 0; l < levels.size(); ++l) {
         a.x[l] = screened.x;
         a.evaluation[l] = evaluate(cases, candidate, in_si(candidate, screened.x, scales), levels[l]);
@@ -219,7 +218,7 @@ void polish_best(const std::vector<Case>& cases, const Scales& scales, const Nom
     };
     parallel(some.size(), [&](std::size_t i) { search(*some[i], 0, some[i]->x[0], long_search, wide); });
     double least = infinity;
-    for (const auto* a : some) least = std::min(least, a->evaluation[0].objective);
+    for (auto* a : some) judge(*a, nominal), least = std::min(least, a->evaluation[0].objective);
     constexpr double behind = 1.15;
     std::erase_if(some, [&](const auto* a) { return a->evaluation[0].objective > behind * least; });
     parallel(some.size(), [&](std::size_t i) {

@@ -129,26 +129,30 @@ std::vector<std::size_t> jumps_of(const std::vector<double>& signal)
     return found;
 }
 
-std::vector<double> halves(const Ticks& t, double tau)
+double between_rows(const Ticks& t, std::size_t k, double period, double tau)
 {
-    std::vector<double> middle;
-    for (std::size_t k = 2; k < t.size(); k += 2) {
-        const double T = t.step[k - 1], g = T / (tau + T);
-        const double sum = (t.position[k] - t.position[k - 2]) / T;
-        const double drive = t.velocity[k] - (1 - g) * (1 - g) * t.velocity[k - 2];
-        const double last = (drive / g - (1 - g) * sum) / g;
-        middle.push_back(t.position[k] - T * last);
-    }
-    return middle;
+    const double g = period / (tau + period), sum = (t.position[k] - t.position[k - 2]) / period;
+    const double drive = t.velocity[k] - (1 - g) * (1 - g) * t.velocity[k - 2];
+    const double last = (drive / g - (1 - g) * sum) / g;
+    return t.position[k] - period * last;
 }
 
 void rebuild_halves(Ticks& t, const Joint& joint)
 {
     const double quantum = joint.sensor.encoder_quantum;
-    const auto middle = halves(t, joint.control.velocity_estimate.tau);
-    for (std::size_t i = 0; i < middle.size(); ++i)
-        t.position[2 * i + 1] = quantum > 0 ? quantum * std::round(middle[i] / quantum) : middle[i];
+    for (std::size_t k = 2; k < t.size(); k += 2) {
+        const double middle = between_rows(t, k, joint.control.period, joint.control.velocity_estimate.tau);
+        t.position[k - 1] = quantum > 0 ? quantum * std::round(middle / quantum) : middle;
+    }
     t.rebuilt = true;
+}
+
+void interpolate_halves(Ticks& t)
+{
+    std::vector<double> rows;
+    for (std::size_t k = 0; k < t.size(); k += 2) rows.push_back(t.position[k]);
+    for (std::size_t k = 0; k + 1 < rows.size(); ++k) t.position[2 * k + 1] = between(rows, k, 0.5);
+    t.rebuilt = false;
 }
 
 Ticks on_clock(const Record& r, const Joint& joint)

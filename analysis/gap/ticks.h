@@ -55,12 +55,14 @@ struct Ticks {
 /// themselves). Rows must be sorted and finite in time and position: see inspect() for what is refused and why.
 Ticks on_clock(const Record& record, const Joint& joint);
 
-/// Positions at the ticks between the rows of a log of every second tick, from its velocities, if these were filtered
-/// with this time constant: v_k = v_{k−2}(1−g)² + g(1−g) d_{k−1} + g d_k with g = T/(τ + T), and d_{k−1} + d_k is
-/// known.
-std::vector<double> halves(const Ticks& ticks, double tau);
+/// The reading at tick k − 1 between two rows of a log of every second tick, from its velocities, if these were
+/// filtered with this time constant: v_k = v_{k−2}(1−g)² + g(1−g) d_{k−1} + g d_k with g = T/(τ + T), and d_{k−1} + d_k
+/// is known.
+double between_rows(const Ticks& ticks, std::size_t k, double period, double tau);
 /// Puts them in place for the joint's own time constant, on the grid of its encoder.
 void rebuild_halves(Ticks& ticks, const Joint& joint);
+/// Takes that back, where the velocities turn out to follow no filter.
+void interpolate_halves(Ticks& ticks);
 
 /// Rows after which a smooth signal jumps: a difference that stands alone.
 std::vector<std::size_t> jumps_of(const std::vector<double>& signal);

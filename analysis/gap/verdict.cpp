@@ -32,13 +32,6 @@ constexpr double explained_by_play = 0.99;
 /// A single that leaves so much counts where a second effect hardly helps it: what is left is then not the second.
 constexpr double explained_alone = 0.9;
 
-bool divided(const Attribution& a)
-{
-    for (const auto* e : a.candidate.effects)
-        if (e->name == "backlash" || e->name == "compliance") return true;
-    return false;
-}
-
 /// Two free functions of position, or of time, are a short Fourier series: together they come near any smooth force.
 bool flexible(const Attribution& a)
 {
@@ -56,7 +49,7 @@ bool completes(const Attribution& pair, const Attribution& single)
 {
     constexpr double most = 0.75, enough = 0.94;
     const bool holds = std::ranges::count(pair.candidate.effects, single.candidate.effects[0]) > 0;
-    return holds && divided(single) && pair.explained > enough && !flexible(pair) &&
+    return holds && two_mass_edit(single.candidate) && pair.explained > enough && !flexible(pair) &&
            1 - pair.explained < (1 - most) * (1 - single.explained);
 }
 
@@ -81,10 +74,11 @@ double worst_at(const Attribution& a, std::size_t level)
     return worst;
 }
 
-/// How much of a rival's misfit may be a lost step. Where anything but noise is left, all of it counts.
-double by_chance(const Attribution& winner, const Attribution& rival)
+/// How much of a rival's misfit may be a lost step, with what is below this least mean square counted as such. Where
+/// anything but noise is left, all of it counts.
+double by_chance(const Attribution& winner, const Attribution& rival, double least)
 {
-    return winner.accepted && rival.accepted ? hangs_on_a_moment(winner.evaluation, rival.evaluation) : 0;
+    return winner.accepted && rival.accepted ? hangs_on_a_moment(winner.evaluation, rival.evaluation, least) : 0;
 }
 
 }  // namespace
@@ -133,7 +127,6 @@ void confirm(const std::vector<Case>& cases, std::vector<Attribution>& ranked, c
              const Scales& scales, const ParallelFor& parallel)
 {
     constexpr std::size_t few = 2;
-    constexpr double clear = 0.04;  // of score: so little is left that nothing else can be in it
     put_likeliest_first(ranked);
     for (std::size_t i = 0; i < std::min(few, ranked.size()); ++i) {
         Attribution& a = ranked[i];
@@ -141,7 +134,7 @@ void confirm(const std::vector<Case>& cases, std::vector<Attribution>& ranked, c
             a.accepted = false;
             continue;
         }
-        if (!a.refined || (a.accepted && a.score < clear)) continue;
+        if (!a.refined || (a.accepted && a.score < clear_score)) continue;
         const auto si = in_si(a.candidate, a.x[1], scales);
         if (flexible(a)) {
             a.accepted = !bends_only(a.candidate, a.x[1], scales) &&
@@ -173,14 +166,16 @@ Decision decide(const std::vector<Attribution>& singles, const std::vector<Attri
     } else if (best_pair && (best_pair->accepted || (best_pair->explained > explained_pair && !flexible(*best_pair)) ||
                              (best_single && completes(*best_pair, *best_single)))) {
         // a second effect must earn its place: else the first alone is the answer with a rest
-        const bool all_but = best_single && divided(*best_single) && best_single->explained > explained_by_play;
+        const bool all_but =
+            best_single && two_mass_edit(best_single->candidate) && best_single->explained > explained_by_play;
         const double worth = best_pair->accepted && !all_but ? 0.06 : 0.15;
         const bool alone = best_single &&
                            best_single->explained > (best_pair->accepted ? explained_single : explained_alone) &&
                            best_single->score < best_pair->score + worth;
         d.winner = alone ? best_single : best_pair;
         from = alone ? &singles : &pairs;
-    } else if (best_single && best_single->explained > (divided(*best_single) ? 0.75 : explained_single)) {
+    } else if (best_single &&
+               best_single->explained > (two_mass_edit(best_single->candidate) ? 0.75 : explained_single)) {
         d.winner = best_single;
         from = &singles;
     }
@@ -188,7 +183,7 @@ Decision decide(const std::vector<Attribution>& singles, const std::vector<Attri
     if (d.named)
         for (const auto& rival : *from)
             if (&rival != d.winner && rival.refined &&
-                rival.score - by_chance(*d.winner, rival) < d.winner->score + margin)
+                rival.score - by_chance(*d.winner, rival, noise_square) < d.winner->score + margin)
                 d.ambiguous.push_back(&rival);
     return d;
 }
@@ -215,7 +210,7 @@ std::vector<Ranked> rank(const std::vector<Attribution>& singles, const std::vec
     };
     for (auto& r : all) {
         const double needless = std::max(0.0, parameters(r) - parameters(all.front()));
-        const double worse = r.attribution->evidence - first.evidence - by_chance(first, *r.attribution);
+        const double worse = r.attribution->evidence - first.evidence - by_chance(first, *r.attribution, exact_square);
         r.probability = std::exp(-std::max(0.0, worse) / width) * std::pow(needless_parameter, -needless);
         sum += r.probability;
     }

@@ -17,6 +17,7 @@ Effect coulomb_level()
         f.parameters = {
             {"change", Quantity::effort, Scale::effort, false, -2, 2, 0.2, "change of the Coulomb level"},
         };
+        f.parameters[0].vanishes = true;
         f.apply = [](Joint& j, const double* p) { shift_coulomb(main_friction(j), p[0]); };
         f.seeds = {{0.1}, {-0.1}};
         e.forms.push_back(f);

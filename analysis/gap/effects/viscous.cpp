@@ -17,6 +17,7 @@ Effect viscous()
         f.parameters = {
             {"change", Quantity::damping, Scale::damping, false, -5, 5, 0.2, "change of the viscous slope"},
         };
+        f.parameters[0].vanishes = true;
         f.apply = [](Joint& j, const double* p) { shift_viscous(main_friction(j), p[0]); };
         f.seeds = {{0.1}, {-0.1}};
         e.forms.push_back(f);

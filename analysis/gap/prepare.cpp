@@ -141,24 +141,29 @@ Case prepare_with_effort(const Record& record, const Joint& joint, std::vector<s
 
 }  // namespace
 
-Case prepare(const Record& record, const Joint& nominal, std::vector<std::string>& notes)
+Joint joint_in(const Record& record, const Joint& nominal)
 {
-    Case c;
-    c.joint = nominal;
+    Joint joint = nominal;
     for (const auto& [path, value] : record.overrides) {
-        double* number = find_parameter(c.joint, path);
+        double* number = find_parameter(joint, path);
         if (!number)
             throw std::invalid_argument(record.name + ": the joint has no parameter \"" + path + "\" to override");
         *number = value;
     }
-    if (record.effort_measured.empty() && !record.current.empty() && c.joint.actuator.kind == ActuatorKind::dc_motor) {
+    return joint;
+}
+
+Case prepare(const Record& record, const Joint& nominal, std::vector<std::string>& notes)
+{
+    const Joint joint = joint_in(record, nominal);
+    if (record.effort_measured.empty() && !record.current.empty() && joint.actuator.kind == ActuatorKind::dc_motor) {
         // a motor's current is its effort: one place converts it
         Record converted = record;
         for (double i : record.current)
-            converted.effort_measured.push_back(c.joint.actuator.effort_gain * c.joint.actuator.k_t * i);
-        return prepare_with_effort(converted, c.joint, notes);
+            converted.effort_measured.push_back(joint.actuator.effort_gain * joint.actuator.k_t * i);
+        return prepare_with_effort(converted, joint, notes);
     }
-    return prepare_with_effort(record, c.joint, notes);
+    return prepare_with_effort(record, joint, notes);
 }
 
 void share_noise(std::vector<Case>& cases, const Sensor& documented, std::vector<std::string>& notes)

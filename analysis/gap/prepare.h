@@ -11,9 +11,12 @@ namespace stickslip::gap {
 /// that is smooth over four samples.
 double noise_of(const std::vector<double>& y);
 
+/// The joint with the numbers that held in this record. Throws std::invalid_argument for an override whose path the
+/// joint does not have.
+Joint joint_in(const Record& record, const Joint& nominal);
+
 /// A case from a record: overrides applied, put on its clock, noise as documented or, where the joint does not say or
-/// the record shows a quarter more, as estimated; `notes` says which. Throws std::invalid_argument for an override
-/// whose path the joint does not have.
+/// the record shows a quarter more, as estimated; `notes` says which. Throws as joint_in() does.
 Case prepare(const Record& record, const Joint& nominal, std::vector<std::string>& notes);
 
 /// Where no noise is documented and what there is stays below half a step of the encoder, a record mostly at rest shows

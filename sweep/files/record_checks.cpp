@@ -1,5 +1,6 @@
 #include "sweep/files/record_checks.h"
 
+#include "analysis/gap/prepare.h"
 #include "sweep/files/toml_input.h"
 
 #include <algorithm>
@@ -213,7 +214,8 @@ class Checks {
 
 std::vector<Suspicion> suspicions(const Record& record, const Joint& joint, bool unit_named)
 {
-    std::vector<Suspicion> found = Checks(record, joint, unit_named).all();
+    const Joint here = gap::joint_in(record, joint);
+    std::vector<Suspicion> found = Checks(record, here, unit_named).all();
     const auto off = std::count(record.torque_enable.begin(), record.torque_enable.end(), 0.0);
     if (off > 0)
         found.push_back({std::to_string(off) + " of " + std::to_string(record.rows()) +

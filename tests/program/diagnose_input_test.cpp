@@ -73,6 +73,19 @@ TEST_CASE("a record in a foreign unit is suspected and not explained by a cause"
     }
 }
 
+TEST_CASE("gains that held in one record are no sign of another joint", "[program][diagnose]")
+{
+    Folder folder;
+    const std::string fed_harder = record([](Row& r) { r.command *= 7; });
+    const auto spec =
+                   folder.write("joint.toml", std::string(joint) + "\n[record.files.\"run.csv\"]\ncontrol.k_p = 28\n"),
+               file = folder.write("run.csv", fed_harder);
+    const auto run = stickslip("diagnose '" + spec + "' '" + file + "' --no-report -o '" + (folder / "out") + "'");
+    INFO(run.output);
+    CHECK(run.exit_code == 0);
+    CHECK_THAT(run.output, !Contains("suspected"));
+}
+
 TEST_CASE("long travel is suspected where nothing confirms the unit, and believed where it is named",
           "[program][diagnose]")
 {

@@ -11,7 +11,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 seed=${SEED:-$(od -An -N4 -tu4 /dev/urandom | tr -d ' ')}
 echo "SEED=$seed"
 mkdir -p "$out"
-(cd "$here/mujoco" && npm ci --no-audit --no-fund --loglevel=error)
+(cd "$here/mujoco" && npm ci --no-audit --no-fund --loglevel=error && node check.mjs)
 
 "$build/tests/blind/blind_generate" --match --cases 8 --seed "$seed" --mujoco "$here/mujoco"
 make() { "$build/tests/blind/blind_generate" "$out/cases" --truth "$out/truth.json" --seed "$seed" "$@"; }

@@ -9,7 +9,7 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr std::size_t refined_pairs = 6, polished_pairs = 3;
+constexpr std::size_t refined_pairs = 6, polished_pairs = 2;
 constexpr int first_look = 3, first_effort = 8;                      // iterations; evaluations a parameter
 constexpr std::size_t simple_finalists = 16, divided_finalists = 6;  // that go on from a first look
 

@@ -178,9 +178,9 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
     }
     share_noise(w.cases, joint.sensor, d.notes);
     for (const auto& c : w.cases) w.documented.push_back(c.joint);
-    describe_data(w.cases, d);
     progress("auditing the controller", 0.02);
     w.audit = audit(w.cases);
+    describe_data(w.cases, d);  // the audit may take back what was rebuilt between rows
     d.notes.insert(d.notes.end(), w.audit.notes.begin(), w.audit.notes.end());
     if (auto suspicion = another_joint(w.audit); !suspicion.empty()) {
         d.reasons.push_back(std::move(suspicion));

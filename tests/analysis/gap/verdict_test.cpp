@@ -22,6 +22,15 @@ Attribution found(std::initializer_list<const char*> names, double score, double
     return a;
 }
 
+/// A document that gives the step of the encoder and no noise.
+Joint without_noise(const test::Machine& m)
+{
+    Joint joint = test::nominal_joint();
+    joint.sensor.position_noise = 0;
+    joint.sensor.encoder_quantum = m.quantum;
+    return joint;
+}
+
 }  // namespace
 
 TEST_CASE("two free functions of position are named only when nothing is left", "[gap]")
@@ -148,9 +157,7 @@ TEST_CASE("noise estimated from rounded readings is that before rounding", "[gap
 {
     test::Machine m;
     m.noise = 4e-5, m.quantum = 8e-5;
-    Joint joint = test::nominal_joint();
-    joint.sensor.position_noise = 0;
-    joint.sensor.encoder_quantum = m.quantum;
+    const Joint joint = without_noise(m);
     std::vector<std::string> notes;
     const Case c = prepare(test::record_of(m, 5), joint, notes);
     CHECK(c.joint.sensor.position_noise == Approx(m.noise).epsilon(0.05));
@@ -170,9 +177,7 @@ TEST_CASE("noise that is not stated counts although the step of the encoder make
 {
     test::Machine m;
     m.quantum = 2e-5, m.noise = 3e-6;  // together 1.12 of what rounding alone makes
-    Joint joint = test::nominal_joint();
-    joint.sensor.position_noise = 0;
-    joint.sensor.encoder_quantum = m.quantum;
+    const Joint joint = without_noise(m);
     std::vector<std::string> notes;
     const Case c = prepare(test::record_of(m, 5), joint, notes);
     CHECK(c.sigma == Approx(std::hypot(m.noise, m.quantum / std::sqrt(12.0))).epsilon(0.03));
@@ -182,9 +187,7 @@ TEST_CASE("a joint at rest hides the noise of its encoder behind the steps, and 
 {
     test::Machine m;
     m.quantum = 2e-5, m.noise = 5e-6;
-    Joint joint = test::nominal_joint();
-    joint.sensor.position_noise = 0;
-    joint.sensor.encoder_quantum = m.quantum;
+    const Joint joint = without_noise(m);
     std::vector<std::string> notes;
     test::Machine still = m;
     still.amplitude = 0;
@@ -281,9 +284,7 @@ TEST_CASE("what a coarse grid leaves open reaches the command's floor through k_
 {
     test::Machine m;
     m.noise = 0, m.quantum = 2e-3, m.amplitude = 0;
-    Joint joint = test::nominal_joint();
-    joint.sensor.position_noise = 0;
-    joint.sensor.encoder_quantum = m.quantum;
+    const Joint joint = without_noise(m);
     std::vector<std::string> notes;
     const Case c = prepare(test::record_of(m, 1, 2), joint, notes);
     // a joint at rest on a step of its grid: every run gives the same readings and the same command

@@ -81,12 +81,17 @@ export class Mechanism {
   position(body) { return this.q[body] - 0.5 * this.step * this.v[body]; }
   velocity(body) { return this.v[body]; }
 
+  inPlay() {
+    const { backlash } = this.machine.mechanism;
+    return backlash > 0 && Math.abs(this.q[0] - this.q[1]) < backlash / 2;
+  }
+
   /// What the transmission carries; without one the effort itself.
   transmitted(effort) {
     const m = this.machine.mechanism;
     if (m.bodies < 2) return effort;
-    const apart = this.q[0] - this.q[1], stretch = Math.sign(apart) * Math.max(Math.abs(apart) - m.backlash / 2, 0);
-    if (m.backlash > 0 && stretch === 0) return 0;
+    if (this.inPlay()) return 0;
+    const apart = this.q[0] - this.q[1], stretch = apart - (Math.sign(apart) * m.backlash) / 2;
     return m.stiffness * stretch + m.damping * (this.v[0] - this.v[1]);
   }
 
@@ -107,10 +112,7 @@ export class Mechanism {
       // A Coulomb level that differs by direction is a symmetric one and a constant push.
       this.applied[i] -= f.uneven_coulomb + f.uneven_viscous * speed;
     }
-    if (m.backlash > 0) {
-      const inPlay = Math.abs(q[0] - q[1]) < m.backlash / 2;
-      this.model.tendon_damping[0] = inPlay ? 0 : m.damping;
-    }
+    if (m.backlash > 0) this.model.tendon_damping[0] = this.inPlay() ? 0 : m.damping;
     this.mujoco.mj_step(this.model, this.data);
     this.time += this.step;
   }

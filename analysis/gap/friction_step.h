@@ -14,19 +14,31 @@ struct RubState {
     double speed = 0;    ///< lagged speed, for a law that follows velocity late
 };
 
-/// Where and when a step happens, as far as friction asks.
-struct Surroundings {
-    double position = 0, time = 0, transmitted = 0;
-};
-
 /// Added to the speed inside the logarithms of the memory, as a part of V*: what keeps them finite at rest.
 inline constexpr double memory_floor = 1e-3;
+
+/// Where a step happens and what passes through, as far as friction asks.
+struct Surroundings {
+    double position = 0, transmitted = 0;
+};
+
+/// The part of a drift that has come by this time. It is slow: a tick holds it.
+inline double drifted(const Rubbing& r, double t)
+{
+    return r.drift == 0 ? 0 : r.drift * -std::expm1(-t / r.drift_time);
+}
+
+/// ln(|v|/V* + floor), what the memory goes by.
+inline double logarithm_of(double speed, const Rubbing& r)
+{
+    return std::log(speed * r.per_V_star + memory_floor);
+}
 
 /// The resisting force apart from viscous friction and asymmetric_viscous, never negative, for motion in `direction`.
 inline double resistance(const Rubbing& r, const RubState& s, double speed, double direction, const Surroundings& at)
 {
     double level = r.coulomb;
-    if (r.plain()) return level;
+    if (r.plain()) return std::max(level, 0.0);
     if (r.stribeck != 0) {
         const double u = (r.lag > 0 ? s.speed : speed) / r.stribeck_velocity;
         if (u < 40)
@@ -34,8 +46,7 @@ inline double resistance(const Rubbing& r, const RubState& s, double speed, doub
     }
     level += direction * r.asymmetric_coulomb + r.load_coefficient * std::abs(at.transmitted);
     if (r.ripple != 0) level += r.ripple * std::sin(r.ripple_periods * at.position + r.ripple_phase);
-    if (r.drift != 0) level += r.drift * -std::expm1(-at.time / r.drift_time);
-    if (r.remembers()) level += r.A * std::log(speed / r.V_star + memory_floor) + s.theta;
+    if (r.remembers()) level += r.A * logarithm_of(speed, r) + s.theta;
     return std::max(level, 0.0);
 }
 
@@ -50,14 +61,14 @@ inline void remember(const Rubbing& r, RubState& s, double speed, double h)
 {
     if (r.lag > 0) s.speed = speed + (s.speed - speed) * std::exp(-h / r.lag);
     if (!r.remembers()) return;
-    const double slip = speed * h / r.L;
+    const double slip = speed * h * r.per_L;
     if (r.ageing) {
         // in terms of the age Θ: θ = B ln(Θ V*/L), Θ̇ = 1 − |v| Θ/L
         const double age = r.L / r.V_star * std::exp(s.theta / r.B);
         const double next = slip > 1e-12 ? r.L / speed + (age - r.L / speed) * std::exp(-slip) : age + h;
         s.theta = r.B * std::log(next * r.V_star / r.L);
     } else {
-        const double steady = -r.B * std::log(speed / r.V_star + memory_floor);
+        const double steady = -r.B * logarithm_of(speed, r);
         s.theta = steady + (s.theta - steady) * std::exp(-slip);
     }
 }
@@ -68,8 +79,32 @@ inline RubState settled(const Rubbing& r, double speed)
 {
     RubState s;
     s.speed = speed;
-    if (r.remembers()) s.theta = speed > 0 ? -r.B * std::log(speed / r.V_star + memory_floor) : 0;
+    if (r.remembers()) s.theta = speed > 0 ? -r.B * logarithm_of(speed, r) : 0;
     return s;
+}
+
+/// One step of a body that slides against a given level of friction: everything but velocity and force is divided out,
+/// so that a friction that does not change does it once for many steps.
+struct Glide {
+    double keep, per_force, held;
+    Glide(double level, double slope, double mobility)
+    {
+        const double yielding = 1 / (1 + 0.5 * mobility * slope);
+        keep = (1 - 0.5 * mobility * slope) * yielding;
+        per_force = mobility * yielding;
+        held = per_force * std::max(level, 0.0);
+    }
+    double operator()(double v, double force) const
+    {
+        const double free = keep * v + per_force * force;
+        return free - std::max(-held, std::min(free, held));
+    }
+};
+
+/// Whether friction is one level and one slope, in both directions and at all times.
+inline bool glides(const Rubbing& r)
+{
+    return r.plain() && r.asymmetric_viscous == 0 && r.bristle_stiffness == 0 && r.lag == 0;
 }
 
 /// Velocity after a step in which the force other than friction is `force` and inverse inertia times step is
@@ -91,10 +126,7 @@ inline double rub(const Rubbing& r, RubState& s, double v, double force, double 
         remember(r, s, 0.5 * std::abs(v + next), h);
         return next;
     }
-    const double yielding = 1 / (1 + 0.5 * mobility * slope);
-    const double free = (v + mobility * (force - 0.5 * slope * v)) * yielding;
-    const double held = mobility * level * yielding;
-    const double next = std::copysign(std::max(std::abs(free) - held, 0.0), free);
+    const double next = Glide(level, slope, mobility)(v, force);
     remember(r, s, 0.5 * std::abs(v + next), h);
     return next;
 }

@@ -61,6 +61,7 @@ Rubbing flatten(const Friction& f)
         r.V_star = f.memory.V_star;
         r.ageing = f.memory.form == MemoryForm::ageing;
     }
+    r.per_L = 1 / r.L, r.per_V_star = 1 / r.V_star;
     r.lag = f.memory.lag;
     for (double* force : {&r.coulomb, &r.viscous, &r.stribeck, &r.A, &r.B, &r.asymmetric_coulomb, &r.asymmetric_viscous,
                           &r.ripple, &r.drift, &r.bristle_stiffness, &r.bristle_damping})

@@ -19,12 +19,13 @@ struct Rubbing {
     double drift = 0, drift_time = 1;
     double bristle_stiffness = 0, bristle_damping = 0;
     double A = 0, B = 0, L = 1, V_star = 1, lag = 0;
+    double per_L = 1, per_V_star = 1;
     bool ageing = false;
     bool remembers() const { return A != 0 || B != 0; }
+    /// Apart from its drift, which a tick holds.
     bool plain() const
     {
-        return stribeck == 0 && asymmetric_coulomb == 0 && load_coefficient == 0 && ripple == 0 && drift == 0 &&
-               !remembers();
+        return stribeck == 0 && asymmetric_coulomb == 0 && load_coefficient == 0 && ripple == 0 && !remembers();
     }
 };
 

@@ -114,15 +114,20 @@ class Mechanics {
 
     void advance(std::size_t k)
     {
-        const double tick = ticks_.step[k];
-        const int parts = substeps(plant_, tick);
-        const double h = tick / parts, t0 = ticks_.time[k];
-        if (h != length_.h) length_ = StepLength(plant_, h);
+        const double tick = ticks_.step[k], t0 = ticks_.time[k];
+        if (tick != tick_) tick_ = tick, parts_ = substeps(plant_, tick);
+        const double h = tick / parts_;
+        if (drifts_) {
+            const double middle = t0 + 0.5 * tick;
+            plant_.motor.coulomb = motor_level_ + drifted(plant_.motor, middle);
+            plant_.link.coulomb = link_level_ + drifted(plant_.link, middle);
+        }
+        if (drifts_ || h != length_.h) length_ = StepLength(plant_, h);
         const double lag = plant_.actuator.lag;
         const double keep = lag > 0 ? std::exp(-h / lag) : 0, mean_keep = lag > 0 ? lag / h * (1 - keep) : 0;
         const bool steady = plant_.dead_time == 0 && lag == 0 && !plant_.dc_motor();
         Push drive = steady ? push(k, held_.mean(t0, tick, k)) : Push{};
-        for (int i = 0; i < parts; ++i) {
+        for (int i = 0; i < parts_; ++i) {
             const double t = t0 + i * h;
             if (!steady) {
                 double arrived = held_.mean(t, h, k);
@@ -169,10 +174,14 @@ class Mechanics {
         return push_of(plant_.actuator, arrived, ticks_.supply[k], state.motor_velocity);
     }
 
-    const Plant& plant_;
+    Plant plant_;  ///< with the levels of friction that this tick's drift has come to
     const Ticks& ticks_;
     HeldCommand held_;
     StepLength length_;
+    double motor_level_ = plant_.motor.coulomb, link_level_ = plant_.link.coulomb;
+    bool drifts_ = plant_.motor.drift != 0 || plant_.link.drift != 0;
+    double tick_ = 0;  ///< s, of the last step, in this many parts
+    int parts_ = 0;
 };
 
 }  // namespace

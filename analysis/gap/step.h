@@ -17,18 +17,26 @@ struct State {
 struct StepLength {
     double h, per_h;
     double motor_mobility, link_mobility;  ///< step over inertia
-    double per_ratio, reduced = 1;         ///< two masses: inertia of the one against the other
-    double implicit = 0;                   ///< of the damper, at the end of the step
+    double per_ratio;
+    double stiff = 0, implicit = 0;  ///< two masses: of spring and damper, at the end of the step
+    bool motor_glides, link_glides;
+    Glide motor, link;
     StepLength(const Plant& p, double step)
         : h(step),
           per_h(1 / step),
           motor_mobility(step / p.motor_inertia),
           link_mobility(step / p.link_inertia),
-          per_ratio(1 / p.ratio)
+          per_ratio(1 / p.ratio),
+          motor_glides(glides(p.motor)),
+          link_glides(glides(p.link)),
+          motor(p.motor.coulomb, p.motor.viscous, motor_mobility),
+          link(p.link.coulomb, p.link.viscous, link_mobility)
     {
         if (!p.two_mass) return;
-        reduced = 1 / (1 / p.link_inertia + 1 / (p.ratio * p.ratio * p.motor_inertia));
+        // inertia of the one against the other
+        const double reduced = 1 / (1 / p.link_inertia + 1 / (p.ratio * p.ratio * p.motor_inertia));
         implicit = p.damping / (1 + h * p.damping / reduced);
+        stiff = p.stiffness * (1 - h * implicit / reduced);
     }
 };
 
@@ -94,7 +102,7 @@ inline void step_single(const Plant& p, State& s, const Push& drive, double t, c
     const double middle = q + 0.5 * h * v;
     const Rubbing& r = p.motor;
     s.effort = drive.at(v);
-    const Surroundings at{middle, t + 0.5 * h, s.effort};
+    const Surroundings at{middle, s.effort};
     const double force = drive.push + outside_force(p, middle, v, t + 0.5 * h);
     if (r.bristle_stiffness > 0) {
         v = rub(r, s.motor, v, force - drive.drag * v, mobility, h, at);
@@ -135,7 +143,7 @@ inline void step_single(const Plant& p, State& s, const Push& drive, double t, c
 inline double beyond_play(double deflection, double backlash)
 {
     const double half = 0.5 * backlash;
-    return deflection > half ? deflection - half : deflection < -half ? deflection + half : 0;
+    return deflection - std::clamp(deflection, -half, half);
 }
 
 /// Two masses and a spring. The damper is implicit, so that a stiff one stays stable.
@@ -147,15 +155,17 @@ inline void step_two_mass(const Plant& p, State& s, const Push& drive, double t,
     const double stretch = beyond_play(motor_middle * per_ratio - link_middle, p.backlash);
     const bool touching = p.backlash == 0 || stretch != 0;
     const double rate = s.motor_velocity * per_ratio - s.link_velocity;
-    double spring = p.stiffness * stretch;
-    if (touching) spring += length.implicit * (rate - h * spring / length.reduced);
+    double spring = touching ? length.stiff * stretch + length.implicit * rate : 0;
     if (p.backlash > 0 && spring * stretch < 0) spring = 0;  // contact cannot pull
     s.effort = drive.at(s.motor_velocity);
-    s.motor_velocity = rub(p.motor, s.motor, s.motor_velocity, s.effort - spring * per_ratio, length.motor_mobility, h,
-                           {motor_middle, t + 0.5 * h, spring * per_ratio});
-    s.link_velocity =
-        rub(p.link, s.link, s.link_velocity, spring + outside_force(p, link_middle, s.link_velocity, t + 0.5 * h),
-            length.link_mobility, h, {link_middle, t + 0.5 * h, spring});
+    const double on_motor = s.effort - spring * per_ratio;
+    const double on_link = spring + outside_force(p, link_middle, s.link_velocity, t + 0.5 * h);
+    s.motor_velocity = length.motor_glides ? length.motor(s.motor_velocity, on_motor)
+                                           : rub(p.motor, s.motor, s.motor_velocity, on_motor, length.motor_mobility, h,
+                                                 {motor_middle, spring * per_ratio});
+    s.link_velocity = length.link_glides ? length.link(s.link_velocity, on_link)
+                                         : rub(p.link, s.link, s.link_velocity, on_link, length.link_mobility, h,
+                                               {link_middle, spring});
     s.motor_position = motor_middle + 0.5 * h * s.motor_velocity;
     s.link_position = link_middle + 0.5 * h * s.link_velocity;
 }

@@ -2,14 +2,10 @@
 #pragma once
 #include "analysis/boundary/follow.h"
 #include "analysis/joint/joint.h"
+#include "analysis/parallel_for.h"
 #include "analysis/simulation/disturbance.h"
 
-#include <functional>
-
 namespace stickslip {
-
-/// Runs task(0) … task(n − 1), in any order, perhaps side by side.
-using ParallelFor = std::function<void(std::size_t n, const std::function<void(std::size_t)>& task)>;
 
 struct BoundaryRequest {
     BoundaryKind kind = BoundaryKind::state_variable;

@@ -2,14 +2,11 @@
 #pragma once
 #include "analysis/gap/audit.h"
 #include "analysis/gap/fit.h"
+#include "analysis/parallel_for.h"
 
-#include <functional>
 #include <vector>
 
 namespace stickslip::gap {
-
-/// Runs task(0) … task(n − 1), in any order and side by side; supplied by the caller. Every task writes its own slot.
-using ParallelFor = std::function<void(std::size_t n, const std::function<void(std::size_t)>& task)>;
 
 /// A fitted candidate. Parameters are kept for each level, since each horizon weighs different physics.
 struct Attribution {

@@ -12,15 +12,13 @@
 #include "sweep/report/diagnosis_report.h"
 #include "sweep/report/outcome_report.h"
 #include "sweep/report/write_report.h"
+#include "sweep/verbs/parallel.h"
 #include "sweep/verbs/stage_line.h"
 #include "sweep/verbs/verbs.h"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
 
 #include <filesystem>
-#include <memory>
 
 namespace stickslip {
 namespace {
@@ -51,12 +49,6 @@ void write_next_outcome(const std::filesystem::path& file, const gap::OutcomeAns
     write_whole(file, header + "outcome\n" + row + "\n");
 }
 
-gap::ParallelFor on_threads()
-{
-    return
-        [](std::size_t n, const std::function<void(std::size_t)>& task) { tbb::parallel_for(std::size_t{0}, n, task); };
-}
-
 /// Signals that the simulation is driven by or compared with.
 bool needs_every_value(const std::string& signal)
 {
@@ -73,7 +65,7 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
     auto answer = [&] {
         StageLine line;
         try {
-            return gap::explain(joint, table, line.counted(on_threads()), line.listener());
+            return gap::explain(joint, table, line.counted(parallel_for_each), line.listener());
         } catch (const std::invalid_argument& e) {
             throw BadInput(e.what());
         }
@@ -109,10 +101,7 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
 int diagnose(const Options& options, const Invocation& invocation)
 {
     const Joint joint = read_joint(options.joint);
-    std::unique_ptr<tbb::global_control> limit;
-    if (options.threads > 0)
-        limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
-                                                      static_cast<std::size_t>(options.threads));
+    const ThreadLimit limit(options.threads);
     for (const auto& file : options.records) {
         if (!is_outcome_file(file)) continue;
         if (options.records.size() > 1)
@@ -143,7 +132,7 @@ int diagnose(const Options& options, const Invocation& invocation)
         StageLine line;
         settings.progress = line.listener();
         try {
-            return gap::diagnose(joint, records, line.counted(on_threads()), settings);
+            return gap::diagnose(joint, records, line.counted(parallel_for_each), settings);
         } catch (const std::invalid_argument& e) {
             throw BadInput(e.what());
         }

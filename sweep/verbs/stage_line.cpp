@@ -41,7 +41,7 @@ std::function<void(const std::string&, double)> StageLine::listener()
     };
 }
 
-gap::ParallelFor StageLine::counted(gap::ParallelFor run)
+ParallelFor StageLine::counted(ParallelFor run)
 {
     if (!terminal_) return run;
     return [this, run = std::move(run)](std::size_t n, const std::function<void(std::size_t)>& task) {

@@ -22,7 +22,7 @@ class StageLine {
     /// To be told of stages; empty where nobody looks. It must not be called once the line is gone.
     std::function<void(const std::string& stage, double done)> listener();
     /// The same tasks, counted.
-    gap::ParallelFor counted(gap::ParallelFor run);
+    ParallelFor counted(ParallelFor run);
 
   private:
     void draw();

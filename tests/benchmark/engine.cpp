@@ -16,6 +16,7 @@
 #include "analysis/stability/verdict.h"
 #include "sweep/engine/run_sweep.h"
 #include "tests/analysis/simulation/joints.h"
+#include "tests/temporary_directory.h"
 
 using namespace stickslip;
 namespace fs = std::filesystem;
@@ -110,15 +111,13 @@ int main(int argc, char** argv)
     std::vector<double> sizes;
     for (int i = 1; i < argc; ++i) sizes.push_back(std::atof(argv[i]));
     if (sizes.empty()) sizes = {1e3, 1e4, 1e5, 1e6, 1e7};
-    std::string pattern = (fs::temp_directory_path() / "stickslip-benchmark-XXXXXX").string();
-    if (!mkdtemp(pattern.data())) return 2;
+    const TemporaryDirectory directory;
     std::puts("one thread, wall time in ns a point; rate in million points/s a core, all in; peak memory in MiB");
     std::printf("%-8s %10s %6s %9s %9s %9s %9s %9s %10s %8s\n", "point", "points", "chunk", "bare", "compute",
                 "results", "all in", "overhead", "rate", "memory");
     for (const double size : sizes) {
-        measure("nothing", size, free_point, pattern);
+        measure("nothing", size, free_point, directory.path());
         measure(
-            "linear", size, [](const Joint& joint) { return linear_point(joint); }, pattern);
+            "linear", size, [](const Joint& joint) { return linear_point(joint); }, directory.path());
     }
-    fs::remove_all(pattern);
 }

@@ -6,6 +6,7 @@
 #include "sweep/cluster/mpi_cluster.h"
 #include "sweep/engine/run_on_cluster.h"
 #include "tests/sweep/engine/sample_sweep.h"
+#include "tests/temporary_directory.h"
 
 #include <algorithm>
 #include <atomic>
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <optional>
 #include <thread>
 
 namespace {
@@ -77,13 +79,10 @@ int main(int argc, char** argv)
         nanoseconds += static_cast<std::uint64_t>((std::chrono::steady_clock::now() - start).count());
     };
 
-    std::string where;
-    if (cluster.rank() == 0) {
-        std::string pattern = (fs::temp_directory_path() / "stickslip-XXXXXX").string();
-        if (mkdtemp(pattern.data())) where = pattern;
-    }
+    std::optional<TemporaryDirectory> directory;
+    if (cluster.rank() == 0) directory.emplace();
+    std::string where = directory ? directory->path().string() : std::string();
     cluster.broadcast(where);
-    if (where.empty()) return 2;
     RunOptions options;
     options.directory = where;
     options.engine.threads = c.threads;
@@ -102,7 +101,6 @@ int main(int argc, char** argv)
             std::printf("; work %.2f s, efficiency %.1f %%\n", work, 100 * work / workers / report.computed.seconds);
         else
             std::printf("; %.1f us a chunk, claim and journal included\n", 1e6 * report.computed.seconds / chunks);
-        fs::remove_all(where);
     }
     return report.end == RunEnd::complete ? 0 : 1;
 }

@@ -1,6 +1,7 @@
 #include "analysis/gap/ensemble.h"
 
 #include "analysis/gap/jumps.h"
+#include "analysis/gap/prepare.h"
 #include "analysis/gap/reference.h"
 
 #include <algorithm>
@@ -149,8 +150,10 @@ std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, 
     add("position", position_unit, t.position, &Trace::position);
     add("effort_command", command.unit, t.command, &Trace::command, command.factor);
     if (c.effort_sigma > 0) add("effort_measured", effort_unit, t.effort, &Trace::effort);
-    // the noise of a reading is there, simulated or not, and k_p passes it on
-    const double reading = 2 * c.sigma * c.sigma * 0.25, passed_on = command.factor * joint.control.k_p;
+    // the noise of a reading is there, simulated or not, and k_p passes it on; it is that of the sensor in question:
+    // the steps of a coarser encoder are a gap
+    const double sigma = reading_sigma(joint.sensor, span_of(t.position));
+    const double reading = 2 * sigma * sigma * 0.25, passed_on = command.factor * joint.control.k_p;
     for (auto& s : squares) {
         if (s.signal == "position") s.floor = std::max(s.floor, reading);
         if (s.signal == "effort_command") s.floor = std::max(s.floor, passed_on * passed_on * reading);

@@ -1,5 +1,7 @@
 #include "analysis/gap/inspect.h"
 
+#include "analysis/gap/prepare.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,13 +9,6 @@ namespace stickslip::gap {
 namespace {
 
 constexpr std::size_t fewest_rows = 100;
-
-double span_of(const std::vector<double>& y)
-{
-    if (y.empty()) return 0;
-    const auto [low, high] = std::minmax_element(y.begin(), y.end());
-    return *high - *low;
-}
 
 void check_column(const Record& r, const char* name, const std::vector<double>& column, Inspection& result)
 {

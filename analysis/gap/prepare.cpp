@@ -18,12 +18,6 @@ double percentile(std::vector<double> values, double part)
     return *at;
 }
 
-double span_of(const std::vector<double>& y)
-{
-    const auto [low, high] = std::minmax_element(y.begin(), y.end());
-    return y.empty() ? 0 : *high - *low;
-}
-
 double rms(const std::vector<double>& values)
 {
     double sum = 0;
@@ -70,6 +64,12 @@ double noise_of(const std::vector<double>& y)
     if (spread == 0) return rms_below(infinity) / std::sqrt(20.0);
     for (int i = 0; i < 5; ++i) spread = rms_below(far * spread);
     return spread / std::sqrt(20.0);
+}
+
+double span_of(const std::vector<double>& values)
+{
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    return values.empty() ? 0 : *high - *low;
 }
 
 double reading_sigma(const Sensor& sensor, double span)

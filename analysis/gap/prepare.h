@@ -23,6 +23,9 @@ Case prepare(const Record& record, const Joint& nominal, std::vector<std::string
 /// none of it: every record gets the largest estimate, since all have one encoder, and `notes` says so.
 void share_noise(std::vector<Case>& cases, const Sensor& documented, std::vector<std::string>& notes);
 
+/// Largest less least value; 0 of none.
+double span_of(const std::vector<double>& values);
+
 /// Sigma of a reading from the sensor's numbers.
 double reading_sigma(const Sensor& sensor, double span);
 

@@ -1,4 +1,5 @@
 #include "analysis/gap/heldout.h"
+#include "analysis/gap/ensemble.h"
 #include "analysis/gap/prepare.h"
 #include "tests/analysis/gap/small_machine.h"
 
@@ -38,4 +39,28 @@ TEST_CASE("a record that alone reaches the limit is held out in thirds, one of m
     CHECK(rest[0].judged(1000));
 
     CHECK(folds_for(cases, scales, cause("coulomb-level", 0.3 / scales.effort)).size() == 3);
+}
+
+TEST_CASE("floors are of the joint in question: the steps of a coarser encoder than documented are gap, not noise",
+          "[gap]")
+{
+    test::Machine m;
+    m.quantum = 1e-4;  // documented: 5 µm
+    std::vector<std::string> notes;
+    const Joint documented = test::nominal_joint();
+    Case c = prepare(test::record_of(m, 1), documented, notes);
+    Joint audited = c.joint;
+    audited.sensor.encoder_quantum = m.quantum;
+    const auto floor_of = [&](const Joint& joint) {
+        const auto squares = compare(c, joint, 4, -infinity, infinity);
+        REQUIRE(squares[0].signal == "position");
+        return squares[0].floor;
+    };
+    const double before = floor_of(documented);
+    c.joint = audited;
+    c.sigma = reading_sigma(audited.sensor, 0);  // as an audit leaves it
+    CHECK(floor_of(documented) == before);
+    const double steps = m.quantum * m.quantum / 12;
+    CHECK(before < 0.1 * steps);
+    CHECK(floor_of(audited) >= 0.5 * steps);
 }

@@ -140,25 +140,56 @@ TEST_CASE("a joint that already explains the rows has no gap", "[gap][outcomes]"
     CHECK(answer.nominal.misjudged == 0);
 }
 
+namespace {
+
+constexpr double drop = 0.25;  // N, another one than any default
+
+/// Kinetic/static friction started from rest sticks again where √(V_0² + (ΔF/mω)²) > V_0 outweighs damping: the exact
+/// damped swing of 1 kg.
+bool sticks_again(double k_p, double k_v, double V0)
+{
+    const double omega = std::sqrt(k_p), zeta = k_v / (2 * omega);
+    if (zeta >= 1) return false;
+    const double damped = omega * std::sqrt(1 - zeta * zeta), b = (drop - zeta * omega * V0) / damped;
+    double least = 1;
+    for (double t = 0.5; t < 6.3; t += 1e-3)
+        least = std::min(least, V0 + std::exp(-zeta * omega * t / damped) * (-V0 * std::cos(t) + b * std::sin(t)));
+    return least < 0;
+}
+
+}  // namespace
+
+TEST_CASE("where nothing damps the amplitudes of kinetic and static friction are those of the closed form",
+          "[gap][outcomes]")
+{
+    // it breaks loose at ΔF/k before the middle and swings with √((ΔF/k)² + (V_0/ω)²) about it until it sticks again
+    OutcomeTable table{"rows.csv", {"control.k_p", "control.k_v", "control.V0"}, {}};
+    for (double k_p : {8e3, 4e4, 2e5})
+        for (double k_v : {0.0, 40.0, 100.0})
+            for (double V0 : {3e-4, 1e-3, 3e-3, 1e-2}) {
+                const bool sticks = k_v == 0 || sticks_again(k_p, k_v, V0);
+                const double amplitude = k_v == 0 ? std::hypot(drop / k_p, V0 / std::sqrt(k_p)) : not_set;
+                table.rows.push_back({{k_p, k_v, V0}, sticks, amplitude, table.rows.size() + 2});
+            }
+    const auto answer = answer_of(sliding(CoulombViscous{60, 5}, 2e4, 0, 1e-3), table);
+    for (const auto& f : answer.laws)
+        UNSCOPED_INFO(std::string(f.rival->law) << " " << f.total() << " wrong " << f.misjudged);
+    CHECK(answer.laws[0].rival->law == "kinetic-static");
+    Outcomes exact = answer.outcomes;
+    LawFit fit = judge_nominal_law(exact, sliding(KineticStatic{60, 60 + drop}, 2e4, 0, 1e-3));
+    for (auto& joint : exact.joints) joint.friction.law = fit.law;
+    confirm_by_motion(exact, fit);
+    for (std::size_t i = 0; i < exact.size(); ++i)
+        if (is_set(table.rows[i].amplitude)) CHECK(fit.amplitude[i] == Approx(table.rows[i].amplitude).epsilon(2e-3));
+}
+
 TEST_CASE("a boundary that friction without memory makes is not called memory", "[gap][outcomes]")
 {
-    // kinetic/static friction started from rest sticks again where √(V_0² + (ΔF/mω)²) > V_0 outweighs damping; here the
-    // exact damped swing of a mass with another drop than any default
-    const double drop = 0.25;
-    const auto sticks = [&](double k_p, double k_v, double V0) {
-        const double omega = std::sqrt(k_p), zeta = k_v / (2 * omega);
-        if (zeta >= 1) return false;
-        const double damped = omega * std::sqrt(1 - zeta * zeta), b = (drop - zeta * omega * V0) / damped;
-        double least = 1;
-        for (double t = 0.5; t < 6.3; t += 1e-3)
-            least = std::min(least, V0 + std::exp(-zeta * omega * t / damped) * (-V0 * std::cos(t) + b * std::sin(t)));
-        return least < 0;
-    };
     OutcomeTable table{"rows.csv", {"control.k_p", "control.k_v", "control.V0"}, {}};
     for (double k_p : {8e3, 4e4, 2e5})
         for (double k_v : {10.0, 40.0, 100.0})
             for (double V0 : {3e-4, 1e-3, 3e-3, 1e-2})
-                table.rows.push_back({{k_p, k_v, V0}, sticks(k_p, k_v, V0), not_set, table.rows.size() + 2});
+                table.rows.push_back({{k_p, k_v, V0}, sticks_again(k_p, k_v, V0), not_set, table.rows.size() + 2});
     const auto answer = answer_of(sliding(CoulombViscous{60, 5}, 2e4, 0, 1e-3), table);
     for (const auto& f : answer.laws)
         UNSCOPED_INFO(std::string(f.rival->law) << " " << f.total() << " wrong " << f.misjudged);

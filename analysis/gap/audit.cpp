@@ -54,7 +54,7 @@ void add_rows(const Case& c, double tau, int late, double limit, Sums& sums)
     control.velocity_estimate.tau = tau;
     Controller controller(control);
     const Ticks& t = c.ticks;
-    const bool believed = t.ticks_per_row > 1 && !t.rebuilt && t.has_velocity;
+    const bool believed = t.unseen_between() && t.has_velocity;
     // at a kink or a step of the reference its rate is anybody's guess unless it was logged
     constexpr double bent = 0.02;  // of the largest rate
     double fastest = 0;
@@ -253,7 +253,7 @@ Audit audit(std::vector<Case>& cases)
     for (const auto& c : cases)
         if (c.ticks.source != CommandSource::logged || !c.ticks.has_reference ||
             c.joint.control.kind != ControlKind::position ||
-            (c.ticks.ticks_per_row > 1 && !c.ticks.rebuilt && !c.ticks.has_velocity))
+            (c.ticks.unseen_between() && !c.ticks.has_velocity))
             return result;
     result.possible = true;
     const Control documented = cases[0].joint.control;

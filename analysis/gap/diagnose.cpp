@@ -8,6 +8,7 @@
 #include "analysis/gap/inspect.h"
 #include "analysis/gap/jumps.h"
 #include "analysis/gap/locate.h"
+#include "analysis/gap/pieces.h"
 #include "analysis/gap/prepare.h"
 #include "analysis/gap/rig.h"
 #include "analysis/gap/verdict.h"
@@ -133,7 +134,9 @@ void describe_data(const std::vector<Case>& cases, Diagnosis& d)
 {
     for (const auto& c : cases) {
         d.records.push_back({c.ticks.name, "held-out"});
-        if (!c.ticks.regular)
+        if (c.ticks.lost)
+            d.notes.push_back(c.ticks.name + ": rows are missing; what happened in them is simulated, not judged");
+        else if (!c.ticks.regular)
             d.notes.push_back(c.ticks.name + ": irregular sampling; every row is used at its own time");
         if (c.ticks.rebuilt)
             d.notes.push_back(c.ticks.name +
@@ -159,21 +162,27 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
         if (options.progress) options.progress(stage, done);
     };
     progress("reading", 0);
-    std::vector<const Record*> usable;
-    for (const auto& r : records) {
-        const auto found = inspect(r, joint);
+    std::vector<Record> usable;
+    for (const auto& whole : records) {
+        const auto found = inspect(whole, joint);
         if (!found.errors.empty()) throw std::invalid_argument(found.errors.front());
         d.notes.insert(d.notes.end(), found.notes.begin(), found.notes.end());
-        if (found.shortages.empty())
-            usable.push_back(&r);
-        else
+        if (!found.shortages.empty()) {
             d.reasons.insert(d.reasons.end(), found.shortages.begin(), found.shortages.end());
+            continue;
+        }
+        auto uninterrupted = pieces(whole, d.notes);
+        for (auto& piece : uninterrupted) {
+            const auto left = uninterrupted.size() > 1 ? inspect(piece, joint).shortages : std::vector<std::string>();
+            d.reasons.insert(d.reasons.end(), left.begin(), left.end());
+            if (left.empty()) usable.push_back(std::move(piece));
+        }
     }
     if (usable.empty()) return result;
 
     Work w;
-    for (const Record* r : usable) {
-        w.cases.push_back(prepare(*r, joint, d.notes));
+    for (const Record& r : usable) {
+        w.cases.push_back(prepare(r, joint, d.notes));
         w.cases.back().number = w.cases.size() - 1;
     }
     share_noise(w.cases, joint.sensor, d.notes);
@@ -276,6 +285,7 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
     d.gap = held.signals;
     d.overall = held.overall;
     d.traces = held.traces;
+    withdraw_no_gap(d);
     d.notes.insert(d.notes.end(), held.notes.begin(), held.notes.end());
     if (shown && winner.candidate.effects.empty()) {
         Attribution audited = none;
@@ -305,7 +315,7 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
         d.effects[0].heldout_gain = held.gain;
         d.effects[0].heldout_gain_interval = held.gain_interval;
     }
-    if (d.verdict == Verdict::unknown && !nearest_only) {
+    if (d.verdict == Verdict::unknown && !nearest_only && !quiet) {
         d.reasons.push_back(
             "there is a gap, and no effect of the catalogue, nor two together, explain it: the best leaves " +
             percent(1 - decision.best_explained) + " of it");

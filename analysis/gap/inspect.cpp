@@ -1,6 +1,7 @@
 #include "analysis/gap/inspect.h"
 
 #include "analysis/gap/prepare.h"
+#include "analysis/gap/ticks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +49,7 @@ void suspect_units(const Record& r, const Joint& joint, Inspection& result)
     if (!revolute && measured > long_axis)
         result.notes.push_back(r.name + ": the position spans " + std::to_string(static_cast<int>(measured)) +
                                " m; millimetres are suspected where metres are expected");
-    const double step = r.rows() > 1 ? (r.time.back() - r.time.front()) / static_cast<double>(r.rows() - 1) : 0;
+    const double step = r.rows() > 1 ? median_step(r.time) : 0;
     if (step >= 0.5)
         result.notes.push_back(r.name + ": rows are " + std::to_string(step) +
                                " s apart; milliseconds are suspected where seconds are expected");

@@ -27,7 +27,7 @@ std::vector<Share> locate_signals(const std::vector<Case>& cases, const std::vec
         const Ticks& t = c.ticks;
         for (auto& s : shares) s.unit = unit_of(Quantity::effort, c.joint.mechanism.motion);
         const bool audited =
-            t.source == CommandSource::logged && t.has_reference && (t.ticks_per_row == 1 || t.rebuilt);
+            t.source == CommandSource::logged && t.has_reference && !t.unseen_between();
         const auto wanted = audited ? command_of(plant, t) : std::vector<double>();
         const double per_command =
             plant.dc_motor() ? plant.actuator.k_t / plant.actuator.resistance *

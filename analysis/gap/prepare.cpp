@@ -27,6 +27,15 @@ double rms(const std::vector<double>& values)
     return n ? std::sqrt(sum / static_cast<double>(n)) : 0;
 }
 
+/// The readings, with holes where rows were lost.
+std::vector<double> on_grid(const Ticks& t)
+{
+    std::vector<double> readings;
+    for (std::size_t k = 0; k < t.size(); k += static_cast<std::size_t>(t.ticks_per_row))
+        readings.push_back(t.logged[k] ? t.position[k] : not_set);
+    return readings;
+}
+
 /// Noise of the measured effort: what is left of it once the effort is taken away that the command asks for. That a
 /// noisy encoder makes the command noisy, too, is no noise of this sensor.
 double effort_noise_of(const Case& c, const std::vector<double>& measured)
@@ -51,7 +60,10 @@ double noise_of(const std::vector<double>& y)
 {
     if (y.size() < 8) return 0;
     std::vector<double> third;
-    for (std::size_t k = 3; k < y.size(); ++k) third.push_back(std::abs(y[k] - 3 * y[k - 1] + 3 * y[k - 2] - y[k - 3]));
+    for (std::size_t k = 3; k < y.size(); ++k)
+        if (const double d = std::abs(y[k] - 3 * y[k - 1] + 3 * y[k - 2] - y[k - 3]); std::isfinite(d))
+            third.push_back(d);
+    if (third.empty()) return 0;
     const auto rms_below = [&](double limit) {
         double sum = 0, n = 0;
         for (double d : third)
@@ -81,18 +93,55 @@ double reading_sigma(const Sensor& sensor, double span)
 
 namespace {
 
+/// Mean square of what the first rows are off the prediction, in units of a reading's.
+double missed_at_start(const Case& c)
+{
+    constexpr std::size_t rows = 10;
+    constexpr double omega = 20;  // rad/s: hardly corrects within these rows
+    Ticks first = c.ticks;
+    std::size_t ticks = 0, seen = 0;
+    while (ticks < first.size() && seen < rows) seen += first.logged[ticks++];
+    for (auto* column : {&first.time, &first.step, &first.reference, &first.reference_rate, &first.position,
+                         &first.velocity, &first.command, &first.effort, &first.supply})
+        column->resize(ticks);
+    first.enabled.resize(ticks), first.logged.resize(ticks);
+    const Plant plant = flatten(c.joint);
+    Innovation innovation;
+    predict(plant, first, known_command(plant, first), omega, innovation);
+    double sum = 0;
+    for (std::size_t k = 0; k < ticks; ++k)
+        if (first.logged[k]) sum += innovation.position[k] * innovation.position[k];
+    return sum / (static_cast<double>(rows) * c.sigma * c.sigma);
+}
+
+/// Cut from a longer one, a record starts in motion. It is taken to, where that predicts its first rows and rest does
+/// not.
+void find_start(Case& c, std::vector<std::string>& notes)
+{
+    // mean square; of that of rest: an unmodelled force that sets a joint in motion leaves a sixth
+    constexpr double clearly = 25, much_better = 0.05;
+    const double at_rest = missed_at_start(c);
+    if (!(at_rest > clearly)) return;
+    Case moving = c;
+    moving.ticks.at_rest = false, moving.ticks.initial_velocity = velocity_at_start(c.ticks);
+    if (!(missed_at_start(moving) < much_better * at_rest)) return;
+    c.ticks = std::move(moving.ticks);
+    notes.push_back(c.ticks.name + ": starts in motion; at_rest_at_start under [record] says otherwise");
+}
+
 Case prepare_with_effort(const Record& record, const Joint& joint, std::vector<std::string>& notes)
 {
     Case c;
     c.joint = joint;
     c.ticks = on_clock(record, c.joint);
     c.supply_logged = !record.supply_voltage.empty();
-    for (std::size_t k = 0; k < c.ticks.size() && !record.temperature.empty(); ++k)
-        c.temperature.push_back(
-            record.temperature[std::min(k / static_cast<std::size_t>(c.ticks.ticks_per_row), record.rows() - 1)]);
+    for (std::size_t k = 0, row = 0; k < c.ticks.size() && !record.temperature.empty(); ++k) {
+        if (k > 0 && c.ticks.logged[k]) ++row;
+        c.temperature.push_back(record.temperature[row]);
+    }
     const auto rows = static_cast<double>(std::max<std::size_t>(record.rows(), 2));
     c.row_step = c.ticks.duration() / (rows - 1);
-    const double estimated = noise_of(record.position), span = span_of(record.position);
+    const double estimated = noise_of(on_grid(c.ticks)), span = span_of(record.position);
     c.sigma = reading_sigma(c.joint.sensor, span);
     const bool documented = c.joint.sensor.position_noise > 0 || c.joint.sensor.encoder_quantum > 0;
     c.noise_documented = documented;
@@ -117,7 +166,7 @@ Case prepare_with_effort(const Record& record, const Joint& joint, std::vector<s
     }
     // what the unlogged commands of a slow log were is known up to the noise that the loop feeds through
     const Control& control = c.joint.control;
-    const bool unknown_between = c.ticks.ticks_per_row > 1 && !c.ticks.rebuilt && is_set(control.period);
+    const bool unknown_between = c.ticks.unseen_between() && is_set(control.period);
     const double noise_rate = std::sqrt(2.0) / (control.period + control.velocity_estimate.tau);
     const double command_noise = unknown_between ? c.sigma * std::hypot(control.k_p, control.k_v * noise_rate) *
                                                        std::abs(c.joint.actuator.effort_gain)
@@ -136,6 +185,7 @@ Case prepare_with_effort(const Record& record, const Joint& joint, std::vector<s
         c.effort_sigma =
             std::hypot(sigma, effort_part * range, c.joint.actuator.kind == ActuatorKind::effort ? command_noise : 0);
     }
+    if (!record.at_rest_at_start) find_start(c, notes);
     return c;
 }
 

@@ -1,6 +1,7 @@
 // A measured record of one joint as plain arrays. Readers fill it, the diagnosis reads it; SI units throughout.
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,7 +29,7 @@ struct Record {
     std::vector<double> normal_load;         ///< normal stress or force of a friction rig, in its own unit
     std::vector<std::pair<std::string, double>>
         overrides;  ///< dotted path of the joint → value that held in this record
-    bool at_rest_at_start = true;
+    std::optional<bool> at_rest_at_start;  ///< not said: the motion of the first rows tells
 
     std::size_t rows() const { return time.size(); }
 };

@@ -238,7 +238,7 @@ std::vector<double> command_of(const Plant& plant, const Ticks& ticks)
     std::vector<double> command(ticks.size());
     Controller controller(plant.control);
     // readings between the rows of a slow log are interpolated: the logged estimate is then the better velocity
-    const auto logged_velocity = ticks.ticks_per_row > 1 && !ticks.rebuilt && ticks.has_velocity
+    const auto logged_velocity = ticks.unseen_between() && ticks.has_velocity
                                      ? velocity_between_rows(ticks)
                                      : std::vector<double>();
     auto restart = ticks.restarts.begin();
@@ -256,7 +256,7 @@ std::vector<double> command_of(const Plant& plant, const Ticks& ticks)
 
 std::vector<double> known_command(const Plant& plant, const Ticks& ticks)
 {
-    if (ticks.source == CommandSource::logged && ticks.ticks_per_row == 1) return ticks.command;
+    if (ticks.source == CommandSource::logged && ticks.ticks_per_row == 1 && !ticks.lost) return ticks.command;
     std::vector<double> command = ticks.source == CommandSource::none ? std::vector<double>(ticks.size(), 0.0)
                                   : ticks.has_reference               ? command_of(plant, ticks)
                                                                       : ticks.command;

@@ -6,15 +6,6 @@
 namespace stickslip::gap {
 namespace {
 
-double median_step(const std::vector<double>& time)
-{
-    std::vector<double> steps;
-    for (std::size_t k = 1; k < time.size(); ++k) steps.push_back(time[k] - time[k - 1]);
-    if (steps.empty()) return 1;
-    std::nth_element(steps.begin(), steps.begin() + steps.size() / 2, steps.end());
-    return steps[steps.size() / 2];
-}
-
 bool equal_steps(const std::vector<double>& time, double step)
 {
     for (std::size_t k = 1; k < time.size(); ++k)
@@ -113,7 +104,63 @@ void fill_reference_rate(const Record& r, Ticks& t)
     }
 }
 
+/// How many rows of a regular log each interval stands for; empty where the rows are not on such a grid.
+std::vector<std::size_t> strides(const std::vector<double>& time, double step)
+{
+    std::vector<std::size_t> of;
+    for (std::size_t k = 1; k < time.size(); ++k) {
+        const double rows = (time[k] - time[k - 1]) / step;
+        if (rows > most_lost_rows || std::abs(rows - std::round(rows)) > 0.02 || std::round(rows) < 1) return {};
+        of.push_back(static_cast<std::size_t>(std::round(rows)));
+    }
+    return of;
+}
+
+/// The record with rows in place of the lost ones: motion and reference go on between their neighbours, everything else
+/// is unknown or, of the surroundings, as before.
+Record with_lost_rows(const Record& r, const std::vector<std::size_t>& strides, std::vector<std::uint8_t>& logged)
+{
+    Record full = r;
+    const auto fill = [&](std::vector<double>& column, auto&& value) {
+        if (column.empty()) return;
+        const std::vector<double> was = std::move(column);
+        column.clear();
+        for (std::size_t k = 0; k < was.size(); ++k) {
+            column.push_back(was[k]);
+            for (std::size_t i = 1; k < strides.size() && i < strides[k]; ++i)
+                column.push_back(value(was, k, static_cast<double>(i) / static_cast<double>(strides[k])));
+        }
+    };
+    const auto straight = [](const std::vector<double>& x, std::size_t k, double s) {
+        return x[k] + s * (x[k + 1] - x[k]);
+    };
+    const auto unknown = [](const std::vector<double>&, std::size_t, double) { return not_set; };
+    const auto as_before = [](const std::vector<double>& x, std::size_t k, double) { return x[k]; };
+    fill(full.time, straight);
+    fill(full.position, between);
+    fill(full.reference_position, reference_between);
+    for (auto* column : {&full.reference_velocity, &full.link_position}) fill(*column, straight);
+    for (auto* column : {&full.velocity, &full.effort_command, &full.drive, &full.effort_measured, &full.current})
+        fill(*column, unknown);
+    for (auto* column : {&full.supply_voltage, &full.temperature, &full.torque_enable, &full.normal_load})
+        fill(*column, as_before);
+    for (std::size_t k = 0; k < r.rows(); ++k) {
+        logged.push_back(1);
+        if (k < strides.size()) logged.insert(logged.end(), strides[k] - 1, 0);
+    }
+    return full;
+}
+
 }  // namespace
+
+double median_step(const std::vector<double>& time)
+{
+    std::vector<double> steps;
+    for (std::size_t k = 1; k < time.size(); ++k) steps.push_back(time[k] - time[k - 1]);
+    if (steps.empty()) return 1;
+    std::nth_element(steps.begin(), steps.begin() + steps.size() / 2, steps.end());
+    return steps[steps.size() / 2];
+}
 
 std::vector<std::size_t> jumps_of(const std::vector<double>& signal)
 {
@@ -155,13 +202,24 @@ void interpolate_halves(Ticks& t)
     t.rebuilt = false;
 }
 
-Ticks on_clock(const Record& r, const Joint& joint)
+double velocity_at_start(const Ticks& t)
+{
+    constexpr std::size_t few = 8;
+    return t.size() > few ? (t.position[few] - t.position[0]) / (t.time[few] - t.time[0]) : 0;
+}
+
+Ticks on_clock(const Record& record, const Joint& joint)
 {
     Ticks t;
-    t.name = r.name;
-    const double step = median_step(r.time);
-    t.regular = equal_steps(r.time, step);
-    if (is_set(joint.control.period) && t.regular) {
+    t.name = record.name;
+    const double step = median_step(record.time);
+    t.regular = equal_steps(record.time, step);
+    const auto stride = t.regular ? std::vector<std::size_t>() : strides(record.time, step);
+    t.lost = !stride.empty();
+    std::vector<std::uint8_t> logged_rows;
+    const Record filled = t.lost ? with_lost_rows(record, stride, logged_rows) : Record{};
+    const Record& r = t.lost ? filled : record;
+    if (is_set(joint.control.period) && (t.regular || t.lost)) {
         const double fold = step / joint.control.period;
         if (fold > 1.5 && std::abs(fold - std::round(fold)) < 0.02 && fold < 20)
             t.ticks_per_row = static_cast<int>(std::round(fold));
@@ -171,7 +229,7 @@ Ticks on_clock(const Record& r, const Joint& joint)
     t.has_velocity = !r.velocity.empty();
     t.has_effort = !r.effort_measured.empty();
     t.has_reference = !r.reference_position.empty();
-    t.at_rest = r.at_rest_at_start;
+    t.at_rest = r.at_rest_at_start.value_or(true);
     const std::vector<double>& commanded = r.effort_command.empty() ? r.drive : r.effort_command;
     t.source = !commanded.empty() ? CommandSource::logged
                : t.has_reference  ? CommandSource::reconstructed
@@ -197,7 +255,7 @@ Ticks on_clock(const Record& r, const Joint& joint)
     for (std::size_t k = 0; k < n; ++k) {
         const std::size_t row = k / m, rest = k % m;
         if (rest == 0) {
-            t.logged[k] = 1;
+            t.logged[k] = t.lost ? logged_rows[row] : 1;
             t.time[k] = r.time[row];
             t.position[k] = r.position[row];
             t.reference[k] = at_or(r.reference_position, row, not_set);
@@ -216,11 +274,12 @@ Ticks on_clock(const Record& r, const Joint& joint)
         if (!r.torque_enable.empty()) t.enabled[k] = r.torque_enable[row] > 0.5;
     }
     for (std::size_t k = 0; k + 1 < n; ++k) t.step[k] = t.time[k + 1] - t.time[k];
-    if (m == 2 && t.has_velocity && joint.control.velocity_estimate.form == EstimateForm::backward_difference &&
+    if (m == 2 && !t.lost && t.has_velocity &&
+        joint.control.velocity_estimate.form == EstimateForm::backward_difference &&
         joint.control.velocity_estimate.average == 1)
         rebuild_halves(t, joint);
     if (t.has_reference) fill_reference_rate(r, t);
-    if (!t.at_rest && n > 8) t.initial_velocity = (t.position[8] - t.position[0]) / (t.time[8] - t.time[0]);
+    if (!t.at_rest) t.initial_velocity = velocity_at_start(t);
     return t;
 }
 

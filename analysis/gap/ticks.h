@@ -40,20 +40,31 @@ struct Ticks {
     CommandSource source = CommandSource::none;
     int ticks_per_row = 1;
     bool regular = true;             ///< equal steps
+    bool lost = false;               ///< rows are missing in an otherwise regular log: ticks without one
     bool rebuilt = false;            ///< positions between rows follow exactly from the logged velocities
     bool reference_rebuilt = false;  ///< the reference follows from the command: see rebuild_reference()
     bool has_velocity = false, has_effort = false, has_reference = false;
     bool at_rest = true;
     double initial_velocity = 0;
 
+    /// Whether there are ticks whose readings are only interpolated.
+    bool unseen_between() const { return (ticks_per_row > 1 && !rebuilt) || lost; }
     std::size_t size() const { return time.size(); }
     std::size_t rows() const { return static_cast<std::size_t>(std::count(logged.begin(), logged.end(), 1)); }
     double duration() const { return time.empty() ? 0 : time.back() - time.front(); }
 };
 
+inline constexpr double most_lost_rows = 20;  ///< in a row; more are a hole
+
+double median_step(const std::vector<double>& time);
+
 /// Puts a record on the joint's clock (control.period where it is set and divides the log's step, else the rows
-/// themselves). Rows must be sorted and finite in time and position: see inspect() for what is refused and why.
+/// themselves). Rows that a regular log has lost are ticks without a row. Rows must be sorted and finite in time and
+/// position: see inspect() for what is refused and why.
 Ticks on_clock(const Record& record, const Joint& joint);
+
+/// Mean velocity over the first few ticks.
+double velocity_at_start(const Ticks& ticks);
 
 /// The reading at tick k − 1 between two rows of a log of every second tick, from its velocities, if these were
 /// filtered with this time constant: v_k = v_{k−2}(1−g)² + g(1−g) d_{k−1} + g d_k with g = T/(τ + T), and d_{k−1} + d_k

@@ -1,6 +1,7 @@
 #include "analysis/gap/withdraw.h"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace stickslip::gap {
 namespace {
@@ -37,6 +38,21 @@ bool withdraw_if_no_better(Diagnosis& d, const Standing& standing)
     d.reasons.insert(d.reasons.begin(), names + what + ": it is not named as the cause");
     d.ambiguous_with.clear();
     d.next_experiment = {};
+    return true;
+}
+
+bool withdraw_no_gap(Diagnosis& d)
+{
+    // of 470 sealed joints without an effect none was further away than 1.25 floors
+    constexpr double far_from_noise = 1.5;
+    if (d.verdict != Verdict::no_gap || !(d.overall.before > far_from_noise)) return false;
+    d.verdict = Verdict::unknown;
+    char floors[32];
+    std::snprintf(floors, sizeof floors, "%.1f", d.overall.before);
+    d.reasons.back() =
+        "predicted from row to row the nominal joint stays within the noise, but simulated as a whole "
+        "it is " +
+        std::string(floors) + " floors away: these rows are too few or too far apart to say why";
     return true;
 }
 

@@ -1,4 +1,5 @@
-// A named cause held against unseen data: what makes them no better is none, however well it fits.
+// Verdicts held against simulations of the whole: a cause that makes unseen data no better is none, however well it
+// fits, and a joint that is far from its records has a gap.
 #pragma once
 #include "analysis/results/diagnosis.h"
 
@@ -14,5 +15,9 @@ struct Standing {
 /// of it, the verdict becomes `unknown`, the reasons say why, and nothing is left to confuse it with; the ranking
 /// stays. An unsettled one that leaves more than a documented noise is doubted. Whether the cause was withdrawn.
 bool withdraw_if_no_better(Diagnosis& diagnosis, const Standing& standing);
+
+/// Where there should be no gap, and the simulation of the whole records is far from them all the same, the verdict
+/// becomes `unknown`, and the last reason says why: from row to row the noise may hide what adds up. Whether it did.
+bool withdraw_no_gap(Diagnosis& diagnosis);
 
 }  // namespace stickslip::gap

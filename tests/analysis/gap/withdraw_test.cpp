@@ -65,3 +65,21 @@ TEST_CASE("a cause that leaves more than a documented noise is doubted, rivals a
         CHECK(d.effects[0].probability == 0.6);
     }
 }
+
+TEST_CASE("a joint whose predictions hide in the noise is not free of a gap that the whole motion shows", "[gap]")
+{
+    Diagnosis d;
+    d.verdict = Verdict::no_gap;
+    d.reasons = {"a file was too short", "the nominal joint predicts every record to the noise"};
+    d.overall.before = 1.25;
+    CHECK_FALSE(withdraw_no_gap(d));
+    CHECK(d.verdict == Verdict::no_gap);
+    d.overall.before = 3.85;
+    CHECK(withdraw_no_gap(d));
+    CHECK(d.verdict == Verdict::unknown);
+    REQUIRE(d.reasons.size() == 2);
+    CHECK(d.reasons[0] == "a file was too short");
+    CHECK(d.reasons[1].find("3.9 floors away") != std::string::npos);
+    d.verdict = Verdict::gap;
+    CHECK_FALSE(withdraw_no_gap(d));
+}

@@ -37,12 +37,33 @@ double wrong_factor(double ratio, Motion motion)
     return 0;
 }
 
-std::vector<double> differentiated(const Record& r)
+/// Central differences, as many as rows; NaN at both ends.
+std::vector<double> differentiated(const std::vector<double>& time, const std::vector<double>& values)
 {
-    std::vector<double> rate;
-    for (std::size_t k = 1; k + 1 < r.position.size(); ++k)
-        rate.push_back((r.position[k + 1] - r.position[k - 1]) / (r.time[k + 1] - r.time[k - 1]));
+    std::vector<double> rate(values.size(), not_set);
+    for (std::size_t k = 1; k + 1 < values.size(); ++k)
+        rate[k] = (values[k + 1] - values[k - 1]) / (time[k + 1] - time[k - 1]);
     return rate;
+}
+
+double median(std::vector<double> values)
+{
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// Correlation of two signals where both have values; 0 where one stands still.
+double correlation(const std::vector<double>& a, const std::vector<double>& b)
+{
+    double n = 0, sum_a = 0, sum_b = 0, squares_a = 0, squares_b = 0, products = 0;
+    for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
+        if (!std::isfinite(a[k]) || !std::isfinite(b[k])) continue;
+        n += 1, sum_a += a[k], sum_b += b[k];
+        squares_a += a[k] * a[k], squares_b += b[k] * b[k], products += a[k] * b[k];
+    }
+    const double square = (n * squares_a - sum_a * sum_a) * (n * squares_b - sum_b * sum_b);
+    return square > 0 ? (n * products - sum_a * sum_b) / std::sqrt(square) : 0;
 }
 
 class Checks {
@@ -54,15 +75,24 @@ class Checks {
 
     std::vector<Suspicion> all()
     {
+        clock();
+        if (!found_.empty()) return std::move(found_);  // every rate would be wrong, too
         compare("reference_position", spread(r_.reference_position), "position", spread(r_.position));
         compare("link_position", spread(r_.link_position), "position", spread(r_.position));
-        if (!r_.velocity.empty())
-            compare("velocity", spread(r_.velocity), "the rate of position", spread(differentiated(r_)));
-        direction();
+        const auto rate = differentiated(r_.time, r_.position);
+        const auto reference_rate = differentiated(r_.time, r_.reference_position);
+        compare("velocity", spread(r_.velocity), "the rate of position", spread(rate));
+        reference_unit(reference_rate);
+        // a joint that follows badly may lag by half a period, a rate is rough with noise
+        constexpr double follows = -0.9, is_the_same = -0.5;
+        if (found_.empty()) direction("position", r_.position, "reference_position", r_.reference_position, follows);
+        direction("velocity", r_.velocity, "the rate of position", rate, is_the_same);
+        direction("reference_velocity", r_.reference_velocity, "the rate of reference_position", reference_rate,
+                  is_the_same);
         command();
+        effort();
         dead_signals();
         travel();
-        clock();
         return std::move(found_);
     }
 
@@ -122,24 +152,49 @@ class Checks {
                  true});
     }
 
-    /// A position that runs against its reference.
-    void direction()
+    /// A signal that runs against what it should follow.
+    void direction(const std::string& a, const std::vector<double>& values, const std::string& b,
+                   const std::vector<double>& others, double surely)
     {
-        if (!found_.empty() || r_.reference_position.empty() || r_.position.empty()) return;
-        const double a = spread(r_.reference_position), b = spread(r_.position);
-        double mean_a = 0, mean_b = 0, n = 0, product = 0;
-        for (std::size_t k = 0; k < r_.rows(); ++k) {
-            const double p = r_.reference_position[k], q = r_.position[k];
-            if (!std::isfinite(p) || !std::isfinite(q)) continue;
-            mean_a += p, mean_b += q, product += p * q, n += 1;
-        }
-        if (n == 0 || a == 0 || b == 0) return;
-        constexpr double surely = -0.9;
-        if ((product / n - mean_a / n * mean_b / n) / (a * b) < surely)
-            found_.push_back(
-                {"suspected sign: position runs against reference_position; scale = -1 under "
-                 "[record.columns] turns a signal round",
-                 true});
+        if (correlation(values, others) < surely)
+            found_.push_back({"suspected sign: " + a + " runs against " + b +
+                                  "; scale = -1 under [record.columns] turns a signal round",
+                              true});
+    }
+
+    /// A reference has no noise: where it moves, it and its rate agree. Steps are no part of the rate, so medians.
+    void reference_unit(const std::vector<double>& rate)
+    {
+        std::vector<double> given, expected;
+        for (std::size_t k = 0; k < std::min(rate.size(), r_.reference_velocity.size()); ++k)
+            if (std::isfinite(rate[k]) && std::isfinite(r_.reference_velocity[k]) && r_.reference_velocity[k] != 0)
+                given.push_back(std::abs(r_.reference_velocity[k])), expected.push_back(std::abs(rate[k]));
+        constexpr std::size_t few = 20;
+        if (given.size() < few) return;
+        const double ratio = median(given) / median(expected);
+        constexpr double another_unit = 3;
+        if (std::isfinite(ratio) && ratio > 0 && (ratio > another_unit || ratio < 1 / another_unit))
+            found_.push_back({"suspected unit: reference_velocity is " + rounded(std::max(ratio, 1 / ratio)) +
+                                  (ratio > 1 ? " times" : " times less than") +
+                                  " the rate of reference_position; [record] can name the unit",
+                              true});
+    }
+
+    /// The measured effort against the command that asked for it.
+    void effort()
+    {
+        if (joint_.actuator.kind != ActuatorKind::effort || r_.effort_measured.empty()) return;
+        std::vector<double> asked = r_.effort_command;
+        for (double& u : asked) u *= joint_.actuator.effort_gain;
+        constexpr double opposite = -0.5;
+        direction("effort_measured", r_.effort_measured, "effort_command", asked, opposite);
+        constexpr double another_unit = 100;  // no gain is as wrong as that
+        const double ratio = spread(r_.effort_measured) / spread(asked);
+        if (std::isfinite(ratio) && ratio > 0 && (ratio > another_unit || ratio < 1 / another_unit))
+            found_.push_back({"suspected unit: effort_measured varies by " + rounded(std::max(ratio, 1 / ratio)) +
+                                  (ratio > 1 ? " times as much as" : " times less than") +
+                                  " the command asks for; [record] can name the unit",
+                              true});
     }
 
     /// A signal that stays at one value although the joint moves was not connected.
@@ -192,14 +247,15 @@ class Checks {
         if (!is_set(period) || r_.time.size() < 3) return;
         std::vector<double> steps;
         for (std::size_t k = 1; k < r_.time.size(); ++k) steps.push_back(r_.time[k] - r_.time[k - 1]);
-        std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
-        const double ratio = steps[steps.size() / 2] / period;
-        for (const auto& [factor, unit] : {std::pair{1e3, "milliseconds"}, {1e6, "microseconds"}})
-            if (ratio > factor / near_factor && ratio < factor * near_factor)
-                found_.push_back({std::string("suspected ") + unit + ": rows are " +
-                                      number_text(steps[steps.size() / 2]) + " s apart, control.period is " +
-                                      number_text(period) + " s; [record] can name the unit",
-                                  true});
+        const double step = median(steps), ratio = step / period;
+        constexpr double slowest_log = 1e3 / near_factor;  // ticks a row; who logs as seldom sees no friction
+        if (ratio < slowest_log) return;
+        std::string unit = "another unit of time than seconds";
+        for (const auto& [factor, name] : {std::pair{1e3, "milliseconds"}, {1e6, "microseconds"}, {1e9, "nanoseconds"}})
+            if (ratio > factor / near_factor && ratio < factor * near_factor) unit = name;
+        found_.push_back({"suspected " + unit + ": rows are " + number_text(step) + " s apart, control.period is " +
+                              number_text(period) + " s; [record] can name the unit",
+                          true});
     }
 
     const Record& r_;

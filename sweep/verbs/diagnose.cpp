@@ -18,6 +18,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace stickslip {
@@ -49,6 +50,46 @@ void write_next_outcome(const std::filesystem::path& file, const gap::OutcomeAns
     write_whole(file, header + "outcome\n" + row + "\n");
 }
 
+/// The folder of the answer, tried before the work and not after it.
+std::filesystem::path output_folder(const Options& options)
+{
+    if (options.directory.empty()) throw BadInput("--output: is empty, allowed is a folder");
+    const std::filesystem::path probe = std::filesystem::path(options.directory) / "diagnosis.json.probe";
+    write_whole(probe, "");
+    std::filesystem::remove(probe);
+    return options.directory;
+}
+
+/// What an earlier answer left there would contradict this one.
+void remove_earlier(const std::filesystem::path& directory)
+{
+    for (const char* name : {"report.html", "next-experiment.csv", "next-outcome.csv"})
+        std::filesystem::remove(directory / name);
+}
+
+/// The same file twice would be held out of a fit to itself.
+void refuse_twice(const std::vector<std::string>& files)
+{
+    for (std::size_t i = 0; i < files.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            std::error_code missing;  // reading says so
+            if (std::filesystem::equivalent(files[i], files[j], missing))
+                throw BadInput(files[i] + ": is given twice, allowed is every record once");
+        }
+}
+
+/// Two records of one name are told apart by their folders.
+void name_by_path(RecordReading& reading, const std::string& file, const std::vector<std::string>& files)
+{
+    const std::string name = reading.record.name;
+    const auto same = [&](const std::string& other) { return std::filesystem::path(other).filename() == name; };
+    if (std::count_if(files.begin(), files.end(), same) < 2) return;
+    reading.record.name = file;
+    for (auto* texts : {&reading.warnings, &reading.contradictions})
+        for (auto& text : *texts)
+            if (text.starts_with(name + ":")) text.replace(0, name.size(), file);
+}
+
 /// Signals that the simulation is driven by or compared with.
 bool needs_every_value(const std::string& signal)
 {
@@ -62,6 +103,7 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
 {
     std::vector<std::string> warnings;
     const auto table = read_outcomes(options.records.front(), joint, warnings);
+    const auto directory = output_folder(options);
     auto answer = [&] {
         StageLine line;
         try {
@@ -73,7 +115,7 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
     Diagnosis& d = answer.diagnosis;
     d.notes.insert(d.notes.begin(), warnings.begin(), warnings.end());
     d.next_experiment.description = next_outcome_text(answer);
-    const std::filesystem::path directory = options.directory;
+    remove_earlier(directory);
     auto json = diagnosis_json(d, joint, answer.after);
     if (!answer.next.settings.empty()) {
         json["next_experiment"]["file"] = "next-outcome.csv";
@@ -108,10 +150,12 @@ int diagnose(const Options& options, const Invocation& invocation)
             throw BadInput(file + ": is a table of outcomes; it is diagnosed alone, without records or other tables");
         return diagnose_outcomes(options, joint, invocation);
     }
+    refuse_twice(options.records);
     std::vector<Record> records;
     std::vector<std::string> warnings, contradictions, gaps;
     for (const auto& file : options.records) {
         auto reading = read_record(file, joint, record_layout_for(file, options.joint, joint));
+        name_by_path(reading, file, options.records);
         records.push_back(std::move(reading.record));
         warnings.insert(warnings.end(), reading.warnings.begin(), reading.warnings.end());
         contradictions.insert(contradictions.end(), reading.contradictions.begin(), reading.contradictions.end());
@@ -120,6 +164,7 @@ int diagnose(const Options& options, const Invocation& invocation)
                 gaps.push_back(place + "; the diagnosis needs every value, leave such rows away");
     }
     if (!gaps.empty()) throw BadInput(gaps);
+    const auto directory = output_folder(options);
     gap::DiagnosisOptions settings;
     auto result = [&] {
         // a cause fitted to records in another unit would be named with confidence, and wrong
@@ -140,7 +185,7 @@ int diagnose(const Options& options, const Invocation& invocation)
     Diagnosis& d = result.diagnosis;
     d.notes.insert(d.notes.begin(), warnings.begin(), warnings.end());
 
-    const std::filesystem::path directory = options.directory;
+    remove_earlier(directory);
     const auto json = diagnosis_json(d, joint, result.after);
     write_whole(directory / "diagnosis.json", json.dump(2) + "\n");
     if (!d.next_experiment.reference.empty()) write_experiment(directory / "next-experiment.csv", d.next_experiment);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <sstream>
 
 using Catch::Matchers::Contains;
 using program::Folder;
@@ -40,6 +41,33 @@ std::string record(
 
 constexpr double degrees = 57.29577951308232;
 
+/// The same with one more column, made of this many times a column that is there.
+std::string with_column(const std::string& name, std::size_t like, double factor)
+{
+    std::istringstream rows(record());
+    std::string text, line;
+    std::getline(rows, line);
+    text = line + "," + name + "\n";
+    while (std::getline(rows, line)) {
+        std::istringstream cells(line);
+        std::string cell;
+        for (std::size_t i = 0; i <= like; ++i) std::getline(cells, cell, ',');
+        text += line + "," + std::to_string(factor * std::stod(cell)) + "\n";
+    }
+    return text;
+}
+
+std::string measured(double factor)
+{
+    return with_column("effort_measured", 4, factor);
+}
+
+/// The logged velocity lags the reference by 0.1 rad: near enough.
+std::string reference_rate(double factor)
+{
+    return with_column("reference_velocity", 3, factor);
+}
+
 program::Run diagnose(const Folder& folder, const std::string& text)
 {
     const auto spec = folder.write("joint.toml", joint), file = folder.write("run.csv", text);
@@ -56,7 +84,14 @@ TEST_CASE("a record in a foreign unit is suspected and not explained by a cause"
          "suspected degrees: the rate of position"},
         {record([](Row& r) { r.position *= degrees, r.reference *= degrees, r.velocity *= degrees; }),
          "suspected degrees: with the gains of the joint"},
-        {record([](Row& r) { r.time *= 1e3; }), "suspected milliseconds"},
+        {record([](Row& r) { r.time *= 1e3; }), "run.csv: suspected milliseconds"},
+        {record([](Row& r) { r.time *= 1e9; }), "suspected nanoseconds"},
+        {record([](Row& r) { r.time *= 2e4; }), "suspected another unit of time"},
+        {record([](Row& r) { r.velocity *= -1; }), "suspected sign: velocity runs against the rate of position"},
+        {measured(-1), "suspected sign: effort_measured runs against effort_command"},
+        {measured(1000), "suspected unit: effort_measured varies by 1000 times"},
+        {reference_rate(degrees), "suspected unit: reference_velocity is 5"},
+        {reference_rate(-1), "suspected sign: reference_velocity runs against"},
         {record([](Row& r) { r.command *= -1; }), "suspected sign: with the gains of the joint"},
         {record([](Row& r) { r.position *= -1, r.velocity *= -1; }), "suspected sign: position runs against"},
         {record([](Row& r) { r.command *= 7; }), "suspected record of another joint"},
@@ -180,6 +215,31 @@ TEST_CASE("records that say nothing, and files that are none", "[program][diagno
     }
 }
 
+TEST_CASE("records are told apart, and where the answer goes is tried first", "[program][diagnose]")
+{
+    Folder folder;
+    const auto spec = folder.write("joint.toml", joint), file = folder.write("run.csv", record());
+    const auto run = [&](const std::string& records, const std::string& out) {
+        return stickslip("diagnose '" + spec + "' " + records + " --no-report -o '" + out + "'");
+    };
+    const auto twice = run("'" + file + "' '" + (folder / ".") + "/run.csv'", folder / "out");
+    CHECK(twice.exit_code == 2);
+    CHECK_THAT(twice.output, Contains("is given twice"));
+    std::filesystem::create_directory(folder / "b");
+    const auto other = folder.write("b/run.csv", record([](Row& r) { r.position *= -1, r.velocity *= -1; }));
+    const auto named = run("'" + file + "' '" + other + "'", folder / "out");
+    INFO(named.output);
+    CHECK(named.exit_code == 0);
+    CHECK_THAT(named.output, Contains("b/run.csv: suspected sign"));
+    const auto nowhere = run("'" + file + "'", file);
+    CHECK(nowhere.exit_code == 2);
+    CHECK_THAT(nowhere.output, Contains("run.csv"));
+    CHECK(run("'" + file + "'", "").exit_code == 2);
+    folder.write("out/report.html", "an earlier page");
+    CHECK(run("'" + other + "'", folder / "out").exit_code == 0);
+    CHECK_FALSE(std::filesystem::exists(folder / "out/report.html"));
+}
+
 TEST_CASE("a table of outcomes is diagnosed alone, and too few rows are said to be", "[program][diagnose]")
 {
     Folder folder;
@@ -202,7 +262,7 @@ TEST_CASE("a person at a terminal sees what a diagnosis is busy with, a pipe doe
         return;
     }
     Folder folder;
-    const auto spec = folder.write("joint.toml", joint), file = folder.write("run.csv", record());
+    const auto spec = folder.write("joint.toml", joint), file = folder.write("run.csv", record([](Row&) {}, 8000));
     const std::string command = "diagnose '" + spec + "' '" + file + "' --no-report -o '" + (folder / "out") + "'";
     const auto seen = program::shell("TERM=xterm script -qec \"'" + std::string(STICKSLIP) + "' " + command +
                                      "\" /dev/null </dev/null");

@@ -87,7 +87,7 @@ TEST_CASE("a plain record, its gaps and its columns that nobody reads")
     CHECK(std::isnan(record.effort_command[1]));
     CHECK(record.effort_command[2] == 3);
     CHECK(record.velocity.empty());
-    CHECK(record.at_rest_at_start);
+    CHECK_FALSE(record.at_rest_at_start.has_value());
     REQUIRE(warnings.size() == 3);
     CHECK(warnings[0] == "columns that are not read: postion2");
     CHECK(warnings[1] == "position: 1 of 3 cells are missing");
@@ -137,7 +137,7 @@ constants.supply_voltage = 24
     CHECK(record.supply_voltage == std::vector<double>{24, 24});
     CHECK(record.overrides ==
           std::vector<std::pair<std::string, double>>{{"control.k_p", 200}, {"friction.coulomb", 0.25}});
-    CHECK_FALSE(record.at_rest_at_start);
+    CHECK(record.at_rest_at_start == false);
     CHECK(warnings == std::vector<std::string>{});
 }
 

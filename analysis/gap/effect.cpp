@@ -140,6 +140,17 @@ void scale_forces(Friction& friction, double part)
 
 }  // namespace
 
+double stribeck_peak(const Friction& friction)
+{
+    const auto* law = std::get_if<Stribeck>(&friction.law);
+    return law ? law->c2 : 0;
+}
+
+void set_stribeck_peak(Friction& friction, double c2)
+{
+    if (auto* law = std::get_if<Stribeck>(&friction.law)) law->c2 = c2;
+}
+
 void divide_mass(Joint& joint, double motor_share, double stiffness, double damping_ratio, double link_friction_share)
 {
     Mechanism& m = joint.mechanism;

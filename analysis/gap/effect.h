@@ -103,6 +103,10 @@ double coulomb_level(const Friction& friction);
 void shift_viscous(Friction& friction, double change);
 /// Turns a law without a Stribeck peak into the same law with one.
 void set_stribeck(Friction& friction, double c2, double c3, double c4);
+/// The c2 of a law with a Stribeck peak, 0 of others.
+double stribeck_peak(const Friction& friction);
+/// Changes it; a law without a peak stays as it is.
+void set_stribeck_peak(Friction& friction, double c2);
 /// Divides a single mass into motor and link with a spring; its friction is shared out likewise, the load acts on the
 /// link.
 void divide_mass(Joint& joint, double motor_share, double stiffness, double damping_ratio, double link_friction_share);

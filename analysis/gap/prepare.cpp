@@ -98,13 +98,9 @@ double missed_at_start(const Case& c)
 {
     constexpr std::size_t rows = 10;
     constexpr double omega = 20;  // rad/s: hardly corrects within these rows
-    Ticks first = c.ticks;
     std::size_t ticks = 0, seen = 0;
-    while (ticks < first.size() && seen < rows) seen += first.logged[ticks++];
-    for (auto* column : {&first.time, &first.step, &first.reference, &first.reference_rate, &first.position,
-                         &first.velocity, &first.command, &first.effort, &first.supply})
-        column->resize(ticks);
-    first.enabled.resize(ticks), first.logged.resize(ticks);
+    while (ticks < c.ticks.size() && seen < rows) seen += c.ticks.logged[ticks++];
+    const Ticks first = first_ticks(c.ticks, ticks);
     const Plant plant = flatten(c.joint);
     Innovation innovation;
     predict(plant, first, known_command(plant, first), omega, innovation);

@@ -59,6 +59,10 @@ class HeldCommand {
     std::size_t next_ = 0;  ///< first tick whose command has not yet reached the actuator
 };
 
+/// Where a link rests at the start: pressed onto its spring and one flank of its play by the load, or, as whoever
+/// switches a simulation or a brake on finds it, level with the motor, in the middle of its play.
+enum class Rest { pressed, level };
+
 /// Mechanism and actuator over one tick.
 class Mechanics {
   public:
@@ -70,7 +74,7 @@ class Mechanics {
     State state;
 
     /// Begins at tick k with this velocity.
-    void start(std::size_t k, double velocity)
+    void start(std::size_t k, double velocity, Rest rest = Rest::pressed)
     {
         const double q = (ticks_.position[k] - plant_.sensor.position_offset) / plant_.sensor.position_scale;
         const double v = velocity / plant_.sensor.position_scale;
@@ -85,8 +89,8 @@ class Mechanics {
         const double link = plant_.feedback_link ? q : q / plant_.ratio;
         const double load = load_force(plant_.load, link, ticks_.time[k]);
         // a load that the link's own friction holds leaves open where in its play the link rests: the middle is nearest
-        const bool resting = plant_.backlash > 0 && std::abs(load) <= plant_.link.coulomb;
-        const double stretch = resting ? 0 : -load / plant_.stiffness;
+        const bool held = plant_.backlash > 0 && std::abs(load) <= plant_.link.coulomb;
+        const double stretch = held || rest == Rest::level ? 0 : -load / plant_.stiffness;
         const double play = stretch == 0 ? 0 : std::copysign(0.5 * plant_.backlash, stretch);
         if (plant_.feedback_link) {
             state.link_position = q;
@@ -184,6 +188,65 @@ class Mechanics {
     int parts_ = 0;
 };
 
+/// Predicts the ticks from this rest.
+void predict_from(Rest rest, const Plant& plant, const Ticks& ticks, std::span<const double> command, double omega,
+                  Innovation& out)
+{
+    const std::size_t n = ticks.size();
+    out.position.assign(n, not_set);
+    out.effort.assign(n, not_set);
+    out.velocity.resize(n);
+    out.predicted_effort.resize(n);
+    if (n == 0) return;
+    Mechanics mechanics(plant, ticks, command);
+    mechanics.start(0, ticks.initial_velocity, rest);
+    double since = 0;  // time since the last correction
+    auto restart = ticks.restarts.begin();
+    for (std::size_t k = 0; k < n; ++k) {
+        if (restart != ticks.restarts.end() && restart->tick == k) {
+            mechanics.start(k, restart->velocity);
+            ++restart, since = 0;
+        }
+        if (ticks.logged[k]) {
+            const double predicted =
+                plant.sensor.position_scale * mechanics.seen_position() + plant.sensor.position_offset;
+            const double error = ticks.position[k] - predicted;
+            out.position[k] = error;
+            const double T = std::min(since, 0.5 / std::max(omega, 1e-9));
+            if (k > 0) mechanics.correct(error, 1.6 * omega * T, omega * omega * T);
+            since = 0;
+        }
+        out.velocity[k] = mechanics.seen_velocity();
+        out.predicted_effort[k] = mechanics.effort_now(k);
+        if (is_set(ticks.effort[k])) out.effort[k] = ticks.effort[k] - out.predicted_effort[k];
+        since += ticks.step[k];
+        if (k + 1 < n) mechanics.advance(k);
+    }
+}
+
+/// Which rest predicts the first moments better. A record does not say it, and a link that falls through its play
+/// misses by thousands of floors.
+Rest rest_at_start(const Plant& plant, const Ticks& ticks, std::span<const double> command)
+{
+    if (!plant.two_mass || !ticks.at_rest || ticks.size() < 2) return Rest::pressed;
+    const double link = plant.feedback_link ? ticks.position[0] : ticks.position[0] / plant.ratio;
+    if (load_force(plant.load, link, ticks.time[0]) == 0) return Rest::pressed;
+    constexpr double moment = 0.2;  // s
+    constexpr double omega = 50;    // rad/s
+    std::size_t count = 1;
+    while (count < ticks.size() && ticks.time[count] - ticks.time[0] < moment) ++count;
+    const Ticks first = first_ticks(ticks, count);
+    const auto missed = [&](Rest rest) {
+        Innovation innovation;
+        predict_from(rest, plant, first, command.first(count), omega, innovation);
+        double sum = 0;
+        for (double e : innovation.position)
+            if (is_set(e)) sum += e * e;
+        return sum;
+    };
+    return missed(Rest::level) < missed(Rest::pressed) ? Rest::level : Rest::pressed;
+}
+
 }  // namespace
 
 Trace closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t seed)
@@ -197,7 +260,7 @@ Trace closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t seed)
     Noise noise(seed);
     const Sensor& sensor = plant.sensor;
     Mechanics mechanics(plant, ticks, out.command);
-    mechanics.start(0, ticks.initial_velocity);
+    mechanics.start(0, ticks.initial_velocity, rest_at_start(plant, ticks, known_command(plant, ticks)));
     Controller controller(plant.control);
     for (std::size_t k = 0; k < n; ++k) {
         const double q = mechanics.seen_position();
@@ -238,9 +301,8 @@ std::vector<double> command_of(const Plant& plant, const Ticks& ticks)
     std::vector<double> command(ticks.size());
     Controller controller(plant.control);
     // readings between the rows of a slow log are interpolated: the logged estimate is then the better velocity
-    const auto logged_velocity = ticks.unseen_between() && ticks.has_velocity
-                                     ? velocity_between_rows(ticks)
-                                     : std::vector<double>();
+    const auto logged_velocity =
+        ticks.unseen_between() && ticks.has_velocity ? velocity_between_rows(ticks) : std::vector<double>();
     auto restart = ticks.restarts.begin();
     for (std::size_t k = 0; k < ticks.size(); ++k) {
         if (restart != ticks.restarts.end() && restart->tick == k) controller.restart(), ++restart;
@@ -272,36 +334,7 @@ std::vector<double> known_command(const Plant& plant, const Ticks& ticks)
 
 void predict(const Plant& plant, const Ticks& ticks, std::span<const double> command, double omega, Innovation& out)
 {
-    const std::size_t n = ticks.size();
-    out.position.assign(n, not_set);
-    out.effort.assign(n, not_set);
-    out.velocity.resize(n);
-    out.predicted_effort.resize(n);
-    if (n == 0) return;
-    Mechanics mechanics(plant, ticks, command);
-    mechanics.start(0, ticks.initial_velocity);
-    double since = 0;  // time since the last correction
-    auto restart = ticks.restarts.begin();
-    for (std::size_t k = 0; k < n; ++k) {
-        if (restart != ticks.restarts.end() && restart->tick == k) {
-            mechanics.start(k, restart->velocity);
-            ++restart, since = 0;
-        }
-        if (ticks.logged[k]) {
-            const double predicted =
-                plant.sensor.position_scale * mechanics.seen_position() + plant.sensor.position_offset;
-            const double error = ticks.position[k] - predicted;
-            out.position[k] = error;
-            const double T = std::min(since, 0.5 / std::max(omega, 1e-9));
-            if (k > 0) mechanics.correct(error, 1.6 * omega * T, omega * omega * T);
-            since = 0;
-        }
-        out.velocity[k] = mechanics.seen_velocity();
-        out.predicted_effort[k] = mechanics.effort_now(k);
-        if (is_set(ticks.effort[k])) out.effort[k] = ticks.effort[k] - out.predicted_effort[k];
-        since += ticks.step[k];
-        if (k + 1 < n) mechanics.advance(k);
-    }
+    predict_from(rest_at_start(plant, ticks, command), plant, ticks, command, omega, out);
 }
 
 namespace {

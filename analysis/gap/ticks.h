@@ -63,6 +63,9 @@ double median_step(const std::vector<double>& time);
 /// position: see inspect() for what is refused and why.
 Ticks on_clock(const Record& record, const Joint& joint);
 
+/// The first so many ticks alone.
+Ticks first_ticks(const Ticks& ticks, std::size_t count);
+
 /// Mean velocity over the first few ticks.
 double velocity_at_start(const Ticks& ticks);
 

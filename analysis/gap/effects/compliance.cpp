@@ -29,6 +29,16 @@ Effect compliance()
         f.apart = 1;
         f.applies = is_single_mass;
         e.forms.push_back(f);
+        // a peak comes from a seal or a gear, which may be all on the motor's side
+        f.name = "divided-mass-peak-on-motor";
+        f.apply = [](Joint& j, const double* p) {
+            const double peak = stribeck_peak(j.friction);
+            divide_mass(j, p[0], p[1], p[3], p[2]);
+            set_stribeck_peak(j.frictions.motor, peak);
+            set_stribeck_peak(j.frictions.link, 0);
+        };
+        f.applies = [](const Joint& j) { return is_single_mass(j) && stribeck_peak(j.friction) != 0; };
+        e.forms.push_back(f);
     }
     {
         EffectForm f;

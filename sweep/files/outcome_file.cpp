@@ -89,7 +89,7 @@ class OutcomeReader {
         read_header(line);
         fail_if_any();
         while (lines_.next(line))
-            if (!trimmed(line).empty()) read_row(line);
+            if (!trimmed(line).empty() && !trimmed(line).starts_with('#')) read_row(line);
         fail_if_any();
         if (table_.rows.empty()) throw BadInput(name_ + ": has a header and no rows");
         return std::move(table_);

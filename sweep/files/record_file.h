@@ -22,7 +22,8 @@ struct RecordReading {
     std::vector<std::pair<std::string, std::string>> missing;
 };
 
-/// Bounds the memory: a signal takes 8 bytes a row. 10^7 rows are 2.7 hours at 1 kHz, 80 MB a signal.
+/// Bounds the memory: read, a signal takes 8 bytes a row, 80 MB for 10^7 rows, 2.7 hours at 1 kHz. A diagnosis was seen
+/// to take 400 to 800 bytes a row.
 struct RecordLimits {
     std::uint64_t rows = 10'000'000;
 };

@@ -151,7 +151,7 @@ class HeaderMatcher {
             if (s.measured) names.emplace_back(s.name);
         const std::string ending =
             "; its columns are " + listed(names_) + ", [record.columns] can give them other names";
-        if (!time) complain("has no column time" + ending);
+        if (!time) complain("has no column time" + ending + "; a table of outcomes has a column outcome");
         if (!measured) complain("has no measured signal, expected is one of " + listed(names) + ending);
     }
 

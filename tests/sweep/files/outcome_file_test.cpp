@@ -59,6 +59,14 @@ TEST_CASE("a table of outcomes with units, comments, gaps and words")
     CHECK(warnings == std::vector<std::string>{"columns that are not read: operator"});
 }
 
+TEST_CASE("remarks and empty lines may stand between the rows of outcomes")
+{
+    std::vector<std::string> warnings;
+    const auto table = read_outcomes(file("k_p,outcome\n1e4,1\n# oiled\n\n2e4,0\n"), joint, warnings);
+    REQUIRE(table.rows.size() == 2);
+    CHECK(table.rows[1].line == 5);
+}
+
 TEST_CASE("a table of outcomes is told from a record by its header")
 {
     CHECK(is_outcome_file(file("# rows\nk_p,V0,outcome\n1,2,stable\n")));

@@ -61,22 +61,27 @@ Gains regress(const Differences& d, bool with_k_v)
     double within = infinity;
     for (int round = 0; round < 3; ++round) {
         double aa = 0, ab = 0, bb = 0, au = 0, bu = 0, uu = 0, rows = 0;
-        for (std::size_t k = 0; k < n; ++k) {
+        const auto left_of = [&](std::size_t k) {
+            return d.command[k] + g.k_p * d.position[k] + (with_k_v ? g.k_v * d.velocity[k] : 0);
+        };
+        std::vector<std::size_t> used;
+        for (std::size_t k = 0; k < n; ++k)
+            if (std::abs(left_of(k)) <= within) used.push_back(k);
+        for (std::size_t k : used) {
             const double a = -d.position[k], b = with_k_v ? -d.velocity[k] : 0, u = d.command[k];
-            if (std::abs(u - g.k_p * a - g.k_v * b) > within) continue;
             aa += a * a, ab += a * b, bb += b * b, au += a * u, bu += b * u, uu += u * u, rows += 1;
         }
         const double determinant = with_k_v ? aa * bb - ab * ab : aa;
         if (rows < 0.5 * static_cast<double>(n) || !(determinant > 1e-10 * aa * (with_k_v ? bb : 1))) return {};
         g.k_p = with_k_v ? (au * bb - bu * ab) / determinant : au / aa;
         g.k_v = with_k_v ? (bu * aa - au * ab) / determinant : 0;
-        const double left = std::max(0.0, uu - g.k_p * au - g.k_v * bu);
+        double left = 0;  // summed, since the difference of two sums would end at a part in 10⁸
+        for (std::size_t k : used) left += left_of(k) * left_of(k);
         g.misfit = uu > 0 ? std::sqrt(left / uu) : 1;
         g.k_p_error = std::sqrt(left / rows * (with_k_v ? bb : 1) / determinant);
         g.k_v_error = with_k_v ? std::sqrt(left / rows * aa / determinant) : 0;
         std::vector<double> sizes;
-        for (std::size_t k = 0; k < n; ++k)
-            sizes.push_back(std::abs(d.command[k] + g.k_p * d.position[k] + (with_k_v ? g.k_v * d.velocity[k] : 0)));
+        for (std::size_t k = 0; k < n; ++k) sizes.push_back(std::abs(left_of(k)));
         const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(n / 2);
         std::nth_element(sizes.begin(), middle, sizes.end());
         constexpr double outlier = 8;  // medians

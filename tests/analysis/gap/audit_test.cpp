@@ -58,6 +58,25 @@ TEST_CASE("wrong gains and a wrong filter are found without a reference, by the 
     CHECK(filtered.findings[0].value == Approx(0.005).epsilon(1e-3));
 }
 
+TEST_CASE("a slow filter behind much noise is told from gains exactly, although they hardly differ", "[gap]")
+{
+    // gain and time constant both scale the same fast noise: what tells them apart is a millionth of it
+    Machine m;
+    m.noise = 1.5e-4, m.tau = 0.03, m.k_v = 4, m.k_p = 90, m.coulomb = 0.1;
+    Joint joint = test::nominal_joint();
+    joint.control.k_p = m.k_p, joint.control.k_v = m.k_v;
+    joint.control.velocity_estimate.tau = 0.013;
+    joint.sensor.position_noise = m.noise;
+    Record r = test::record_of(m, 1, 4);
+    r.reference_position.clear(), r.reference_velocity.clear();
+    std::vector<std::string> notes;
+    std::vector<Case> cases{prepare(r, joint, notes)};
+    const auto found = audit(cases);
+    REQUIRE(found.findings.size() == 1);
+    CHECK(found.findings[0].effect == "velocity-filter");
+    CHECK(found.findings[0].value == Approx(m.tau).epsilon(1e-5));
+}
+
 TEST_CASE("a filter that is written down with fewer digits than it works with is no other filter", "[gap]")
 {
     Machine m;

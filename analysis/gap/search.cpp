@@ -75,7 +75,11 @@ LevelFit best_of(const std::vector<Case>& cases, const Scales& scales, const Can
 {
     std::vector<std::pair<double, std::size_t>> order;
     constexpr std::size_t few = 3;
-    const bool rough = from.size() > few || jagged(candidate);
+    // of a force found on a comb only the frequency is known: before its descent no start is better than another
+    const bool combed =
+        candidate.forms.size() == 1 &&
+        std::ranges::any_of(candidate.forms[0]->parameters, [](const auto& p) { return p.comb != Comb::none; });
+    const bool rough = (from.size() > few && !combed) || jagged(candidate);
     for (std::size_t i = 0; i < from.size(); ++i)
         order.emplace_back(rough ? evaluate(cases, candidate, in_si(candidate, from[i], scales), omega).objective : 0,
                            i);

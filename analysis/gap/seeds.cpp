@@ -17,14 +17,14 @@ struct Residual {
 };
 
 std::vector<Residual> residuals(const std::vector<Case>& cases, const Candidate& base, const std::vector<double>& si,
-                                Comb comb)
+                                Comb comb, double omega)
 {
     std::vector<Residual> all;
     Innovation innovation;
     for (const auto& c : cases) {
         const Plant plant = flatten(edited(c.joint, base, si, c.number));
         const auto command = known_command(plant, c.ticks);
-        predict(plant, c.ticks, command, levels[0], innovation);
+        predict(plant, c.ticks, command, omega, innovation);
         Residual r;
         const std::size_t stride = std::max<std::size_t>(1, c.ticks.size() / most_samples);
         for (std::size_t k = 0; k + stride <= c.ticks.size(); k += stride) {
@@ -73,9 +73,9 @@ double power(const std::vector<Residual>& all, double frequency)
 }  // namespace
 
 std::vector<double> comb_peaks(const std::vector<Case>& cases, const Scales& scales, const Candidate& base,
-                               const std::vector<double>& si, Comb comb, std::size_t count)
+                               const std::vector<double>& si, Comb comb, double omega, std::size_t count)
 {
-    const auto all = residuals(cases, base, si, comb);
+    const auto all = residuals(cases, base, si, comb, omega);
     if (all.empty()) return {};
     double span = 0;
     for (const auto& r : all) span = std::max(span, r.span);
@@ -118,7 +118,13 @@ std::vector<Eigen::VectorXd> starts(const std::vector<Case>& cases, const Scales
     std::vector<Eigen::VectorXd> all;
     for (std::size_t i = 0; i < form.parameters.size(); ++i)
         if (const auto& p = form.parameters[i]; p.comb != Comb::none) {
-            for (double f : comb_peaks(cases, scales, base, si, p.comb, 3)) {
+            // a weak force is hidden from a fast observer by the noise, one that changes fast from a slow one
+            auto peaks = comb_peaks(cases, scales, base, si, p.comb, levels[0], 3);
+            constexpr double same = 0.02;
+            for (double f : comb_peaks(cases, scales, base, si, p.comb, levels[1], 2))
+                if (std::ranges::none_of(peaks, [&](double other) { return std::abs(f - other) < same * other; }))
+                    peaks.push_back(f);
+            for (double f : peaks) {
                 auto seed = form.seeds.front();
                 seed[i] = f / unit_of(p.scale, scales);
                 all.push_back(in_every_record(seed));

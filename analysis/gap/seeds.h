@@ -7,9 +7,9 @@
 namespace stickslip::gap {
 
 /// Peaks of the residual force's spectrum over time or over position, strongest first, at most `count`, in rad/s or
-/// per unit of position. The residual force is what the middle observer has to correct with.
+/// per unit of position. The residual force is what an observer of this bandwidth has to correct with.
 std::vector<double> comb_peaks(const std::vector<Case>& cases, const Scales& scales, const Candidate& base,
-                               const std::vector<double>& si, Comb comb, std::size_t count);
+                               const std::vector<double>& si, Comb comb, double omega, std::size_t count);
 
 /// Starting points of a single effect in the fit's own units. Combs are evaluated on the residual of `base` at `si`.
 std::vector<Eigen::VectorXd> starts(const std::vector<Case>& cases, const Scales& scales, const Candidate& single,

@@ -26,8 +26,7 @@ std::vector<Share> locate_signals(const std::vector<Case>& cases, const std::vec
         const Plant plant = flatten(documented[i]);
         const Ticks& t = c.ticks;
         for (auto& s : shares) s.unit = unit_of(Quantity::effort, c.joint.mechanism.motion);
-        const bool audited =
-            t.source == CommandSource::logged && t.has_reference && !t.unseen_between();
+        const bool audited = t.source == CommandSource::logged && t.has_reference && !t.unseen_between();
         const auto wanted = audited ? command_of(plant, t) : std::vector<double>();
         const double per_command =
             plant.dc_motor() ? plant.actuator.k_t / plant.actuator.resistance *
@@ -42,6 +41,11 @@ std::vector<Share> locate_signals(const std::vector<Case>& cases, const std::vec
         const double step = audited ? command_step(t) : 0, command_floor = std::pow(per_command * step, 2) / 12;
         Block block(3, 0);
         double started = t.size() ? t.time[0] : 0;
+        // what a controller had filtered before the first row was not logged; it forgets
+        constexpr double memories = 15;
+        const double forgotten = t.at_rest || t.size() == 0
+                                     ? -infinity
+                                     : t.time[0] + memories * (plant.control.velocity_estimate.tau + t.step[0]);
         for (std::size_t k = 0; k < t.size(); ++k) {
             if (!t.logged[k]) continue;
             if (t.time[k] - started > block_seconds) {
@@ -56,7 +60,8 @@ std::vector<Share> locate_signals(const std::vector<Case>& cases, const std::vec
                 floors[stage] += floor;
                 counts[stage] += 1;
             };
-            if (audited && t.enabled[k]) count(0, per_command * (t.command[k] - wanted[k]), command_floor);
+            if (audited && t.enabled[k] && t.time[k] > forgotten)
+                count(0, per_command * (t.command[k] - wanted[k]), command_floor);
             if (c.effort_sigma > 0) count(1, innovation.effort[k], effort_square);
             count(2, to_force * innovation.position[k], motion_floor);
         }

@@ -91,6 +91,15 @@ TEST_CASE("a hole in time parts a record, and what comes after it starts as it m
     CHECK(prepare(parts[0], test::nominal_joint(), notes).ticks.at_rest);
 }
 
+TEST_CASE("what the controller had filtered before a hole is no gap of the command", "[gap]")
+{
+    const auto d = answer(chosen(heavier(), [](std::size_t k) { return k < 3000 || k >= 3700; }));
+    REQUIRE(d.signals.size() == 2);
+    CHECK(d.signals[0].name == "command");
+    CHECK(d.signals[0].rms < 1e-5);
+    CHECK(d.signals[1].share > 0.99);
+}
+
 TEST_CASE("a force that nobody modelled sets a joint in motion from rest: that is no start in motion", "[gap]")
 {
     test::Machine m;

@@ -244,7 +244,7 @@ Audit audit(std::vector<Case>& cases)
     audit_filter(cases, result);
     const bool without_reference = std::all_of(cases.begin(), cases.end(), [](const auto& c) {
         return c.ticks.source == CommandSource::logged && !c.ticks.has_reference && c.ticks.regular &&
-               c.joint.control.kind == ControlKind::position && (c.ticks.ticks_per_row == 1 || c.ticks.rebuilt);
+               c.joint.control.kind == ControlKind::position && !c.ticks.unseen_between();
     });
     if (without_reference) {
         audit_without_reference(cases, std::min(cases[0].joint.control.effort_limit, observed_limit(cases)), result);

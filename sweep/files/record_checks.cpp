@@ -1,6 +1,7 @@
 #include "sweep/files/record_checks.h"
 
 #include "analysis/gap/prepare.h"
+#include "analysis/gap/ticks.h"
 #include "sweep/files/toml_input.h"
 
 #include <algorithm>
@@ -171,13 +172,19 @@ class Checks {
                 given.push_back(std::abs(r_.reference_velocity[k])), expected.push_back(std::abs(rate[k]));
         constexpr std::size_t few = 20;
         if (given.size() < few) return;
-        const double ratio = median(given) / median(expected);
         constexpr double another_unit = 3;
-        if (std::isfinite(ratio) && ratio > 0 && (ratio > another_unit || ratio < 1 / another_unit))
-            found_.push_back({"suspected unit: reference_velocity is " + rounded(std::max(ratio, 1 / ratio)) +
-                                  (ratio > 1 ? " times" : " times less than") +
-                                  " the rate of reference_position; [record] can name the unit",
-                              true});
+        disproportion(median(given) / median(expected), another_unit, "reference_velocity is", " times",
+                      " the rate of reference_position");
+    }
+
+    /// Two sizes that no wrong number of the joint could set so far apart.
+    void disproportion(double ratio, double most, const std::string& what, const std::string& more,
+                       const std::string& than)
+    {
+        if (!std::isfinite(ratio) || ratio <= 0 || (ratio <= most && ratio >= 1 / most)) return;
+        found_.push_back({"suspected unit: " + what + " " + rounded(std::max(ratio, 1 / ratio)) +
+                              (ratio > 1 ? more : " times less than") + than + "; [record] can name the unit",
+                          true});
     }
 
     /// The measured effort against the command that asked for it.
@@ -189,12 +196,8 @@ class Checks {
         constexpr double opposite = -0.5;
         direction("effort_measured", r_.effort_measured, "effort_command", asked, opposite);
         constexpr double another_unit = 100;  // no gain is as wrong as that
-        const double ratio = spread(r_.effort_measured) / spread(asked);
-        if (std::isfinite(ratio) && ratio > 0 && (ratio > another_unit || ratio < 1 / another_unit))
-            found_.push_back({"suspected unit: effort_measured varies by " + rounded(std::max(ratio, 1 / ratio)) +
-                                  (ratio > 1 ? " times as much as" : " times less than") +
-                                  " the command asks for; [record] can name the unit",
-                              true});
+        disproportion(spread(r_.effort_measured) / spread(asked), another_unit, "effort_measured varies by",
+                      " times as much as", " the command asks for");
     }
 
     /// A signal that stays at one value although the joint moves was not connected.
@@ -245,9 +248,7 @@ class Checks {
     {
         const double period = joint_.control.period;
         if (!is_set(period) || r_.time.size() < 3) return;
-        std::vector<double> steps;
-        for (std::size_t k = 1; k < r_.time.size(); ++k) steps.push_back(r_.time[k] - r_.time[k - 1]);
-        const double step = median(steps), ratio = step / period;
+        const double step = gap::median_step(r_.time), ratio = step / period;
         constexpr double slowest_log = 1e3 / near_factor;  // ticks a row; who logs as seldom sees no friction
         if (ratio < slowest_log) return;
         std::string unit = "another unit of time than seconds";

@@ -11,6 +11,7 @@
 #include "analysis/gap/pieces.h"
 #include "analysis/gap/prepare.h"
 #include "analysis/gap/rig.h"
+#include "analysis/gap/search.h"
 #include "analysis/gap/verdict.h"
 #include "analysis/gap/withdraw.h"
 
@@ -106,12 +107,22 @@ std::string percent(double part)
     return std::to_string(static_cast<int>(std::lround(100 * part))) + " %";
 }
 
-std::string nearest_in_shape(const Attribution& cause, const FreeFit& free)
+/// A contestant, fitted at the middle level, as it stands at all of them.
+Attribution at_all_levels(const Work& w, const Attribution& contestant)
+{
+    LevelFit fit;
+    fit.x = contestant.x[1];
+    return as_screened(w.cases, w.scales, w.nominal, contestant.candidate, fit);
+}
+
+/// The first `own_numbers` effects are refitted numbers of the joint, no causes.
+std::string nearest_in_shape(const Attribution& cause, std::size_t own_numbers, const FreeFit& free)
 {
     std::string names;
-    for (const auto& name : names_of(cause.candidate)) names += (names.empty() ? "" : " with ") + name;
-    return names + " comes nearest, but a force that depends on the " + std::string(free.of) +
-           " alone, and has the shape of no effect of the catalogue, explains the records clearly better";
+    for (std::size_t i = own_numbers; i < cause.candidate.effects.size(); ++i)
+        names += (names.empty() ? "" : " with ") + std::string(cause.candidate.effects[i]->name);
+    return names + " comes nearest, but " + in_words(free) +
+           " explains the records clearly better, and has the shape of no effect of the catalogue";
 }
 
 /// Not empty where so much of controller and encoder differs from the document that it is hardly the same joint.
@@ -252,13 +263,16 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
                 if (&rival != decision.winner && gain(rival) > 0.5 * gain(singles[0]))
                     decision.ambiguous.push_back(&rival);
         }
-        const bool at_noise = decision.named && mean_log_misfit(decision.winner->evaluation) < least_of_free_force;
-        if (!contest.decided && !at_noise) {
+        const bool found = decision.named || contest.decided;
+        const Attribution nearest = contest.decided  ? at_all_levels(w, contest.ranked[0].fit)
+                                    : decision.named ? *decision.winner
+                                                     : none;
+        if (mean_log_misfit(nearest.evaluation) >= least_of_free_force) {
             progress("fitting forces without a name", 0.85);
             free = fit_free_forces(w.cases, w.scales, w.nominal, parallel);
-            if (decision.named && clearly_better(free[0], *decision.winner)) {
-                d.reasons.push_back(nearest_in_shape(*decision.winner, free[0]));
-                decision.named = false;
+            if (found && clearly_better(free[0], nearest)) {
+                d.reasons.push_back(nearest_in_shape(nearest, contest.decided ? contest.own_numbers : 0, free[0]));
+                decision.named = contest.decided = false;
                 nearest_only = true;
             }
         }
@@ -321,8 +335,7 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
             percent(1 - decision.best_explained) + " of it");
         constexpr double worth_telling = 0.5;
         if (!free.empty() && free[0].fit.explained > worth_telling)
-            d.reasons.push_back("a force that depends on the " + std::string(free[0].of) + " alone would explain " +
-                                percent(free[0].fit.explained) + " of it");
+            d.reasons.push_back(in_words(free[0]) + " would explain " + percent(free[0].fit.explained) + " of it");
     }
     if (shown) {
         d.remainder = winner.candidate.effects.empty() ? quiet ? 0 : std::clamp(1 - held.overall.explained, 0.0, 1.0)

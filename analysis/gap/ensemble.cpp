@@ -8,6 +8,11 @@
 #include <cmath>
 
 namespace stickslip::gap {
+namespace {
+
+constexpr double more_than_runs_know = 1.25;  // of the mean square: four runs tell no better what they spread by
+
+}  // namespace
 
 NoiseSpread spread_of(const std::vector<Case>& cases, const Candidate& candidate, const std::vector<double>& si,
                       int runs, const ParallelFor& parallel)
@@ -166,7 +171,6 @@ bool closed_loop_at_floor(const std::vector<Case>& cases, const Candidate& candi
                           const ParallelFor& parallel)
 {
     constexpr int runs = 4;
-    constexpr double slack = 1.25;  // of the mean square, for what four runs do not know of their spread
     for (const auto& c : cases)
         if (!c.ticks.has_reference) return false;
     std::vector<int> fine(cases.size(), 0);
@@ -174,7 +178,7 @@ bool closed_loop_at_floor(const std::vector<Case>& cases, const Candidate& candi
         const auto signals =
             compare(cases[i], edited(cases[i].joint, candidate, si, cases[i].number), runs, -infinity, infinity);
         fine[i] =
-            std::all_of(signals.begin(), signals.end(), [](const auto& s) { return s.difference <= slack * s.floor; });
+            std::all_of(signals.begin(), signals.end(), [](const auto& s) { return s.difference <= more_than_runs_know * s.floor; });
     });
     return std::all_of(fine.begin(), fine.end(), [](int yes) { return yes != 0; });
 }

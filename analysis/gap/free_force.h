@@ -1,21 +1,26 @@
-// Forces without a name: what shape-free functions of position or velocity alone can explain. They belong to no effect
-// of the catalogue, and to no joint file: where one explains the records clearly better than any cause, the cause is
-// only the nearest in shape, and is not named.
+// Forces without a name: what shape-free functions of position or velocity alone can explain, or of a follower that the
+// position drags along behind a play, as in cable guides, seals and bellows whose force differs on the way back. They
+// belong to no effect of the catalogue, and to no joint file: where one explains the records clearly better than any
+// cause, the cause is only the nearest in shape, and is not named.
 #pragma once
 #include "analysis/gap/attribute.h"
 
+#include <string>
 #include <string_view>
 
 namespace stickslip::gap {
 
 struct FreeFit {
-    std::string_view of;  ///< "position" | "velocity"
+    std::string_view of;  ///< "position" | "velocity" | "hysteresis"
     Attribution fit;
 };
 
-/// Both shapes, fitted at all levels; the better one first.
+/// All three shapes, fitted at all levels; the best one first.
 std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
                                      const ParallelFor& parallel);
+
+/// "a force that depends on the position alone": what the shape is, in words.
+std::string in_words(const FreeFit& free);
 
 /// Of mean log misfit: a better fit by less says nothing.
 inline constexpr double least_of_free_force = 0.004;

@@ -82,7 +82,7 @@ class Mechanics {
         state.motor = settled(plant_.motor, std::abs(v));
         state.link = settled(plant_.link, std::abs(v));
         if (!plant_.two_mass) {
-            state.motor_position = q;
+            state.motor_position = state.followed = q;
             state.motor_velocity = v;
             return;
         }
@@ -103,6 +103,7 @@ class Mechanics {
             state.motor_velocity = v;
             state.link_velocity = v / plant_.ratio;
         }
+        state.followed = state.link_position;
     }
     double seen_position() const { return plant_.feedback_link ? state.link_position : state.motor_position; }
     double seen_velocity() const { return plant_.feedback_link ? state.link_velocity : state.motor_velocity; }

@@ -11,6 +11,7 @@ struct State {
     double acceleration = 0;  ///< of the last step, predicts the mid-step speed
     double lagged = 0;        ///< command behind the actuator's lag
     double effort = 0;        ///< that reached the mechanism
+    double followed = 0;      ///< where the follower of a force without a name is
 };
 
 /// What a time step of this length needs of a joint, divided once for all steps of a tick.
@@ -86,10 +87,12 @@ inline double load_force(const Load& l, double q, double t)
 }
 
 /// All that pushes the link from outside.
-inline double outside_force(const Plant& p, double q, double v, double t)
+inline double outside_force(const Plant& p, State& s, double q, double v, double t)
 {
     const double force = load_force(p.load, q, t);
-    return p.free.present ? force + p.free.at(q, v) : force;
+    if (!p.free.present) return force;
+    s.followed = std::clamp(s.followed, q - p.free.play, q + p.free.play);
+    return force + p.free.at(s.followed, v);
 }
 
 /// Single mass. Constant forces, sliding, stopping and breaking away inside the step are exact; the rest is second
@@ -103,7 +106,7 @@ inline void step_single(const Plant& p, State& s, const Push& drive, double t, c
     const Rubbing& r = p.motor;
     s.effort = drive.at(v);
     const Surroundings at{middle, s.effort};
-    const double force = drive.push + outside_force(p, middle, v, t + 0.5 * h);
+    const double force = drive.push + outside_force(p, s, middle, v, t + 0.5 * h);
     if (r.bristle_stiffness > 0) {
         v = rub(r, s.motor, v, force - drive.drag * v, mobility, h, at);
         q = middle + 0.5 * h * v;
@@ -159,7 +162,7 @@ inline void step_two_mass(const Plant& p, State& s, const Push& drive, double t,
     if (p.backlash > 0 && spring * stretch < 0) spring = 0;  // contact cannot pull
     s.effort = drive.at(s.motor_velocity);
     const double on_motor = s.effort - spring * per_ratio;
-    const double on_link = spring + outside_force(p, link_middle, s.link_velocity, t + 0.5 * h);
+    const double on_link = spring + outside_force(p, s, link_middle, s.link_velocity, t + 0.5 * h);
     s.motor_velocity = length.motor_glides ? length.motor(s.motor_velocity, on_motor)
                                            : rub(p.motor, s.motor, s.motor_velocity, on_motor, length.motor_mobility, h,
                                                  {motor_middle, spring * per_ratio});

@@ -2,8 +2,10 @@
 
 #include "analysis/joint/field.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <string>
 
 namespace stickslip::files {
 
@@ -23,6 +25,14 @@ bool parse_cell(std::string_view cell, double& value)
     if (status == std::errc{} && end == cell.data() + cell.size() && std::isfinite(value)) return true;
     value = not_set;
     return cell.empty() || cell == "nan" || cell == "NaN" || cell == "NAN" || cell == "NA";
+}
+
+bool has_decimal_comma(std::string_view cell)
+{
+    std::string points(cell);
+    std::replace(points.begin(), points.end(), ',', '.');
+    double value = 0;
+    return points != cell && parse_cell(points, value);
 }
 
 }  // namespace stickslip::files

@@ -9,4 +9,10 @@ std::string_view trimmed(std::string_view text);
 /// A cell as a number: empty, nan or NA is a missing value (NaN). False for anything else that is no finite number.
 bool parse_cell(std::string_view cell, double& value);
 
+/// Whether points in place of commas would make it a number.
+bool has_decimal_comma(std::string_view cell);
+
+/// Said of a row with twice the cells of its header, separated by commas.
+inline constexpr const char* decimal_commas = "; numbers need decimal points, here commas seem to part them";
+
 }  // namespace stickslip::files

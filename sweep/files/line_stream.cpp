@@ -46,6 +46,12 @@ void LineStream::fill()
     end_ += static_cast<std::size_t>(got);
 }
 
+void LineStream::verify_archive()
+{
+    if (gzdirect(file_.get())) return;
+    for (end_ = begin_ = 0; !finished_; end_ = begin_ = 0) fill();
+}
+
 std::string_view LineStream::head()
 {
     constexpr std::size_t enough = 4096;

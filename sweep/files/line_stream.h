@@ -22,6 +22,10 @@ class LineStream {
     /// The first bytes of the file, before the first next(): enough to tell text from anything else.
     std::string_view head();
 
+    /// Reads the rest of an archive, whose checksum stands at its end: damage that explains more than its cells do.
+    /// Throws BadInput for a damaged one; a plain file is left as it is.
+    void verify_archive();
+
     /// Number of the line that next() returned last, from 1.
     std::uint64_t line_number() const { return line_number_; }
 

@@ -173,7 +173,7 @@ class OutcomeReader {
             return complain(
                 1,
                 "has " + std::to_string(cells.size()) + " cells, the header has " + std::to_string(columns_.size()) +
-                    (commas ? "; decimal commas need semicolons between the columns and points in the numbers" : ""));
+                    (commas ? decimal_commas : ""));
         }
         OutcomeRow row;
         row.line = lines_.line_number();

@@ -58,9 +58,11 @@ class RecordReader {
         }
         errors_.push_back(name_ + ":" + std::to_string(line) + ":" + std::to_string(column) + ": " + text);
     }
-    void fail_if_any() const
+    void fail_if_any()
     {
-        if (!errors_.empty()) throw BadInput(errors_);
+        if (errors_.empty()) return;
+        lines_.verify_archive();
+        throw BadInput(errors_);
     }
     /// A wrong file is named as such, not as a thousand cells that are no numbers.
     void reject_binary(std::string_view text, std::uint64_t line)
@@ -123,8 +125,10 @@ class RecordReader {
         }
         if (i != slots_.size()) {
             reject_binary(line, lines_.line_number());
+            const bool commas = separator_ == ',' && i == 2 * slots_.size();
             complain(lines_.line_number(), 1,
-                     "has " + std::to_string(i) + " cells, the header has " + std::to_string(slots_.size()));
+                     "has " + std::to_string(i) + " cells, the header has " + std::to_string(slots_.size()) +
+                         (commas ? decimal_commas : ""));
         }
     }
 
@@ -135,7 +139,8 @@ class RecordReader {
             reject_binary(cell, lines_.line_number());
             complain(lines_.line_number(), column,
                      std::string(slot.signal->name) + ": is \"" + std::string(cell.substr(0, 40)) +
-                         "\", allowed is a finite number or an empty cell");
+                         "\", allowed is a finite number or an empty cell" +
+                         (has_decimal_comma(cell) ? "; write decimal points, not commas" : ""));
         } else if (std::isnan(value)) {
             if (slot.missing++ == 0) slot.first_missing_line = lines_.line_number(), slot.first_missing_column = column;
         } else {

@@ -194,7 +194,9 @@ void add_blind(CLI::App& app, Invocation& invocation)
     verb->add_option("--timeout", options->timeout, "seconds after which a case is given up")
         ->check(CLI::PositiveNumber);
     verb->add_option("--threads", options->threads, "threads of each diagnosis, 0 for all");
-    verb->footer("Example: stickslip blind sealed --truth sealed.truth.json");
+    verb->footer(
+        "Example: stickslip blind sealed --truth sealed.truth.json\n"
+        "Exit codes: 0 every case answered, 2 bad input, 3 interrupted, with the answers so far written.");
     verb->callback([options, &invocation] {
         catch_interrupts(invocation);
         invocation.exit_code = run_cases(*options, invocation);

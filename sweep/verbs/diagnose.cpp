@@ -227,7 +227,8 @@ void add_diagnose(CLI::App& app, Invocation& invocation)
     verb->add_flag("--no-report", options->no_report, "leave the page away");
     verb->footer(
         "Example: stickslip diagnose joint.toml slow.csv.gz steps.csv.gz -o diagnosis\n"
-        "Example: stickslip diagnose joint.toml outcomes.csv -o which-law");
+        "Example: stickslip diagnose joint.toml outcomes.csv -o which-law\n"
+        "Exit codes: 0 answered, whatever the verdict, 2 bad input.");
     verb->callback([options, &invocation] { invocation.exit_code = diagnose(*options, invocation); });
 }
 

@@ -150,7 +150,8 @@ void add_evaluate(CLI::App& app, Invocation& invocation)
     verb->add_flag("--json", options->json, "machine-readable, stable names");
     verb->footer(
         "Example: stickslip evaluate examples/02-ball-screw/joint-with-memory.toml --set control.k_p=2e4 --json\n"
-        "Example: stickslip evaluate examples/02-ball-screw/joint-with-memory.toml -o joint");
+        "Example: stickslip evaluate examples/02-ball-screw/joint-with-memory.toml -o joint\n"
+        "Exit codes: 0 decided, 2 bad input, 4 undecided.");
     verb->callback([options, &invocation] { invocation.exit_code = evaluate(*options, invocation); });
 }
 

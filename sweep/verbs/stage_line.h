@@ -1,4 +1,5 @@
-// What a long answer is busy with, on a terminal: stage, how many of its tasks are done, seconds. Silent when piped.
+// What a long answer is busy with, on a terminal: stage, how many of its tasks are done, seconds. In a pipe or a log an
+// answer is silent, and one that takes minutes says so twice a minute.
 #pragma once
 #include "analysis/gap/attribute.h"
 
@@ -19,7 +20,7 @@ class StageLine {
     StageLine(const StageLine&) = delete;
     StageLine& operator=(const StageLine&) = delete;
 
-    /// To be told of stages; empty where nobody looks. It must not be called once the line is gone.
+    /// To be told of stages. It must not be called once the line is gone.
     std::function<void(const std::string& stage, double done)> listener();
     /// The same tasks, counted.
     ParallelFor counted(ParallelFor run);

@@ -149,7 +149,9 @@ void add_sweep(CLI::App& app, Invocation& invocation)
     verb->add_option("--timestamp", options->timestamp,
                      "date on the page: now, or seconds since 1970; default: SOURCE_DATE_EPOCH, else none");
     verb->add_flag("--json", options->json, "machine-readable summary");
-    verb->footer("Example: stickslip sweep examples/02-ball-screw/spec-with-memory.toml -o out");
+    verb->footer(
+        "Example: stickslip sweep examples/02-ball-screw/spec-with-memory.toml -o out\n"
+        "Exit codes: 0 done, 2 bad input, 3 interrupted (the same command goes on), 4 too many points undecided.");
     verb->callback([options, &invocation] { invocation.exit_code = sweep(*options, invocation); });
 }
 

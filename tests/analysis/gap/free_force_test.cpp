@@ -70,6 +70,23 @@ TEST_CASE("drag with the square of speed is found as a force of velocity, with i
     for (double v = -0.15; v < 0.16; v += 0.05) CHECK(f.at(0, v) == Approx(-m.drag * v * std::abs(v)).margin(0.02));
 }
 
+TEST_CASE("a spring that lags behind the position is found as a hysteresis, with its play and stiffness", "[gap]")
+{
+    test::Machine m;
+    m.bellows = 20, m.bellows_play = 0.012;  // 1.6 N at the ends
+    std::vector<Case> cases;
+    Scales scales;
+    const auto fits = fits_to(m, cases, scales);
+    REQUIRE(fits[0].of == "hysteresis");
+    CHECK(fits[0].fit.explained > 0.99);
+    const FreeForce f = force_of(fits[0], cases, scales);
+    CHECK(f.play == Approx(m.bellows_play).epsilon(0.02));
+    for (double q = -0.06; q < 0.07; q += 0.02) CHECK(f.at(q, 0) == Approx(-m.bellows * q).margin(0.03));
+    // nothing that goes by the place alone comes near
+    for (const auto& other : fits)
+        if (other.of == "position") CHECK(clearly_better(fits[0], other.fit));
+}
+
 TEST_CASE("a force without a name beats a cause only by a clear part of what the cause leaves", "[gap]")
 {
     const auto leaving = [](double misfit) {

@@ -14,6 +14,8 @@ struct Machine {
     double inertia = 1.2, coulomb = 2, viscous = 1.5, k_p = 1200, k_v = 45, tau = 0.003, load = 0, gain = 1;
     double noise = 2e-6, quantum = 5e-6, drag = 0;
     double cubic = 0;            ///< N/m³: a spring to the ground that stiffens
+    double bellows = 0;          ///< N/m: a spring to the ground that follows the position behind a play
+    double bellows_play = 0;     ///< m, half of it
     double command_step = 0;     ///< N: the command is rounded to whole steps
     double limit = 1e9;          ///< N, of the effort that reaches the mass
     double amplitude = 1;        ///< of the motion, as a factor
@@ -49,7 +51,7 @@ inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
     std::mt19937 random(seed);
     std::normal_distribution<double> normal;
     constexpr double period = 1e-3, h = 1e-5, band = 1e-6;
-    double q = 0, v = 0, estimate = 0, last = 0;
+    double q = 0, v = 0, estimate = 0, last = 0, followed = 0;
     const double slow = 1.3 + 0.2 * seed, quick = 5.1 + seed;
     for (int k = 0; k < static_cast<int>(seconds / period); ++k) {
         const double t = k * period;
@@ -74,7 +76,9 @@ inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
         if (m.effort_noise > 0)
             r.effort_measured.push_back(std::clamp(m.gain * u, -m.limit, m.limit) + m.effort_noise * normal(random));
         for (int i = 0; i < 100; ++i) {
-            const double push = std::clamp(m.gain * u, -m.limit, m.limit) + m.load - m.cubic * q * q * q;
+            followed = std::clamp(followed, q - m.bellows_play, q + m.bellows_play);
+            const double push =
+                std::clamp(m.gain * u, -m.limit, m.limit) + m.load - m.cubic * q * q * q - m.bellows * followed;
             if (std::abs(v) < band && std::abs(push) <= m.coulomb) {
                 v = 0;
                 continue;

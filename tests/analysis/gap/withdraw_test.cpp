@@ -66,6 +66,22 @@ TEST_CASE("a cause that leaves more than a documented noise is doubted, rivals a
     }
 }
 
+TEST_CASE("a cause that leaves many floors which nobody documented is not named", "[gap]")
+{
+    auto d = leaving(15, 7.5);  // three quarters of the mean square are gone
+    CHECK(withdraw_if_no_better(d, {}));
+    CHECK(d.verdict == Verdict::unknown);
+    REQUIRE(d.reasons.size() == 1);
+    CHECK(d.reasons[0] ==
+          "stribeck fits best, but leaves 7.5 floors of held-out data, and no document tells the noise: it is not named "
+          "as the cause");
+    for (const auto& standing : {Standing{.settled = true}, Standing{.noise_documented = true}}) {
+        d = leaving(15, 7.5);
+        CHECK_FALSE(withdraw_if_no_better(d, standing));
+        CHECK(d.verdict == Verdict::gap);
+    }
+}
+
 TEST_CASE("a joint whose predictions hide in the noise is not free of a gap that the whole motion shows", "[gap]")
 {
     Diagnosis d;

@@ -21,7 +21,7 @@ std::vector<FrictionLaw> without_damping()
                                   LuGre{1e5, std::sqrt(1e5), 0, 1, 1, 1e-3}, LuGre{3.7e9, 1e6, 0, 0.3, 0.3, 1e-3},
                                   samples::time_lag(Stribeck{10, 0, 4, 1e-4, 2})};
     for (const double sigma0 : {1e3, 1e5, 7e9})
-        for (const double coulomb : {1.0, 0.3, 10.7}) laws.push_back(Dahl{coulomb, sigma0, 1});
+        for (const double coulomb : {1.0, 0.3, 10.7}) laws.emplace_back(Dahl{coulomb, sigma0, 1});
     return laws;
 }
 

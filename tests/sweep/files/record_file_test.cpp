@@ -61,10 +61,10 @@ std::string only_error(const std::string& content, const std::string& layout = "
     return all.front();
 }
 
-std::string gzipped(const std::string& text)
+std::string gzipped(const std::string& text, const char* mode = "wb")
 {
     const auto path = (shared_directory() / "zip.gz").string();
-    gzFile out = gzopen(path.c_str(), "wb");
+    gzFile out = gzopen(path.c_str(), mode);
     gzwrite(out, text.data(), static_cast<unsigned>(text.size()));
     gzclose(out);
     std::ifstream in(path, std::ios::binary);
@@ -179,6 +179,15 @@ TEST_CASE("rows with the motor off are kept and counted")
           "run.csv:2:5: torque_enable: is 2, allowed are 0 and 1");
 }
 
+TEST_CASE("decimal commas are named as such")
+{
+    CHECK(errors("time;position\n0,5;1\n").at(0) ==
+          "run.csv:2:1: time: is \"0,5\", allowed is a finite number or an empty cell; write decimal points, not commas");
+    CHECK(only_error("time,position\n0,5,1,2\n") ==
+          "run.csv:2:1: has 4 cells, the header has 2; numbers need decimal points, here commas seem to part them");
+    CHECK_THAT(errors("time;position\n0;1,x\n").at(0), EndsWith("or an empty cell"));
+}
+
 TEST_CASE("tables that are none")
 {
     CHECK(only_error("") == "run.csv: is empty, expected is a header row such as time,position");
@@ -196,6 +205,10 @@ TEST_CASE("tables that are none")
     std::string damaged = zip;
     damaged[damaged.size() - 6] ^= 1;  // inside the check sum
     CHECK_THAT(only_error(damaged), Contains("damaged or cut off"));
+    // what is not compressed stands in the archive as it is: one bit turns a digit into a letter
+    std::string spoilt = gzipped("time,position\n0,1\n1,2\n", "wb0");
+    spoilt[spoilt.find("0,1") + 2] ^= 0x40;
+    CHECK_THAT(only_error(spoilt), Contains("damaged or cut off"));
     const Joint joint = joint_of("prismatic");
     CHECK_THAT(messages_of([&] { read_record(shared_directory() / "absent.csv", joint); }).at(0),
                EndsWith("there is no such file"));

@@ -52,8 +52,8 @@ const Effect& of_position()
 const Effect& of_follower()
 {
     static const Effect effect = [] {
-        constexpr EffectParameter play{
-            "play", Quantity::position, Scale::position, true, 1e-3, 2, 0.1, "half the play"};
+        constexpr EffectParameter play{"play", Quantity::position, Scale::position, true, 1e-3, 2,
+                                       0.1,    "half the play"};
         std::vector<EffectParameter> p{given("from", Scale::one), given("width", Scale::one), play};
         p.resize(3 + parts, coefficient("part"));
         return effect_of("hysteresis", p, [](FreeForce& f, const double* x) {

@@ -24,14 +24,15 @@ std::string floors(double x)
 std::string why_withdrawn(const OverallGap& gap, const Standing& standing)
 {
     constexpr double mostly_left = 0.5;  // of the mean square beyond the noise
-    // Of floors that nobody documented. Of the unsettled causes in ten draws of sealed cases the one that left less than
-    // two was right, the two that left more than seven were an inertia that changed with time.
+    // Of floors that nobody documented. Of the unsettled causes in ten draws of sealed cases the one that left less
+    // than two was right, the two that left more than seven were an inertia that changed with time.
     constexpr double many = 3;
     if (gap.worse()) return "makes the simulation of held-out data worse";
     if (standing.settled) return "";
     if (gap.left() >= mostly_left) return "leaves most of the gap on held-out data";
     if (!standing.noise_documented && gap.after > many * gap.noise())
-        return "leaves " + floors(gap.after / gap.noise()) + " floors of held-out data, and no document tells the noise";
+        return "leaves " + floors(gap.after / gap.noise()) +
+               " floors of held-out data, and no document tells the noise";
     return "";
 }
 

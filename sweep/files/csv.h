@@ -13,6 +13,6 @@ bool parse_cell(std::string_view cell, double& value);
 bool has_decimal_comma(std::string_view cell);
 
 /// Said of a row with twice the cells of its header, separated by commas.
-inline constexpr const char* decimal_commas = "; numbers need decimal points, here commas seem to part them";
+inline constexpr const char* decimal_commas = "; these seem to be decimal commas, write decimal points";
 
 }  // namespace stickslip::files

@@ -140,7 +140,7 @@ class RecordReader {
             complain(lines_.line_number(), column,
                      std::string(slot.signal->name) + ": is \"" + std::string(cell.substr(0, 40)) +
                          "\", allowed is a finite number or an empty cell" +
-                         (has_decimal_comma(cell) ? "; write decimal points, not commas" : ""));
+                         (has_decimal_comma(cell) ? "; write decimal points, not decimal commas" : ""));
         } else if (std::isnan(value)) {
             if (slot.missing++ == 0) slot.first_missing_line = lines_.line_number(), slot.first_missing_column = column;
         } else {

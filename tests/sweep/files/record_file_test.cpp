@@ -182,9 +182,9 @@ TEST_CASE("rows with the motor off are kept and counted")
 TEST_CASE("decimal commas are named as such")
 {
     CHECK(errors("time;position\n0,5;1\n").at(0) ==
-          "run.csv:2:1: time: is \"0,5\", allowed is a finite number or an empty cell; write decimal points, not commas");
+          "run.csv:2:1: time: is \"0,5\", allowed is a finite number or an empty cell; write decimal points, not decimal commas");
     CHECK(only_error("time,position\n0,5,1,2\n") ==
-          "run.csv:2:1: has 4 cells, the header has 2; numbers need decimal points, here commas seem to part them");
+          "run.csv:2:1: has 4 cells, the header has 2; these seem to be decimal commas, write decimal points");
     CHECK_THAT(errors("time;position\n0;1,x\n").at(0), EndsWith("or an empty cell"));
 }
 

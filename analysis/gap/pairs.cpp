@@ -4,6 +4,7 @@
 #include "analysis/gap/seeds.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace stickslip::gap {
@@ -40,17 +41,26 @@ Eigen::VectorXd join(const Pair& p, const Eigen::VectorXd& of_a, const Eigen::Ve
 /// limits are searched while the first keeps its values.
 void look_at(Pair& p, const std::vector<Case>& brief, const Scales& scales)
 {
-    std::vector<std::pair<double, Eigen::VectorXd>> from;
-    const auto add = [&](const Eigen::VectorXd& of_b) {
+    using Start = std::pair<double, Eigen::VectorXd>;
+    std::vector<Start> from;
+    const auto start = [&](const Eigen::VectorXd& of_b) -> Start {
         const Eigen::VectorXd x = join(p, p.a->x[0], of_b);
-        from.emplace_back(evaluate(brief, p.both, in_si(p.both, x, scales), p.omega).objective, x);
+        return {evaluate(brief, p.both, in_si(p.both, x, scales), p.omega).objective, x};
     };
+    const auto nearer = [](const Start& a, const Start& b) { return a.first < b.first; };
     const auto held = in_si(p.a->candidate, p.a->x[0], scales);
-    for (const auto& x : starts(brief, scales, p.b->candidate, p.a->candidate, held)) add(x);
-    std::stable_sort(from.begin(), from.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    const Eigen::VectorXd& alone = p.b->x[0];
+    for (const auto& x : starts(brief, scales, p.b->candidate, p.a->candidate, held)) from.push_back(start(x));
+    std::stable_sort(from.begin(), from.end(), nearer);
     const bool second_jagged = jagged(p.b->candidate);
     from.resize(std::min<std::size_t>(second_jagged ? 2 : 1, from.size()));
-    add(p.b->x[0]);
+    if (jagged(p.a->candidate) && alone.size() == 1) {
+        // alone, the second stood in for the first, too: beside it there is less of it, and play hides the slope to
+        // that
+        const std::array less{start(0.25 * alone), start(0.5 * alone), start(0.75 * alone)};
+        from.push_back(*std::min_element(less.begin(), less.end(), nearer));
+    }
+    from.push_back(start(alone));
     Kept kept;
     for (std::size_t i = 0; i < p.both.effects.size(); ++i)
         kept.resize(kept.size() + p.both.count_of(*p.both.forms[i]), p.both.effects[i] == p.a->candidate.effects[0]);

@@ -26,10 +26,12 @@ Effect backlash()
             divide_mass(j, p[1], p[2], p[4], p[3]);
             j.mechanism.transmission.backlash = p[0];
         };
-        // the misfit is jagged in the width, and a stiffness a decade off hides the right one
+        // the misfit is jagged in the width, a stiffness a decade off hides the right one, and where a load presses the
+        // link onto a flank its friction decides when it leaves it
         for (double width : {0.001, 0.002, 0.004, 0.007, 0.012, 0.02, 0.035, 0.06})
             for (double share : {0.35, 0.65})
-                for (double stiffness : {2000.0, 20000.0}) f.seeds.push_back({width, share, stiffness, 0.2, 0.2});
+                for (double stiffness : {2000.0, 20000.0})
+                    for (double friction : {0.2, 0.4}) f.seeds.push_back({width, share, stiffness, friction, 0.2});
         f.applies = is_single_mass;
         f.rough = true;
         e.forms.push_back(f);

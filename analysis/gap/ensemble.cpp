@@ -10,7 +10,8 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double more_than_runs_know = 1.25;  // of the mean square: four runs tell no better what they spread by
+constexpr int closed_loop_runs = 4;
+constexpr double slack = 1.25;  // of the mean square, for what so few runs do not know of their spread
 
 }  // namespace
 
@@ -170,15 +171,14 @@ std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, 
 bool closed_loop_at_floor(const std::vector<Case>& cases, const Candidate& candidate, const std::vector<double>& si,
                           const ParallelFor& parallel)
 {
-    constexpr int runs = 4;
     for (const auto& c : cases)
         if (!c.ticks.has_reference) return false;
     std::vector<int> fine(cases.size(), 0);
     parallel(cases.size(), [&](std::size_t i) {
-        const auto signals =
-            compare(cases[i], edited(cases[i].joint, candidate, si, cases[i].number), runs, -infinity, infinity);
+        const auto signals = compare(cases[i], edited(cases[i].joint, candidate, si, cases[i].number), closed_loop_runs,
+                                     -infinity, infinity);
         fine[i] =
-            std::all_of(signals.begin(), signals.end(), [](const auto& s) { return s.difference <= more_than_runs_know * s.floor; });
+            std::all_of(signals.begin(), signals.end(), [](const auto& s) { return s.difference <= slack * s.floor; });
     });
     return std::all_of(fine.begin(), fine.end(), [](int yes) { return yes != 0; });
 }

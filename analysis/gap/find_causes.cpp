@@ -73,6 +73,7 @@ void hold_against_free_forces(const Prepared& p, const std::function<void(const 
     if (!f.named() || !clearly_better(f.free[0], nearest)) return;
     f.only_nearest = nearest_in_shape(nearest, f.contest.decided ? f.contest.own_numbers : 0, f.free[0]);
     f.decision.named = f.contest.decided = false;
+    f.decision.ambiguous.clear();
 }
 
 }  // namespace

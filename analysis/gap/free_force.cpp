@@ -52,9 +52,11 @@ const Effect& of_position()
 const Effect& of_follower()
 {
     static const Effect effect = [] {
-        constexpr EffectParameter play{"play", Quantity::position, Scale::position, true, 1e-3, 2,
-                                       0.1,    "half the play"};
-        std::vector<EffectParameter> p{given("from", Scale::one), given("width", Scale::one), play};
+        std::vector<EffectParameter> p{
+            given("from", Scale::one),
+            given("width", Scale::one),
+            {"play", Quantity::position, Scale::one, true, 1e-9, 1e3, 0.1, "half the play, m | rad"},
+        };
         p.resize(3 + parts, coefficient("part"));
         return effect_of("hysteresis", p, [](FreeForce& f, const double* x) {
             f.present = true;
@@ -79,39 +81,43 @@ const Effect& of_velocity()
     return effect;
 }
 
-/// The reach of the positions, in intervals of the spline.
+/// The reach of the link, on which the force acts, in intervals of the spline.
 std::pair<double, double> reach(const std::vector<Case>& cases)
 {
     double low = infinity, high = -infinity;
     for (const auto& c : cases) {
-        const auto [a, b] = std::minmax_element(c.ticks.position.begin(), c.ticks.position.end());
-        low = std::min(low, *a), high = std::max(high, *b);
+        const Plant plant = flatten(c.joint);
+        const double per_link = plant.two_mass && !plant.feedback_link ? plant.ratio : 1;
+        for (const double reading : c.ticks.position) {
+            const double q = (reading - plant.sensor.position_offset) / plant.sensor.position_scale / per_link;
+            low = std::min(low, q), high = std::max(high, q);
+        }
     }
     return {low, std::max(high - low, 1e-12) / FreeForce::intervals};
 }
 
-/// A shape and where its fit starts.
 struct Shape {
     const Effect* effect;
-    std::size_t given;  ///< so many parameters in front are
-    Eigen::VectorXd start;
+    std::size_t given;                       ///< how many parameters in front are given, not fitted
+    std::vector<std::vector<double>> front;  ///< of every start: what stands before the parts of the force, which are 0
+
     bool remembers() const { return effect == &of_follower(); }
+    Candidate candidate(std::size_t records) const { return {{effect}, {&effect->forms[0]}, records}; }
+    Kept kept(std::size_t first) const
+    {
+        Kept k(effect->forms[0].parameters.size(), 0);
+        std::fill_n(k.begin(), first, 1);
+        return k;
+    }
 };
 
-std::vector<Shape> shapes_of(const std::vector<Case>& cases, const Scales& scales)
+std::vector<Shape> shapes_of(const std::vector<Case>& cases)
 {
     const auto [from, width] = reach(cases);
-    const auto starting = [](const Effect& e, std::initializer_list<double> front) {
-        Eigen::VectorXd x = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(e.forms[0].parameters.size()));
-        std::copy(front.begin(), front.end(), x.begin());
-        return x;
-    };
-    std::vector<Shape> shapes{{&of_position(), 2, starting(of_position(), {from, width})},
-                              {&of_velocity(), 1, starting(of_velocity(), {1})}};
-    const double half = 0.5 * FreeForce::intervals * width / scales.position;
-    for (double play : {0.05, 0.15, 0.4})
-        shapes.push_back({&of_follower(), 2, starting(of_follower(), {from, width, std::log(play * half)})});
-    return shapes;
+    const double travel = FreeForce::intervals * width;
+    Shape follower{&of_follower(), 2, {}};
+    for (double play : {0.025, 0.075, 0.2}) follower.front.push_back({from, width, std::log(play * travel)});
+    return {{&of_position(), 2, {{from, width}}}, {&of_velocity(), 1, {{1}}}, follower};
 }
 
 }  // namespace
@@ -129,32 +135,52 @@ std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scale
     const double omega = screening_level(nominal);
     // what follows the position remembers, and excerpts cut that off
     const auto brief = excerpts(cases, omega, brief_ticks, coarse), whole = uncut(cases, coarse);
-    const auto shapes = shapes_of(cases, scales);
+    const auto part = [&](const Shape& shape) -> const std::vector<Case>& { return shape.remembers() ? whole : brief; };
+    const auto shapes = shapes_of(cases);
+    struct Start {
+        std::size_t shape;
+        std::vector<double> front;
+        LevelFit fit;
+    };
+    std::vector<Start> starts;
+    for (std::size_t s = 0; s < shapes.size(); ++s)
+        for (const auto& front : shapes[s].front) starts.push_back({s, front, {}});
+    parallel(starts.size(), [&](std::size_t i) {
+        const Shape& shape = shapes[starts[i].shape];
+        const Candidate candidate = shape.candidate(cases.size());
+        const auto& front = starts[i].front;
+        Eigen::VectorXd x = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(candidate.parameter_count()));
+        std::copy(front.begin(), front.end(), x.begin());
+        LevelFit& fit = starts[i].fit;
+        // first the force alone: a play without a force shows nothing
+        fit = descend_block(part(shape), candidate, scales, x, omega, iterations, shape.kept(front.size()));
+        if (front.size() > shape.given)
+            fit = descend_block(part(shape), candidate, scales, fit.x, omega, iterations, shape.kept(shape.given));
+    });
     std::vector<FreeFit> fits(shapes.size());
     parallel(shapes.size(), [&](std::size_t i) {
         const Shape& shape = shapes[i];
-        const auto& part = shape.remembers() ? whole : brief;
-        const Candidate candidate{{shape.effect}, {&shape.effect->forms[0]}, cases.size()};
-        Kept kept(candidate.parameter_count(), 0);
-        std::fill_n(kept.begin(), shape.given, 1);
-        auto first = kept;
-        if (shape.remembers()) first[shape.given] = 1;  // a play without a force shows nothing
-        auto fit = descend_block(part, candidate, scales, shape.start, omega, iterations, first);
-        if (shape.remembers()) fit = descend_block(part, candidate, scales, fit.x, omega, iterations, kept);
-        Attribution a = as_screened(cases, scales, nominal, candidate, fit);
+        const Candidate candidate = shape.candidate(cases.size());
+        const Start* best = nullptr;
+        for (const auto& s : starts)
+            if (s.shape == i && (!best || s.fit.evaluation.objective < best->fit.evaluation.objective)) best = &s;
+        Attribution a = as_screened(cases, scales, nominal, candidate, best->fit);
         constexpr int few = 3;
         for (std::size_t l = 0; l < levels.size(); ++l) {
-            const auto at_level = descend_block(part, candidate, scales, a.x[l], levels[l], few, kept);
-            const auto all = evaluate(cases, candidate, in_si(candidate, at_level.x, scales), levels[l]);
-            if (all.objective < a.evaluation[l].objective) a.x[l] = at_level.x, a.evaluation[l] = all;
+            const auto fit =
+                descend_block(part(shape), candidate, scales, a.x[l], levels[l], few, shape.kept(shape.given));
+            const auto all = evaluate(cases, candidate, in_si(candidate, fit.x, scales), levels[l]);
+            if (all.objective < a.evaluation[l].objective) a.x[l] = fit.x, a.evaluation[l] = all;
         }
         a.refined = true;
         judge(a, nominal);
         fits[i] = {shape.effect->name, std::move(a)};
     });
-    std::stable_sort(fits.begin(), fits.end(), [](const FreeFit& a, const FreeFit& b) {
-        return mean_log_misfit(a.fit.evaluation) < mean_log_misfit(b.fit.evaluation);
-    });
+    // a follower with next to no play is the position
+    const auto misfit = [](const FreeFit& f) {
+        return mean_log_misfit(f.fit.evaluation) + (f.of == of_follower().name ? least_of_free_force : 0);
+    };
+    std::stable_sort(fits.begin(), fits.end(), [&](const auto& a, const auto& b) { return misfit(a) < misfit(b); });
     return fits;
 }
 

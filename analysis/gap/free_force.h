@@ -1,7 +1,7 @@
 // Forces without a name: what shape-free functions of position or velocity alone can explain, or of a follower that the
-// position drags along behind a play, as in cable guides, seals and bellows whose force differs on the way back. They
-// belong to no effect of the catalogue, and to no joint file: where one explains the records clearly better than any
-// cause, the cause is only the nearest in shape, and is not named.
+// position drags along behind a play (the play operator of hysteresis: Visintin 1994). They belong to no effect of the
+// catalogue, and to no joint file: where one explains the records clearly better than any cause, the cause is only the
+// nearest in shape, and is not named.
 #pragma once
 #include "analysis/gap/attribute.h"
 
@@ -15,7 +15,7 @@ struct FreeFit {
     Attribution fit;
 };
 
-/// All three shapes, fitted at all levels; the best one first.
+/// One fit of each of the three shapes, at all levels; the best one first.
 std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
                                      const ParallelFor& parallel);
 

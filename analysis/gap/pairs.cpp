@@ -37,8 +37,15 @@ Eigen::VectorXd join(const Pair& p, const Eigen::VectorXd& of_a, const Eigen::Ve
     return x;
 }
 
-/// A first look: from where both came to alone, and from the second started afresh on what the first leaves. Play and
-/// limits are searched while the first keeps its values.
+/// A change from nothing, or a factor: a part of it is less of the effect.
+bool has_parts(const EffectParameter& p)
+{
+    return !p.logarithmic || p.scale == Scale::one;
+}
+
+/// A first look: from where both came to alone, from the second started afresh on what the first leaves, and, beside
+/// play or a limit, from a part of a second that has one number. Play and limits are searched while the first keeps its
+/// values.
 void look_at(Pair& p, const std::vector<Case>& brief, const Scales& scales)
 {
     using Start = std::pair<double, Eigen::VectorXd>;
@@ -54,9 +61,8 @@ void look_at(Pair& p, const std::vector<Case>& brief, const Scales& scales)
     std::stable_sort(from.begin(), from.end(), nearer);
     const bool second_jagged = jagged(p.b->candidate);
     from.resize(std::min<std::size_t>(second_jagged ? 2 : 1, from.size()));
-    if (jagged(p.a->candidate) && alone.size() == 1) {
-        // alone, the second stood in for the first, too: beside it there is less of it, and play hides the slope to
-        // that
+    if (jagged(p.a->candidate) && alone.size() == 1 && has_parts(p.b->candidate.parameter(0))) {
+        // alone, the second stood in for the first, too: beside it there is less of it, and the slope to that is hidden
         const std::array less{start(0.25 * alone), start(0.5 * alone), start(0.75 * alone)};
         from.push_back(*std::min_element(less.begin(), less.end(), nearer));
     }

@@ -42,7 +42,7 @@ bool withdraw_if_no_better(Diagnosis& d, const Standing& standing)
 {
     // In floors. Of ten unsettled causes in two draws of sealed cases the six that left less were right, and the four
     // that left more were wrong, or lacked a second effect.
-    constexpr double more_than_noise = 1.5, doubted = 0.2, withdrawn = 0.1;
+    constexpr double more_than_noise = 1.5, doubted = 0.2;
     if (d.verdict != Verdict::gap) return false;
     const std::string why = why_withdrawn(d.overall, standing);
     if (why.empty()) {
@@ -51,7 +51,7 @@ bool withdraw_if_no_better(Diagnosis& d, const Standing& standing)
         return false;
     }
     d.verdict = Verdict::unknown;
-    believe_at_most(d.effects, withdrawn);
+    believe_at_most(d.effects, believed_unnamed);
     std::string names;
     if (!d.effects.empty())
         for (const auto& name : d.effects[0].names) names += (names.empty() ? "" : " with ") + name;

@@ -5,9 +5,13 @@
 
 namespace stickslip::gap {
 
+/// Believed at most of a cause that comes nearest and is not named.
+inline constexpr double believed_unnamed = 0.1;
+
 /// What was known of the named cause before it was simulated.
 struct Standing {
-    bool settled = false;           ///< its predictions come down to the noise, or the controller's audit found it
+    /// Its predictions come down to the noise, the controller's audit found it, or a contest on held-out data.
+    bool settled = false;
     bool noise_documented = false;  ///< floors are those of the document
 };
 

@@ -12,7 +12,7 @@ bool parse_cell(std::string_view cell, double& value);
 /// Whether points in place of commas would make it a number.
 bool has_decimal_comma(std::string_view cell);
 
-/// Said of a row with twice the cells of its header, separated by commas.
+/// Said of such a cell, and of a row with twice the cells of its header, separated by commas.
 inline constexpr const char* decimal_commas = "; these seem to be decimal commas, write decimal points";
 
 }  // namespace stickslip::files

@@ -38,10 +38,12 @@ void LineStream::fill()
     if (2 * end_ > buffer_.size()) buffer_.resize(2 * buffer_.size());
     const int got = gzread(file_.get(), buffer_.data() + end_, static_cast<unsigned>(buffer_.size() - end_));
     int code = Z_OK;
-    const char* why = gzerror(file_.get(), &code);
+    std::string why = gzerror(file_.get(), &code);
+    if (const auto name = why.rfind(": "); name != std::string::npos) why.erase(0, name + 2);
     if (got < 0 || code == Z_BUF_ERROR)
-        throw BadInput(name_ + ": the archive is damaged or cut off behind line " + std::to_string(line_number_) +
-                       (code == Z_ERRNO ? "" : " (" + std::string(why) + ")"));
+        throw BadInput(name_ + ": the archive is damaged or cut off" +
+                       (line_number_ > 0 ? " behind line " + std::to_string(line_number_) : "") +
+                       (code == Z_ERRNO ? "" : " (" + why + ")"));
     finished_ = got == 0;
     end_ += static_cast<std::size_t>(got);
 }
@@ -49,6 +51,7 @@ void LineStream::fill()
 void LineStream::verify_archive()
 {
     if (gzdirect(file_.get())) return;
+    line_number_ = 0;  // a wrong checksum does not tell the place
     for (end_ = begin_ = 0; !finished_; end_ = begin_ = 0) fill();
 }
 

@@ -23,7 +23,7 @@ class LineStream {
     std::string_view head();
 
     /// Reads the rest of an archive, whose checksum stands at its end: damage that explains more than its cells do.
-    /// Throws BadInput for a damaged one; a plain file is left as it is.
+    /// Throws BadInput for a damaged one; a plain file is left as it is. No line can be read after it.
     void verify_archive();
 
     /// Number of the line that next() returned last, from 1.

@@ -82,6 +82,18 @@ class OutcomeReader {
 
     OutcomeTable read()
     {
+        try {
+            read_table();
+        } catch (const BadInput&) {
+            lines_.verify_archive();
+            throw;
+        }
+        return std::move(table_);
+    }
+
+  private:
+    void read_table()
+    {
         std::string_view line;
         if (!next_header(lines_, line))
             throw BadInput(name_ + ": is empty, expected is a header row such as k_p,k_v,V0,outcome");
@@ -92,10 +104,8 @@ class OutcomeReader {
             if (!trimmed(line).empty() && !trimmed(line).starts_with('#')) read_row(line);
         fail_if_any();
         if (table_.rows.empty()) throw BadInput(name_ + ": has a header and no rows");
-        return std::move(table_);
     }
 
-  private:
     enum class Role { unread, outcome, amplitude, setting };
     struct Column {
         Role role = Role::unread;
@@ -191,7 +201,8 @@ class OutcomeReader {
             double value = 0;
             if (!parse_cell(cells[i].text, value)) {
                 complain(cells[i].column, column.name + ": is \"" + std::string(cells[i].text.substr(0, 40)) +
-                                              "\", allowed is a finite number");
+                                              "\", allowed is a finite number" +
+                                              (has_decimal_comma(cells[i].text) ? decimal_commas : ""));
                 continue;
             }
             if (std::isfinite(value)) value = column.unit.to_si(value);

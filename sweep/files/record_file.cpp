@@ -33,10 +33,15 @@ class RecordReader {
 
     RecordReading read()
     {
-        read_header();
-        read_rows();
-        fail_if_any();
-        finish();
+        try {
+            read_header();
+            read_rows();
+            fail_if_any();
+            finish();
+        } catch (const BadInput&) {
+            if (rows_ <= limits_.rows) lines_.verify_archive();
+            throw;
+        }
         return std::move(reading_);
     }
 
@@ -58,11 +63,9 @@ class RecordReader {
         }
         errors_.push_back(name_ + ":" + std::to_string(line) + ":" + std::to_string(column) + ": " + text);
     }
-    void fail_if_any()
+    void fail_if_any() const
     {
-        if (errors_.empty()) return;
-        lines_.verify_archive();
-        throw BadInput(errors_);
+        if (!errors_.empty()) throw BadInput(errors_);
     }
     /// A wrong file is named as such, not as a thousand cells that are no numbers.
     void reject_binary(std::string_view text, std::uint64_t line)
@@ -140,7 +143,7 @@ class RecordReader {
             complain(lines_.line_number(), column,
                      std::string(slot.signal->name) + ": is \"" + std::string(cell.substr(0, 40)) +
                          "\", allowed is a finite number or an empty cell" +
-                         (has_decimal_comma(cell) ? "; write decimal points, not decimal commas" : ""));
+                         (has_decimal_comma(cell) ? decimal_commas : ""));
         } else if (std::isnan(value)) {
             if (slot.missing++ == 0) slot.first_missing_line = lines_.line_number(), slot.first_missing_column = column;
         } else {

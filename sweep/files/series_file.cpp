@@ -94,11 +94,9 @@ Columns named(const std::vector<std::string_view>& header, std::string_view colu
     return columns;
 }
 
-}  // namespace
-
-Series read_series(const std::filesystem::path& file, std::string_view column, std::optional<SeriesQuantity> quantity)
+Series series_from(files::LineStream& lines, const std::filesystem::path& file, std::string_view column,
+                   std::optional<SeriesQuantity> quantity)
 {
-    files::LineStream lines(file);
     Series series;
     Columns columns;
     std::string_view line;
@@ -136,6 +134,19 @@ Series read_series(const std::filesystem::path& file, std::string_view column, s
     if (series.time.size() < 2)
         throw BadInput(file.string() + ": has fewer than two rows of numbers, time and " + std::string(column));
     return series;
+}
+
+}  // namespace
+
+Series read_series(const std::filesystem::path& file, std::string_view column, std::optional<SeriesQuantity> quantity)
+{
+    files::LineStream lines(file);
+    try {
+        return series_from(lines, file, column, quantity);
+    } catch (const BadInput&) {
+        lines.verify_archive();
+        throw;
+    }
 }
 
 std::vector<double> Series::sampled(double step, int count) const

@@ -31,7 +31,7 @@ std::string outcome_sentence(const OutcomeAnswer& a)
         case Verdict::gap: {
             const LawFit& best = a.laws.front();
             std::string text = fmt::format(
-                "The measured boundary is that of {} friction (law {}): it misjudges {} of {} rows that it had not "
+                "The measured boundary is that of {} (law {}): it misjudges {} of {} rows that it had not "
                 "seen, the nominal joint {}",
                 best.rival->effect, best.rival->law, best.misjudged, n, a.nominal.misjudged);
             std::vector<std::string> others;

@@ -196,7 +196,8 @@ void add_blind(CLI::App& app, Invocation& invocation)
     verb->add_option("--threads", options->threads, "threads of each diagnosis, 0 for all");
     verb->footer(
         "Example: stickslip blind sealed --truth sealed.truth.json\n"
-        "Exit codes: 0 every case answered, 2 bad input, 3 interrupted, with the answers so far written.");
+        "Exit codes: 0 done (the answers say which cases failed), 2 bad input, 3 interrupted, with the answers so far "
+        "written.");
     verb->callback([options, &invocation] {
         catch_interrupts(invocation);
         invocation.exit_code = run_cases(*options, invocation);

@@ -1,5 +1,5 @@
-// What a long answer is busy with, on a terminal: stage, how many of its tasks are done, seconds. In a pipe or a log an
-// answer is silent, and one that takes minutes says so twice a minute.
+// What a long answer is busy with: stage, how many of its tasks are done, seconds. On a terminal one line that changes,
+// in a pipe or a log a new line every half a minute.
 #pragma once
 #include "analysis/gap/attribute.h"
 

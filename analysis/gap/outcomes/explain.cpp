@@ -88,8 +88,7 @@ void decide(OutcomeAnswer& a)
                      std::to_string(winner.misjudged) + " of " + std::to_string(o.size()) +
                      " rows that its fit had not seen"};
         // their odds among each other say nothing of whether it is one of them
-        constexpr double withdrawn = 0.1;
-        if (const double factor = withdrawn / winner.posterior; factor < 1)
+        if (const double factor = believed_unnamed / winner.posterior; factor < 1)
             for (auto& f : a.laws) f.posterior *= factor;
     } else if (effects.size() >= too_many) {
         d.verdict = Verdict::insufficient_data;

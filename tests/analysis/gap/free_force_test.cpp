@@ -87,6 +87,18 @@ TEST_CASE("a spring that lags behind the position is found as a hysteresis, with
         if (other.of == "position") CHECK(clearly_better(fits[0], other.fit));
 }
 
+TEST_CASE("a hysteresis of another kind is nearer to a play than to any force of position", "[gap]")
+{
+    test::Machine m;
+    m.bellows = 20, m.bellows_play = 0.012, m.bellows_creeps = true;
+    std::vector<Case> cases;
+    Scales scales;
+    const auto fits = fits_to(m, cases, scales);
+    REQUIRE(fits[0].of == "hysteresis");
+    REQUIRE(fits.size() == 3);
+    CHECK(clearly_better(fits[0], fits[1].fit));
+}
+
 TEST_CASE("a force without a name beats a cause only by a clear part of what the cause leaves", "[gap]")
 {
     const auto leaving = [](double misfit) {

@@ -13,17 +13,18 @@ namespace stickslip::test {
 struct Machine {
     double inertia = 1.2, coulomb = 2, viscous = 1.5, k_p = 1200, k_v = 45, tau = 0.003, load = 0, gain = 1;
     double noise = 2e-6, quantum = 5e-6, drag = 0;
-    double cubic = 0;            ///< N/m³: a spring to the ground that stiffens
-    double bellows = 0;          ///< N/m: a spring to the ground that follows the position behind a play
-    double bellows_play = 0;     ///< m, half of it
-    double command_step = 0;     ///< N: the command is rounded to whole steps
-    double limit = 1e9;          ///< N, of the effort that reaches the mass
-    double amplitude = 1;        ///< of the motion, as a factor
-    double effort_noise = 0;     ///< N; above 0 the effort that reaches the mass is logged, too
-    double step = 0;             ///< m: by this much the reference jumps at step_time
-    double step_time = 2;        ///< s
-    double command_limit = 1e9;  ///< N, of the controller
-    double one_way = 0;          ///< part of the viscous slope that changes its sign with the direction
+    double cubic = 0;             ///< N/m³: a spring to the ground that stiffens
+    double bellows = 0;           ///< N/m: a spring to the ground that follows the position behind a play
+    double bellows_play = 0;      ///< m, half of it
+    bool bellows_creeps = false;  ///< takes its play up little by little, as Dahl's friction does
+    double command_step = 0;      ///< N: the command is rounded to whole steps
+    double limit = 1e9;           ///< N, of the effort that reaches the mass
+    double amplitude = 1;         ///< of the motion, as a factor
+    double effort_noise = 0;      ///< N; above 0 the effort that reaches the mass is logged, too
+    double step = 0;              ///< m: by this much the reference jumps at step_time
+    double step_time = 2;         ///< s
+    double command_limit = 1e9;   ///< N, of the controller
+    double one_way = 0;           ///< part of the viscous slope that changes its sign with the direction
 };
 
 inline Joint nominal_joint()
@@ -76,7 +77,10 @@ inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
         if (m.effort_noise > 0)
             r.effort_measured.push_back(std::clamp(m.gain * u, -m.limit, m.limit) + m.effort_noise * normal(random));
         for (int i = 0; i < 100; ++i) {
-            followed = std::clamp(followed, q - m.bellows_play, q + m.bellows_play);
+            if (m.bellows_creeps)
+                followed += h * std::abs(v) * (q - followed) / m.bellows_play;
+            else
+                followed = std::clamp(followed, q - m.bellows_play, q + m.bellows_play);
             const double push =
                 std::clamp(m.gain * u, -m.limit, m.limit) + m.load - m.cubic * q * q * q - m.bellows * followed;
             if (std::abs(v) < band && std::abs(push) <= m.coulomb) {

@@ -182,7 +182,8 @@ TEST_CASE("rows with the motor off are kept and counted")
 TEST_CASE("decimal commas are named as such")
 {
     CHECK(errors("time;position\n0,5;1\n").at(0) ==
-          "run.csv:2:1: time: is \"0,5\", allowed is a finite number or an empty cell; write decimal points, not decimal commas");
+          "run.csv:2:1: time: is \"0,5\", allowed is a finite number or an empty cell; these seem to be decimal commas, "
+          "write decimal points");
     CHECK(only_error("time,position\n0,5,1,2\n") ==
           "run.csv:2:1: has 4 cells, the header has 2; these seem to be decimal commas, write decimal points");
     CHECK_THAT(errors("time;position\n0;1,x\n").at(0), EndsWith("or an empty cell"));
@@ -205,10 +206,16 @@ TEST_CASE("tables that are none")
     std::string damaged = zip;
     damaged[damaged.size() - 6] ^= 1;  // inside the check sum
     CHECK_THAT(only_error(damaged), Contains("damaged or cut off"));
-    // what is not compressed stands in the archive as it is: one bit turns a digit into a letter
-    std::string spoilt = gzipped("time,position\n0,1\n1,2\n", "wb0");
-    spoilt[spoilt.find("0,1") + 2] ^= 0x40;
-    CHECK_THAT(only_error(spoilt), Contains("damaged or cut off"));
+    // what is not compressed stands in the archive as it is, and its checksum far behind: one bit turns a digit into a
+    // letter, or into a control character
+    std::string rows = "time,position\n";
+    for (int i = 0; i < 40000; ++i) rows += std::to_string(i) + ",1\n";
+    const std::string archive = gzipped(rows, "wb0");
+    for (const char flipped : {0x40, 0x20}) {
+        std::string spoilt = archive;
+        spoilt[spoilt.find("\n7,1") + 3] ^= flipped;
+        CHECK(only_error(spoilt) == "run.csv: the archive is damaged or cut off (incorrect data check)");
+    }
     const Joint joint = joint_of("prismatic");
     CHECK_THAT(messages_of([&] { read_record(shared_directory() / "absent.csv", joint); }).at(0),
                EndsWith("there is no such file"));

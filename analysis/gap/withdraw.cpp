@@ -21,8 +21,9 @@ std::string floors(double x)
 }
 
 /// Empty where the cause may stay.
-std::string why_withdrawn(const OverallGap& gap, const Standing& standing)
+std::string why_withdrawn(const Diagnosis& d, const Standing& standing)
 {
+    const OverallGap& gap = d.overall;
     constexpr double mostly_left = 0.5;  // of the mean square beyond the noise
     // Of floors that nobody documented. Of the unsettled causes in ten draws of sealed cases the one that left less
     // than two was right, the two that left more than seven were an inertia that changed with time.
@@ -30,6 +31,8 @@ std::string why_withdrawn(const OverallGap& gap, const Standing& standing)
     if (gap.worse()) return "makes the simulation of held-out data worse";
     if (standing.settled) return "";
     if (gap.left() >= mostly_left) return "leaves most of the gap on held-out data";
+    if (!d.effects.empty() && !d.effects[0].plausible)
+        return "leaves more than noise, and needs a number at its bound or ten times the usual";
     if (!standing.noise_documented && gap.after > many * gap.noise())
         return "leaves " + floors(gap.after / gap.noise()) +
                " floors of held-out data, and no document tells the noise";
@@ -44,7 +47,7 @@ bool withdraw_if_no_better(Diagnosis& d, const Standing& standing)
     // that left more were wrong, or lacked a second effect.
     constexpr double more_than_noise = 1.5, doubted = 0.2;
     if (d.verdict != Verdict::gap) return false;
-    const std::string why = why_withdrawn(d.overall, standing);
+    const std::string why = why_withdrawn(d, standing);
     if (why.empty()) {
         if (!standing.settled && standing.noise_documented && d.overall.after > more_than_noise * d.overall.noise())
             believe_at_most(d.effects, doubted);

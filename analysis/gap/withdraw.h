@@ -15,10 +15,10 @@ struct Standing {
     bool noise_documented = false;  ///< floors are those of the document
 };
 
-/// Where a named cause leaves a larger gap on held-out data than there was, or, without being settled, more than half
-/// of it, or many floors that nobody documented, the verdict becomes `unknown`, the reasons say why, and nothing is left
-/// to confuse it with; the ranking stays. An unsettled one that leaves more than a documented noise is doubted. Whether
-/// the cause was withdrawn.
+/// Where a named cause leaves a larger gap on held-out data than there was, the verdict becomes `unknown`; so it does
+/// where an unsettled one leaves more than half of it, many floors that nobody documented, or a rest in spite of
+/// implausible numbers. The reasons say why, and nothing is left to confuse it with; the ranking stays. An unsettled
+/// one that leaves more than a documented noise is doubted. Whether the cause was withdrawn.
 bool withdraw_if_no_better(Diagnosis& diagnosis, const Standing& standing);
 
 /// Where there should be no gap, and the simulation of the whole records is far from them all the same, the verdict

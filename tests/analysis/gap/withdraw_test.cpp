@@ -72,14 +72,27 @@ TEST_CASE("a cause that leaves many floors which nobody documented is not named"
     CHECK(withdraw_if_no_better(d, {}));
     CHECK(d.verdict == Verdict::unknown);
     REQUIRE(d.reasons.size() == 1);
-    CHECK(d.reasons[0] ==
-          "stribeck fits best, but leaves 7.5 floors of held-out data, and no document tells the noise: it is not named "
-          "as the cause");
+    CHECK(
+        d.reasons[0] ==
+        "stribeck fits best, but leaves 7.5 floors of held-out data, and no document tells the noise: it is not named "
+        "as the cause");
     for (const auto& standing : {Standing{.settled = true}, Standing{.noise_documented = true}}) {
         d = leaving(15, 7.5);
         CHECK_FALSE(withdraw_if_no_better(d, standing));
         CHECK(d.verdict == Verdict::gap);
     }
+}
+
+TEST_CASE("a cause that leaves a rest and needs an implausible number is not named", "[gap]")
+{
+    auto d = leaving(10, 1.3);
+    d.effects[0].plausible = false;
+    CHECK_FALSE(withdraw_if_no_better(d, {.settled = true}));
+    CHECK(d.verdict == Verdict::gap);
+    CHECK(withdraw_if_no_better(d, {.noise_documented = true}));
+    CHECK(d.verdict == Verdict::unknown);
+    CHECK(
+        d.reasons.at(0).starts_with("stribeck fits best, but leaves more than noise, and needs a number at its bound"));
 }
 
 TEST_CASE("a joint whose predictions hide in the noise is not free of a gap that the whole motion shows", "[gap]")

@@ -13,6 +13,7 @@
 #include "analysis/gap/rig.h"
 #include "analysis/gap/withdraw.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>

@@ -1,5 +1,5 @@
 // What a long answer is busy with: stage, how many of its tasks are done, seconds. On a terminal one line that changes,
-// in a pipe or a log a new line every half a minute.
+// in a pipe or a log a new line every 30 s.
 #pragma once
 #include "analysis/gap/attribute.h"
 

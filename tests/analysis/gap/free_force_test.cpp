@@ -9,25 +9,33 @@ using namespace stickslip::gap;
 
 namespace {
 
-std::vector<FreeFit> fits_to(const test::Machine& m, std::vector<Case>& cases, Scales& scales)
-{
-    std::vector<std::string> notes;
-    for (unsigned seed : {1u, 2u}) {
-        cases.push_back(prepare(test::record_of(m, seed), test::nominal_joint(), notes));
-        cases.back().number = cases.size() - 1;
-    }
-    scales = scales_of(cases);
-    return fit_free_forces(cases, scales, judge_nominal(cases),
-                           [](std::size_t n, const std::function<void(std::size_t)>& task) {
-                               for (std::size_t i = 0; i < n; ++i) task(i);
-                           });
-}
+/// Two records of a machine, and the forces without a name that were fitted to them.
+struct Fitted {
+    std::vector<Case> cases;
+    Scales scales;
+    std::vector<FreeFit> fits;
 
-FreeForce force_of(const FreeFit& f, const std::vector<Case>& cases, const Scales& scales)
-{
-    const auto si = in_si(f.fit.candidate, f.fit.x[2], scales);
-    return edited_plant(cases[0].joint, f.fit.candidate, si, 0).free;
-}
+    explicit Fitted(const test::Machine& m)
+    {
+        std::vector<std::string> notes;
+        for (unsigned seed : {1u, 2u}) {
+            cases.push_back(prepare(test::record_of(m, seed), test::nominal_joint(), notes));
+            cases.back().number = cases.size() - 1;
+        }
+        scales = scales_of(cases);
+        fits = fit_free_forces(cases, scales, judge_nominal(cases),
+                               [](std::size_t n, const std::function<void(std::size_t)>& task) {
+                                   for (std::size_t i = 0; i < n; ++i) task(i);
+                               });
+    }
+
+    const FreeFit& best() const { return fits.at(0); }
+    FreeForce force() const
+    {
+        const Attribution& fit = best().fit;
+        return edited_plant(cases[0].joint, fit.candidate, in_si(fit.candidate, fit.x[2], scales), 0).free;
+    }
+};
 
 }  // namespace
 
@@ -48,12 +56,10 @@ TEST_CASE("a spring of no effect is found as a force of position, with its size"
 {
     test::Machine m;
     m.cubic = 2000;  // 2 N at the ends
-    std::vector<Case> cases;
-    Scales scales;
-    const auto fits = fits_to(m, cases, scales);
-    REQUIRE(fits[0].of == "position");
-    CHECK(fits[0].fit.explained > 0.99);
-    const FreeForce f = force_of(fits[0], cases, scales);
+    const Fitted fitted(m);
+    REQUIRE(fitted.best().of == "position");
+    CHECK(fitted.best().fit.explained > 0.99);
+    const FreeForce f = fitted.force();
     for (double q = -0.07; q < 0.08; q += 0.01) CHECK(f.at(q, 0) == Approx(-m.cubic * q * q * q).margin(0.03));
 }
 
@@ -61,12 +67,10 @@ TEST_CASE("drag with the square of speed is found as a force of velocity, with i
 {
     test::Machine m;
     m.drag = 40;
-    std::vector<Case> cases;
-    Scales scales;
-    const auto fits = fits_to(m, cases, scales);
-    REQUIRE(fits[0].of == "velocity");
-    CHECK(fits[0].fit.explained > 0.99);
-    const FreeForce f = force_of(fits[0], cases, scales);
+    const Fitted fitted(m);
+    REQUIRE(fitted.best().of == "velocity");
+    CHECK(fitted.best().fit.explained > 0.99);
+    const FreeForce f = fitted.force();
     for (double v = -0.15; v < 0.16; v += 0.05) CHECK(f.at(0, v) == Approx(-m.drag * v * std::abs(v)).margin(0.02));
 }
 
@@ -74,29 +78,25 @@ TEST_CASE("a spring that lags behind the position is found as a hysteresis, with
 {
     test::Machine m;
     m.bellows = 20, m.bellows_play = 0.012;  // 1.6 N at the ends
-    std::vector<Case> cases;
-    Scales scales;
-    const auto fits = fits_to(m, cases, scales);
-    REQUIRE(fits[0].of == "hysteresis");
-    CHECK(fits[0].fit.explained > 0.99);
-    const FreeForce f = force_of(fits[0], cases, scales);
+    const Fitted fitted(m);
+    REQUIRE(fitted.best().of == "hysteresis");
+    CHECK(fitted.best().fit.explained > 0.99);
+    const FreeForce f = fitted.force();
     CHECK(f.play == Approx(m.bellows_play).epsilon(0.02));
     for (double q = -0.06; q < 0.07; q += 0.02) CHECK(f.at(q, 0) == Approx(-m.bellows * q).margin(0.03));
     // nothing that goes by the place alone comes near
-    for (const auto& other : fits)
-        if (other.of == "position") CHECK(clearly_better(fits[0], other.fit));
+    for (const auto& other : fitted.fits)
+        if (other.of == "position") CHECK(clearly_better(fitted.best(), other.fit));
 }
 
 TEST_CASE("a hysteresis of another kind is nearer to a play than to any force of position", "[gap]")
 {
     test::Machine m;
     m.bellows = 20, m.bellows_play = 0.012, m.bellows_creeps = true;
-    std::vector<Case> cases;
-    Scales scales;
-    const auto fits = fits_to(m, cases, scales);
-    REQUIRE(fits[0].of == "hysteresis");
-    REQUIRE(fits.size() == 3);
-    CHECK(clearly_better(fits[0], fits[1].fit));
+    const Fitted fitted(m);
+    REQUIRE(fitted.best().of == "hysteresis");
+    REQUIRE(fitted.fits.size() == 3);
+    CHECK(clearly_better(fitted.best(), fitted.fits[1].fit));
 }
 
 TEST_CASE("a force without a name beats a cause only by a clear part of what the cause leaves", "[gap]")

@@ -1,6 +1,6 @@
 #include "analysis/design/design.h"
 
-#include "analysis/boundary/optimise.h"
+#include "analysis/numerics/optimise.h"
 #include "analysis/design/judge.h"
 #include "analysis/stability/steady.h"
 

@@ -1,8 +1,8 @@
 // The best pair of gains under requirements, as §5 of the paper asks for: position and velocity feedback weighed by the
 // quality of their sensors.
 #pragma once
-#include "analysis/boundary/boundary.h"
-#include "analysis/boundary/coordinates.h"
+#include "analysis/boundary/kinds/boundary.h"
+#include "analysis/boundary/trace/coordinates.h"
 #include "analysis/design/noise.h"
 #include "analysis/results/design.h"
 #include "analysis/stability/verdict.h"

@@ -1,7 +1,7 @@
 #include "analysis/design/judge.h"
 
-#include "analysis/boundary/locate.h"
-#include "analysis/boundary/root.h"
+#include "analysis/boundary/trace/locate.h"
+#include "analysis/numerics/root.h"
 #include "analysis/stability/steady.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Pairs of gains against requirements, by either theory. Internal to analysis/design.
 #pragma once
-#include "analysis/boundary/nearest.h"
-#include "analysis/boundary/optimise.h"
+#include "analysis/boundary/kinds/nearest.h"
+#include "analysis/numerics/optimise.h"
 #include "analysis/design/design.h"
 
 #include <array>

@@ -21,7 +21,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "analysis/joint/field.h"
+#include "analysis/base/field.h"
 
 namespace stickslip {
 

@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "analysis/friction/friction.h"
-#include "analysis/joint/field.h"
+#include "analysis/base/field.h"
 
 namespace stickslip {
 

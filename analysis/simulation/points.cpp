@@ -1,5 +1,5 @@
 #include "analysis/simulation/lanes/batch.h"
-#include "analysis/simulation/nonlinear.h"
+#include "analysis/simulation/points.h"
 
 namespace stickslip {
 

@@ -1,8 +1,8 @@
 #include "analysis/simulation/simulate.h"
 
-#include "analysis/simulation/late_flow.h"
-#include "analysis/simulation/mode.h"
-#include "analysis/simulation/motion.h"
+#include "analysis/simulation/flows/late_flow.h"
+#include "analysis/simulation/flows/mode.h"
+#include "analysis/simulation/solvers/motion.h"
 #include "analysis/stability/steady.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #pragma once
 #include "analysis/joint/joint.h"
 #include "analysis/results/trajectory.h"
-#include "analysis/simulation/disturbance.h"
+#include "analysis/simulation/flows/disturbance.h"
 #include "analysis/stability/forced_response.h"
 
 namespace stickslip {

@@ -5,7 +5,7 @@
 
 #include "analysis/stability/joint_crossings.h"
 #include "analysis/stability/joint_spectrum.h"
-#include "analysis/stability/maximum.h"
+#include "analysis/numerics/maximum.h"
 #include "analysis/stability/steady.h"
 
 namespace stickslip {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "analysis/stability/balance.h"
+#include "analysis/numerics/balance.h"
 #include "analysis/stability/characteristic.h"
 #include "analysis/stability/frequency_search.h"
 #include "analysis/stability/joint_spectrum.h"

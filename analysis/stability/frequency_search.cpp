@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <span>
 
-#include "analysis/boundary/root.h"
+#include "analysis/numerics/root.h"
 #include "analysis/stability/characteristic.h"
-#include "analysis/stability/interval.h"
+#include "analysis/numerics/interval.h"
 
 namespace stickslip {
 namespace {

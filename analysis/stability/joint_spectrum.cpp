@@ -3,7 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
-#include "analysis/stability/balance.h"
+#include "analysis/numerics/balance.h"
 #include "analysis/stability/characteristic.h"
 #include "analysis/stability/delay_spectrum.h"
 #include "analysis/stability/frequency_search.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "analysis/stability/linear_joint.h"
-#include "analysis/stability/polynomial_arithmetic.h"
+#include "analysis/numerics/polynomial_arithmetic.h"
 
 namespace stickslip {
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "analysis/stability/linear_joint.h"
-#include "analysis/stability/polynomial_arithmetic.h"
+#include "analysis/numerics/polynomial_arithmetic.h"
 #include "analysis/stability/spectrum.h"
 
 namespace stickslip {

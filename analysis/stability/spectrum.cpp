@@ -3,9 +3,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
-#include "analysis/stability/balance.h"
+#include "analysis/numerics/balance.h"
 #include "analysis/stability/neutral.h"
-#include "analysis/stability/polynomial.h"
+#include "analysis/numerics/polynomial.h"
 
 namespace stickslip {
 namespace {

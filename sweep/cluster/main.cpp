@@ -1,6 +1,6 @@
 // stickslip-mpi: the program with every rank of an MPI job at work on its sweep. All other verbs run on rank 0.
 #include "sweep/cluster/mpi_cluster.h"
-#include "sweep/program.h"
+#include "sweep/program/program.h"
 
 #include <cstdio>
 #include <string_view>

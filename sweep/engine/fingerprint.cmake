@@ -15,7 +15,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
 endif()
 
 file(GLOB_RECURSE numeric_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/analysis/*.h ${PROJECT_SOURCE_DIR}/analysis/*.cpp
-  ${PROJECT_SOURCE_DIR}/sweep/evaluate.cpp)
+  ${PROJECT_SOURCE_DIR}/sweep/study/evaluate.cpp)
 list(SORT numeric_sources)
 set(made ${CMAKE_CURRENT_BINARY_DIR}/made)
 string(REPLACE ";" "\n" lines "${numeric_sources}")

@@ -1,8 +1,8 @@
 // What a located boundary point costs, against plain bisection on the rows of a grid: every node of a row is evaluated,
 // and each change of side is halved until its bracket is as narrow. Prints, asserts nothing about time.
-#include "analysis/boundary/boundary.h"
+#include "analysis/boundary/kinds/boundary.h"
 #include "analysis/joint/parameters.h"
-#include "analysis/simulation/nonlinear.h"
+#include "analysis/simulation/attractor/nonlinear.h"
 #include "tests/analysis/boundary/axis.h"
 #include "tests/analysis/simulation/joints.h"
 

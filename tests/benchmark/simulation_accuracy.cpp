@@ -8,9 +8,10 @@
 #include <thread>
 
 #include "analysis/stability/verdict.h"
-#include "sweep/embedded.h"
+#include "analysis/simulation/points.h"
+#include "sweep/program/verbs/embedded.h"
 #include "sweep/engine/cursor.h"
-#include "sweep/files/spec_file.h"
+#include "sweep/files/toml/spec_file.h"
 #include "tests/analysis/simulation/lanes_comparison.h"
 
 namespace {

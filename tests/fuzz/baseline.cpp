@@ -1,6 +1,6 @@
 // Any bytes as a baseline: boundaries that can be described, or a refusal.
-#include "sweep/check/baseline_file.h"
-#include "sweep/files/bad_input.h"
+#include "sweep/files/json/baseline_file.h"
+#include "sweep/files/text/bad_input.h"
 #include "tests/fuzz/input_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)

@@ -1,8 +1,8 @@
 // Any bytes as spec.toml: a sweep that a plan can be made of, or a list of complaints.
 #include "sweep/engine/plan.h"
 #include "sweep/engine/plan_file.h"
-#include "sweep/files/bad_input.h"
-#include "sweep/files/spec_file.h"
+#include "sweep/files/text/bad_input.h"
+#include "sweep/files/toml/spec_file.h"
 #include "tests/fuzz/input_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)

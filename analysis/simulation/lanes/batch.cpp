@@ -7,8 +7,8 @@
 
 #include "analysis/simulation/lanes/grouping.h"
 #include "analysis/simulation/lanes/stribeck_batch.h"
-#include "analysis/simulation/large_disturbance.h"
-#include "analysis/stability/polynomial.h"
+#include "analysis/simulation/attractor/large_disturbance.h"
+#include "analysis/numerics/polynomial.h"
 #include "analysis/stability/steady.h"
 
 namespace stickslip::lanes {

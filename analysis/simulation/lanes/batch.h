@@ -4,7 +4,7 @@
 #include <span>
 
 #include "analysis/simulation/lanes/job.h"
-#include "analysis/simulation/nonlinear.h"
+#include "analysis/simulation/attractor/nonlinear.h"
 
 namespace stickslip::lanes {
 

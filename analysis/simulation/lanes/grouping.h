@@ -6,7 +6,7 @@
 #include <complex>
 
 #include "analysis/joint/joint.h"
-#include "analysis/simulation/mode.h"
+#include "analysis/simulation/flows/mode.h"
 
 namespace stickslip::lanes {
 

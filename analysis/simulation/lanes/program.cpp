@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "analysis/simulation/disturbance.h"
-#include "analysis/simulation/hermite.h"
+#include "analysis/simulation/flows/disturbance.h"
+#include "analysis/numerics/hermite.h"
 
 namespace stickslip::lanes {
 namespace {

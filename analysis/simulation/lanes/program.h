@@ -4,8 +4,8 @@
 #pragma once
 #include "analysis/simulation/lanes/job.h"
 #include "analysis/simulation/lanes/secant.h"
-#include "analysis/simulation/near_rest.h"
-#include "analysis/simulation/rodas5p_table.h"
+#include "analysis/simulation/flows/near_rest.h"
+#include "analysis/simulation/solvers/rodas5p_table.h"
 
 namespace stickslip::lanes {
 

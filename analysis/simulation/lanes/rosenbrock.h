@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "analysis/simulation/lanes/functions.h"
-#include "analysis/simulation/rodas5p_table.h"
+#include "analysis/simulation/solvers/rodas5p_table.h"
 
 namespace stickslip::lanes {
 

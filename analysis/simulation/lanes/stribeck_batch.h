@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "analysis/simulation/lanes/stribeck_job.h"
-#include "analysis/simulation/nonlinear.h"
+#include "analysis/simulation/attractor/nonlinear.h"
 
 namespace stickslip::lanes {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "analysis/simulation/disturbance.h"
-#include "analysis/simulation/hermite.h"
-#include "analysis/simulation/near_rest.h"
+#include "analysis/simulation/flows/disturbance.h"
+#include "analysis/numerics/hermite.h"
+#include "analysis/simulation/flows/near_rest.h"
 
 namespace stickslip::lanes {
 namespace {

@@ -1,6 +1,6 @@
 // Boundaries of joints, along axes and over charts, against the closed form of (34)-(35) and against each other.
-#include "analysis/boundary/boundary.h"
-#include "analysis/boundary/locate.h"
+#include "analysis/boundary/kinds/boundary.h"
+#include "analysis/boundary/trace/locate.h"
 #include "analysis/joint/parameters.h"
 #include "tests/analysis/boundary/axis.h"
 #include "tests/analysis/simulation/joints.h"

@@ -1,6 +1,6 @@
 // Folds of limit cycles against published continuation results, and against plain simulation.
-#include "analysis/boundary/boundary.h"
-#include "analysis/simulation/nonlinear.h"
+#include "analysis/boundary/kinds/boundary.h"
+#include "analysis/simulation/attractor/nonlinear.h"
 #include "tests/analysis/boundary/axis.h"
 #include "tests/analysis/simulation/joints.h"
 

@@ -1,5 +1,5 @@
 // Following of level sets whose shape is known: turns, cusps, crossings, islands, borders.
-#include "analysis/boundary/follow.h"
+#include "analysis/boundary/trace/follow.h"
 
 #include <catch2/catch.hpp>
 

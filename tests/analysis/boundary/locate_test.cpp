@@ -1,6 +1,6 @@
 // Located boundaries against the closed form of (34)-(35).
-#include "analysis/boundary/locate.h"
-#include "analysis/boundary/root.h"
+#include "analysis/boundary/trace/locate.h"
+#include "analysis/numerics/root.h"
 #include "tests/analysis/simulation/joints.h"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 // The nearest boundary and the worst case against closed forms in the quasi-static limit of (35).
-#include "analysis/boundary/nearest.h"
-#include "analysis/boundary/locate.h"
+#include "analysis/boundary/kinds/nearest.h"
+#include "analysis/boundary/trace/locate.h"
 #include "tests/analysis/simulation/joints.h"
 
 #include <catch2/catch.hpp>

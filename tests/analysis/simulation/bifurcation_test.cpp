@@ -1,5 +1,5 @@
 // Criticality of the Hopf point and folds of limit cycles against closed forms and published folds.
-#include "analysis/simulation/bifurcation.h"
+#include "analysis/simulation/attractor/bifurcation.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,13 +1,13 @@
 // Several bodies: the flow against the equations of motion that stand in joint/motion.h, against finite differences,
 // and in the limit of stiff springs against the single mass.
-#include "analysis/simulation/chain_flow.h"
+#include "analysis/simulation/flows/chain_flow.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
-#include "analysis/joint/motion.h"
-#include "analysis/simulation/nonlinear.h"
+#include "tests/oracles/motion.h"
+#include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/simulation/simulate.h"
 #include "analysis/stability/verdict.h"
 #include "tests/analysis/simulation/joints.h"

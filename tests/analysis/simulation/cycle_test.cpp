@@ -1,5 +1,5 @@
 // Limit cycles by shooting against the published numbers of PHYSICS: a continuation program and simulation found them.
-#include "analysis/simulation/cycle.h"
+#include "analysis/simulation/attractor/cycle.h"
 
 #include "tests/analysis/simulation/joints.h"
 

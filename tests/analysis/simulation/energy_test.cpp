@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "analysis/simulation/attractor.h"
+#include "analysis/simulation/attractor/attractor.h"
 #include "analysis/simulation/simulate.h"
 #include "tests/analysis/simulation/joints.h"
 

@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "analysis/simulation/break_away.h"
-#include "analysis/simulation/nonlinear.h"
+#include "analysis/simulation/flows/break_away.h"
+#include "analysis/simulation/points.h"
 #include "analysis/simulation/simulate.h"
 #include "analysis/stability/verdict.h"
 

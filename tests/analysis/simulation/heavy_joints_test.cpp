@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/simulation/nonlinear.h"
+#include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/stability/verdict.h"
 #include "tests/analysis/simulation/joints.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/simulation/lanes/batch.h"
-#include "analysis/simulation/nonlinear.h"
+#include "analysis/simulation/points.h"
 #include "analysis/stability/verdict.h"
 #include "tests/analysis/simulation/cvode_groups.h"
 #include "tests/analysis/simulation/joints.h"

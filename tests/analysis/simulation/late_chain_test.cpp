@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "analysis/simulation/nonlinear.h"
+#include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/simulation/simulate.h"
 #include "analysis/stability/verdict.h"
 #include "tests/analysis/simulation/joints.h"

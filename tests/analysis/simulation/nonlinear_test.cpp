@@ -1,5 +1,5 @@
 // The nonlinear outcome of one joint against published numbers and against the linear theory.
-#include "analysis/simulation/nonlinear.h"
+#include "analysis/simulation/attractor/nonlinear.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

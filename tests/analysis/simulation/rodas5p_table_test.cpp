@@ -1,6 +1,6 @@
 // The coefficients of Rodas5P against the order conditions of Rosenbrock methods (Hairer & Wanner, Solving ODEs II,
 // Theorem IV.7.4 ff.): for every rooted tree of order p, Σ b_i Φ_i(tree) = 1/γ(tree).
-#include "analysis/simulation/rodas5p_table.h"
+#include "analysis/simulation/solvers/rodas5p_table.h"
 
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>

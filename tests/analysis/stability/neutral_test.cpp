@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "analysis/boundary/locate.h"
+#include "analysis/boundary/trace/locate.h"
 #include "analysis/stability/comparison.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/resolution.h"

@@ -2,7 +2,7 @@
 // outweighed.
 #include <catch2/catch.hpp>
 
-#include "analysis/simulation/nonlinear.h"
+#include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/stability/joint_crossings.h"
 #include "analysis/stability/study.h"
 #include "tests/analysis/joint/sample_joints.h"

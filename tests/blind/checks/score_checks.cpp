@@ -1,5 +1,5 @@
 // The scorer against answers whose score is counted by hand.
-#include "sweep/blind/score.h"
+#include "sweep/study/score.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // blind_score TRUTH ANSWERS [--json FILE]: scores answers to sealed cases without the program that gave them.
-#include "sweep/blind/score.h"
+#include "sweep/study/score.h"
 
 #include <CLI/CLI.hpp>
 

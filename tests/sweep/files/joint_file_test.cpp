@@ -1,4 +1,4 @@
-#include "sweep/files/joint_file.h"
+#include "sweep/files/toml/joint_file.h"
 
 #include "analysis/joint/parameters.h"
 #include "tests/sweep/files/messages.h"

@@ -1,5 +1,5 @@
 #include "analysis/joint/parameters.h"
-#include "sweep/files/joint_file.h"
+#include "sweep/files/toml/joint_file.h"
 #include "tests/sweep/files/messages.h"
 #include "tests/temporary_directory.h"
 

@@ -1,6 +1,6 @@
 // What a reader of files says about bad input.
 #pragma once
-#include "sweep/files/bad_input.h"
+#include "sweep/files/text/bad_input.h"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
-#include "sweep/files/outcome_file.h"
+#include "sweep/files/records/outcome_file.h"
 
-#include "sweep/files/joint_file.h"
+#include "sweep/files/toml/joint_file.h"
 #include "tests/sweep/files/messages.h"
 #include "tests/temporary_directory.h"
 

@@ -1,6 +1,6 @@
-#include "sweep/files/record_layout.h"
+#include "sweep/files/records/record_layout.h"
 
-#include "sweep/files/joint_file.h"
+#include "sweep/files/toml/joint_file.h"
 #include "tests/sweep/files/messages.h"
 
 #include <catch2/catch.hpp>

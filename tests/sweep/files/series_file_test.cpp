@@ -1,11 +1,11 @@
 // Records of one quantity: which columns are taken, what is refused, and means over samples.
-#include "sweep/files/series_file.h"
+#include "sweep/files/text/series_file.h"
 
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 
-#include "sweep/files/bad_input.h"
+#include "sweep/files/text/bad_input.h"
 #include "tests/temporary_directory.h"
 
 using namespace stickslip;

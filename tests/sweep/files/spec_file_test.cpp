@@ -1,7 +1,7 @@
-#include "sweep/files/spec_file.h"
+#include "sweep/files/toml/spec_file.h"
 
-#include "sweep/files/joint_file.h"
-#include "sweep/files/symbols.h"
+#include "sweep/files/toml/joint_file.h"
+#include "sweep/words/symbols.h"
 #include "tests/sweep/files/messages.h"
 #include "tests/temporary_directory.h"
 

@@ -1,7 +1,7 @@
 // Numbers of the linear study that do not exist, and the words in their place.
-#include "sweep/files/study_json.h"
+#include "sweep/files/json/study_json.h"
 
-#include "sweep/report/figures_report.h"
+#include "sweep/report/pages/figures_report.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "sweep/files/units.h"
+#include "sweep/files/text/units.h"
 
 #include <catch2/catch.hpp>
 #include <string>

@@ -1,5 +1,5 @@
 // Files of the program appear whole, or what stood there stays.
-#include "sweep/files/whole_file.h"
+#include "sweep/files/text/whole_file.h"
 #include "tests/sweep/engine/sample_sweep.h"
 #include "tests/sweep/file_size_limit.h"
 

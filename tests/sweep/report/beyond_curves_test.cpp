@@ -1,10 +1,10 @@
 // Which part of a chart is bistable, told from located curves and checked by simulation.
-#include "sweep/report/beyond_curves.h"
+#include "sweep/report/figures/beyond_curves.h"
 
-#include "analysis/boundary/boundary.h"
+#include "analysis/boundary/kinds/boundary.h"
 #include "analysis/joint/parameters.h"
-#include "analysis/simulation/nonlinear.h"
-#include "sweep/report/boundary_report.h"
+#include "analysis/simulation/attractor/nonlinear.h"
+#include "sweep/report/pages/boundary_report.h"
 #include "tests/analysis/simulation/joints.h"
 
 #include <catch2/catch.hpp>

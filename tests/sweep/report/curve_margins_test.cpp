@@ -1,5 +1,5 @@
 // What located points and curves say of the design, and how their brackets are drawn.
-#include "sweep/report/curve_margins.h"
+#include "sweep/report/figures/curve_margins.h"
 
 #include "tests/analysis/simulation/joints.h"
 

@@ -1,5 +1,5 @@
 // Sets of gains in words.
-#include "sweep/report/line_figure.h"
+#include "sweep/words/line_figure.h"
 
 #include "analysis/results/text.h"
 

@@ -1,9 +1,9 @@
 // What a report says against the linear chart of the bistable strip.
-#include "sweep/report/nonlinear_findings.h"
+#include "sweep/report/figures/nonlinear_findings.h"
 
 #include <catch2/catch.hpp>
 
-#include "analysis/simulation/nonlinear.h"
+#include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/stability/verdict.h"
 #include "tests/analysis/simulation/joints.h"
 

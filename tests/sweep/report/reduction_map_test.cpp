@@ -1,5 +1,5 @@
 // The chart of full and reduced boundaries against the closed form of one mass with one state.
-#include "sweep/report/reduction_map.h"
+#include "sweep/report/figures/reduction_map.h"
 
 #include <catch2/catch.hpp>
 

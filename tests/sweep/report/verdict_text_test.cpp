@@ -1,5 +1,5 @@
 // The verdict in words where no single critical gain exists, and where no velocity gain is enough.
-#include "sweep/report/verdict_text.h"
+#include "sweep/words/verdict_text.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,0 +1,338 @@
+#include "analysis/boundary/kinds/boundary.h"
+
+#include "analysis/boundary/trace/climb.h"
+#include "analysis/boundary/kinds/fold.h"
+#include "analysis/boundary/trace/locate.h"
+#include "analysis/boundary/kinds/outcome.h"
+#include "analysis/numerics/root.h"
+#include "analysis/joint/parameters.h"
+#include "analysis/stability/verdict.h"
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+namespace stickslip {
+namespace {
+
+bool is_linear(BoundaryKind kind)
+{
+    return kind != BoundaryKind::fold && kind != BoundaryKind::outcome;
+}
+
+double& number_at(Joint& joint, const std::string& path)
+{
+    double* number = find_parameter(joint, path);
+    if (!number) throw std::invalid_argument("no number at " + path);
+    return *number;
+}
+
+/// The request as it stands after its defaults.
+BoundaryRequest completed(BoundaryRequest request)
+{
+    if (!is_set(request.precision)) request.precision = default_precision(request.kind);
+    if (request.following.guard == 0) request.following.guard = default_guard(is_linear(request.kind));
+    if (!request.parallel)
+        request.parallel = [](std::size_t n, const std::function<void(std::size_t)>& task) {
+            for (std::size_t i = 0; i < n; ++i) task(i);
+        };
+    return request;
+}
+
+/// The default, finer where a linear theory is asked about so many decades that its intervals would become wide.
+int scan_of(BoundaryKind kind, const Axis& axis)
+{
+    constexpr double intervals_per_decade = 8;
+    const UnitAxis unit(axis);
+    const double decades = unit.log ? unit.span() / std::log(10.0) : 0;
+    const int enough = is_linear(kind) ? static_cast<int>(std::ceil(intervals_per_decade * decades)) : 0;
+    return std::max(default_scan(kind), enough);
+}
+
+/// The least velocity is looked for with the velocity commanded as such.
+Joint prepared(Joint joint, BoundaryKind kind)
+{
+    if (kind == BoundaryKind::v_min) joint.control.force_rate = not_set;
+    return joint;
+}
+
+class Ray {
+  public:
+    Ray(const Joint& joint, const Axis& axis, const BoundaryRequest& request)
+        : joint_(joint), request_(request), unit_(axis)
+    {
+        ray_.kind = request.kind;
+        ray_.axis = axis;
+        ray_.axis.values = {axis.values.front(), axis.values.back()};
+    }
+
+    LocatedRay run()
+    {
+        scan();
+        const auto n = values_.size();
+        ray_.nodes = static_cast<int>(n);
+        ray_.evaluations = ray_.nodes;
+        int stable = 0, neutral = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            ray_.undecided += std::isnan(sides_[i]);
+            stable += sides_[i] < 0;
+            neutral += neutral_at(i);
+            if (i + 1 < n && !neutral_at(i) && !neutral_at(i + 1))
+                bracket(values_[i], sides_[i], values_[i + 1], sides_[i + 1]);
+            if (neutral_at(i) && (i == 0 || !neutral_at(i - 1))) {
+                std::size_t last = i;
+                while (last + 1 < n && neutral_at(last + 1)) ++last;
+                judge_neutral(i, last);
+            }
+            if (i + 2 < n && is_linear(request_.kind)) climb(i);
+        }
+        ray_.stable_share = static_cast<double>(stable) / static_cast<double>(n);
+        ray_.neutral_share = static_cast<double>(neutral) / static_cast<double>(n);
+        std::sort(ray_.points.begin(), ray_.points.end(),
+                  [](const BoundaryPoint& a, const BoundaryPoint& b) { return a.value < b.value; });
+        return std::move(ray_);
+    }
+
+  private:
+    static constexpr double single_value = 1e-9;  ///< of the distance between nodes: as wide as a number to a user
+
+    bool neutral_at(std::size_t node) const { return is_linear(request_.kind) && sides_[node] == 0; }
+
+    double side(double value)
+    {
+        Joint joint = joint_;
+        number_at(joint, ray_.axis.path) = value;
+        return side_of(joint, request_);
+    }
+
+    void scan()
+    {
+        const auto n = static_cast<std::size_t>(request_.scan) + 1;
+        values_.resize(n), sides_.resize(n);
+        for (std::size_t i = 0; i < n; ++i) values_[i] = unit_.value(static_cast<double>(i) / request_.scan);
+        if (request_.kind != BoundaryKind::outcome)
+            return request_.parallel(n, [&](std::size_t i) { sides_[i] = side(values_[i]); });
+        std::vector<Joint> joints(n, joint_);
+        for (std::size_t i = 0; i < n; ++i) number_at(joints[i], ray_.axis.path) = values_[i];
+        sides_ = outcome_sides(joints, request_.disturbance, request_.parallel);
+    }
+
+    void bracket(double a, double fa, double b, double fb)
+    {
+        if (std::isnan(fa) || std::isnan(fb) || (fa < 0) == (fb < 0)) return;
+        auto root =
+            bracketed_root([&](double v) { return side(v); }, a, fa, b, fb, request_.precision, unit_.least_width());
+        // a boundary at zero is met within rounding only
+        if (a < 0 && b > 0 && std::abs(root.value) <= single_value * (b - a) && is_linear(request_.kind) &&
+            side(0) == 0)
+            root.low = std::min(root.low, 0.0), root.high = std::max(root.high, 0.0), root.value = 0;
+        ray_.evaluations += root.evaluations;
+        ray_.points.push_back({root.value, root.low, root.high, fb > fa ? 1 : -1, root.converged, root.evaluations,
+                               is_linear(request_.kind) ? LocationMethod::interpolation : LocationMethod::bisection});
+    }
+
+    /// Nodes from `first` to `last` are neutral, those beside them not. A boundary lies there if stability changes
+    /// across them, or if neutral sliding is the single value at an end of the range: where it goes on, what was left
+    /// of growth or decay has faded into rounding, and nothing turns.
+    void judge_neutral(std::size_t first, std::size_t last)
+    {
+        const double left = first > 0 ? sides_[first - 1] : missing;
+        const double right = last + 1 < values_.size() ? sides_[last + 1] : missing;
+        if (std::isnan(left) && std::isnan(right)) return;
+        if (!std::isnan(left) && !std::isnan(right) && (left < 0) == (right < 0)) return;
+        BoundaryPoint point;
+        point.low = std::isnan(left) ? values_[first] : end_of_neutral(values_[first], values_[first - 1]);
+        point.high = std::isnan(right) ? values_[last] : end_of_neutral(values_[last], values_[last + 1]);
+        const double width = point.high - point.low;
+        const double apart =
+            std::abs(std::isnan(left) ? values_[last + 1] - values_[last] : values_[first] - values_[first - 1]);
+        const bool single =
+            first == last && width <= std::max(single_value * apart, request_.precision * std::abs(values_[first]));
+        if ((std::isnan(left) || std::isnan(right)) && !single) return;
+        point.value = single ? values_[first] : 0.5 * (point.low + point.high);
+        const bool rises = std::isnan(left) ? right > 0 : left < 0;
+        point.direction = rises ? 1 : -1;
+        point.converged = point.value == 0 ? single : width <= request_.precision * std::abs(point.value);
+        ray_.points.push_back(point);
+    }
+
+    /// How far neutral sliding reaches from a neutral node towards another one, by bisection.
+    double end_of_neutral(double neutral, double other)
+    {
+        const double fine = 1e-3 * single_value * std::abs(other - neutral);
+        const auto root = bracketed_root(
+            [&](double v) {
+                ++ray_.evaluations;
+                return side(v) == 0 ? 1.0 : -1.0;
+            },
+            neutral, 1, other, -1, 0, neutral == 0 ? fine : 0.25 * request_.precision * std::abs(neutral));
+        return other > neutral ? root.high : root.low;
+    }
+
+    /// A pair of boundaries between three nodes of one side shows itself as an extremum towards zero.
+    void climb(std::size_t i)
+    {
+        const double a = sides_[i], b = sides_[i + 1], c = sides_[i + 2];
+        if (std::isnan(a + b + c) || (a < 0) != (b < 0) || (c < 0) != (b < 0)) return;
+        if (!(std::abs(b) < std::abs(a) && std::abs(b) < std::abs(c))) return;
+        ++ray_.climbed;
+        const double sign = b < 0 ? -1 : 1;
+        const double u = unit_.unit(values_[i + 1]);
+        double best = b, at = values_[i + 1];
+        climb_to_zero(
+            [&](double p) {
+                const double v = unit_.value(p), f = side(v);
+                ++ray_.evaluations;
+                if (sign * f < sign * best) best = f, at = v;
+                return sign * f;
+            },
+            u, unit_.unit(values_[i]), unit_.unit(values_[i + 2]));
+        if ((best < 0) == (b < 0)) return;
+        bracket(values_[i], a, at, best);
+        bracket(at, best, values_[i + 2], c);
+    }
+
+    const Joint& joint_;
+    const BoundaryRequest& request_;
+    UnitAxis unit_;
+    std::vector<double> values_, sides_;
+    LocatedRay ray_;
+};
+
+/// A joint of its own at a place of the chart: the walk to a number by its path costs more than a linear verdict.
+class JointOnChart {
+  public:
+    JointOnChart(const Joint& joint, const Axis& x, const Axis& y)
+        : joint_(joint), x_(&number_at(joint_, x.path)), y_(&number_at(joint_, y.path))
+    {
+    }
+    JointOnChart(const JointOnChart&) = delete;  // the numbers point into the joint
+
+    double side(double x, double y, const BoundaryRequest& request)
+    {
+        *x_ = x, *y_ = y;
+        return side_of(joint_, request);
+    }
+
+  private:
+    Joint joint_;
+    double *x_, *y_;
+};
+
+Sides sides_over(const Joint& joint, const Axis& x, const Axis& y, const BoundaryRequest& request)
+{
+    constexpr std::size_t together = 16;
+    Sides sides;
+    sides.continuous = is_linear(request.kind);
+    sides.precision = request.precision;
+    sides.at = [&, own = std::make_shared<JointOnChart>(joint, x, y)](double u, double v) {
+        return own->side(u, v, request);
+    };
+    sides.many = [&](const std::vector<double>& u, const std::vector<double>& v, std::vector<double>& values) {
+        if (request.kind == BoundaryKind::outcome) {
+            std::vector<Joint> joints(u.size(), joint);
+            for (std::size_t i = 0; i < u.size(); ++i)
+                number_at(joints[i], x.path) = u[i], number_at(joints[i], y.path) = v[i];
+            values = outcome_sides(joints, request.disturbance, request.parallel);
+            return;
+        }
+        request.parallel((u.size() + together - 1) / together, [&](std::size_t block) {
+            JointOnChart own(joint, x, y);
+            for (std::size_t i = block * together; i < std::min(u.size(), (block + 1) * together); ++i)
+                values[i] = own.side(u[i], v[i], request);
+        });
+    };
+    return sides;
+}
+
+/// Of a curve over (x, V_0) only what is the least stable velocity for its x: turning stable upwards, and no other such
+/// point below.
+void keep_least(FollowedBoundary& boundary)
+{
+    const auto lower_at = [&](const CurvePoint& p) {
+        for (const auto& piece : boundary.pieces)
+            for (std::size_t i = 1; i < piece.points.size(); ++i) {
+                const auto &a = piece.points[i - 1], &b = piece.points[i];
+                if ((a.x < p.x) == (b.x < p.x)) continue;
+                // a curve below at which sliding turns unstable is no least velocity
+                if ((a.along_y && a.at.direction > 0) || (b.along_y && b.at.direction > 0)) continue;
+                const double share = (p.x - a.x) / (b.x - a.x), y = a.y + share * (b.y - a.y);
+                if (y < p.y * (1 - 1e-6) && !(&a == &p) && !(&b == &p)) return true;
+            }
+        return false;
+    };
+    std::vector<CurvePiece> kept;
+    for (const auto& piece : boundary.pieces) {
+        bool open = false;
+        for (const auto& p : piece.points) {
+            const bool least = (!p.along_y || p.at.direction < 0) && !lower_at(p);
+            if (least && !open) kept.push_back({{}, piece.first, piece.last});
+            if (least) kept.back().points.push_back(p);
+            open = least;
+        }
+    }
+    boundary.pieces = std::move(kept);
+}
+
+}  // namespace
+
+double default_precision(BoundaryKind kind)
+{
+    return is_linear(kind) ? 1e-10 : kind == BoundaryKind::fold ? 1e-6 : 1e-4;
+}
+
+int default_scan(BoundaryKind kind)
+{
+    return is_linear(kind) ? 200 : 40;
+}
+
+double side_of(const Joint& joint, const BoundaryRequest& request)
+{
+    // what overflowed has no side
+    const auto finite = [](double side) { return std::isfinite(side) ? side : missing; };
+    switch (request.kind) {
+        case BoundaryKind::velocity_only:
+            return finite(instability(joint, Curve::Kind::velocity_only));
+        case BoundaryKind::state_variable:
+        case BoundaryKind::v_min:
+            return finite(instability(joint, Curve::Kind::state_variable));
+        case BoundaryKind::outcome:
+            return outcome_side(joint, request.disturbance);
+        case BoundaryKind::fold:
+            break;
+    }
+    return missing;
+}
+
+LocatedRay locate_boundaries(const Joint& given, const Axis& axis, const BoundaryRequest& asked)
+{
+    auto request = completed(asked);
+    if (request.scan == 0) request.scan = scan_of(request.kind, axis);
+    const Joint joint = prepared(given, request.kind);
+    Joint probe = joint;
+    number_at(probe, axis.path);
+    if (request.kind == BoundaryKind::fold) return locate_folds(joint, axis, request);
+    auto ray = Ray(joint, axis, request).run();
+    if (request.kind == BoundaryKind::v_min) {
+        std::erase_if(ray.points, [](const BoundaryPoint& p) { return p.direction > 0; });
+        if (ray.points.size() > 1) ray.points.resize(1);
+    }
+    return ray;
+}
+
+FollowedBoundary follow_boundaries(const Joint& given, const Axis& x, const Axis& y, const BoundaryRequest& asked)
+{
+    const auto request = completed(asked);
+    const Joint joint = prepared(given, request.kind);
+    Joint probe = joint;
+    number_at(probe, x.path), number_at(probe, y.path);
+    if (request.kind == BoundaryKind::v_min && y.path != "control.V0")
+        throw std::invalid_argument("the least velocity is followed over control.V0 as the y axis, given is " + y.path);
+    if (request.kind == BoundaryKind::fold) return follow_folds(joint, x, y, request);
+    auto followed = follow_boundary(sides_over(joint, x, y, request), x, y, request.following);
+    followed.kind = request.kind;
+    if (request.kind == BoundaryKind::v_min) keep_least(followed);
+    return followed;
+}
+
+}  // namespace stickslip

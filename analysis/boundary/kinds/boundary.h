@@ -1,0 +1,37 @@
+// Boundaries of a joint, of every kind: along one axis, and over two.
+#pragma once
+#include "analysis/boundary/trace/follow.h"
+#include "analysis/joint/joint.h"
+#include "analysis/base/parallel_for.h"
+#include "analysis/simulation/flows/disturbance.h"
+
+namespace stickslip {
+
+struct BoundaryRequest {
+    BoundaryKind kind = BoundaryKind::state_variable;
+    Disturbance disturbance;     ///< of kind `outcome`
+    double precision = not_set;  ///< relative bracket width; not set: default_precision
+    int scan = 0;                ///< intervals of a ray that are looked at first; 0: default_scan, more on a long axis
+    FollowingOptions following;
+    ParallelFor parallel;  ///< empty: one after the other
+};
+
+/// 1e-10 for the linear theories, 1e-6 for folds, 1e-4 for outcomes.
+double default_precision(BoundaryKind kind);
+/// 200 intervals for the linear theories, 40 where each point is a motion; a linear theory is asked at 8 a decade at
+/// least.
+int default_scan(BoundaryKind kind);
+
+/// Every boundary of a kind between the ends of an axis, and what could be missed. v_min: along control.V0, the least
+/// velocity at which sliding becomes stable, nothing else. Throws std::invalid_argument for a path that the joint
+/// lacks.
+LocatedRay locate_boundaries(const Joint& joint, const Axis& axis, const BoundaryRequest& request);
+
+/// The same over a chart, followed. v_min: the y axis has to be control.V0.
+FollowedBoundary follow_boundaries(const Joint& joint, const Axis& x, const Axis& y, const BoundaryRequest& request);
+
+/// The side of a joint: negative where stable (no limit cycle; the disturbance dies out), positive where not, NaN where
+/// it cannot be told. Continuous for the linear kinds.
+double side_of(const Joint& joint, const BoundaryRequest& request);
+
+}  // namespace stickslip

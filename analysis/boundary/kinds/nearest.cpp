@@ -1,0 +1,277 @@
+#include "analysis/boundary/kinds/nearest.h"
+
+#include "analysis/boundary/trace/locate.h"
+#include "analysis/numerics/optimise.h"
+#include "analysis/numerics/root.h"
+#include "analysis/joint/parameters.h"
+#include "analysis/stability/linear_joint.h"
+#include "analysis/stability/steady.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace stickslip {
+namespace {
+
+using Vector = std::vector<double>;
+
+constexpr double crossing_precision = 1e-10;
+constexpr double robust_precision = 1e-7;  ///< the worst case itself is known no better
+constexpr int global_evaluations = 150;    ///< per coordinate, of DIRECT over the directions
+constexpr int local_evaluations = 80;      ///< per coordinate, of SBPLX within an uncertainty
+constexpr int normal_steps = 6;            ///< at most
+constexpr double normal_precision = 1e-4;  ///< of the distance, where its gain by another step ends them
+constexpr double gradient_step = 1e-5;     ///< in units of the coordinates
+constexpr int corner_limit = 6;            ///< coordinates of which all corners are looked at
+
+double norm(const Vector& v)
+{
+    double sum = 0;
+    for (const double x : v) sum += x * x;
+    return std::sqrt(sum);
+}
+
+Vector scaled_by(Vector v, double factor)
+{
+    for (double& x : v) x *= factor;
+    return v;
+}
+
+class NearestSearch {
+  public:
+    NearestSearch(const Joint& joint, const std::vector<Coordinate>& coordinates, const NearestOptions& options)
+        : joint_(joint),
+          coordinates_(coordinates),
+          options_(options),
+          n_(coordinates.size()),
+          movable_(joint, coordinates)
+    {
+        if (!is_set(options_.reach)) options_.reach = default_reach(coordinates);
+    }
+
+    NearestBoundary run()
+    {
+        here_ = measure(Vector(n_, 0));
+        result_.decided = !std::isnan(here_);
+        result_.stable = here_ < 0;
+        result_.distance = options_.reach;
+        if (!result_.decided || n_ == 0) return result_;
+        std::vector<Vector> starts = options_.starts;
+        const bool further = !options_.along_starts_only;
+        for (std::size_t i = 0; further && i < n_; ++i)
+            for (const double sign : {-1.0, 1.0}) {
+                starts.emplace_back(n_, 0);
+                starts.back()[i] = sign;
+            }
+        const Bounds cube{Vector(n_, -1), Vector(n_, 1)};
+        const auto distance = [this](const Vector& direction) { return first_crossing(direction); };
+        Vector best;
+        double least = infinity;
+        const auto consider = [&](const Vector& direction) {
+            const double d = distance(direction);
+            if (d < least) least = d, best = direction;
+        };
+        for (const auto& s : starts) consider(s);
+        if (further && options_.global && n_ > 1)
+            consider(global_minimum(distance, cube, global_evaluations * static_cast<int>(n_)));
+        if (further && n_ > 1) follow_normals(best, least);
+        for (const double step : {0.3, 0.05})
+            if (further && n_ > 1 && options_.local > 0 && (options_.global || step < 0.1))
+                consider(local_minimum(distance, cube, scaled_by(best, 0.7 / norm(best)), step,
+                                       options_.local * static_cast<int>(n_)));
+        if (least < options_.reach) finish(best, least);
+        return result_;
+    }
+
+  private:
+    double measure(const Vector& q)
+    {
+        ++result_.evaluations;
+        return instability(movable_.at(q), options_.theory);
+    }
+
+    /// Distance to the first change of side along a direction; the reach, and a little more the less it comes near.
+    double first_crossing(const Vector& direction)
+    {
+        const double length = norm(direction);
+        if (length < 1e-9) return 4 * options_.reach;
+        const Vector unit = scaled_by(direction, 1 / length);
+        const auto at = [&](double r) { return measure(scaled_by(unit, r)); };
+        double a = 0;
+        // what lies beyond the reach does not count, but leads the search to what does
+        const double far = 2 * options_.reach;
+        for (int k = 1; k <= options_.rays; ++k) {
+            const double share = static_cast<double>(k) / options_.rays;  // finer where it matters: near the joint
+            const double b = far * share * share;
+            ++result_.evaluations;
+            const auto side = is_stable(movable_.at(scaled_by(unit, b)), options_.theory);
+            if (!side) break;
+            if (*side != result_.stable) {
+                const double fa = a == 0 ? here_ : at(a), fb = at(b);
+                if ((fa < 0) != (fb < 0)) return bracketed_root(at, a, fa, b, fb, crossing_precision).value;
+            }
+            a = b;
+        }
+        // without a crossing the search is led to where the measure has come down most
+        const double left = a > 0 ? at(a) / here_ : 1;
+        return far * (1 + 0.5 * (std::isnan(left) ? 1 : std::clamp(left, 0.0, 1.0)));
+    }
+
+    /// The nearest point of a smooth boundary lies along the boundary's normal there, so each point's normal leads to a
+    /// nearer one. Source: R. Rackwitz & B. Fiessler, Comput. Struct. 9 (1978) 489-494.
+    void follow_normals(Vector& direction, double& distance)
+    {
+        for (int k = 0; k < normal_steps; ++k) {
+            Vector next = steepest(scaled_by(direction, distance / norm(direction)));
+            const double length = norm(next);
+            if (!(length > 0) || !std::isfinite(length)) return;
+            for (std::size_t i = 0; i < n_; ++i) next[i] /= length;
+            double reached = first_crossing(next);
+            if (!(reached < distance)) {  // the normal turns quickly: half the way
+                for (std::size_t i = 0; i < n_; ++i) next[i] += direction[i] / norm(direction);
+                reached = first_crossing(next);
+            }
+            if (!(reached < distance)) return;
+            const bool enough = distance - reached < normal_precision * distance;
+            direction = next, distance = reached;
+            if (enough) return;
+        }
+    }
+
+    /// The direction in which the verdict changes fastest at a point, of any length.
+    Vector steepest(const Vector& point)
+    {
+        const double here = measure(point);
+        Vector gradient(n_);
+        for (std::size_t i = 0; i < n_; ++i) {
+            Vector beside = point;
+            beside[i] += gradient_step;
+            gradient[i] = (measure(beside) - here) * (result_.stable ? 1 : -1);
+        }
+        return gradient;
+    }
+
+    void finish(const Vector& best, double distance)
+    {
+        result_.found = true;
+        result_.distance = distance;
+        result_.direction = scaled_by(best, 1 / norm(best));
+        for (std::size_t i = 0; i < n_; ++i) {
+            const auto& c = coordinates_[i];
+            const double from = value_of(joint_, c);
+            result_.moves.push_back({c.path, c.less, from, from * std::exp(result_.direction[i] * distance * c.scale)});
+        }
+    }
+
+    const Joint& joint_;
+    const std::vector<Coordinate>& coordinates_;
+    NearestOptions options_;
+    std::size_t n_;
+    MovableJoint movable_;
+    double here_ = missing;
+    NearestBoundary result_;
+};
+
+}  // namespace
+
+NearestOptions affordable_search(const Joint& joint)
+{
+    NearestOptions options;
+    const auto steady = steady_sliding(joint);
+    if (steady.reason != Reason::none) return options;
+    const auto linear = linear_joint(joint, steady.velocity);
+    if (!linear.rational())
+        options.global = false, options.rays = 12, options.local = 8;
+    else if (linear.bodies > 1)
+        options.global = false, options.rays = 24, options.local = 40;
+    return options;
+}
+
+double default_reach(const std::vector<Coordinate>& coordinates)
+{
+    double least = infinity;
+    for (const auto& c : coordinates) least = std::min(least, c.scale);
+    return std::numbers::ln10 / least;
+}
+
+NearestBoundary nearest_boundary(const Joint& joint, const std::vector<Coordinate>& coordinates,
+                                 const NearestOptions& options)
+{
+    return NearestSearch(joint, coordinates, options).run();
+}
+
+double signed_margin(const NearestBoundary& nearest)
+{
+    return !nearest.decided ? missing : nearest.stable ? nearest.distance : -nearest.distance;
+}
+
+WorstCase worst_case(const Joint& joint, const Uncertainty& uncertainty, Curve::Kind theory, bool global)
+{
+    const std::size_t n = uncertainty.coordinates.size();
+    const bool ball = uncertainty.shape == UncertaintyShape::ellipsoid;
+    WorstCase worst;
+    MovableJoint movable(joint, uncertainty.coordinates);
+    const auto deviations = [&](Vector z) {
+        const double length = norm(z);
+        if (ball && length > 1) z = scaled_by(z, 1 / length);
+        for (std::size_t i = 0; i < n; ++i) z[i] *= uncertainty.share[i];
+        return z;
+    };
+    const auto stability = [&](const Vector& z) {
+        Vector q = deviations(z);
+        for (std::size_t i = 0; i < n; ++i) q[i] = std::log1p(q[i]) / uncertainty.coordinates[i].scale;
+        ++worst.evaluations;
+        return -instability(movable.at(q), theory);
+    };
+    Vector best(n, 0);
+    double least = stability(best);
+    const auto consider = [&](const Vector& z) {
+        const double s = stability(z);
+        if (s < least) least = s, best = z;
+    };
+    if (n <= corner_limit)
+        for (unsigned corner = 0; corner < 1u << n; ++corner) {
+            Vector z(n);
+            for (std::size_t i = 0; i < n; ++i) z[i] = corner >> i & 1u ? 1 : -1;
+            consider(ball ? scaled_by(z, 1 / norm(z)) : z);
+        }
+    for (std::size_t i = 0; i < n; ++i)
+        for (const double sign : {-1.0, 1.0}) {
+            Vector z(n, 0);
+            z[i] = sign;
+            consider(z);
+        }
+    const Bounds cube{Vector(n, -1), Vector(n, 1)};
+    if (global) consider(global_minimum(stability, cube, global_evaluations * static_cast<int>(n)));
+    if (n > 0) consider(local_minimum(stability, cube, best, 0.25, local_evaluations * static_cast<int>(n)));
+    worst.instability = -least;
+    worst.deviations = deviations(best);
+    return worst;
+}
+
+FollowedBoundary follow_robust_boundary(const Joint& joint, const Axis& x, const Axis& y,
+                                        const Uncertainty& uncertainty, const BoundaryRequest& request)
+{
+    Joint probe = joint;
+    for (const auto& path : {x.path, y.path})
+        if (!find_parameter(probe, path)) throw std::invalid_argument("no number at " + path);
+    Sides sides;
+    sides.precision = is_set(request.precision) ? request.precision : robust_precision;
+    sides.at = [&](double u, double v) {
+        Joint here = joint;
+        *find_parameter(here, x.path) = u;
+        *find_parameter(here, y.path) = v;
+        return worst_case(here, uncertainty, Curve::Kind::state_variable, false).instability;
+    };
+    if (request.parallel)
+        sides.many = [&](const std::vector<double>& u, const std::vector<double>& v, std::vector<double>& values) {
+            request.parallel(u.size(), [&](std::size_t i) { values[i] = sides.at(u[i], v[i]); });
+        };
+    auto followed = follow_boundary(sides, x, y, request.following);
+    followed.kind = BoundaryKind::state_variable;
+    return followed;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,88 @@
+#include "analysis/boundary/kinds/outcome.h"
+
+#include "analysis/boundary/kinds/fold_seed.h"
+#include "analysis/simulation/flows/flow.h"
+#include "analysis/simulation/attractor/large_disturbance.h"
+#include "analysis/simulation/attractor/nonlinear.h"
+#include "analysis/stability/verdict.h"
+
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+constexpr int patience = 10;  ///< times the usual limit of turns, for an outcome that is undecided within it
+
+/// Whether the disturbance is the start that every search for coexisting cycles makes: lanes answer that some hundred
+/// times faster than one motion at a time.
+bool is_start_from_near_rest(const Disturbance& d)
+{
+    return d.kind == DisturbanceKind::start && d.size == near_rest_start;
+}
+
+/// What the spectrum alone tells: where sliding is unstable nothing can end in it. 0: that has to be simulated.
+double side_without_motion(const Joint& joint)
+{
+    if (sliding_flow(joint).reason == Reason::linear_only) return missing;
+    return linear_point(joint).spectral_abscissa > 0 ? 1 : 0;
+}
+
+double simulated_side(const Joint& joint, const Disturbance& disturbance)
+{
+    NonlinearOptions options;
+    options.disturbance = disturbance;
+    options.region = false;
+    auto outcome = nonlinear_verdict(joint, options).outcome;
+    if (outcome == Outcome::undecided) {
+        // close to the linear boundary motions creep
+        options.turn_limit *= patience;
+        outcome = nonlinear_verdict(joint, options).outcome;
+    }
+    switch (outcome) {
+        case Outcome::stable_sliding:
+            return -1;
+        case Outcome::stick_slip:
+        case Outcome::limit_cycle:
+        case Outcome::reversal:
+        case Outcome::period_n:
+        case Outcome::irregular:
+            return 1;
+        default:
+            return missing;
+    }
+}
+
+}  // namespace
+
+std::vector<double> outcome_sides(const std::vector<Joint>& joints, const Disturbance& disturbance,
+                                  const ParallelFor& parallel)
+{
+    std::vector<double> sides(joints.size());
+    parallel(joints.size(), [&](std::size_t i) { sides[i] = side_without_motion(joints[i]); });
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < joints.size(); ++i)
+        if (sides[i] == 0) open.push_back(i);
+    if (is_start_from_near_rest(disturbance)) {
+        std::vector<Joint> asked;
+        for (const auto i : open) asked.push_back(joints[i]);
+        const auto found = coexistence(asked, parallel);
+        std::vector<std::size_t> left;
+        for (std::size_t k = 0; k < open.size(); ++k) {
+            sides[open[k]] = found[k] == 0 ? 1 : found[k];
+            if (std::isnan(found[k])) left.push_back(open[k]);
+        }
+        open = std::move(left);
+    }
+    parallel(open.size(), [&](std::size_t k) { sides[open[k]] = simulated_side(joints[open[k]], disturbance); });
+    return sides;
+}
+
+double outcome_side(const Joint& joint, const Disturbance& disturbance)
+{
+    const auto in_order = [](std::size_t n, const std::function<void(std::size_t)>& task) {
+        for (std::size_t i = 0; i < n; ++i) task(i);
+    };
+    return outcome_sides({joint}, disturbance, in_order).front();
+}
+
+}  // namespace stickslip

@@ -1,0 +1,137 @@
+#include "analysis/diagnosis/audit/audit_filter.h"
+
+#include "analysis/diagnosis/plant/controller.h"
+#include "analysis/numerics/line_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip::gap {
+namespace {
+
+constexpr double exact_velocity = 1e-3;  // misfit over rms of the steps of the velocity
+
+struct Recursion {
+    double gain = 0, misfit = 1;
+};
+
+/// Least squares of v_k − v_{k−1} on d_k − v_{k−1} over all records of every tick.
+Recursion recursion_of(const std::vector<const Case*>& cases)
+{
+    double ab = 0, aa = 0, bb = 0;
+    for (const Case* c : cases) {
+        const Ticks& t = c->ticks;
+        Control unfiltered = c->joint.control;
+        unfiltered.velocity_estimate.tau = 0;
+        Controller controller(unfiltered);
+        for (std::size_t k = 0; k < t.size(); ++k) {
+            controller.read(t.position[k], k == 0 ? t.step[0] : t.step[k - 1], 0);
+            if (k == 0) continue;
+            const double a = controller.velocity() - t.velocity[k - 1], b = t.velocity[k] - t.velocity[k - 1];
+            if (std::isfinite(a) && std::isfinite(b)) ab += a * b, aa += a * a, bb += b * b;
+        }
+    }
+    if (aa == 0 || bb == 0) return {};
+    return {ab / aa, std::sqrt(std::max(0.0, 1 - ab * ab / aa / bb))};
+}
+
+double distance_to_grid(double y, double quantum)
+{
+    return std::abs(y / quantum - std::round(y / quantum));
+}
+
+/// Mean distance from the encoder's grid, in steps, of the readings between every `stride`-th pair of rows in which
+/// anything moves: a quarter where they know nothing of it, NaN where nothing moves.
+double off_grid(const std::vector<Case>& cases, double tau, std::size_t stride = 1)
+{
+    constexpr double still = 1e-3;  // steps a tick: a reading between equal ones fits any filter
+    double sum = 0, n = 0;
+    for (const auto& c : cases) {
+        const Ticks& t = c.ticks;
+        const double quantum = c.joint.sensor.encoder_quantum, slow = still * quantum / c.joint.control.period;
+        const std::size_t ticks = 2 * stride;
+        for (std::size_t k = 2; k < t.size(); k += ticks) {
+            if (t.position[k] == t.position[k - 2] && std::abs(t.velocity[k]) < slow &&
+                std::abs(t.velocity[k - 2]) < slow)
+                continue;
+            sum += distance_to_grid(between_rows(t, k, c.joint.control.period, tau), quantum), n += 1;
+        }
+    }
+    constexpr double few = 30;
+    return n >= few ? sum / n : not_set;
+}
+
+/// The time constant with which the readings between the rows lie nearest to the grid.
+double tau_of_halves(const std::vector<Case>& cases, double tick)
+{
+    // the right one stands alone, the closer the finer the grid: many trials on some of the rows, then all of them
+    constexpr double ratio = 1.001, longest = 100;  // ticks
+    constexpr std::size_t some = 2000;
+    std::size_t rows = 0;
+    for (const auto& c : cases) rows += c.ticks.rows();
+    const std::size_t stride = std::max<std::size_t>(1, rows / some);
+    double best = 0, least = off_grid(cases, 0, stride);
+    for (double sum = tick * ratio; sum < longest * tick; sum *= ratio)
+        if (const double d = off_grid(cases, sum - tick, stride); d < least) least = d, best = sum - tick;
+    const double width = (ratio - 1) * (best + tick);
+    const auto distance = [&](double tau) { return off_grid(cases, tau); };
+    const double refined = least_between(std::max(0.0, best - width), best + width, distance);
+    return distance(refined) < distance(best) ? refined : best;
+}
+
+void correct(std::vector<Case>& cases, double tau, Audit& result)
+{
+    result.findings.push_back({"velocity-filter", "velocity-filter.tau", tau, 0, Quantity::time, 1});
+    for (auto& c : cases) {
+        c.joint.control.velocity_estimate.tau = tau;
+        if (c.ticks.rebuilt) rebuild_halves(c.ticks, c.joint);
+    }
+}
+
+}  // namespace
+
+void audit_filter(std::vector<Case>& cases, Audit& result)
+{
+    const Control documented = cases[0].joint.control;
+    const double tau = documented.velocity_estimate.tau;
+    const auto all = [&](auto&& holds) { return std::all_of(cases.begin(), cases.end(), holds); };
+    const bool one_controller = all([&](const Case& c) {
+        const Control& control = c.joint.control;
+        return control.velocity_estimate.form == EstimateForm::backward_difference && control.k_v != 0 &&
+               control.velocity_estimate.tau == tau && control.period == documented.period;
+    });
+    if (!one_controller || !all([](const Case& c) { return c.ticks.regular && c.ticks.has_velocity; })) return;
+    std::vector<const Case*> at_every_tick;
+    for (const auto& c : cases)
+        if (c.ticks.ticks_per_row == 1) at_every_tick.push_back(&c);
+    if (!at_every_tick.empty()) {
+        // a logged command says it better: the velocities may be anybody's
+        if (cases[0].ticks.source == CommandSource::logged) return;
+        const double tick = at_every_tick[0]->ticks.step[0];
+        const auto seen = recursion_of(at_every_tick);
+        if (seen.misfit > exact_velocity || seen.gain <= 0 || seen.gain > 1 + exact_velocity) return;
+        const double found = tick * std::max(0.0, 1 / seen.gain - 1);
+        const bool differs = filters_differently(tau, found, tick);
+        // plain differences of the readings are what anybody would log
+        if (differs && seen.gain > 1 - exact_velocity) return;
+        result.filter_seen = true;
+        if (differs) correct(cases, found, result);
+    } else if (all([](const Case& c) { return c.ticks.rebuilt && c.joint.sensor.encoder_quantum > 0; })) {
+        // without a grid any reading between the rows could be one
+        constexpr double on_grid = 0.05;
+        double off = 0, n = 0;
+        for (const auto& c : cases)
+            for (std::size_t k = 0; k < c.ticks.size(); k += 2)
+                off += distance_to_grid(c.ticks.position[k], c.joint.sensor.encoder_quantum), n += 1;
+        const double as_documented = off_grid(cases, tau);
+        if (off > on_grid * n || !is_set(as_documented)) return;
+        const double found = as_documented < on_grid ? tau : tau_of_halves(cases, documented.period);
+        result.filter_seen = off_grid(cases, found) < on_grid;
+        if (!result.filter_seen)
+            for (auto& c : cases) interpolate_halves(c.ticks);
+        else if (filters_differently(tau, found, documented.period))
+            correct(cases, found, result);
+    }
+}
+
+}  // namespace stickslip::gap

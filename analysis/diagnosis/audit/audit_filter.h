@@ -1,0 +1,14 @@
+// What logged velocities say of the controller's filter: they are its own numbers.
+#pragma once
+#include "analysis/diagnosis/audit/audit.h"
+
+namespace stickslip::gap {
+
+/// Where velocities were logged at every tick, and no command, v_k − v_{k−1} = g (d_k − v_{k−1}) gives g = T/(τ + T) by
+/// least squares, exactly; plain differences (g = 1) say nothing against a documented filter. At every second tick the
+/// time constant is right that puts the readings between the rows onto the grid of the encoder; where none does, these
+/// readings are interpolated. Corrects the joints (and the readings between the rows), adds what it finds, and says in
+/// `filter_seen` whether the velocities follow a filter exactly. Records that document different filters are left.
+void audit_filter(std::vector<Case>& cases, Audit& result);
+
+}  // namespace stickslip::gap

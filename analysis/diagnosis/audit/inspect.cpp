@@ -1,0 +1,111 @@
+#include "analysis/diagnosis/audit/inspect.h"
+
+#include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/records/ticks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip::gap {
+namespace {
+
+constexpr std::size_t fewest_rows = 100;
+
+void check_column(const Record& r, const char* name, const std::vector<double>& column, Inspection& result)
+{
+    if (column.empty()) return;
+    if (column.size() != r.rows()) {
+        result.errors.push_back(r.name + ": column " + name + " has " + std::to_string(column.size()) +
+                                " values, time has " + std::to_string(r.rows()));
+        return;
+    }
+    for (std::size_t k = 0; k < column.size(); ++k)
+        if (!std::isfinite(column[k])) {
+            result.errors.push_back(r.name + ": column " + name + " is not a finite number in row " +
+                                    std::to_string(k + 1));
+            return;
+        }
+}
+
+/// Suspects a unit from the ratio of the measured span to the reference's, or of the command to what the gains make of
+/// it.
+void suspect_units(const Record& r, const Joint& joint, Inspection& result)
+{
+    const bool revolute = joint.mechanism.motion == Motion::revolute;
+    const double measured = span_of(r.position), reference = span_of(r.reference_position);
+    const auto near = [](double ratio, double of) { return ratio > 0.8 * of && ratio < 1.25 * of; };
+    if (reference > 0 && measured > 0) {
+        for (const auto& [factor, words] :
+             {std::pair{57.29577951308232, "degrees against radians"}, {1000.0, "millimetres against metres"}}) {
+            if (near(measured / reference, factor) || near(reference / measured, factor))
+                result.notes.push_back(r.name + ": position and reference differ by a factor of " +
+                                       std::to_string(static_cast<int>(factor)) + ": " + words + " are suspected");
+        }
+    }
+    constexpr double many_turns = 60, long_axis = 10;
+    if (revolute && measured > many_turns)
+        result.notes.push_back(r.name + ": the position spans " + std::to_string(static_cast<int>(measured)) +
+                               " rad; degrees are suspected where radians are expected");
+    if (!revolute && measured > long_axis)
+        result.notes.push_back(r.name + ": the position spans " + std::to_string(static_cast<int>(measured)) +
+                               " m; millimetres are suspected where metres are expected");
+    const double step = r.rows() > 1 ? median_step(r.time) : 0;
+    if (step >= 0.5)
+        result.notes.push_back(r.name + ": rows are " + std::to_string(step) +
+                               " s apart; milliseconds are suspected where seconds are expected");
+}
+
+}  // namespace
+
+Inspection inspect(const Record& r, const Joint& joint)
+{
+    Inspection result;
+    if (r.time.empty()) {
+        result.errors.push_back(r.name + ": there is no time column, or it is empty");
+        return result;
+    }
+    check_column(r, "time", r.time, result);
+    check_column(r, "position", r.position, result);
+    check_column(r, "reference_position", r.reference_position, result);
+    check_column(r, "reference_velocity", r.reference_velocity, result);
+    check_column(r, "velocity", r.velocity, result);
+    check_column(r, "effort_command", r.effort_command, result);
+    check_column(r, "effort_measured", r.effort_measured, result);
+    check_column(r, "drive", r.drive, result);
+    check_column(r, "current", r.current, result);
+    check_column(r, "supply_voltage", r.supply_voltage, result);
+    if (!result.errors.empty()) return result;
+    for (std::size_t k = 1; k < r.rows(); ++k)
+        if (r.time[k] <= r.time[k - 1]) {
+            result.errors.push_back(r.name + ": time " + (r.time[k] == r.time[k - 1] ? "repeats" : "runs backwards") +
+                                    " in row " + std::to_string(k + 1) + " (" + std::to_string(r.time[k]) + " s)");
+            return result;
+        }
+    if (r.position.empty()) {
+        result.errors.push_back(r.name + ": there is no position column");
+        return result;
+    }
+    if (r.rows() < fewest_rows)
+        result.shortages.push_back(r.name + ": " + std::to_string(r.rows()) + " rows; at least " +
+                                   std::to_string(fewest_rows) + " are needed");
+    const double resolution = std::max(joint.sensor.encoder_quantum, joint.sensor.position_noise);
+    if (span_of(r.position) <= 8 * resolution || span_of(r.position) == 0)
+        result.shortages.push_back(r.name + ": the position does not change beyond its noise");
+    suspect_units(r, joint, result);
+    const bool command = !r.effort_command.empty() || !r.drive.empty();
+    if (!command && r.reference_position.empty())
+        result.shortages.push_back(r.name +
+                                   ": neither a command nor a reference was logged: what drove the joint is not known");
+    if (!command && !r.reference_position.empty())
+        result.notes.push_back(
+            r.name +
+            ": no command was logged; it is computed from the reference, the measured motion and the "
+            "documented controller, so that the controller itself cannot be audited");
+    if (r.effort_measured.empty() && r.current.empty())
+        result.notes.push_back(
+            r.name +
+            ": no effort was measured: inertia, gain and torque constant are told apart by friction and load only");
+    return result;
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,243 @@
+#include "analysis/diagnosis/diagnose.h"
+
+#include "analysis/diagnosis/verdict/causes.h"
+#include "analysis/diagnosis/heldout/drive_force.h"
+#include "analysis/diagnosis/verdict/experiment.h"
+#include "analysis/diagnosis/verdict/find_causes.h"
+#include "analysis/diagnosis/heldout/heldout.h"
+#include "analysis/diagnosis/audit/inspect.h"
+#include "analysis/diagnosis/fit/jumps.h"
+#include "analysis/diagnosis/verdict/locate.h"
+#include "analysis/diagnosis/records/pieces.h"
+#include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/rig/rig.h"
+#include "analysis/diagnosis/verdict/withdraw.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace stickslip::gap {
+namespace {
+
+std::string percent(double part)
+{
+    return std::to_string(static_cast<int>(std::lround(100 * part))) + " %";
+}
+
+/// Not empty where so much of controller and encoder differs from the document that it is hardly the same joint.
+std::string another_joint(const Audit& audit)
+{
+    constexpr std::size_t hardly_the_same = 3;
+    if (audit.findings.size() < hardly_the_same) return "";
+    std::string list;
+    for (const auto& f : audit.findings) {
+        char number[32];
+        std::snprintf(number, sizeof number, " = %.4g", f.value);
+        list += (list.empty() ? "" : ", ") + f.parameter + number;
+    }
+    return "suspected record of another joint: encoder and controller differ from the document in " +
+           std::to_string(audit.findings.size()) + " ways (" + list +
+           "); if it is this joint, correct the document first";
+}
+
+void describe_data(const std::vector<Case>& cases, Diagnosis& d)
+{
+    for (const auto& c : cases) {
+        d.records.push_back({c.ticks.name, "held-out"});
+        if (c.ticks.lost)
+            d.notes.push_back(c.ticks.name + ": rows are missing; what happened in them is simulated, not judged");
+        else if (!c.ticks.regular)
+            d.notes.push_back(c.ticks.name + ": irregular sampling; every row is used at its own time");
+        if (c.ticks.rebuilt)
+            d.notes.push_back(c.ticks.name +
+                              ": logged at every second tick; the ticks between were rebuilt from the velocity");
+        else if (c.ticks.ticks_per_row > 1)
+            d.notes.push_back(c.ticks.name + ": logged slower than the loop; readings between rows are interpolated");
+    }
+    d.notes.push_back(cases.size() > 1 ? "every record is held out in turn and predicted from a fit to the others"
+                                       : "one record: its three thirds are held out in turn");
+}
+
+/// The pieces of records that are long enough; why others are not stands in the reasons.
+std::vector<Record> usable_pieces(const Joint& joint, const std::vector<Record>& records, Diagnosis& d)
+{
+    std::vector<Record> usable;
+    for (const auto& whole : records) {
+        const auto found = inspect(whole, joint);
+        if (!found.errors.empty()) throw std::invalid_argument(found.errors.front());
+        d.notes.insert(d.notes.end(), found.notes.begin(), found.notes.end());
+        if (!found.shortages.empty()) {
+            d.reasons.insert(d.reasons.end(), found.shortages.begin(), found.shortages.end());
+            continue;
+        }
+        auto uninterrupted = pieces(whole, d.notes);
+        for (auto& piece : uninterrupted) {
+            const auto left = uninterrupted.size() > 1 ? inspect(piece, joint).shortages : std::vector<std::string>();
+            d.reasons.insert(d.reasons.end(), left.begin(), left.end());
+            if (left.empty()) usable.push_back(std::move(piece));
+        }
+    }
+    return usable;
+}
+
+/// Records as cases, with the joint that the audit leaves; scales and the nominal joint's misfit are not yet known.
+Prepared audited(const Joint& joint, const std::vector<Record>& usable, Diagnosis& d)
+{
+    Prepared p;
+    for (const Record& r : usable) {
+        p.cases.push_back(prepare(r, joint, d.notes));
+        p.cases.back().number = p.cases.size() - 1;
+    }
+    share_noise(p.cases, joint.sensor, d.notes);
+    for (const auto& c : p.cases) p.documented.push_back(c.joint);
+    p.audit = audit(p.cases);
+    describe_data(p.cases, d);  // the audit may take back what was rebuilt between rows
+    d.notes.insert(d.notes.end(), p.audit.notes.begin(), p.audit.notes.end());
+    return p;
+}
+
+/// Where no effect is needed.
+void judge_quiet(const Prepared& p, const ParallelFor& parallel, Diagnosis& d)
+{
+    d.verdict = could_have_shown(p.cases, p.scales, parallel) ? Verdict::no_gap : Verdict::insufficient_data;
+    d.reasons.push_back(
+        d.verdict == Verdict::no_gap
+            ? "the nominal joint predicts every record to the noise"
+            : "no effect of usual size would have shown itself at five times the noise under this excitation");
+}
+
+/// The contest's answer, the drive force that it leaves included.
+void tell_contest(const Prepared& p, const ParallelFor& parallel, Findings& f, Diagnosis& d)
+{
+    if (const double corner = drive_force_corner(p.cases); corner > 0) {
+        const double before = hold_out_drive_force(p.cases, p.scales, f.contest, parallel);
+        d.drive_force = {std::string(unit_of(Quantity::effort, d.motion)), corner, before,
+                         f.contest.ranked[0].force_rms};
+    }
+    const auto causes = causes_of(p, f.contest);
+    d.effects.insert(d.effects.end(), causes.begin(), causes.end());
+    d.reasons.push_back(
+        "no cause brings the misfit down to the noise; with inertia, friction and load refitted for all, " +
+        d.effects[0].names[0] + " predicts held-out data best");
+}
+
+void tell_unexplained(const Findings& f, Diagnosis& d)
+{
+    d.reasons.push_back(
+        "there is a gap, and no effect of the catalogue, nor two together, explain it: the best leaves " +
+        percent(1 - f.decision.best_explained) + " of it");
+    constexpr double worth_telling = 0.5;
+    if (!f.free.empty() && f.free[0].fit.explained > worth_telling)
+        d.reasons.push_back(in_words(f.free[0]) + " would explain " + percent(f.free[0].fit.explained) + " of it");
+}
+
+/// What it could be confused with, and the experiment that would tell.
+void tell_rivals(const Prepared& p, const Findings& f, const std::vector<Ranked>& ranked, const Attribution& winner,
+                 Diagnosis& d)
+{
+    const bool contest = f.contest.decided;
+    for (const auto* rival : f.decision.ambiguous) d.ambiguous_with.push_back(names_of(rival->candidate));
+    for (const auto* rival : contest ? f.contest.ambiguous : std::vector<const Contestant*>{})
+        d.ambiguous_with.push_back({std::string(rival->fit.candidate.effects.back()->name)});
+    const Attribution* rival = contest && f.contest.ranked.size() > 1 ? &f.contest.ranked[1].fit
+                               : !f.decision.ambiguous.empty()        ? f.decision.ambiguous.front()
+                               : ranked.size() > 1                    ? ranked[1].attribution
+                                                                      : nullptr;
+    if (rival && !winner.candidate.effects.empty())
+        d.next_experiment = design_experiment(p.cases[0], p.scales, winner, *rival);
+    // the refitted numbers of a contest are no part of what is told apart
+    if (contest && !d.next_experiment.separates.empty())
+        d.next_experiment.separates = {{d.effects[0].names[0], d.effects[1].names[0]}};
+}
+
+/// Writes down what was found, held against data that no fit has seen.
+void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& parallel, DiagnosisResult& result)
+{
+    constexpr std::size_t most_listed = 8;
+    Diagnosis& d = result.diagnosis;
+    const bool wrong_controller = !p.audit.findings.empty();
+    if (f.quiet && !wrong_controller)
+        judge_quiet(p, parallel, d);
+    else
+        d.verdict = f.named() || wrong_controller ? Verdict::gap : Verdict::unknown;
+    const bool shown = d.verdict == Verdict::gap;
+
+    // the named set first, then everything that was fitted, by probability
+    const auto ranked = f.quiet ? std::vector<Ranked>{} : rank(f.singles, f.pairs, f.decision, rows_of(p.cases));
+    const Attribution& winner = f.contest.decided   ? f.contest.ranked[0].fit
+                                : !f.decision.named ? f.none
+                                                    : *ranked.front().attribution;
+    const bool audit_alone = winner.candidate.effects.empty();
+    const auto held = hold_out(p.cases, p.documented, p.scales, shown ? winner : f.none, runs, parallel);
+    d.gap = held.signals;
+    d.overall = held.overall;
+    d.traces = held.traces;
+    withdraw_no_gap(d);
+    d.notes.insert(d.notes.end(), held.notes.begin(), held.notes.end());
+    if (shown && audit_alone) {
+        d.effects.push_back(cause_of(p, f.none, f.quiet ? 0.99 : 0.5));
+        if (!f.quiet)
+            d.reasons.push_back(
+                "the controller differs from its document, and something that the catalogue does not explain remains");
+    }
+    if (f.contest.decided) {
+        tell_contest(p, parallel, f, d);
+    } else {
+        for (const auto& r : ranked)
+            if (d.effects.size() < most_listed) d.effects.push_back(cause_of(p, *r.attribution, r.probability));
+        if (!d.effects.empty() && shown)
+            d.effects[0].heldout_gain = held.gain, d.effects[0].heldout_gain_interval = held.gain_interval;
+    }
+    if (d.verdict == Verdict::unknown && !f.quiet && f.only_nearest.empty()) tell_unexplained(f, d);
+    if (shown) {
+        d.remainder = !audit_alone ? std::max(0.0, 1 - winner.explained)
+                      : f.quiet    ? 0
+                                   : std::clamp(1 - held.overall.explained, 0.0, 1.0);
+        tell_rivals(p, f, ranked, winner, d);
+    }
+    const bool settled = f.quiet || f.contest.decided || winner.accepted || wrong_controller;
+    if (!shown || withdraw_if_no_better(d, {settled, p.noise_documented()})) return;
+    result.after = p.cases[0].joint;
+    if (!audit_alone)
+        result.after = edited(result.after, winner.candidate, in_si(winner.candidate, winner.x[1], p.scales), 0);
+}
+
+}  // namespace
+
+DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records, const ParallelFor& parallel,
+                         const DiagnosisOptions& options)
+{
+    DiagnosisResult result{{}, joint};
+    Diagnosis& d = result.diagnosis;
+    d.motion = joint.mechanism.motion;
+    if (records.empty()) throw std::invalid_argument("no record was given");
+    if (records.size() == 1 && is_rig(records[0])) return diagnose_rig(joint, records[0], parallel);
+    const auto progress = [&](const char* stage, double done) {
+        if (options.progress) options.progress(stage, done);
+    };
+    progress("reading", 0);
+    const auto usable = usable_pieces(joint, records, d);
+    if (usable.empty()) return result;
+    progress("auditing the controller", 0.02);
+    Prepared prepared = audited(joint, usable, d);
+    if (auto suspicion = another_joint(prepared.audit); !suspicion.empty()) {
+        d.reasons.push_back(std::move(suspicion));
+        return result;
+    }
+    settle_jumps(prepared.cases, {}, {});
+    prepared.scales = scales_of(prepared.cases);
+    d.usual_speed = prepared.scales.velocity;
+    prepared.nominal = judge_nominal(prepared.cases);
+    d.signals = locate_signals(prepared.cases, prepared.documented);
+    d.regimes = locate_regimes(prepared.cases);
+    Findings findings = find_causes(prepared, options.pair_partners, progress, parallel);
+    if (!findings.only_nearest.empty()) d.reasons.push_back(findings.only_nearest);
+    progress("predicting held-out data", 0.9);
+    conclude(prepared, findings, options.ensemble, parallel, result);
+    progress("done", 1);
+    return result;
+}
+
+}  // namespace stickslip::gap

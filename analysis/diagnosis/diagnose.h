@@ -1,0 +1,25 @@
+// The diagnosis of one joint: where the gap lies, what causes it, how far it shrinks, how sure that is.
+#pragma once
+#include "analysis/diagnosis/search/attribute.h"
+#include "analysis/diagnosis/records/record.h"
+#include "analysis/diagnosis/verdict/result.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace stickslip::gap {
+
+struct DiagnosisOptions {
+    std::size_t pair_partners = 3;  ///< how many of the best singles look for a partner
+    int ensemble = 10;              ///< noisy runs behind before, after and floor
+    std::function<void(const std::string& stage, double done)> progress;  ///< called from the calling thread only
+};
+
+/// Diagnoses records of one joint. Analysis owns no threads: `parallel` runs tasks, each writes its own slot, so the
+/// answer does not depend on how many run at once. Throws std::invalid_argument for records that cannot be read as time
+/// series (see inspect) and for joints without a record simulation.
+DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records, const ParallelFor& parallel,
+                         const DiagnosisOptions& options = {});
+
+}  // namespace stickslip::gap

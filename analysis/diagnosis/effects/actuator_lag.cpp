@@ -1,0 +1,27 @@
+#include "analysis/diagnosis/effects/catalogue.h"
+
+namespace stickslip::gap
+{
+
+Effect actuator_lag()
+{
+    Effect e;
+    e.name = "actuator-lag";
+    e.stage = "actuator";
+    e.form = "1/(1 + s tau)";
+    e.source = "Franklin, Powell and Workman 1998";
+    e.signature = "phase, at high frequency";
+    e.confusable = {"delay", "compliance"};
+    {
+        EffectForm f;
+        f.parameters = {
+            {"tau", Quantity::time, Scale::tick, true, 0.1, 100, 5, "true time constant of the actuator"},
+        };
+        f.apply = [](Joint& j, const double* p) { j.actuator.lag = p[0]; };
+        f.seeds = {{2}, {8}};
+        e.forms.push_back(f);
+    }
+    return e;
+}
+
+}  // namespace stickslip::gap

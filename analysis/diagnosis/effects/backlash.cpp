@@ -1,0 +1,56 @@
+#include "analysis/diagnosis/effects/catalogue.h"
+
+namespace stickslip::gap {
+
+Effect backlash()
+{
+    Effect e;
+    e.name = "backlash";
+    e.stage = "mechanism";
+    e.form = "play between motor and link";
+    e.source = "Nordin and Gutman 2002";
+    e.signature = "flat gap and impact at reversal";
+    e.confusable = {"presliding", "compliance"};
+    {
+        EffectForm f;
+        f.name = "divided-mass";
+        f.parameters = {
+            {"width", Quantity::position, Scale::position, true, 1e-5, 0.5, 0.01, "total play"},
+            {"motor_share", Quantity::number, Scale::one, false, 0.02, 0.98, 0.5,
+             "share of the inertia on the motor side"},
+            {"stiffness", Quantity::stiffness, Scale::stiffness, true, 0.3, 1e6, 100, "transmission stiffness"},
+            {"link_friction", Quantity::number, Scale::one, false, 0, 1, 0.3, "share of the friction on the link side"},
+            {"damping_ratio", Quantity::number, Scale::one, true, 1e-2, 2, 0.2, "damping ratio of the closed contact"},
+        };
+        f.apply = [](Joint& j, const double* p) {
+            divide_mass(j, p[1], p[2], p[4], p[3]);
+            j.mechanism.transmission.backlash = p[0];
+        };
+        // the misfit is jagged in the width, a stiffness a decade off hides the right one, and where a load presses the
+        // link onto a flank its friction decides when it leaves it
+        for (double width : {0.001, 0.002, 0.004, 0.007, 0.012, 0.02, 0.035, 0.06})
+            for (double share : {0.35, 0.65})
+                for (double stiffness : {2000.0, 20000.0})
+                    for (double friction : {0.2, 0.4}) f.seeds.push_back({width, share, stiffness, friction, 0.2});
+        f.applies = is_single_mass;
+        f.rough = true;
+        e.forms.push_back(f);
+    }
+    {
+        EffectForm f;
+        f.name = "two-mass";
+        f.parameters = {
+            {"width", Quantity::position, Scale::position, true, 1e-05, 0.5, 0.01, "total play"},
+        };
+        f.apply = [](Joint& j, const double* p) { j.mechanism.transmission.backlash = p[0]; };
+        // a wrong width is worse than none: only within a fifth of the right one does the misfit lead to it
+        constexpr double narrowest = 5e-4, widest = 0.15, step = 1.35;
+        for (double width = narrowest; width < widest; width *= step) f.seeds.push_back({width});
+        f.applies = is_two_mass;
+        f.rough = true;
+        e.forms.push_back(f);
+    }
+    return e;
+}
+
+}  // namespace stickslip::gap

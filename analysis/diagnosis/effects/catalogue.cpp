@@ -1,0 +1,41 @@
+#include "analysis/diagnosis/effects/catalogue.h"
+
+#include <array>
+
+namespace stickslip::gap
+{
+
+std::span<const Effect> effects()
+{
+    static const std::array catalogue{
+        coulomb_level(),
+        viscous(),
+        stribeck(),
+        asymmetric_friction(),
+        load_dependent_friction(),
+        presliding(),
+        frictional_memory(),
+        position_dependent_friction(),
+        friction_drift(),
+        inertia(),
+        constant_load(),
+        gravity(),
+        cogging(),
+        backlash(),
+        compliance(),
+        effort_gain(),
+        saturation(),
+        supply_sag(),
+        actuator_lag(),
+        delay(),
+        velocity_filter(),
+        gain_k_p(),
+        gain_k_v(),
+        quantisation(),
+        sensor_offset(),
+        periodic_disturbance(),
+    };
+    return catalogue;
+}
+
+}  // namespace stickslip::gap

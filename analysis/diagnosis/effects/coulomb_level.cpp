@@ -1,0 +1,28 @@
+#include "analysis/diagnosis/effects/catalogue.h"
+
+namespace stickslip::gap
+{
+
+Effect coulomb_level()
+{
+    Effect e;
+    e.name = "coulomb-level";
+    e.stage = "friction";
+    e.form = "F_c sgn v";
+    e.source = "Coulomb 1785";
+    e.signature = "square in the sign of velocity";
+    e.confusable = {"constant-load", "asymmetric-friction", "load-dependent-friction"};
+    {
+        EffectForm f;
+        f.parameters = {
+            {"change", Quantity::effort, Scale::effort, false, -2, 2, 0.2, "change of the Coulomb level"},
+        };
+        f.parameters[0].vanishes = true;
+        f.apply = [](Joint& j, const double* p) { shift_coulomb(main_friction(j), p[0]); };
+        f.seeds = {{0.1}, {-0.1}};
+        e.forms.push_back(f);
+    }
+    return e;
+}
+
+}  // namespace stickslip::gap

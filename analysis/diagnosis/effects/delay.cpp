@@ -1,0 +1,26 @@
+#include "analysis/diagnosis/effects/catalogue.h"
+
+namespace stickslip::gap {
+
+Effect delay()
+{
+    Effect e;
+    e.name = "delay";
+    e.stage = "controller";
+    e.form = "u(t - T)";
+    e.source = "Franklin, Powell and Workman 1998";
+    e.signature = "phase linear in frequency";
+    e.confusable = {"actuator-lag", "velocity-filter", "compliance"};
+    {
+        EffectForm f;
+        f.parameters = {
+            {"time", Quantity::time, Scale::tick, false, 0, 60, 2, "additional dead time between command and effort"},
+        };
+        f.apply = [](Joint& j, const double* p) { j.control.delay += p[0]; };
+        for (int ticks = 0; ticks < 25; ++ticks) f.seeds.push_back({ticks + 0.5});
+        e.forms.push_back(f);
+    }
+    return e;
+}
+
+}  // namespace stickslip::gap

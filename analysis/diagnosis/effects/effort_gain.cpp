@@ -1,0 +1,41 @@
+#include "analysis/diagnosis/effects/catalogue.h"
+
+namespace stickslip::gap {
+
+Effect effort_gain()
+{
+    Effect e;
+    e.name = "effort-gain";
+    e.stage = "actuator";
+    e.form = "(1 + epsilon) u";
+    e.source = "Lynch and Park 2017";
+    e.signature = "proportional to effort";
+    e.confusable = {"inertia", "gain-k_p"};
+    {
+        EffectForm f;
+        f.parameters = {
+            {"factor", Quantity::number, Scale::one, true, 0.2, 5, 0.2, "true effort per nominal"},
+        };
+        f.apply = [](Joint& j, const double* p) { j.actuator.effort_gain *= p[0]; };
+        f.seeds = {{1.03}, {0.97}};
+        e.forms.push_back(f);
+    }
+    {
+        EffectForm f;
+        f.name = "drive";
+        f.parameters = {
+            {"factor", Quantity::number, Scale::one, true, 0.2, 5, 0.2, "true voltage at the winding per nominal"},
+        };
+        // the winding's voltage grows, its back-EMF does not
+        f.apply = [](Joint& j, const double* p) {
+            j.actuator.k_t *= p[0];
+            j.actuator.k_e /= p[0];
+        };
+        f.seeds = {{1.03}, {1.7}, {0.6}};
+        f.applies = [](const Joint& j) { return j.actuator.kind == ActuatorKind::dc_motor; };
+        e.forms.push_back(f);
+    }
+    return e;
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,28 @@
+#include "analysis/diagnosis/effects/catalogue.h"
+
+namespace stickslip::gap
+{
+
+Effect friction_drift()
+{
+    Effect e;
+    e.name = "friction-drift";
+    e.stage = "friction";
+    e.form = "Coulomb level warms up with time";
+    e.source = "Armstrong-Helouvry 1991";
+    e.signature = "slow trend of the friction level";
+    e.confusable = {"coulomb-level"};
+    {
+        EffectForm f;
+        f.parameters = {
+            {"change", Quantity::effort, Scale::effort, false, -3, 3, 0.2, "final change of the Coulomb level"},
+            {"time_constant", Quantity::time, Scale::duration, true, 0.02, 10, 0.5, "time constant"},
+        };
+        f.apply = [](Joint& j, const double* p) { main_friction(j).drift = {p[0], p[1]}; };
+        f.seeds = {{0.05, 0.3}, {-0.05, 0.3}};
+        e.forms.push_back(f);
+    }
+    return e;
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,28 @@
+#include "analysis/diagnosis/effects/catalogue.h"
+
+namespace stickslip::gap
+{
+
+Effect gain_k_v()
+{
+    Effect e;
+    e.name = "gain-k_v";
+    e.stage = "controller";
+    e.form = "(1 + epsilon) k_v";
+    e.source = "Franklin, Powell and Workman 1998";
+    e.signature = "proportional to the velocity error, in the command";
+    e.confusable = {"viscous"};
+    {
+        EffectForm f;
+        f.parameters = {
+            {"factor", Quantity::number, Scale::one, true, 0.1, 10, 0.2, "true gain per nominal"},
+        };
+        f.apply = [](Joint& j, const double* p) { j.control.k_v *= p[0]; };
+        f.seeds = {{1.03}, {0.97}};
+        f.applies = [](const Joint& j) { return j.control.k_v != 0; };
+        e.forms.push_back(f);
+    }
+    return e;
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,41 @@
+#include "analysis/diagnosis/effects/catalogue.h"
+
+namespace stickslip::gap
+{
+
+Effect gravity()
+{
+    Effect e;
+    e.name = "gravity";
+    e.stage = "mechanism";
+    e.form = "m g l sin(q + phi)";
+    e.source = "Newton 1687";
+    e.signature = "even in velocity, sine of position";
+    e.confusable = {"sensor-offset", "constant-load", "cogging"};
+    {
+        EffectForm f;
+        f.name = "amplitude";
+        f.parameters = {
+            {"amplitude", Quantity::effort, Scale::effort, false, -3, 3, 0.3, "additional m g l"},
+        };
+        f.apply = [](Joint& j, const double* p) { add_wave(j.load.gravity_amplitude, j.load.gravity_phase, p[0], 0); };
+        f.seeds = {{0}};
+        e.forms.push_back(f);
+    }
+    {
+        EffectForm f;
+        f.name = "phase";
+        f.parameters = {
+            {"sine", Quantity::effort, Scale::effort, false, -3, 3, 0.3, "additional m g l, sine part"},
+            {"cosine", Quantity::effort, Scale::effort, false, -3, 3, 0.3, "cosine part"},
+        };
+        f.apply = [](Joint& j, const double* p) {
+            add_wave(j.load.gravity_amplitude, j.load.gravity_phase, p[0], p[1]);
+        };
+        f.seeds = {{0, 0}};
+        e.forms.push_back(f);
+    }
+    return e;
+}
+
+}  // namespace stickslip::gap

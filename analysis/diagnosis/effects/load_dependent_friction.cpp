@@ -1,0 +1,27 @@
+#include "analysis/diagnosis/effects/catalogue.h"
+
+namespace stickslip::gap
+{
+
+Effect load_dependent_friction()
+{
+    Effect e;
+    e.name = "load-dependent-friction";
+    e.stage = "friction";
+    e.form = "mu |transmitted effort| sgn v";
+    e.source = "Amontons 1699";
+    e.signature = "friction grows with the transmitted effort";
+    e.confusable = {"effort-gain", "coulomb-level", "stribeck"};
+    {
+        EffectForm f;
+        f.parameters = {
+            {"coefficient", Quantity::number, Scale::one, false, 0, 0.9, 0.1, "friction per transmitted effort"},
+        };
+        f.apply = [](Joint& j, const double* p) { main_friction(j).load_coefficient += p[0]; };
+        f.seeds = {{0.05}};
+        e.forms.push_back(f);
+    }
+    return e;
+}
+
+}  // namespace stickslip::gap

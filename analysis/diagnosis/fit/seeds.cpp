@@ -1,0 +1,138 @@
+#include "analysis/diagnosis/fit/seeds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace stickslip::gap {
+namespace {
+
+constexpr std::size_t most_samples = 6000;  // a record enough for a comb
+
+/// Residual force and what it is plotted over.
+struct Residual {
+    std::vector<double> force, over;
+    double span = 1;
+};
+
+std::vector<Residual> residuals(const std::vector<Case>& cases, const Candidate& base, const std::vector<double>& si,
+                                Comb comb, double omega)
+{
+    std::vector<Residual> all;
+    Innovation innovation;
+    for (const auto& c : cases) {
+        const Plant plant = flatten(edited(c.joint, base, si, c.number));
+        const auto command = known_command(plant, c.ticks);
+        predict(plant, c.ticks, command, omega, innovation);
+        Residual r;
+        const std::size_t stride = std::max<std::size_t>(1, c.ticks.size() / most_samples);
+        for (std::size_t k = 0; k + stride <= c.ticks.size(); k += stride) {
+            double sum = 0, speed = 0;
+            std::size_t n = 0;
+            for (std::size_t i = k; i < k + stride; ++i)
+                if (c.ticks.logged[i] && (c.ticks.judged.empty() || c.ticks.judged[i]))
+                    sum += innovation.position[i], speed += innovation.velocity[i], ++n;
+            if (!n) continue;
+            double e = sum / static_cast<double>(n);
+            if (!std::isfinite(e)) e = 0;
+            const double v = speed / static_cast<double>(n);
+            if (comb == Comb::position_flipped) e *= v > 0 ? 1 : v < 0 ? -1 : 0;
+            r.force.push_back(e);
+            r.over.push_back(comb == Comb::time ? c.ticks.time[k] - c.ticks.time[0] : c.ticks.position[k]);
+        }
+        if (r.force.empty()) continue;
+        double mean = 0;
+        for (double f : r.force) mean += f / static_cast<double>(r.force.size());
+        for (double& f : r.force) f -= mean;
+        const auto [low, high] = std::minmax_element(r.over.begin(), r.over.end());
+        r.span = std::max(*high - *low, 1e-12);
+        all.push_back(std::move(r));
+    }
+    return all;
+}
+
+/// Power at one frequency: the part of each record's residual that a least-squares sine explains, averaged.
+double power(const std::vector<Residual>& all, double frequency)
+{
+    double total = 0;
+    for (const auto& r : all) {
+        double ss = 0, sc = 0, cc = 0, s = 0, c = 0, square = 0;
+        for (std::size_t i = 0; i < r.force.size(); ++i) {
+            const double sine = std::sin(frequency * r.over[i]), cosine = std::cos(frequency * r.over[i]);
+            ss += sine * sine, sc += sine * cosine, cc += cosine * cosine;
+            s += sine * r.force[i], c += cosine * r.force[i], square += r.force[i] * r.force[i];
+        }
+        const double determinant = ss * cc - sc * sc;
+        if (determinant > 1e-6 * (ss + cc) * (ss + cc) && square > 0)
+            total += (s * s * cc - 2 * s * c * sc + c * c * ss) / determinant / square;
+    }
+    return total;
+}
+
+}  // namespace
+
+std::vector<double> comb_peaks(const std::vector<Case>& cases, const Scales& scales, const Candidate& base,
+                               const std::vector<double>& si, Comb comb, double omega, std::size_t count)
+{
+    const auto all = residuals(cases, base, si, comb, omega);
+    if (all.empty()) return {};
+    double span = 0;
+    for (const auto& r : all) span = std::max(span, r.span);
+    // half the resolution of the longest record; up to 1200 teeth
+    const double tooth = (comb == Comb::time ? 2.0 : 2.5) / span;
+    const double low = (comb == Comb::time ? 4.0 : 3.0) / span;
+    const double highest =
+        comb == Comb::time ? std::min(600.0, 0.5 * std::numbers::pi / cases[0].row_step) : 2000 / scales.position;
+    const std::size_t teeth =
+        std::min<std::size_t>(comb == Comb::time ? 1500 : 500, static_cast<std::size_t>((highest - low) / tooth) + 1);
+    std::vector<double> powers(teeth);
+    for (std::size_t i = 0; i < teeth; ++i) powers[i] = power(all, low + tooth * static_cast<double>(i));
+    std::vector<std::size_t> peaks;
+    for (std::size_t i = 0; i < teeth; ++i)
+        if ((i == 0 || powers[i] >= powers[i - 1]) && (i + 1 == teeth || powers[i] > powers[i + 1])) peaks.push_back(i);
+    std::sort(peaks.begin(), peaks.end(), [&](auto a, auto b) { return powers[a] > powers[b]; });
+    std::vector<double> found;
+    for (std::size_t i = 0; i < peaks.size() && found.size() < count; ++i) {
+        // refine between the neighbouring teeth
+        double best = low + tooth * static_cast<double>(peaks[i]), least = powers[peaks[i]];
+        for (int j = -4; j <= 4; ++j) {
+            const double f = low + tooth * (static_cast<double>(peaks[i]) + 0.2 * j);
+            if (f <= 0) continue;
+            if (const double p = power(all, f); p > least) least = p, best = f;
+        }
+        found.push_back(best);
+    }
+    return found;
+}
+
+std::vector<Eigen::VectorXd> starts(const std::vector<Case>& cases, const Scales& scales, const Candidate& single,
+                                    const Candidate& base, const std::vector<double>& si)
+{
+    const EffectForm& form = *single.forms.front();
+    const auto in_every_record = [&](std::vector<double> seed) {
+        const std::vector<double> own(seed.end() - static_cast<std::ptrdiff_t>(form.own), seed.end());
+        for (std::size_t r = 1; r < single.records; ++r) seed.insert(seed.end(), own.begin(), own.end());
+        return to_fit(single, seed);
+    };
+    std::vector<Eigen::VectorXd> all;
+    for (std::size_t i = 0; i < form.parameters.size(); ++i)
+        if (const auto& p = form.parameters[i]; p.comb != Comb::none) {
+            // a weak force is hidden from a fast observer by the noise, one that changes fast from a slow one
+            auto peaks = comb_peaks(cases, scales, base, si, p.comb, levels[0], 3);
+            constexpr double same = 0.02;
+            for (double f : comb_peaks(cases, scales, base, si, p.comb, levels[1], 2))
+                if (std::ranges::none_of(peaks, [&](double other) { return std::abs(f - other) < same * other; }))
+                    peaks.push_back(f);
+            for (double f : peaks) {
+                auto seed = form.seeds.front();
+                seed[i] = f / unit_of(p.scale, scales);
+                all.push_back(in_every_record(seed));
+            }
+            return all;
+        }
+    for (const auto& seed : form.seeds) all.push_back(in_every_record(seed));
+    return all;
+}
+
+}  // namespace stickslip::gap

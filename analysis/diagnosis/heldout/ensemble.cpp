@@ -1,0 +1,186 @@
+#include "analysis/diagnosis/heldout/ensemble.h"
+
+#include "analysis/diagnosis/fit/jumps.h"
+#include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/fit/reference.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip::gap {
+namespace {
+
+constexpr int closed_loop_runs = 4;
+constexpr double slack = 1.25;  // of the mean square, for what so few runs do not know of their spread
+
+}  // namespace
+
+NoiseSpread spread_of(const std::vector<Case>& cases, const Candidate& candidate, const std::vector<double>& si,
+                      int runs, const ParallelFor& parallel)
+{
+    NoiseSpread spread;
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+        spread.mean[l].assign(cases.size(), {1, 1});
+        spread.deviation[l].assign(cases.size(), {0, 0});
+    }
+    for (const auto& c : cases)
+        if (!c.ticks.has_reference) return spread;
+    spread.simulated = true;
+    struct Run {
+        std::array<Misfit, levels.size()> misfit;
+    };
+    const std::size_t n = static_cast<std::size_t>(runs);
+    std::vector<Run> all(cases.size() * n);
+    parallel(all.size(), [&](std::size_t task) {
+        Case c = cases[task / n];
+        c.joint = edited(c.joint, candidate, si, c.number);
+        const Trace trace = closed_loop(flatten(c.joint), c.ticks, 101 + task);
+        // through the log and back: between the rows of a slow log nothing is known of a simulated run either
+        const Ticks& t = c.ticks;
+        Record log;
+        log.name = t.name;
+        for (std::size_t k = 0; k < t.size(); ++k) {
+            if (!t.logged[k]) continue;
+            log.time.push_back(t.time[k]);
+            if (!t.reference_rebuilt) {
+                log.reference_position.push_back(t.reference[k]);
+                log.reference_velocity.push_back(t.reference_rate[k]);
+            }
+            log.position.push_back(trace.position[k]);
+            if (is_set(t.velocity[k])) log.velocity.push_back(trace.velocity[k]);
+            if (is_set(t.command[k])) log.effort_command.push_back(trace.command[k]);
+            if (is_set(t.effort[k])) log.effort_measured.push_back(trace.effort[k]);
+            if (is_set(t.supply[k])) log.supply_voltage.push_back(t.supply[k]);
+            log.torque_enable.push_back(t.enabled[k]);
+        }
+        log.at_rest_at_start = t.at_rest;
+        c.ticks = on_clock(log, c.joint);
+        if (t.reference_rebuilt) rebuild_reference(c, c.joint.control.effort_limit);
+        std::vector<Case> one{std::move(c)};
+        settle_jumps(one, {}, {});
+        for (std::size_t l = 0; l < levels.size(); ++l)
+            all[task].misfit[l] = evaluate(one, {}, {}, levels[l]).records[0];
+    });
+    for (std::size_t i = 0; i < cases.size(); ++i)
+        for (std::size_t l = 0; l < levels.size(); ++l) {
+            Misfit sum{0, 0}, square{0, 0};
+            for (std::size_t r = 0; r < n; ++r) {
+                const auto& m = all[i * n + r].misfit[l];
+                sum.position += m.position, sum.effort += m.effort;
+                square.position += m.position * m.position, square.effort += m.effort * m.effort;
+            }
+            const double count = static_cast<double>(n);
+            auto& mean = spread.mean[l][i];
+            mean = {sum.position / count, sum.effort / count};
+            spread.deviation[l][i] = {std::sqrt(std::max(0.0, square.position / count - mean.position * mean.position)),
+                                      std::sqrt(std::max(0.0, square.effort / count - mean.effort * mean.effort))};
+        }
+    return spread;
+}
+
+bool within(const NoiseSpread& spread, const std::array<Evaluation, levels.size()>& evaluation, std::size_t levels_used)
+{
+    // two integrators and a documented noise that is a little off account for the constant parts
+    constexpr double slack = 0.06, deviations = 4;
+    for (std::size_t l = 0; l < levels_used; ++l)
+        for (std::size_t i = 0; i < evaluation[l].records.size(); ++i) {
+            const auto &m = evaluation[l].records[i], &mean = spread.mean[l][i], &deviation = spread.deviation[l][i];
+            if (m.position > std::max(1.0, mean.position) + slack + deviations * deviation.position) return false;
+            if (m.effort > std::max(1.0, mean.effort) + slack + deviations * deviation.effort) return false;
+        }
+    return true;
+}
+
+CommandUnit command_unit(const Joint& joint)
+{
+    if (joint.actuator.kind == ActuatorKind::effort)
+        return {joint.actuator.effort_gain, std::string(unit_of(Quantity::effort, joint.mechanism.motion))};
+    return {1, joint.actuator.signal == DriveSignal::duty ? "1" : "V"};
+}
+
+std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, double from, double to, Trace* first)
+{
+    const Plant plant = flatten(joint);
+    const Ticks& t = c.ticks;
+    const std::string position_unit(unit_of(Quantity::position, joint.mechanism.motion));
+    const std::string effort_unit(unit_of(Quantity::effort, joint.mechanism.motion));
+    std::vector<SignalSquares> squares;
+    const auto inside = [&](std::size_t k) { return t.logged[k] && t.time[k] >= from && t.time[k] < to; };
+    if (!t.has_reference) {
+        constexpr double slow = 12;  // rad/s
+        Innovation innovation;
+        predict(plant, t, known_command(plant, t), slow, innovation);
+        SignalSquares position{"position (predicted)", position_unit}, effort{"effort_measured", effort_unit};
+        double n = 0;
+        for (std::size_t k = 0; k < t.size(); ++k)
+            if (inside(k)) {
+                position.difference += innovation.position[k] * innovation.position[k];
+                if (c.effort_sigma > 0) effort.difference += innovation.effort[k] * innovation.effort[k];
+                n += 1;
+            }
+        position.difference /= std::max(n, 1.0);
+        position.floor = c.sigma * c.sigma * noise_amplification(slow, c.row_step);
+        effort.difference /= std::max(n, 1.0);
+        effort.floor = std::pow(effort_floor(c, slow), 2);
+        position.rows = effort.rows = n;
+        squares.push_back(position);
+        if (c.effort_sigma > 0) squares.push_back(effort);
+        return squares;
+    }
+    std::vector<Trace> traces;
+    for (int r = 0; r < runs; ++r) traces.push_back(closed_loop(plant, t, static_cast<std::uint64_t>(1 + r)));
+    const CommandUnit command = command_unit(c.joint);
+    const auto add = [&](const char* name, const std::string& unit, const std::vector<double>& measured,
+                         std::vector<double> Trace::*column, double factor = 1) {
+        SignalSquares s{name, unit};
+        double n = 0;
+        for (std::size_t k = 0; k < t.size(); ++k) {
+            if (!inside(k) || !is_set(measured[k])) continue;
+            double mean = 0, square = 0;
+            for (const auto& trace : traces) {
+                const double x = (trace.*column)[k];
+                mean += x / runs;
+                square += x * x / runs;
+                s.difference += (measured[k] - x) * (measured[k] - x) / runs;
+            }
+            // two independent runs differ by twice the variance
+            s.floor += 2 * std::max(0.0, square - mean * mean) * runs / (runs - 1.0);
+            n += 1;
+        }
+        if (n == 0) return;
+        s.difference *= factor * factor / n;
+        s.floor *= factor * factor / n;
+        s.rows = n;
+        squares.push_back(s);
+    };
+    add("position", position_unit, t.position, &Trace::position);
+    add("effort_command", command.unit, t.command, &Trace::command, command.factor);
+    if (c.effort_sigma > 0) add("effort_measured", effort_unit, t.effort, &Trace::effort);
+    // the noise of a reading is there, simulated or not, and k_p passes it on; it is that of the sensor in question:
+    // the steps of a coarser encoder are a gap
+    const double sigma = reading_sigma(joint.sensor, span_of(t.position));
+    const double reading = 2 * sigma * sigma * 0.25, passed_on = command.factor * joint.control.k_p;
+    for (auto& s : squares) {
+        if (s.signal == "position") s.floor = std::max(s.floor, reading);
+        if (s.signal == "effort_command") s.floor = std::max(s.floor, passed_on * passed_on * reading);
+    }
+    if (first && !traces.empty()) *first = std::move(traces[0]);
+    return squares;
+}
+
+bool closed_loop_at_floor(const std::vector<Case>& cases, const Candidate& candidate, const std::vector<double>& si,
+                          const ParallelFor& parallel)
+{
+    for (const auto& c : cases)
+        if (!c.ticks.has_reference) return false;
+    std::vector<int> fine(cases.size(), 0);
+    parallel(cases.size(), [&](std::size_t i) {
+        const auto signals = compare(cases[i], edited(cases[i].joint, candidate, si, cases[i].number), closed_loop_runs,
+                                     -infinity, infinity);
+        fine[i] =
+            std::all_of(signals.begin(), signals.end(), [](const auto& s) { return s.difference <= slack * s.floor; });
+    });
+    return std::all_of(fine.begin(), fine.end(), [](int yes) { return yes != 0; });
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,35 @@
+// How far the gap shrinks on data that the fit has not seen.
+#pragma once
+#include "analysis/diagnosis/heldout/ensemble.h"
+
+namespace stickslip::gap {
+
+/// A part of the data that is held out in turn: a whole record, or a third of the only one.
+struct Fold {
+    std::size_t record = 0;
+    double from = -infinity, to = infinity;  ///< s
+};
+std::vector<Fold> folds_of(const std::vector<Case>& cases);
+
+/// The same for one cause: a record that alone shows an effect is held out in thirds, since the others would leave the
+/// effect's numbers open.
+std::vector<Fold> folds_for(const std::vector<Case>& cases, const Scales& scales, const Attribution& cause);
+
+/// What a fit may see while a fold is held out: the other records, or the rows outside the block.
+std::vector<Case> without(const std::vector<Case>& cases, const Fold& fold);
+
+struct HeldOut {
+    std::vector<SignalGap> signals;
+    OverallGap overall;
+    double gain = 0;                   ///< 1 − after / before
+    ConfidenceInterval gain_interval;  ///< smallest and largest over the folds
+    std::vector<DiagnosedTrace> traces;
+    std::vector<std::string> notes;  ///< which records were held out in thirds
+};
+
+/// Refits the candidate without each fold (an empty candidate needs no fit), simulates the closed loop there before and
+/// after, and compares. `documented` holds the joints before the audit.
+HeldOut hold_out(const std::vector<Case>& cases, const std::vector<Joint>& documented, const Scales& scales,
+                 const Attribution& found, int runs, const ParallelFor& parallel);
+
+}  // namespace stickslip::gap

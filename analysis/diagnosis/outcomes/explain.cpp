@@ -1,0 +1,184 @@
+#include "analysis/diagnosis/outcomes/explain.h"
+
+#include "analysis/diagnosis/outcomes/rows.h"
+#include "analysis/diagnosis/outcomes/share.h"
+#include "analysis/diagnosis/outcomes/side.h"
+#include "analysis/diagnosis/verdict/withdraw.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace stickslip::gap {
+namespace {
+
+constexpr std::size_t fewest_rows = 8, fewest_of_either = 3;
+constexpr double most_misjudged = 0.12;  // of the rows, beyond those that contradict each other
+constexpr double most_contradicting = 0.15;
+
+/// The place within three times the range of the rows where two explanations differ most.
+NextOutcome next_of(const OutcomeAnswer& a, const LawFit& one, const LawFit& two)
+{
+    const auto& o = a.outcomes;
+    constexpr int steps = 9;
+    constexpr double beyond = 3;
+    const std::size_t n = o.table.paths.size();
+    std::vector<double> low(n, infinity), high(n, -infinity);
+    for (const auto& row : o.table.rows)
+        for (std::size_t k = 0; k < n; ++k) {
+            low[k] = std::min(low[k], row.settings[k]);
+            high[k] = std::max(high[k], row.settings[k]);
+        }
+    NextOutcome next;
+    double best = 0.3;  // less is no experiment
+    std::size_t places = 1;
+    for (std::size_t k = 0; k < n; ++k) places *= low[k] < high[k] ? steps : 1;
+    for (std::size_t place = 0; place < places; ++place) {
+        std::vector<double> settings;
+        std::size_t rest = place;
+        for (std::size_t k = 0; k < n; ++k) {
+            double value = low[k];
+            if (low[k] < high[k]) {
+                const double u = static_cast<double>(rest % steps) / (steps - 1);
+                rest /= steps;
+                value = low[k] > 0 ? low[k] / beyond * std::pow(high[k] / low[k] * beyond * beyond, u)
+                                   : low[k] + (high[k] - low[k]) * u;
+            }
+            settings.push_back(value);
+        }
+        const Joint joint = joint_at(a.after, o.table, settings);
+        const double p = probability_at(distance_to_stick_slip(with_law(joint, one.law)), one.softness);
+        const double q = probability_at(distance_to_stick_slip(with_law(joint, two.law)), two.softness);
+        if (std::abs(p - q) > best) {
+            best = std::abs(p - q);
+            next = {settings, p, q};
+        }
+    }
+    return next;
+}
+
+void decide(OutcomeAnswer& a)
+{
+    Diagnosis& d = a.diagnosis;
+    const auto& o = a.outcomes;
+    const auto n = static_cast<double>(o.size());
+    const auto explains = [&](const LawFit& f) { return f.misjudged <= a.contradictions + most_misjudged * n; };
+    const LawFit& winner = a.laws.front();
+    std::set<std::string_view> effects{winner.rival->effect};
+    for (const auto& f : a.laws) {
+        if (&f == &winner || f.total() < winner.total() - clear_margin || !explains(f)) continue;
+        effects.insert(f.rival->effect);
+        d.ambiguous_with.push_back({std::string(f.rival->effect)});
+        if (f.rival->effect == winner.rival->effect)
+            d.reasons.push_back("the law is ambiguous: these rows cannot tell " + std::string(winner.rival->law) +
+                                " from " + std::string(f.rival->law));
+    }
+    constexpr std::size_t too_many = 3;
+    if (a.contradictions > most_contradicting * n) {
+        d.verdict = Verdict::insufficient_data;
+        d.reasons.push_back(
+            std::to_string(a.contradictions) + " of " + std::to_string(o.size()) +
+            " rows contradict others with the same settings: what decides the outcome is not in the table");
+    } else if (explains(a.nominal) && a.nominal.total() > winner.total() - clear_margin) {
+        d.verdict = Verdict::no_gap;
+        d.reasons = {"the nominal joint explains the rows as well as any law fitted to them"};
+    } else if (!explains(winner)) {
+        d.verdict = Verdict::unknown;
+        d.reasons = {"the best law, " + std::string(winner.rival->law) + ", misjudges " +
+                     std::to_string(winner.misjudged) + " of " + std::to_string(o.size()) +
+                     " rows that its fit had not seen"};
+        // their odds among each other say nothing of whether it is one of them
+        if (const double factor = believed_unnamed / winner.posterior; factor < 1)
+            for (auto& f : a.laws) f.posterior *= factor;
+    } else if (effects.size() >= too_many) {
+        d.verdict = Verdict::insufficient_data;
+        d.reasons.push_back(std::to_string(effects.size()) +
+                            " kinds of friction explain these rows: they lie on one side of what tells the laws apart");
+    } else {
+        d.verdict = Verdict::gap;
+    }
+    if (d.verdict == Verdict::no_gap || d.verdict == Verdict::unknown) d.ambiguous_with.clear();
+}
+
+}  // namespace
+
+OutcomeAnswer explain(const Joint& nominal, const OutcomeTable& table, const ParallelFor& parallel,
+                      const std::function<void(const std::string&, double)>& progress, std::span<const RivalLaw> rivals)
+{
+    refuse_unfit(nominal, table);
+    OutcomeAnswer a{{}, nominal, prepared(nominal, table), {}, {}, {}, 0};
+    Diagnosis& d = a.diagnosis;
+    d.motion = nominal.mechanism.motion;
+    d.records.push_back({table.name, "held-out"});
+    d.usual_speed = a.outcomes.scales.velocity;
+    d.notes.push_back("every fifth of the rows is held out in turn and predicted from a fit to the others");
+    a.contradictions = contradictions(table, d.notes);
+    std::size_t stuck = 0;
+    for (const auto& row : table.rows) stuck += row.stick_slip;
+    const std::size_t rarer = std::min(stuck, table.rows.size() - stuck);
+    if (table.rows.size() < fewest_rows || rarer < fewest_of_either) {
+        d.reasons.push_back(table.name + ": " + std::to_string(table.rows.size()) + " rows, " + std::to_string(stuck) +
+                            " of them with stick-slip; a boundary needs at least " + std::to_string(fewest_rows) +
+                            " rows, " + std::to_string(fewest_of_either) + " on either side");
+        return a;
+    }
+    a.laws.resize(rivals.size());
+    if (progress) progress("fitting friction laws", 0.1);
+    const auto fit_at = [&](std::size_t i) -> LawFit& { return i == rivals.size() ? a.nominal : a.laws[i]; };
+    parallel(rivals.size() + 1, [&](std::size_t i) {
+        fit_at(i) = i == rivals.size() ? judge_nominal_law(a.outcomes, nominal) : fit_law(a.outcomes, rivals[i]);
+    });
+    if (progress) progress("following motions from rest", 0.7);
+    double likeliest = -infinity;
+    for (const auto& f : a.laws) likeliest = std::max(likeliest, f.held_out);
+    parallel(rivals.size() + 1, [&](std::size_t i) {
+        constexpr double hopeless = 20;
+        LawFit& fit = fit_at(i);
+        if (&fit == &a.nominal || fit.held_out > likeliest - hopeless) confirm_by_motion(a.outcomes, fit);
+    });
+    double amplitudes = 0;
+    for (const auto& f : a.laws) amplitudes = std::min(amplitudes, f.amplitude_held_out);
+    for (auto& f : a.laws)
+        if (!f.followed) f.amplitude_held_out = amplitudes;
+    if (progress) progress("ranking", 0.95);
+    double best = -infinity, sum = 0;
+    for (const auto& f : a.laws) best = std::max(best, f.total());
+    // "none of these" guesses the share of stick-slip, and every amplitude to be the middle one
+    const double share = static_cast<double>(stuck) / static_cast<double>(table.rows.size());
+    const double guess =
+        static_cast<double>(table.rows.size()) * (share * std::log(share) + (1 - share) * std::log(1 - share)) +
+        guessed_amplitudes(a.outcomes);
+    sum = std::exp(std::min(0.0, guess - best));
+    for (const auto& f : a.laws) sum += std::exp(f.total() - best);
+    for (auto& f : a.laws) f.posterior = std::exp(f.total() - best) / sum;
+    std::stable_sort(a.laws.begin(), a.laws.end(), [](const auto& x, const auto& y) { return x.total() > y.total(); });
+    decide(a);
+    const auto best_of = [&](bool memory) {
+        const auto found =
+            std::find_if(a.laws.begin(), a.laws.end(), [&](const auto& f) { return f.rival->memory == memory; });
+        return found == a.laws.end() ? nullptr : &*found;
+    };
+    for (const auto& f : a.laws) d.effects.push_back(cause_of(a, f, best_of(!f.rival->memory)));
+    locate(a);
+    withdraw_if_no_better(d, {.settled = true});
+    const LawFit& winner = a.laws.front();
+    if (d.verdict == Verdict::gap) {
+        a.after = with_law(nominal, winner.law);
+        if (winner.beyond_linear > 0)
+            d.notes.push_back(std::to_string(winner.beyond_linear) +
+                              " rows lie where small disturbances die out and a start from rest does not, or the "
+                              "reverse; the motion from rest counts");
+    }
+    const auto rival = std::find_if(a.laws.begin() + 1, a.laws.end(),
+                                    [&](const auto& f) { return f.rival->effect != winner.rival->effect; });
+    if (rival != a.laws.end() && d.verdict != Verdict::no_gap) {
+        a.next = next_of(a, winner, *rival);
+        if (!a.next.settings.empty())
+            d.next_experiment.separates.push_back(
+                {std::string(winner.rival->effect), std::string(rival->rival->effect)});
+    }
+    if (progress) progress("done", 1);
+    return a;
+}
+
+}  // namespace stickslip::gap

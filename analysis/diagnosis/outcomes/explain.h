@@ -1,0 +1,33 @@
+// Which friction law explains a table of measured outcomes.
+#pragma once
+#include "analysis/diagnosis/search/attribute.h"
+#include "analysis/diagnosis/outcomes/fit.h"
+#include "analysis/results/diagnosis.h"
+
+namespace stickslip::gap {
+
+/// Where the two best explanations differ most: what to measure next.
+struct NextOutcome {
+    std::vector<double> settings;  ///< SI, one for each path of the table; empty: nothing is left to tell apart
+    double one = 0, two = 0;       ///< probability of stick-slip by each
+};
+
+struct OutcomeAnswer {
+    Diagnosis diagnosis;
+    Joint after;  ///< the nominal joint with the winning law; equal to it where nothing was named
+    Outcomes outcomes;
+    LawFit nominal;
+    std::vector<LawFit> laws;  ///< most probable first
+    NextOutcome next;
+    int contradictions = 0;  ///< rows that say the opposite of most rows with the same settings
+};
+
+/// Fits every friction law to the rows, judges each by rows that its fit has not seen, and ranks them. `gap`: the
+/// nominal joint does not explain the rows and a law does. Throws std::invalid_argument for a joint whose boundary the
+/// rows cannot be read against (several masses, contact stiffness) and for settings that it lacks or may not take.
+/// `rivals` outlive the answer.
+OutcomeAnswer explain(const Joint& nominal, const OutcomeTable& table, const ParallelFor& parallel,
+                      const std::function<void(const std::string& stage, double done)>& progress = {},
+                      std::span<const RivalLaw> rivals = rival_laws());
+
+}  // namespace stickslip::gap

@@ -1,0 +1,99 @@
+#include "analysis/diagnosis/outcomes/rows.h"
+
+#include "analysis/joint/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace stickslip::gap {
+namespace {
+
+double middle(std::vector<double> values)
+{
+    double sum = 0;
+    for (double v : values) sum += std::log(v);
+    return std::exp(sum / static_cast<double>(values.size()));
+}
+
+bool same_settings(const OutcomeRow& a, const OutcomeRow& b)
+{
+    for (std::size_t k = 0; k < a.settings.size(); ++k)
+        if (std::abs(a.settings[k] - b.settings[k]) > 1e-6 * std::max(std::abs(a.settings[k]), std::abs(b.settings[k])))
+            return false;
+    return true;
+}
+
+}  // namespace
+
+void refuse_unfit(const Joint& joint, const OutcomeTable& table)
+{
+    if (joint.mechanism.model != Model::single_mass)
+        throw std::invalid_argument(
+            table.name + ": a table of outcomes is read against a single-mass joint (Fig. 7); reduce this joint first");
+    if (joint.control.contact_stiffness != 0 || joint.control.force_gain != 0)
+        throw std::invalid_argument(
+            table.name +
+            ": a table of outcomes is read against one spring; add contact_stiffness to k_p and leave force_gain 0");
+}
+
+Joint joint_at(const Joint& nominal, const OutcomeTable& table, const std::vector<double>& settings)
+{
+    Joint joint = nominal;
+    bool by_force = false;
+    for (std::size_t k = 0; k < table.paths.size(); ++k) {
+        double* setting = find_parameter(joint, table.paths[k]);
+        if (!setting) throw std::invalid_argument(table.name + ": the joint has no number " + table.paths[k]);
+        *setting = settings[k];
+        by_force = by_force || table.paths[k] == "control.force_rate";
+    }
+    auto& c = joint.control;
+    if (by_force || (is_set(c.force_rate) && !is_set(c.V0))) c.V0 = c.force_rate / c.k_p;
+    c.force_rate = not_set;
+    return joint;
+}
+
+Outcomes prepared(const Joint& nominal, const OutcomeTable& table)
+{
+    Outcomes o{table, {}, {}};
+    std::vector<double> stiffness, velocity, inertia;
+    for (const auto& row : table.rows) {
+        Joint joint = joint_at(nominal, table, row.settings);
+        const std::string place = table.name + ":" + std::to_string(row.line) + ":1: ";
+        if (!(joint.control.V0 > 0))
+            throw std::invalid_argument(place + "V0 is not set or not above 0, neither in the row nor in the joint");
+        if (!(joint.control.k_p > 0)) throw std::invalid_argument(place + "k_p is not above 0");
+        stiffness.push_back(joint.control.k_p), velocity.push_back(joint.control.V0);
+        inertia.push_back(joint.mechanism.inertia);
+        o.joints.push_back(std::move(joint));
+    }
+    o.scales.stiffness = middle(stiffness), o.scales.velocity = middle(velocity), o.scales.inertia = middle(inertia);
+    const double level = std::abs(steady_force(nominal.friction, o.scales.velocity));
+    // a level keeps the friction positive and cancels in the boundary
+    o.scales.level = std::isfinite(level) && level > 0 ? level : 100 * o.scales.damping() * o.scales.velocity;
+    return o;
+}
+
+int contradictions(const OutcomeTable& table, std::vector<std::string>& notes)
+{
+    std::vector<bool> seen(table.rows.size());
+    int against = 0;
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        if (seen[i]) continue;
+        int yes = 0, no = 0;
+        std::string lines;
+        for (std::size_t j = i; j < table.rows.size(); ++j)
+            if (same_settings(table.rows[i], table.rows[j])) {
+                seen[j] = true;
+                (table.rows[j].stick_slip ? yes : no) += 1;
+                lines += (lines.empty() ? "" : ", ") + std::to_string(table.rows[j].line);
+            }
+        if (yes > 0 && no > 0) {
+            against += std::min(yes, no);
+            notes.push_back(table.name + ": lines " + lines + " have the same settings and both outcomes");
+        }
+    }
+    return against;
+}
+
+}  // namespace stickslip::gap

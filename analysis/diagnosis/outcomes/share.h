@@ -1,0 +1,16 @@
+// How the rows are shared out: what a law explains of them, and where the nominal joint is wrong. Internal.
+#pragma once
+#include "analysis/diagnosis/outcomes/explain.h"
+
+namespace stickslip::gap {
+
+/// Of log-likelihood, odds of twenty to one: laws that are closer cannot be told apart.
+inline constexpr double clear_margin = 3;
+
+/// A fitted law as a cause; `other_kind` is the best law with memory where this one has none, and the reverse.
+Cause cause_of(const OutcomeAnswer& answer, const LawFit& fit, const LawFit* other_kind);
+
+/// Fills the shares by signal and by settings, and the gap before and after the winner, from held-out rows.
+void locate(OutcomeAnswer& answer);
+
+}  // namespace stickslip::gap

@@ -1,0 +1,123 @@
+#include "analysis/diagnosis/plant/plant.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace stickslip::gap {
+namespace {
+
+void take(const CoulombViscous& law, Rubbing& r)
+{
+    r.coulomb = law.coulomb;
+    r.viscous = law.viscous;
+}
+
+void take(const Stribeck& law, Rubbing& r)
+{
+    r.coulomb = law.c0;
+    r.viscous = law.c1;
+    r.stribeck = law.c2;
+    r.stribeck_velocity = law.c3;
+    r.exponent = law.c4;
+}
+
+void take(const RateAndState& law, Rubbing& r)
+{
+    if (law.B.size > 1) throw std::invalid_argument("a record is simulated with one memory state, the law has more");
+    r.coulomb = law.f0;
+    r.A = law.A;
+    r.V_star = law.V_star;
+    if (law.B.size == 1) {
+        r.B = law.B[0];
+        r.L = law.L[0];
+    }
+}
+
+template <class Law>
+void take(const Law& law, Rubbing&)
+{
+    throw std::invalid_argument("friction law \"" + std::string(law.info.name) + "\" has no record simulation yet");
+}
+
+Rubbing flatten(const Friction& f)
+{
+    Rubbing r;
+    std::visit([&](const auto& law) { take(law, r); }, f.law);
+    r.asymmetric_coulomb = f.asymmetry.coulomb;
+    r.asymmetric_viscous = f.asymmetry.viscous;
+    r.load_coefficient = f.load_coefficient;
+    r.ripple = f.ripple.amplitude;
+    r.ripple_periods = f.ripple.periods;
+    r.ripple_phase = f.ripple.phase;
+    r.drift = f.drift.change;
+    r.drift_time = f.drift.time_constant;
+    r.bristle_stiffness = f.bristle.stiffness;
+    r.bristle_damping = f.bristle.damping;
+    if (f.memory.A != 0 || f.memory.B != 0) {
+        r.A = f.memory.A;
+        r.B = f.memory.B;
+        r.L = f.memory.L;
+        r.V_star = f.memory.V_star;
+        r.ageing = f.memory.form == MemoryForm::ageing;
+    }
+    r.per_L = 1 / r.L, r.per_V_star = 1 / r.V_star;
+    r.lag = f.memory.lag;
+    for (double* force : {&r.coulomb, &r.viscous, &r.stribeck, &r.A, &r.B, &r.asymmetric_coulomb, &r.asymmetric_viscous,
+                          &r.ripple, &r.drift, &r.bristle_stiffness, &r.bristle_damping})
+        *force *= f.normal_load;
+    return r;
+}
+
+}  // namespace
+
+Plant flatten(const Joint& joint)
+{
+    Plant p;
+    const Mechanism& m = joint.mechanism;
+    switch (m.model) {
+        case Model::single_mass:
+            p.motor_inertia = m.inertia;
+            p.motor = flatten(joint.friction);
+            break;
+        case Model::two_mass:
+            p.two_mass = true;
+            p.motor_inertia = m.motor_inertia;
+            p.link_inertia = m.link_inertia;
+            p.stiffness = m.transmission.stiffness;
+            p.damping = m.transmission.damping;
+            p.ratio = m.transmission.ratio;
+            p.backlash = m.transmission.backlash;
+            p.motor = flatten(joint.frictions.motor);
+            p.link = flatten(joint.frictions.link);
+            p.feedback_link = joint.control.feedback == Feedback::link;
+            break;
+        default:
+            throw std::invalid_argument("records are simulated with one or two masses: reduce the joint first");
+    }
+    p.load = joint.load;
+    p.actuator = joint.actuator;
+    p.control = joint.control;
+    p.sensor = joint.sensor;
+    p.dead_time = joint.control.delay;
+    return p;
+}
+
+int substeps(const Plant& p, double tick)
+{
+    // s; exact under constant force, so that only laws which bend within a tick need the shorter one
+    constexpr double plain_step = 0.5e-3, bent_step = 0.25e-3;
+    // bristles forget at k|v|/F_c, a thousand times a second and more
+    constexpr double bristle_step = 0.03125e-3;
+    double step = p.motor.plain() && !p.dc_motor() ? plain_step : bent_step;
+    if (p.motor.bristle_stiffness > 0 || p.link.bristle_stiffness > 0) step = bristle_step;
+    if (p.two_mass) {
+        const double reduced = 1 / (1 / p.link_inertia + 1 / (p.ratio * p.ratio * p.motor_inertia));
+        const double period_part = 0.25 / std::sqrt(p.stiffness / reduced);  // phase error of leapfrog (ωh)²/24 ≈ 0.3 %
+        step = std::clamp(period_part, 15e-6, 0.125e-3);
+        if (p.backlash > 0) step = std::min(step, 0.0625e-3);
+    }
+    return std::clamp(static_cast<int>(std::ceil(tick / (step * p.step_factor) - 1e-9)), 1, 400);
+}
+
+}  // namespace stickslip::gap

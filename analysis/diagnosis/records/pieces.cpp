@@ -1,0 +1,50 @@
+#include "analysis/diagnosis/records/pieces.h"
+
+#include "analysis/diagnosis/records/ticks.h"
+
+#include <cstdio>
+
+namespace stickslip::gap {
+namespace {
+
+std::string seconds(double t)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g s", t);
+    return text;
+}
+
+Record part(const Record& whole, std::size_t from, std::size_t to)
+{
+    Record r = whole;
+    for (auto* column : {&r.time, &r.reference_position, &r.reference_velocity, &r.position, &r.velocity,
+                         &r.effort_command, &r.effort_measured, &r.drive, &r.current, &r.supply_voltage, &r.temperature,
+                         &r.torque_enable, &r.link_position, &r.normal_load})
+        if (!column->empty())
+            *column = {column->begin() + static_cast<std::ptrdiff_t>(from),
+                       column->begin() + static_cast<std::ptrdiff_t>(to)};
+    r.name = whole.name + " from " + seconds(whole.time[from]);
+    if (from > 0) r.at_rest_at_start.reset();
+    return r;
+}
+
+}  // namespace
+
+std::vector<Record> pieces(const Record& record, std::vector<std::string>& notes)
+{
+    const double longest = most_lost_rows * median_step(record.time);
+    std::vector<std::size_t> starts{0};
+    for (std::size_t k = 1; k < record.rows(); ++k)
+        if (record.time[k] - record.time[k - 1] > longest) starts.push_back(k);
+    if (starts.size() == 1) return {record};
+    std::vector<Record> all;
+    for (std::size_t i = 0; i < starts.size(); ++i)
+        all.push_back(part(record, starts[i], i + 1 < starts.size() ? starts[i + 1] : record.rows()));
+    const std::size_t hole = starts[1];
+    notes.push_back(record.name + ": " + std::to_string(starts.size() - 1) + (starts.size() == 2 ? " hole" : " holes") +
+                    " in time, the first from " + seconds(record.time[hole - 1]) + " to " + seconds(record.time[hole]) +
+                    ": what comes after a hole is a record of its own");
+    return all;
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,321 @@
+#include "analysis/diagnosis/records/ticks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip::gap {
+namespace {
+
+bool equal_steps(const std::vector<double>& time, double step)
+{
+    for (std::size_t k = 1; k < time.size(); ++k)
+        if (std::abs(time[k] - time[k - 1] - step) > 0.02 * step) return false;
+    return true;
+}
+
+double at_or(const std::vector<double>& column, std::size_t k, double otherwise)
+{
+    return column.empty() ? otherwise : column[k];
+}
+
+/// Four-point interpolation inside the row interval k … k+1 at the fraction s, linear at the ends.
+double between(const std::vector<double>& x, std::size_t k, double s)
+{
+    if (k == 0 || k + 2 >= x.size()) return x[k] + s * (x[k + 1] - x[k]);
+    const double a = x[k - 1], b = x[k], c = x[k + 1], d = x[k + 2];
+    return b + 0.5 * s * (c - a + s * (2 * a - 5 * b + 4 * c - d + s * (3 * (b - c) + d - a)));
+}
+
+/// How a reference goes on inside a row interval: smoothly, straight, or along the line on its left or right up to
+/// where both meet.
+enum class Course { smooth, straight, left, right };
+
+/// A ramp has kinks, next to which a polynomial would ring. Where both neighbours of an interval are straight lines
+/// that do not continue each other, they meet inside.
+Course course_of(const std::vector<double>& x, std::size_t k, double s)
+{
+    if (k < 2 || k + 3 >= x.size()) return Course::smooth;
+    constexpr double little = 0.1;  // of the bend; in a smooth curve neighbouring bends are alike
+    const double before = x[k - 1] - x[k - 2], left = x[k] - x[k - 1], here = x[k + 1] - x[k],
+                 right = x[k + 2] - x[k + 1], after = x[k + 3] - x[k + 2];
+    const double bend = right - left;
+    const auto small = [](double a, double of) { return std::abs(a) <= little * std::abs(of); };
+    if (bend != 0 && small(left - before, bend) && small(after - right, bend) && (here - left) * (right - here) >= 0) {
+        const double from_left = x[k] + s * left, from_right = x[k + 1] - (1 - s) * right;
+        return (bend > 0) == (from_left > from_right) ? Course::left : Course::right;
+    }
+    const bool bent_before = here != left && small(right - here, here - left);
+    const bool bent_after = here != right && small(here - left, right - here);
+    return bent_before || bent_after ? Course::straight : Course::smooth;
+}
+
+double reference_between(const std::vector<double>& x, std::size_t k, double s)
+{
+    switch (course_of(x, k, s)) {
+        case Course::left:
+            return x[k] + s * (x[k] - x[k - 1]);
+        case Course::right:
+            return x[k + 1] - (1 - s) * (x[k + 2] - x[k + 1]);
+        case Course::straight:
+            return x[k] + s * (x[k + 1] - x[k]);
+        default:
+            return between(x, k, s);
+    }
+}
+
+/// Rate of the same reference from its rates at the rows.
+double rate_between(const std::vector<double>& x, const std::vector<double>& rate, std::size_t k, double s)
+{
+    switch (course_of(x, k, s)) {
+        case Course::left:
+            return rate[k];
+        case Course::right:
+            return rate[k + 1];
+        case Course::straight:
+            return rate[k] + s * (rate[k + 1] - rate[k]);
+        default:
+            return between(rate, k, s);
+    }
+}
+
+void fill_reference_rate(const Record& r, Ticks& t)
+{
+    const std::size_t n = t.size();
+    for (std::size_t k = 0; k < n; ++k) {
+        if (!r.reference_velocity.empty()) {
+            const std::size_t row = k / t.ticks_per_row, rest = k % t.ticks_per_row;
+            const double s = static_cast<double>(rest) / t.ticks_per_row;
+            t.reference_rate[k] = rest == 0 ? r.reference_velocity[row]
+                                  : r.reference_position.empty()
+                                      ? between(r.reference_velocity, row, s)
+                                      : rate_between(r.reference_position, r.reference_velocity, row, s);
+        } else {
+            // no controller differentiates a step
+            const auto jumps = [&](std::size_t from, std::size_t to) {
+                return std::any_of(t.jumps.begin(), t.jumps.end(), [&](std::size_t j) {
+                    return j < to && from < j + static_cast<std::size_t>(t.ticks_per_row);
+                });
+            };
+            std::size_t a = k == 0 ? 0 : k - 1, b = std::min(k + 1, n - 1);
+            if (jumps(a, k)) a = k;
+            if (jumps(k, b)) b = k;
+            t.reference_rate[k] = b > a ? (t.reference[b] - t.reference[a]) / (t.time[b] - t.time[a]) : 0;
+        }
+    }
+}
+
+/// How many rows of a regular log each interval stands for; empty where the rows are not on such a grid.
+std::vector<std::size_t> strides(const std::vector<double>& time, double step)
+{
+    std::vector<std::size_t> of;
+    for (std::size_t k = 1; k < time.size(); ++k) {
+        const double rows = (time[k] - time[k - 1]) / step;
+        if (rows > most_lost_rows || std::abs(rows - std::round(rows)) > 0.02 || std::round(rows) < 1) return {};
+        of.push_back(static_cast<std::size_t>(std::round(rows)));
+    }
+    return of;
+}
+
+/// The record with rows in place of the lost ones: motion and reference go on between their neighbours, everything else
+/// is unknown or, of the surroundings, as before.
+Record with_lost_rows(const Record& r, const std::vector<std::size_t>& strides, std::vector<std::uint8_t>& logged)
+{
+    Record full = r;
+    const auto fill = [&](std::vector<double>& column, auto&& value) {
+        if (column.empty()) return;
+        const std::vector<double> was = std::move(column);
+        column.clear();
+        for (std::size_t k = 0; k < was.size(); ++k) {
+            column.push_back(was[k]);
+            for (std::size_t i = 1; k < strides.size() && i < strides[k]; ++i)
+                column.push_back(value(was, k, static_cast<double>(i) / static_cast<double>(strides[k])));
+        }
+    };
+    const auto straight = [](const std::vector<double>& x, std::size_t k, double s) {
+        return x[k] + s * (x[k + 1] - x[k]);
+    };
+    const auto unknown = [](const std::vector<double>&, std::size_t, double) { return not_set; };
+    const auto as_before = [](const std::vector<double>& x, std::size_t k, double) { return x[k]; };
+    fill(full.time, straight);
+    fill(full.position, between);
+    fill(full.reference_position, reference_between);
+    for (auto* column : {&full.reference_velocity, &full.link_position}) fill(*column, straight);
+    for (auto* column : {&full.velocity, &full.effort_command, &full.drive, &full.effort_measured, &full.current})
+        fill(*column, unknown);
+    for (auto* column : {&full.supply_voltage, &full.temperature, &full.torque_enable, &full.normal_load})
+        fill(*column, as_before);
+    for (std::size_t k = 0; k < r.rows(); ++k) {
+        logged.push_back(1);
+        if (k < strides.size()) logged.insert(logged.end(), strides[k] - 1, 0);
+    }
+    return full;
+}
+
+}  // namespace
+
+double median_step(const std::vector<double>& time)
+{
+    std::vector<double> steps;
+    for (std::size_t k = 1; k < time.size(); ++k) steps.push_back(time[k] - time[k - 1]);
+    if (steps.empty()) return 1;
+    std::nth_element(steps.begin(), steps.begin() + steps.size() / 2, steps.end());
+    return steps[steps.size() / 2];
+}
+
+std::vector<std::size_t> jumps_of(const std::vector<double>& signal)
+{
+    std::vector<std::size_t> found;
+    if (signal.size() < 4) return found;
+    const auto [low, high] = std::minmax_element(signal.begin(), signal.end());
+    constexpr double least = 2e-3, alone = 4;  // of the span; of the neighbours
+    const auto difference = [&](std::size_t k) { return std::abs(signal[k + 1] - signal[k]); };
+    for (std::size_t k = 0; k + 1 < signal.size(); ++k) {
+        const double before = k > 0 ? difference(k - 1) : 0, after = k + 2 < signal.size() ? difference(k + 1) : 0;
+        if (difference(k) > std::max(least * (*high - *low), alone * std::max(before, after))) found.push_back(k);
+    }
+    return found;
+}
+
+double between_rows(const Ticks& t, std::size_t k, double period, double tau)
+{
+    const double g = period / (tau + period), sum = (t.position[k] - t.position[k - 2]) / period;
+    const double drive = t.velocity[k] - (1 - g) * (1 - g) * t.velocity[k - 2];
+    const double last = (drive / g - (1 - g) * sum) / g;
+    return t.position[k] - period * last;
+}
+
+void rebuild_halves(Ticks& t, const Joint& joint)
+{
+    const double quantum = joint.sensor.encoder_quantum;
+    for (std::size_t k = 2; k < t.size(); k += 2) {
+        const double middle = between_rows(t, k, joint.control.period, joint.control.velocity_estimate.tau);
+        t.position[k - 1] = quantum > 0 ? quantum * std::round(middle / quantum) : middle;
+    }
+    t.rebuilt = true;
+}
+
+void interpolate_halves(Ticks& t)
+{
+    std::vector<double> rows;
+    for (std::size_t k = 0; k < t.size(); k += 2) rows.push_back(t.position[k]);
+    for (std::size_t k = 0; k + 1 < rows.size(); ++k) t.position[2 * k + 1] = between(rows, k, 0.5);
+    t.rebuilt = false;
+}
+
+Ticks first_ticks(const Ticks& ticks, std::size_t count)
+{
+    Ticks t;
+    t.source = ticks.source, t.ticks_per_row = ticks.ticks_per_row;
+    t.regular = ticks.regular, t.lost = ticks.lost, t.rebuilt = ticks.rebuilt;
+    t.reference_rebuilt = ticks.reference_rebuilt;
+    t.has_velocity = ticks.has_velocity, t.has_effort = ticks.has_effort, t.has_reference = ticks.has_reference;
+    t.at_rest = ticks.at_rest, t.initial_velocity = ticks.initial_velocity;
+    const auto end = static_cast<std::ptrdiff_t>(std::min(count, ticks.size()));
+    const auto take = [&](auto& to, const auto& from) {
+        if (!from.empty()) to.assign(from.begin(), from.begin() + end);
+    };
+    take(t.time, ticks.time), take(t.step, ticks.step);
+    take(t.reference, ticks.reference), take(t.reference_rate, ticks.reference_rate);
+    take(t.position, ticks.position), take(t.velocity, ticks.velocity);
+    take(t.command, ticks.command), take(t.effort, ticks.effort), take(t.supply, ticks.supply);
+    take(t.enabled, ticks.enabled), take(t.logged, ticks.logged), take(t.judged, ticks.judged);
+    return t;
+}
+
+double velocity_at_start(const Ticks& t)
+{
+    constexpr std::size_t few = 8;
+    return t.size() > few ? (t.position[few] - t.position[0]) / (t.time[few] - t.time[0]) : 0;
+}
+
+Ticks on_clock(const Record& record, const Joint& joint)
+{
+    Ticks t;
+    t.name = record.name;
+    const double step = median_step(record.time);
+    t.regular = equal_steps(record.time, step);
+    const auto stride = t.regular ? std::vector<std::size_t>() : strides(record.time, step);
+    t.lost = !stride.empty();
+    std::vector<std::uint8_t> logged_rows;
+    const Record filled = t.lost ? with_lost_rows(record, stride, logged_rows) : Record{};
+    const Record& r = t.lost ? filled : record;
+    if (is_set(joint.control.period) && (t.regular || t.lost)) {
+        const double fold = step / joint.control.period;
+        if (fold > 1.5 && std::abs(fold - std::round(fold)) < 0.02 && fold < 20)
+            t.ticks_per_row = static_cast<int>(std::round(fold));
+    }
+    const int m = t.ticks_per_row;
+    const std::size_t rows = r.rows(), n = rows == 0 ? 0 : (rows - 1) * m + 1;
+    t.has_velocity = !r.velocity.empty();
+    t.has_effort = !r.effort_measured.empty();
+    t.has_reference = !r.reference_position.empty();
+    t.at_rest = r.at_rest_at_start.value_or(true);
+    const std::vector<double>& commanded = r.effort_command.empty() ? r.drive : r.effort_command;
+    t.source = !commanded.empty() ? CommandSource::logged
+               : t.has_reference  ? CommandSource::reconstructed
+                                  : CommandSource::none;
+    t.time.resize(n);
+    t.step.assign(n, step / m);
+    t.reference.assign(n, not_set);
+    t.reference_rate.assign(n, not_set);
+    t.position.resize(n);
+    t.velocity.assign(n, not_set);
+    t.command.assign(n, not_set);
+    t.effort.assign(n, not_set);
+    t.supply.assign(n, joint.actuator.supply_voltage);
+    t.enabled.assign(n, 1);
+    t.logged.assign(n, 0);
+    std::vector<std::size_t> jump_rows;
+    if (t.has_reference) jump_rows = jumps_of(r.reference_position);
+    const auto near_jump = [&](std::size_t row) {
+        return std::any_of(jump_rows.begin(), jump_rows.end(),
+                           [&](std::size_t j) { return j + 1 >= row && row + 1 >= j; });
+    };
+    for (std::size_t row : jump_rows) t.jumps.push_back(row * static_cast<std::size_t>(m));
+    for (std::size_t k = 0; k < n; ++k) {
+        const std::size_t row = k / m, rest = k % m;
+        if (rest == 0) {
+            t.logged[k] = t.lost ? logged_rows[row] : 1;
+            t.time[k] = r.time[row];
+            t.position[k] = r.position[row];
+            t.reference[k] = at_or(r.reference_position, row, not_set);
+            t.velocity[k] = at_or(r.velocity, row, not_set);
+            t.command[k] = at_or(commanded, row, not_set);
+            t.effort[k] = at_or(r.effort_measured, row, not_set);
+        } else {
+            const double s = static_cast<double>(rest) / m;
+            t.time[k] = r.time[row] + s * (r.time[row + 1] - r.time[row]);
+            t.position[k] = between(r.position, row, s);
+            if (t.has_reference) t.reference[k] = reference_between(r.reference_position, row, s);
+            // next to a jump a polynomial would ring
+            if (t.has_reference && near_jump(row)) t.reference[k] = r.reference_position[row];
+        }
+        if (!r.supply_voltage.empty()) t.supply[k] = r.supply_voltage[row];
+        if (!r.torque_enable.empty()) t.enabled[k] = r.torque_enable[row] > 0.5;
+    }
+    for (std::size_t k = 0; k + 1 < n; ++k) t.step[k] = t.time[k + 1] - t.time[k];
+    if (m == 2 && !t.lost && t.has_velocity &&
+        joint.control.velocity_estimate.form == EstimateForm::backward_difference &&
+        joint.control.velocity_estimate.average == 1)
+        rebuild_halves(t, joint);
+    if (t.has_reference) fill_reference_rate(r, t);
+    if (!t.at_rest) t.initial_velocity = velocity_at_start(t);
+    return t;
+}
+
+void place_jump(Ticks& t, const Control& control, std::size_t which, int after)
+{
+    const std::size_t from = t.jumps[which], m = static_cast<std::size_t>(t.ticks_per_row), to = from + m;
+    if (to >= t.size()) return;
+    const bool by_rate = t.reference_rebuilt && control.reference_velocity && control.k_v != 0;
+    const auto wanted = [&](std::size_t k) { return control.k_p * t.reference[k] + control.k_v * t.reference_rate[k]; };
+    for (std::size_t i = 1; i < m; ++i) {
+        const std::size_t k = from + i, as = i < static_cast<std::size_t>(after) ? from : to;
+        if (by_rate)
+            t.reference_rate[k] = (wanted(as) - control.k_p * t.reference[k]) / control.k_v;
+        else
+            t.reference[k] = t.reference[as];
+    }
+}
+
+}  // namespace stickslip::gap

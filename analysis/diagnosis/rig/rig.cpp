@@ -1,0 +1,218 @@
+#include "analysis/diagnosis/rig/rig.h"
+
+#include "analysis/diagnosis/rig/rig_experiment.h"
+#include "analysis/diagnosis/rig/rig_laws.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace stickslip::gap {
+namespace {
+
+constexpr double worth = 0.1;  // gain on held-out rows that earns a name
+constexpr double near = 0.05;  // of log RMS: what cannot be told apart
+constexpr double quiet = 1.06;
+constexpr double width = 0.05;  // of log RMS: rests of rigs are model error, not noise
+
+/// A law, fitted, and how it predicts the rows that its fits have not seen.
+struct Entry {
+    RigFit fit;
+    double held = 0;  ///< mean square over all folds
+    std::array<double, rig_folds> squares{};
+};
+
+Entry entry_of(const Rig& rig, const RigRival& rival)
+{
+    Entry e;
+    e.fit = fit_rig(rig, rival);
+    for (int f = 0; f < rig_folds; ++f) {
+        const RigFit refit = refit_rig(rig, rival, f, e.fit);
+        const double square = rig_square(rig, rig_force(rig, rival.law, refit.p), f, true);
+        e.squares[static_cast<std::size_t>(f)] = square;
+        e.held += square / rig_folds;
+    }
+    return e;
+}
+
+/// What a law leaves on held-out rows, as log RMS. A law contains simpler ones as limits, so its numbers have to earn
+/// their place.
+double score_of(const Entry& e, const RigRival& rival)
+{
+    constexpr double price = 0.005;
+    return 0.5 * std::log(e.held) + price * static_cast<double>(rival.parameters.size());
+}
+
+/// The laws by score, best first.
+std::vector<std::size_t> ranked(const std::vector<Entry>& entries)
+{
+    std::vector<std::size_t> order(entries.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) {
+        return score_of(entries[a], rig_rivals()[a]) < score_of(entries[b], rig_rivals()[b]);
+    });
+    return order;
+}
+
+std::string_view unit_of_parameter(std::string_view name, Motion motion)
+{
+    if (name == "L") return unit_of(Quantity::position, motion);
+    if (name == "time_constant") return unit_of(Quantity::time, motion);
+    if (name == "slope") return unit_of(Quantity::damping, motion);
+    return unit_of(Quantity::effort, motion);
+}
+
+Cause cause_of(const Rig& rig, const RigRival& rival, const Entry& e, const Entry& level, Motion motion)
+{
+    Cause c;
+    c.names = {rival.effect};
+    c.form = rival.form;
+    c.heldout_gain = 1 - std::sqrt(e.held / level.held);
+    c.heldout_gain_interval = {1, -1};
+    for (std::size_t f = 0; f < rig_folds; ++f) {
+        const double gain = 1 - std::sqrt(e.squares[f] / level.squares[f]);
+        c.heldout_gain_interval.low = std::min(c.heldout_gain_interval.low, gain);
+        c.heldout_gain_interval.high = std::max(c.heldout_gain_interval.high, gain);
+    }
+    c.signature = c.heldout_gain > worth;
+    if (const Effect* effect = effect_named(rival.effect)) c.tell_tale = effect->signature;
+    const RigNumbers& p = e.fit.p;
+    for (std::size_t n = 0; n < rival.parameters.size(); ++n)
+        c.parameters.push_back({c.names[0] + "." + rival.parameters[n], p[n + 1], not_set,
+                                std::string(unit_of_parameter(rival.parameters[n], motion))});
+    if (p.size() > 3) {
+        c.parameters.push_back(
+            {c.names[0] + ".V_star", rig.speed, not_set, std::string(unit_of(Quantity::velocity, motion))});
+        c.parameters.push_back({"stiffness", p[0], not_set, std::string(unit_of(Quantity::stiffness, motion))});
+    }
+    return c;
+}
+
+std::string described(const RigRival& rival)
+{
+    return *rival.form ? std::string(rival.effect) + " by the " + rival.form + " law" : rival.effect;
+}
+
+/// Causes by rank, one for each effect: forms of one effect are one cause, whose law may be ambiguous.
+void name_causes(const Rig& rig, const std::vector<Entry>& entries, const std::vector<std::size_t>& order, double noise,
+                 Diagnosis& d)
+{
+    const auto& rivals = rig_rivals();
+    const double least = score_of(entries[order[0]], rivals[order[0]]);
+    double sum = 0;
+    for (std::size_t i : order) {
+        if (i == 0) continue;
+        const double beyond = score_of(entries[i], rivals[i]) - least;
+        const bool rival = !d.effects.empty() && beyond < near;
+        const auto same = std::find_if(d.effects.begin(), d.effects.end(),
+                                       [&](const auto& c) { return c.names[0] == rivals[i].effect; });
+        const std::vector<std::string> names{rivals[i].effect};
+        if (rival && std::find(d.ambiguous_with.begin(), d.ambiguous_with.end(), names) == d.ambiguous_with.end())
+            d.ambiguous_with.push_back(names);
+        if (same == d.effects.end()) {
+            d.effects.push_back(cause_of(rig, rivals[i], entries[i], entries[0], d.motion));
+            d.effects.back().misfit = 0.5 * std::log(entries[i].held) - std::log(noise);
+            sum += d.effects.back().probability = std::exp(-beyond / width);
+        } else if (rival) {
+            d.reasons.push_back("the law of " + same->names[0] + " is ambiguous: these data cannot tell the " +
+                                rivals[order[0]].form + " law from the " + rivals[i].form + " law");
+            same->form += std::string(" or ") + rivals[i].form;
+        }
+    }
+    constexpr double any_of_these = 0.95;
+    for (auto& c : d.effects) c.probability *= any_of_these / sum;
+}
+
+/// What the page draws: the friction, its level, and the best law.
+DiagnosedTrace trace_of(const Rig& rig, const std::string& name, RigLaw law, const RigNumbers& p)
+{
+    DiagnosedTrace trace;
+    trace.file = name;
+    trace.effort_name = "friction";
+    trace.effort_unit = "as logged";
+    double level = 0;
+    const auto force = rig_force(rig, law, p);
+    rig_square(rig, force, -1, false, &level);
+    const double mean =
+        std::accumulate(rig.friction.begin(), rig.friction.end(), 0.0) / static_cast<double>(rig.friction.size());
+    for (std::size_t k = 0; k < rig.time.size(); k += 2) {
+        trace.time.push_back(rig.time[k]);
+        for (auto* t : {&trace.measured, &trace.before, &trace.after}) t->push_back(rig.displacement[k]);
+        trace.effort_measured.push_back(rig.friction[k]);
+        trace.effort_before.push_back(mean);
+        trace.effort_after.push_back(level + force[k]);
+    }
+    return trace;
+}
+
+}  // namespace
+
+bool is_rig(const Record& r)
+{
+    return !r.effort_measured.empty() && r.effort_command.empty() && r.drive.empty() && r.current.empty() &&
+           r.position.empty() != r.reference_position.empty();
+}
+
+DiagnosisResult diagnose_rig(const Joint& joint, const Record& record, const ParallelFor& parallel)
+{
+    DiagnosisResult result{{}, joint};
+    Diagnosis& d = result.diagnosis;
+    d.motion = joint.mechanism.motion;
+    constexpr std::size_t fewest = 100;
+    if (record.rows() < fewest) {
+        d.reasons.push_back(record.name + ": " + std::to_string(record.rows()) + " rows; at least 100 are needed");
+        return result;
+    }
+    const Rig rig = rig_of(record);
+    d.records.push_back({record.name, "held-out"});
+    d.notes.push_back(
+        "a friction rig: a load point's displacement and the friction; the stiffness between load point "
+        "and slider and the level of the friction are fitted for every law");
+    d.notes.push_back("one record: blocks of 20 rows are held out, a third of them in turn");
+    if (rig.travel == 0 || rig.range == 0 || rig.speed == 0) {
+        d.reasons.push_back(record.name + ": displacement or friction does not change");
+        return result;
+    }
+    const auto& rivals = rig_rivals();
+    std::vector<Entry> entries(rivals.size());
+    parallel(rivals.size(), [&](std::size_t i) { entries[i] = entry_of(rig, rivals[i]); });
+    const auto order = ranked(entries);
+    const RigRival& best = rivals[order[0]];
+    const double noise = std::max(rig_noise(rig), 1e-12 * rig.range);
+    const double before = std::sqrt(entries[0].held), after = std::sqrt(entries[order[0]].held);
+    const bool gap = order[0] != 0 && after < (1 - worth) * before;
+    d.verdict = gap ? Verdict::gap : before < quiet * noise ? Verdict::no_gap : Verdict::unknown;
+    const std::string unit(unit_of(Quantity::effort, d.motion));
+    const double whole = before * before - noise * noise;
+    d.gap.push_back(
+        {"friction", unit, before, after, noise, whole > 0 ? (before * before - after * after) / whole : 0});
+    d.overall = {before / noise, after / noise, 1, d.gap[0].explained};
+    d.usual_speed = rig.speed;
+    Share share{"motion", 1};
+    share.rms = before, share.floor = noise, share.unit = unit;
+    d.signals.push_back(share);
+    if (gap) {
+        name_causes(rig, entries, order, noise, d);
+        d.remainder = std::clamp(1 - d.gap[0].explained, 0.0, 1.0);
+        const std::size_t rival = order[1] == 0 ? order[2] : order[1];
+        d.next_experiment = design_rig_experiment(rig, noise, best.law, entries[order[0]].fit.p, rivals[rival].law,
+                                                  entries[rival].fit.p);
+        if (!d.next_experiment.description.empty())
+            d.next_experiment.separates = {{described(best), described(rivals[rival])}};
+        if (best.law == RigLaw::slip || best.law == RigLaw::ageing) {
+            const RigNumbers& p = entries[order[0]].fit.p;
+            Memory& m = main_friction(result.after).memory;
+            m.A = p[1], m.B = p[2], m.L = p[3], m.V_star = rig.speed;
+            m.form = best.law == RigLaw::ageing ? MemoryForm::ageing : MemoryForm::slip;
+        }
+    } else if (d.verdict == Verdict::no_gap) {
+        d.reasons.push_back("a constant level predicts the held-out rows to the noise");
+    } else {
+        d.reasons.push_back("no law that the program knows predicts the held-out rows better than a constant level");
+    }
+    d.traces.push_back(trace_of(rig, record.name, best.law, entries[order[0]].fit.p));
+    return result;
+}
+
+}  // namespace stickslip::gap

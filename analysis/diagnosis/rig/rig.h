@@ -1,0 +1,17 @@
+// A friction rig: a load point moves as it was told, a spring pulls the slider, and only the force is measured.
+#pragma once
+#include "analysis/base/parallel_for.h"
+#include "analysis/diagnosis/records/record.h"
+#include "analysis/diagnosis/verdict/result.h"
+
+namespace stickslip::gap {
+
+/// A record with one displacement, that of the load point, and the friction, but neither command nor drive.
+bool is_rig(const Record& record);
+
+/// Which law lets a massless slider behind a spring (fitted) answer the load point with the measured friction: a level,
+/// a curve of the velocity, a drift, or memory by the slip law, the ageing law, or in time. Levels are refitted for
+/// everybody. Blocks of two seconds are held out in turn. Throws std::invalid_argument for records of under 100 rows.
+DiagnosisResult diagnose_rig(const Joint& joint, const Record& record, const ParallelFor& parallel);
+
+}  // namespace stickslip::gap

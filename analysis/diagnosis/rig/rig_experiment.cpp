@@ -1,0 +1,60 @@
+#include "analysis/diagnosis/rig/rig_experiment.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip::gap {
+namespace {
+
+/// Speeds of the load point one after the other, as multiples of the record's first speed.
+struct Motion {
+    const char* description;
+    std::vector<double> speeds;
+};
+
+const std::vector<Motion> motions{
+    {"a step down to a tenth of the first speed and back", {1, 0.1, 1}},
+    {"a step up to ten times the first speed and back", {1, 10, 1}},
+    {"a hold at rest between two slides at the first speed", {1, 0, 1}},
+};
+
+constexpr double hold = 100;            // s
+constexpr std::size_t rows = 1200;      // of each part
+constexpr double part_of_travel = 0.3;  // of the record's travel, at every speed
+
+Rig along(const Rig& rig, const Motion& motion)
+{
+    Rig made;
+    made.speed = rig.speed;
+    double t = 0, x = 0;
+    for (double multiple : motion.speeds) {
+        const double speed = multiple * rig.speed;
+        const double duration = speed > 0 ? part_of_travel * rig.travel / speed : hold;
+        for (std::size_t k = 0; k < rows; ++k) {
+            made.time.push_back(t);
+            made.displacement.push_back(x);
+            t += duration / rows, x += speed * duration / rows;
+        }
+    }
+    made.travel = x;
+    return made;
+}
+
+}  // namespace
+
+NextExperiment design_rig_experiment(const Rig& rig, double noise, RigLaw one, const RigNumbers& p, RigLaw other,
+                                     const RigNumbers& q)
+{
+    NextExperiment best;
+    for (const auto& motion : motions) {
+        const Rig made = along(rig, motion);
+        const auto a = rig_force(made, one, p), b = rig_force(made, other, q);
+        double distance = 0;
+        for (std::size_t k = 0; k < a.size(); ++k) distance = std::max(distance, std::abs(a[k] - b[k]) / noise);
+        if (distance <= best.distance) continue;
+        best = {motion.description, {}, distance, made.time, made.displacement};
+    }
+    return best;
+}
+
+}  // namespace stickslip::gap

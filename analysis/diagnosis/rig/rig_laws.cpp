@@ -1,0 +1,229 @@
+#include "analysis/diagnosis/rig/rig_laws.h"
+
+#include "analysis/numerics/optimise.h"
+#include "analysis/joint/joint.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip::gap {
+namespace {
+
+/// Rows between which the speed at row k is taken: five of its own steps to both sides, across no slower rows.
+std::pair<std::size_t, std::size_t> around(const std::vector<double>& time, std::size_t k)
+{
+    const std::size_t last = time.size() - 1;
+    const double before = k > 0 ? time[k] - time[k - 1] : infinity, after = k < last ? time[k + 1] - time[k] : infinity;
+    const double reach = 5.5 * std::min(before, after);
+    std::size_t a = k, b = k;
+    while (a > 0 && time[k] - time[a - 1] <= reach) --a;
+    while (b < last && time[b + 1] - time[k] <= reach) ++b;
+    return {a, b};
+}
+
+/// -1: no row is left out.
+bool left_out(std::size_t k, int fold)
+{
+    constexpr std::size_t block = 20;  // rows
+    return fold >= 0 && static_cast<int>(k / block % rig_folds) == fold;
+}
+
+}  // namespace
+
+const std::vector<RigRival>& rig_rivals()
+{
+    static const std::vector<RigRival> all{
+        {RigLaw::level, "coulomb-level", "", {}},
+        {RigLaw::velocity, "viscous", "", {"slope"}},
+        {RigLaw::logarithm, "stribeck", "logarithmic", {"weakening"}},
+        {RigLaw::drift, "friction-drift", "", {"change", "time_constant"}},
+        {RigLaw::slip, "frictional-memory", "slip", {"A", "B", "L"}},
+        {RigLaw::ageing, "frictional-memory", "ageing", {"A", "B", "L"}},
+        {RigLaw::time, "frictional-memory", "time", {"A", "B", "time_constant"}},
+    };
+    return all;
+}
+
+Rig rig_of(const Record& r)
+{
+    const auto& x = r.position.empty() ? r.reference_position : r.position;
+    constexpr std::size_t most_rows = 6000;
+    Rig rig;
+    const std::size_t stride = std::max<std::size_t>(1, r.rows() / most_rows);
+    for (std::size_t k = 0; k < r.rows(); k += stride) {
+        rig.time.push_back(r.time[k] - r.time[0]);
+        rig.displacement.push_back(x[k] - x[0]);
+        rig.friction.push_back(r.effort_measured[k]);
+    }
+    const std::size_t first = std::max<std::size_t>(2, rig.time.size() / 50);
+    rig.speed = std::abs(rig.displacement[first] / rig.time[first]);
+    rig.travel = std::abs(rig.displacement.back());
+    const auto [low, high] = std::minmax_element(rig.friction.begin(), rig.friction.end());
+    rig.range = *high - *low;
+    return rig;
+}
+
+double rig_noise(const Rig& rig)
+{
+    constexpr std::size_t block = 100;
+    std::vector<double> squares;
+    for (std::size_t b = 0; b == 0 || b + block <= rig.time.size(); b += block) {
+        const std::size_t n = std::min(block, rig.time.size() - b);
+        double t = 0, f = 0, tt = 0, tf = 0, ff = 0;
+        for (std::size_t k = b; k < b + n; ++k)
+            t += rig.time[k] / static_cast<double>(n), f += rig.friction[k] / static_cast<double>(n);
+        for (std::size_t k = b; k < b + n; ++k) {
+            const double dt = rig.time[k] - t, df = rig.friction[k] - f;
+            tt += dt * dt, tf += dt * df, ff += df * df;
+        }
+        squares.push_back((ff - (tt > 0 ? tf * tf / tt : 0)) / static_cast<double>(n - 2));
+    }
+    const auto middle = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2);
+    std::nth_element(squares.begin(), middle, squares.end());
+    return std::sqrt(std::max(0.0, *middle));
+}
+
+std::vector<double> rig_force(const Rig& rig, RigLaw law, const RigNumbers& p)
+{
+    std::vector<double> force(rig.time.size(), 0);
+    const bool remembers = law == RigLaw::slip || law == RigLaw::ageing || law == RigLaw::time;
+    if (!remembers) {
+        // without a direct effect the slider follows the load point: force = law at the load point's speed
+        for (std::size_t k = 0; k < force.size(); ++k) {
+            const auto [a, b] = around(rig.time, k);
+            const double v = std::abs((rig.displacement[b] - rig.displacement[a]) / (rig.time[b] - rig.time[a]));
+            const double relative = std::max(v / rig.speed, 1e-6);
+            if (law == RigLaw::velocity) force[k] = p[1] * v;
+            if (law == RigLaw::logarithm) force[k] = p[1] * std::log(relative);
+            if (law == RigLaw::drift) force[k] = p[1] * -std::expm1(-rig.time[k] / p[2]);
+        }
+        return force;
+    }
+    const double stiffness = p[0], A = p[1], B = p[2], length = p[3];
+    double slip = 0, theta = 0;
+    const auto rate_of = [&](double x, double s, double th, double& ds, double& dth) {
+        const double exponent = std::clamp((stiffness * (x - s) - th) / A, -40.0, 40.0);
+        ds = rig.speed * std::exp(exponent);
+        const double steady = -B * exponent;
+        if (law == RigLaw::slip) dth = -ds / length * (th - steady);
+        if (law == RigLaw::time) dth = -(th - steady) / length;
+        // (B/L)(V* e^{−θ/B} − V)
+        if (law == RigLaw::ageing) dth = B / length * (rig.speed * std::exp(std::clamp(-th / B, -40.0, 40.0)) - ds);
+    };
+    for (std::size_t k = 0; k + 1 < force.size(); ++k) {
+        force[k] = stiffness * (std::abs(rig.displacement[k]) - slip);
+        const double h = rig.time[k + 1] - rig.time[k], x0 = std::abs(rig.displacement[k]);
+        const double rate = (std::abs(rig.displacement[k + 1]) - x0) / h;
+        double d1, t1, d2, t2;
+        rate_of(x0, slip, theta, d1, t1);
+        constexpr double steps_per_time_constant = 4;
+        constexpr int most = 60;
+        const double fastest = std::max(d1, rate) * (stiffness / A + (law == RigLaw::time ? 0 : 1 / length));
+        const int parts = std::clamp(static_cast<int>(std::ceil(steps_per_time_constant * fastest * h)), 1, most);
+        const double dt = h / parts;
+        for (int i = 0; i < parts; ++i) {
+            const double x = x0 + rate * dt * i;
+            rate_of(x, slip, theta, d1, t1);
+            rate_of(x + 0.5 * rate * dt, slip + 0.5 * dt * d1, theta + 0.5 * dt * t1, d2, t2);
+            slip += dt * d2, theta += dt * t2;
+            if (!std::isfinite(slip) || !std::isfinite(theta)) return std::vector<double>(force.size(), 1e6);
+        }
+    }
+    force.back() = stiffness * (std::abs(rig.displacement.back()) - slip);
+    return force;
+}
+
+double rig_square(const Rig& rig, const std::vector<double>& force, int fold, bool outside, double* level)
+{
+    double mean = 0, n = 0;
+    for (std::size_t k = 0; k < force.size(); ++k)
+        if (!left_out(k, fold)) mean += rig.friction[k] - force[k], n += 1;
+    mean /= n;
+    if (level) *level = mean;
+    double sum = 0, m = 0;
+    for (std::size_t k = 0; k < force.size(); ++k)
+        if (left_out(k, fold) == outside) {
+            const double e = rig.friction[k] - force[k] - mean;
+            sum += e * e, m += 1;
+        }
+    return m > 0 ? sum / m : 0;
+}
+
+namespace {
+
+/// Units in which numbers are searched: logarithms of stiffness, A, B, L; plain otherwise.
+RigNumbers numbers_of(const Rig& rig, RigLaw law, const std::vector<double>& x)
+{
+    RigNumbers p{rig.range / rig.travel * std::exp(x[0])};
+    const double length = law == RigLaw::time ? rig.time.back() : rig.travel;
+    switch (law) {
+        case RigLaw::level:
+            break;
+        case RigLaw::velocity:
+            p.push_back(rig.range / rig.speed * x[1]);
+            break;
+        case RigLaw::logarithm:
+            p.push_back(rig.range * x[1]);
+            break;
+        case RigLaw::drift:
+            p.push_back(rig.range * x[1]), p.push_back(rig.time.back() * std::exp(x[2]));
+            break;
+        default:
+            p.push_back(rig.range * std::exp(x[1])), p.push_back(rig.range * std::exp(x[2]));
+            p.push_back(length * std::exp(x[3]));
+    }
+    return p;
+}
+
+RigFit search(const Rig& rig, const RigRival& rival, int fold, std::vector<double> from, int evaluations)
+{
+    RigFit fit;
+    if (rival.law == RigLaw::level) {
+        fit.x = from;
+        fit.p = numbers_of(rig, rival.law, from);
+        fit.square = rig_square(rig, rig_force(rig, rival.law, fit.p), fold, false);
+        return fit;
+    }
+    constexpr double widest = 12;
+    const auto all = [&](double value) { return std::vector<double>(from.size(), value); };
+    Minimisation simplex{SearchMethod::simplex, {all(-widest), all(widest)}, all(0.4), evaluations};
+    simplex.ftol_abs = 1e-5;
+    const auto objective = [&](const std::vector<double>& x) {
+        return std::log(rig_square(rig, rig_force(rig, rival.law, numbers_of(rig, rival.law, x)), fold, false));
+    };
+    from = minimum(simplex, objective, std::move(from));
+    fit.x = from;
+    fit.p = numbers_of(rig, rival.law, from);
+    fit.square = rig_square(rig, rig_force(rig, rival.law, fit.p), fold, false);
+    return fit;
+}
+
+}  // namespace
+
+RigFit fit_rig(const Rig& rig, const RigRival& rival)
+{
+    std::vector<std::vector<double>> from;
+    const std::size_t n = 1 + rival.parameters.size();
+    if (n <= 3) {
+        from.push_back(std::vector<double>(n, 0));
+    } else {
+        for (double stiffness : {2.0, 4.5, 7.0})
+            for (double length : {-6.0, -4.0, -2.0}) from.push_back({stiffness, -1, -1, length});
+    }
+    RigFit best;
+    best.square = infinity;
+    for (const auto& x : from) {
+        constexpr int look = 60;
+        const RigFit one = search(rig, rival, -1, x, look);
+        if (one.square < best.square) best = one;
+    }
+    return search(rig, rival, -1, best.x, 400);
+}
+
+RigFit refit_rig(const Rig& rig, const RigRival& rival, int fold, const RigFit& from)
+{
+    constexpr int evaluations = 120;
+    return search(rig, rival, fold, from.x, evaluations);
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,61 @@
+// Laws by which the slider of a friction rig may answer its load point, and their fit to a measured force.
+#pragma once
+#include "analysis/diagnosis/records/record.h"
+
+#include <vector>
+
+namespace stickslip::gap {
+
+/// What resists the slider beyond a constant level. V* is the load point's first speed.
+enum class RigLaw { level, velocity, logarithm, drift, slip, ageing, time };
+
+/// A law as a candidate cause: the effect of the catalogue that it is a form of.
+struct RigRival {
+    RigLaw law;
+    const char *effect, *form;
+    std::vector<const char*> parameters;  ///< after the spring's stiffness
+};
+
+/// All of them, the constant level first.
+const std::vector<RigRival>& rig_rivals();
+
+/// A record as the laws see it: at most 6000 rows, displacement and time from zero.
+struct Rig {
+    std::vector<double> time, displacement, friction;
+    double speed = 0;   ///< of the load point at first: V*
+    double travel = 0;  ///< of the load point
+    double range = 0;   ///< of the friction
+};
+
+Rig rig_of(const Record& record);
+
+/// Standard deviation of the friction about a line, in the median block of 100 rows: readings of a rig are often
+/// smoothed, and third differences would then take the noise for much less than it is.
+double rig_noise(const Rig& rig);
+
+/// How many folds the rows belong to in turn, in blocks of 20: whoever measures writes more rows where more happens, so
+/// that every fold has its part of a transient.
+inline constexpr int rig_folds = 3;
+
+/// Numbers of a law in SI: the spring's stiffness first.
+using RigNumbers = std::vector<double>;
+
+/// Force less its level along the record, of a massless slider behind the spring. Slip and ageing law: PHYSICS (4)-(5).
+std::vector<double> rig_force(const Rig& rig, RigLaw law, const RigNumbers& p);
+
+/// Mean square of the misfit with the level refitted to the rows outside `fold` (−1: to all); over those rows, or with
+/// `outside` over the fold. `level`, when given, receives the level.
+double rig_square(const Rig& rig, const std::vector<double>& force, int fold, bool outside, double* level = nullptr);
+
+struct RigFit {
+    RigNumbers p;
+    std::vector<double> x;  ///< what the search works with
+    double square = 0;      ///< mean square over the rows that were fitted
+};
+
+/// The best of searches from several starts, on all rows.
+RigFit fit_rig(const Rig& rig, const RigRival& rival);
+/// The fit again without one fold, from where the fit to all rows came to.
+RigFit refit_rig(const Rig& rig, const RigRival& rival, int fold, const RigFit& from);
+
+}  // namespace stickslip::gap

@@ -1,0 +1,84 @@
+#include "analysis/diagnosis/search/attribute.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip::gap {
+
+namespace {
+
+double mean_log(const std::array<Evaluation, levels.size()>& evaluations, double least)
+{
+    double sum = 0, n = 0;
+    for (const auto& level : evaluations)
+        for (const auto& m : level.records) sum += std::log(std::max(least, m.position)), n += 1;
+    for (const auto& m : evaluations[0].records) sum += std::log(std::max(least, m.effort)), n += 1;
+    return n > 0 ? sum / n : 0;
+}
+
+}  // namespace
+
+double mean_log_misfit(const std::array<Evaluation, levels.size()>& evaluations)
+{
+    return mean_log(evaluations, noise_square);
+}
+
+double mean_log_square(const std::array<Evaluation, levels.size()>& evaluations)
+{
+    return mean_log(evaluations, exact_square);
+}
+
+Nominal judge_nominal(const std::vector<Case>& cases)
+{
+    Nominal nominal;
+    const Candidate none;
+    for (std::size_t l = 0; l < levels.size(); ++l) nominal.evaluation[l] = evaluate(cases, none, {}, levels[l]);
+    nominal.score = mean_log_misfit(nominal.evaluation);
+    constexpr double slow = 12;  // rad/s
+    for (const auto& m : evaluate(cases, none, {}, slow).records)
+        nominal.worst = std::max({nominal.worst, m.position, m.effort});
+    return nominal;
+}
+
+void judge(Attribution& a, const Nominal& nominal)
+{
+    a.score = mean_log_misfit(a.evaluation) + price_of_parameter * static_cast<double>(a.candidate.parameter_count());
+    a.evidence = mean_log_square(a.evaluation);
+    const auto excess = [](const Evaluation& e) {
+        double sum = 0;
+        for (const auto& m : e.records) sum += std::max(0.0, m.position - 1) + std::max(0.0, m.effort - 1);
+        return sum;
+    };
+    // noise as coarse as a grid hides a gap that only the longest horizon shows
+    const std::size_t shown_at = excess(nominal.evaluation[1]) > 0 ? 1 : 2;
+    const double before = excess(nominal.evaluation[shown_at]), after = excess(a.evaluation[shown_at]);
+    a.explained = before > 0 ? 1 - after / before : 0;
+    bool fast = true;
+    std::size_t middle = 0;
+    const auto& records = a.evaluation[0].records;
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        fast = fast && records[i].position < 1.12 && records[i].effort < 1.12;
+        middle += a.evaluation[1].records[i].position < 1.15;
+    }
+    a.accepted = fast && 3 * middle >= 2 * records.size() && a.explained > 0.8;
+}
+
+std::vector<Candidate> single_candidates(const std::vector<Case>& cases, const Audit& audit)
+{
+    std::vector<Candidate> all;
+    const bool logged = cases[0].ticks.source == CommandSource::logged;
+    for (const auto& e : effects()) {
+        if (e.name == "quantisation") continue;  // the audit reads it off the grid
+        const bool of_controller = e.name == "gain-k_p" || e.name == "gain-k_v" || e.name == "velocity-filter";
+        if (of_controller && (logged || audit.possible)) continue;
+        if (e.name == "velocity-filter" && audit.filter_seen) continue;
+        for (const auto& f : e.forms) {
+            if (f.own > 0 && cases.size() < 2) continue;
+            Candidate c{{&e}, {&f}, cases.size()};
+            if (c.applies(cases[0].joint)) all.push_back(c);
+        }
+    }
+    return all;
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,194 @@
+#include "analysis/diagnosis/search/free_force.h"
+
+#include "analysis/diagnosis/fit/block.h"
+#include "analysis/diagnosis/fit/excerpt.h"
+#include "analysis/diagnosis/search/search.h"
+
+#include <algorithm>
+
+namespace stickslip::gap {
+namespace {
+
+constexpr std::size_t parts = FreeForce::coefficients;
+
+constexpr EffectParameter coefficient(std::string_view name)
+{
+    return {name, Quantity::effort, Scale::effort, false, -10, 10, 0.1, "part of the force"};
+}
+
+/// A place or a size that is given, not fitted.
+constexpr EffectParameter given(std::string_view name, Scale scale)
+{
+    return {name, Quantity::position, scale, false, -1e9, 1e9, 0, "given"};
+}
+
+Effect effect_of(std::string_view name, std::vector<EffectParameter> parameters,
+                 void (*apply)(FreeForce&, const double*))
+{
+    EffectForm form;
+    form.parameters = std::move(parameters);
+    form.apply_free = apply;
+    Effect e;
+    e.name = name;
+    e.stage = "outside";
+    e.forms.push_back(std::move(form));
+    return e;
+}
+
+const Effect& of_position()
+{
+    static const Effect effect = [] {
+        std::vector<EffectParameter> p{given("from", Scale::one), given("width", Scale::one)};
+        p.resize(2 + parts, coefficient("part"));
+        return effect_of("position", p, [](FreeForce& f, const double* x) {
+            f.present = true;
+            f.from = x[0], f.width = x[1];
+            std::copy(x + 2, x + 2 + parts, f.of_position.begin());
+        });
+    }();
+    return effect;
+}
+
+const Effect& of_follower()
+{
+    static const Effect effect = [] {
+        std::vector<EffectParameter> p{
+            given("from", Scale::one),
+            given("width", Scale::one),
+            {"play", Quantity::position, Scale::one, true, 1e-9, 1e3, 0.1, "half the play, m | rad"},
+        };
+        p.resize(3 + parts, coefficient("part"));
+        return effect_of("hysteresis", p, [](FreeForce& f, const double* x) {
+            f.present = true;
+            f.from = x[0], f.width = x[1], f.play = x[2];
+            std::copy(x + 3, x + 3 + parts, f.of_position.begin());
+        });
+    }();
+    return effect;
+}
+
+const Effect& of_velocity()
+{
+    static const Effect effect = [] {
+        std::vector<EffectParameter> p{given("speed", Scale::velocity)};
+        p.resize(4, coefficient("part"));
+        return effect_of("velocity", p, [](FreeForce& f, const double* x) {
+            f.present = true;
+            f.speed = x[0];
+            f.linear = x[1], f.quadratic = x[2], f.cubic = x[3];
+        });
+    }();
+    return effect;
+}
+
+/// The reach of the link, on which the force acts, in intervals of the spline.
+std::pair<double, double> reach(const std::vector<Case>& cases)
+{
+    double low = infinity, high = -infinity;
+    for (const auto& c : cases) {
+        const Plant plant = flatten(c.joint);
+        const double per_link = plant.two_mass && !plant.feedback_link ? plant.ratio : 1;
+        for (const double reading : c.ticks.position) {
+            const double q = (reading - plant.sensor.position_offset) / plant.sensor.position_scale / per_link;
+            low = std::min(low, q), high = std::max(high, q);
+        }
+    }
+    return {low, std::max(high - low, 1e-12) / FreeForce::intervals};
+}
+
+struct Shape {
+    const Effect* effect;
+    std::size_t given;                       ///< how many parameters in front are given, not fitted
+    std::vector<std::vector<double>> front;  ///< of every start: what stands before the parts of the force, which are 0
+
+    bool remembers() const { return effect == &of_follower(); }
+    Candidate candidate(std::size_t records) const { return {{effect}, {&effect->forms[0]}, records}; }
+    Kept kept(std::size_t first) const
+    {
+        Kept k(effect->forms[0].parameters.size(), 0);
+        std::fill_n(k.begin(), first, 1);
+        return k;
+    }
+};
+
+std::vector<Shape> shapes_of(const std::vector<Case>& cases)
+{
+    const auto [from, width] = reach(cases);
+    const double travel = FreeForce::intervals * width;
+    Shape follower{&of_follower(), 2, {}};
+    for (double play : {0.025, 0.075, 0.2}) follower.front.push_back({from, width, std::log(play * travel)});
+    return {{&of_position(), 2, {{from, width}}}, {&of_velocity(), 1, {{1}}}, follower};
+}
+
+}  // namespace
+
+std::string in_words(const FreeFit& free)
+{
+    if (free.of == "hysteresis")
+        return "a force that follows the position behind a play, and so differs on the way back,";
+    return "a force that depends on the " + std::string(free.of) + " alone";
+}
+
+std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
+                                     const ParallelFor& parallel)
+{
+    const double omega = screening_level(nominal);
+    // what follows the position remembers, and excerpts cut that off
+    const auto brief = excerpts(cases, omega, brief_ticks, coarse), whole = uncut(cases, coarse);
+    const auto part = [&](const Shape& shape) -> const std::vector<Case>& { return shape.remembers() ? whole : brief; };
+    const auto shapes = shapes_of(cases);
+    struct Start {
+        std::size_t shape;
+        std::vector<double> front;
+        LevelFit fit;
+    };
+    std::vector<Start> starts;
+    for (std::size_t s = 0; s < shapes.size(); ++s)
+        for (const auto& front : shapes[s].front) starts.push_back({s, front, {}});
+    parallel(starts.size(), [&](std::size_t i) {
+        const Shape& shape = shapes[starts[i].shape];
+        const Candidate candidate = shape.candidate(cases.size());
+        const auto& front = starts[i].front;
+        Eigen::VectorXd x = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(candidate.parameter_count()));
+        std::copy(front.begin(), front.end(), x.begin());
+        LevelFit& fit = starts[i].fit;
+        // first the force alone: a play without a force shows nothing
+        fit = descend_block(part(shape), candidate, scales, x, omega, iterations, shape.kept(front.size()));
+        if (front.size() > shape.given)
+            fit = descend_block(part(shape), candidate, scales, fit.x, omega, iterations, shape.kept(shape.given));
+    });
+    std::vector<FreeFit> fits(shapes.size());
+    parallel(shapes.size(), [&](std::size_t i) {
+        const Shape& shape = shapes[i];
+        const Candidate candidate = shape.candidate(cases.size());
+        const Start* best = nullptr;
+        for (const auto& s : starts)
+            if (s.shape == i && (!best || s.fit.evaluation.objective < best->fit.evaluation.objective)) best = &s;
+        Attribution a = as_screened(cases, scales, nominal, candidate, best->fit);
+        constexpr int few = 3;
+        for (std::size_t l = 0; l < levels.size(); ++l) {
+            const auto fit =
+                descend_block(part(shape), candidate, scales, a.x[l], levels[l], few, shape.kept(shape.given));
+            const auto all = evaluate(cases, candidate, in_si(candidate, fit.x, scales), levels[l]);
+            if (all.objective < a.evaluation[l].objective) a.x[l] = fit.x, a.evaluation[l] = all;
+        }
+        a.refined = true;
+        judge(a, nominal);
+        fits[i] = {shape.effect->name, std::move(a)};
+    });
+    // a follower with next to no play is the position
+    const auto misfit = [](const FreeFit& f) {
+        return mean_log_misfit(f.fit.evaluation) + (f.of == of_follower().name ? least_of_free_force : 0);
+    };
+    std::stable_sort(fits.begin(), fits.end(), [&](const auto& a, const auto& b) { return misfit(a) < misfit(b); });
+    return fits;
+}
+
+bool clearly_better(const FreeFit& free, const Attribution& cause)
+{
+    constexpr double part = 0.25;  // of what the cause leaves
+    const double left = mean_log_misfit(cause.evaluation);
+    return mean_log_misfit(free.fit.evaluation) < left - std::max(least_of_free_force, part * left);
+}
+
+}  // namespace stickslip::gap

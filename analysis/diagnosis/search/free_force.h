@@ -1,0 +1,32 @@
+// Forces without a name: what shape-free functions of position or velocity alone can explain, or of a follower that the
+// position drags along behind a play (the play operator of hysteresis: Visintin 1994). They belong to no effect of the
+// catalogue, and to no joint file: where one explains the records clearly better than any cause, the cause is only the
+// nearest in shape, and is not named.
+#pragma once
+#include "analysis/diagnosis/search/attribute.h"
+
+#include <string>
+#include <string_view>
+
+namespace stickslip::gap {
+
+struct FreeFit {
+    std::string_view of;  ///< "position" | "velocity" | "hysteresis"
+    Attribution fit;
+};
+
+/// One fit of each of the three shapes, at all levels; the best one first.
+std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
+                                     const ParallelFor& parallel);
+
+/// "a force that depends on the position alone": what the shape is, in words.
+std::string in_words(const FreeFit& free);
+
+/// Of mean log misfit: a better fit by less says nothing.
+inline constexpr double least_of_free_force = 0.004;
+
+/// Whether a shape-free force leaves clearly less of the misfit than a cause does. Its many parameters cost nothing
+/// here: on tens of thousands of rows they fit next to no noise.
+bool clearly_better(const FreeFit& free, const Attribution& cause);
+
+}  // namespace stickslip::gap

@@ -1,0 +1,51 @@
+#include "analysis/diagnosis/fit/excerpt.h"
+#include "analysis/diagnosis/search/search.h"
+
+#include <algorithm>
+
+namespace stickslip::gap {
+namespace {
+
+/// A member of a pair by itself, with the numbers that it has there at every level.
+Attribution member_of(const Attribution& pair, std::size_t member)
+{
+    Attribution alone;
+    alone.candidate = {{pair.candidate.effects[member]}, {pair.candidate.forms[member]}, pair.candidate.records};
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < member; ++i) first += pair.candidate.count_of(*pair.candidate.forms[i]);
+    const auto count = static_cast<Eigen::Index>(alone.candidate.parameter_count());
+    for (std::size_t l = 0; l < levels.size(); ++l)
+        alone.x[l] = pair.x[l].segment(static_cast<Eigen::Index>(first), count);
+    return alone;
+}
+
+}  // namespace
+
+void fit_members_alone(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
+                       std::vector<Attribution>& singles, const std::vector<Attribution>& pairs,
+                       const ParallelFor& parallel)
+{
+    if (pairs.empty() || !pairs[0].refined) return;
+    const double omega = screening_level(nominal);
+    const auto brief = excerpts(cases, omega, brief_ticks, coarse), whole = uncut(cases, coarse);
+    std::vector<Attribution> members;
+    for (std::size_t i = 0; i < pairs[0].candidate.effects.size(); ++i) members.push_back(member_of(pairs[0], i));
+    parallel(members.size(), [&](std::size_t i) {
+        Attribution& a = members[i];
+        const auto& part = needs_history(a.candidate) ? whole : brief;
+        const auto fit = improve(part, a.candidate, scales, a.x[1], omega, full_effort);
+        a = as_screened(cases, scales, nominal, a.candidate, fit);
+    });
+    refine_best(cases, scales, nominal, members, members.size(), parallel);
+    for (auto& member : members) {
+        const auto same = std::find_if(singles.begin(), singles.end(),
+                                       [&](const auto& s) { return s.candidate.effects == member.candidate.effects; });
+        if (same == singles.end())
+            singles.push_back(std::move(member));
+        else if (better(member, *same))
+            *same = std::move(member);
+    }
+    std::stable_sort(singles.begin(), singles.end(), better);
+}
+
+}  // namespace stickslip::gap

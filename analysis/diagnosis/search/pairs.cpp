@@ -1,0 +1,210 @@
+#include "analysis/diagnosis/fit/block.h"
+#include "analysis/diagnosis/fit/excerpt.h"
+#include "analysis/diagnosis/search/search.h"
+#include "analysis/diagnosis/fit/seeds.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace stickslip::gap {
+namespace {
+
+constexpr std::size_t refined_pairs = 6, polished_pairs = 2;
+constexpr int first_look = 3, first_effort = 8;                      // iterations; evaluations a parameter
+constexpr std::size_t simple_finalists = 16, divided_finalists = 6;  // that go on from a first look
+
+struct Pair {
+    const Attribution *a, *b;  ///< the better single first
+    Candidate both;
+    LevelFit fit;
+    double omega;  ///< level of the first look
+};
+
+/// Both effects in the order of the catalogue: edits that change the model of the joint come last.
+Pair pair_of(const Attribution& a, const Attribution& b, std::size_t records, double omega)
+{
+    const bool swap = a.candidate.effects[0] > b.candidate.effects[0];
+    const auto &first = (swap ? b : a).candidate, &second = (swap ? a : b).candidate;
+    return {&a, &b, {{first.effects[0], second.effects[0]}, {first.forms[0], second.forms[0]}, records}, {}, omega};
+}
+
+Eigen::VectorXd join(const Pair& p, const Eigen::VectorXd& of_a, const Eigen::VectorXd& of_b)
+{
+    const bool swap = p.both.effects[0] != p.a->candidate.effects[0];
+    Eigen::VectorXd x(of_a.size() + of_b.size());
+    x << (swap ? of_b : of_a), (swap ? of_a : of_b);
+    return x;
+}
+
+/// A change from nothing, or a factor: a part of it is less of the effect.
+bool has_parts(const EffectParameter& p)
+{
+    return !p.logarithmic || p.scale == Scale::one;
+}
+
+/// A first look: from where both came to alone, from the second started afresh on what the first leaves, and, beside
+/// play or a limit, from a part of a second that has one number. Play and limits are searched while the first keeps its
+/// values.
+void look_at(Pair& p, const std::vector<Case>& brief, const Scales& scales)
+{
+    using Start = std::pair<double, Eigen::VectorXd>;
+    std::vector<Start> from;
+    const auto start = [&](const Eigen::VectorXd& of_b) -> Start {
+        const Eigen::VectorXd x = join(p, p.a->x[0], of_b);
+        return {evaluate(brief, p.both, in_si(p.both, x, scales), p.omega).objective, x};
+    };
+    const auto nearer = [](const Start& a, const Start& b) { return a.first < b.first; };
+    const auto held = in_si(p.a->candidate, p.a->x[0], scales);
+    const Eigen::VectorXd& alone = p.b->x[0];
+    for (const auto& x : starts(brief, scales, p.b->candidate, p.a->candidate, held)) from.push_back(start(x));
+    std::stable_sort(from.begin(), from.end(), nearer);
+    const bool second_jagged = jagged(p.b->candidate);
+    from.resize(std::min<std::size_t>(second_jagged ? 2 : 1, from.size()));
+    if (jagged(p.a->candidate) && alone.size() == 1 && has_parts(p.b->candidate.parameter(0))) {
+        // alone, the second stood in for the first, too: beside it there is less of it, and the slope to that is hidden
+        const std::array less{start(0.25 * alone), start(0.5 * alone), start(0.75 * alone)};
+        from.push_back(*std::min_element(less.begin(), less.end(), nearer));
+    }
+    from.push_back(start(alone));
+    Kept kept;
+    for (std::size_t i = 0; i < p.both.effects.size(); ++i)
+        kept.resize(kept.size() + p.both.count_of(*p.both.forms[i]), p.both.effects[i] == p.a->candidate.effects[0]);
+    int evaluations = 0;
+    for (const auto& [objective, x] : from) {
+        LevelFit fit;
+        if (second_jagged)
+            fit = search_block(brief, p.both, scales, x, p.omega,
+                               2 * first_effort * static_cast<int>(p.b->candidate.parameter_count()), 0.3, kept);
+        else
+            fit = descend_block(brief, p.both, scales, x, p.omega, first_look, jagged(p.a->candidate) ? kept : Kept{});
+        evaluations += fit.evaluations;
+        if (p.fit.x.size() == 0 || fit.evaluation.objective < p.fit.evaluation.objective) p.fit = fit;
+    }
+    p.fit.evaluations = evaluations + static_cast<int>(from.size());
+}
+
+/// The best singles in their other forms: which form one has may show only beside its partner. Where the best is play
+/// or a spring that holds for everything in the mechanism: alone, each inertia stands in for the other.
+std::vector<Attribution> other_forms(const std::vector<Attribution>& singles, std::size_t partners,
+                                     const std::vector<Case>& brief, std::size_t records, const Scales& scales,
+                                     double omega, const ParallelFor& parallel)
+{
+    std::vector<Attribution> others;
+    for (std::size_t i = 0; i < singles.size(); ++i) {
+        const Candidate& best = singles[i].candidate;
+        const bool beside_play = two_mass_edit(singles[0].candidate) && best.effects[0]->stage == "mechanism";
+        if (two_mass_edit(best) || (i >= partners && !beside_play)) continue;
+        for (const auto& form : best.effects[0]->forms) {
+            Attribution other;
+            other.candidate = {best.effects, {&form}, records};
+            const bool own = form.own > 0 && records < 2;
+            if (&form != best.forms[0] && !own && other.candidate.applies(brief[0].joint)) others.push_back(other);
+        }
+    }
+    parallel(others.size(), [&](std::size_t i) {
+        const auto from = starts(brief, scales, others[i].candidate, {}, {});
+        if (!from.empty()) others[i].x.fill(best_of(brief, scales, others[i].candidate, from, omega).x);
+    });
+    std::erase_if(others, [](const Attribution& a) { return a.x[0].size() == 0; });
+    return others;
+}
+
+}  // namespace
+
+std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
+                                   const std::vector<Attribution>& singles, std::size_t partners,
+                                   const ParallelFor& parallel)
+{
+    const double omega = screening_level(nominal);
+    const auto brief = excerpts(cases, omega, brief_ticks, coarse), whole = uncut(cases, coarse);
+    const auto part = [&](const Pair& p) -> const std::vector<Case>& { return needs_history(p.both) ? whole : brief; };
+    const auto forms = other_forms(singles, partners, brief, cases.size(), scales, omega, parallel);
+    std::vector<Pair> simple, divided;
+    const auto add = [&](std::vector<Pair>& to, const Attribution& a, const Attribution& b) {
+        to.push_back(pair_of(a, b, cases.size(), omega));
+        // with known masses the slope towards the right play is longer over a longer horizon, while what sticks and
+        // slips beside it shows over a short one
+        if (needs_history(to.back().both) && omega > levels[1]) to.push_back(pair_of(a, b, cases.size(), levels[1]));
+    };
+    for (const auto& form : forms) {
+        bool behind = true;  // of the effect in its best form
+        for (const auto& single : singles) {
+            if (single.candidate.effects == form.candidate.effects) {
+                behind = false;
+                continue;
+            }
+            const bool best = form.candidate.effects == singles[0].candidate.effects;
+            if (two_mass_edit(single.candidate))
+                add(divided, behind ? single : form, behind ? form : single);
+            else if (best)
+                add(simple, form, single);
+        }
+    }
+    for (std::size_t i = 0; i < std::min(partners, singles.size()); ++i)
+        for (std::size_t j = i + 1; j < singles.size(); ++j) {
+            const bool a = two_mass_edit(singles[i].candidate), b = two_mass_edit(singles[j].candidate);
+            // divided masses cost ten times as much: they look for a partner only where they are best
+            if ((a && b) || (i > 0 && a)) continue;
+            add(a || b ? divided : simple, singles[i], singles[j]);
+        }
+    // alone, an effect that another one hides may rank low; the best pair tells that it is there
+    const auto beside_members_of = [&](const Attribution& pair) {
+        std::vector<Pair> further;
+        for (std::size_t i = partners; i < singles.size(); ++i) {
+            if (std::ranges::count(pair.candidate.effects, singles[i].candidate.effects[0]) == 0) continue;
+            for (std::size_t j = partners; j < singles.size(); ++j)
+                if (j != i && !two_mass_edit(singles[i].candidate) && !two_mass_edit(singles[j].candidate))
+                    add(further, singles[std::min(i, j)], singles[std::max(i, j)]);
+        }
+        return further;
+    };
+    std::vector<Attribution> pairs;
+    const auto screen = [&](std::vector<Pair>& some, std::size_t finalists) {
+        parallel(some.size(), [&](std::size_t i) { look_at(some[i], part(some[i]), scales); });
+        std::stable_sort(some.begin(), some.end(), [](const Pair& a, const Pair& b) {
+            return a.fit.evaluation.objective < b.fit.evaluation.objective;
+        });
+        std::map<std::pair<double, bool>, std::size_t> taken;  // objectives compare on one level of one kind of data
+        std::erase_if(some, [&](const Pair& p) { return ++taken[{p.omega, needs_history(p.both)}] > finalists; });
+        std::vector<Attribution> found(some.size());
+        parallel(some.size(), [&](std::size_t i) {
+            Pair& p = some[i];
+            const int looked = p.fit.evaluations;
+            p.fit = improve(part(p), p.both, scales, p.fit.x, p.omega, full_effort);
+            p.fit.evaluations += looked;
+            found[i] = as_screened(cases, scales, nominal, p.both, p.fit);
+            if (!jagged(p.both)) return;
+            // excerpts may mislead a play; what both came to alone, refined on more, may be nearer
+            for (std::size_t l = 0; l < levels.size(); ++l) {
+                if (l > 0 && p.a->x[l] == p.a->x[l - 1] && p.b->x[l] == p.b->x[l - 1]) continue;
+                LevelFit alone;
+                alone.x = join(p, p.a->x[l], p.b->x[l]);
+                auto as_alone = as_screened(cases, scales, nominal, p.both, alone);
+                as_alone.evaluations += found[i].evaluations;
+                if (better(as_alone, found[i])) found[i] = std::move(as_alone);
+            }
+        });
+        pairs.insert(pairs.end(), found.begin(), found.end());
+        std::stable_sort(pairs.begin(), pairs.end(), better);
+        refine_best(cases, scales, nominal, pairs, refined_pairs, parallel);
+    };
+    screen(simple, simple_finalists);
+    if (!pairs.empty()) {
+        auto further = beside_members_of(pairs[0]);
+        screen(further, simple_finalists);
+    }
+    if (!divided.empty() && (pairs.empty() || !pairs[0].accepted)) {
+        screen(divided, divided_finalists);
+        if (pairs[0].score > clear_score) polish_best(cases, scales, nominal, pairs, polished_pairs, parallel);
+    }
+    // of every pair its best form: the others are no rivals
+    std::vector<Attribution> best;
+    for (auto& p : pairs)
+        if (std::none_of(best.begin(), best.end(),
+                         [&](const auto& b) { return b.candidate.effects == p.candidate.effects; }))
+            best.push_back(std::move(p));
+    return best;
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,246 @@
+#include "analysis/diagnosis/search/search.h"
+
+#include "analysis/diagnosis/fit/block.h"
+#include "analysis/diagnosis/fit/excerpt.h"
+
+#include <algorithm>
+
+namespace stickslip::gap {
+namespace {
+
+constexpr std::size_t refine_ticks = 45000;
+
+}  // namespace
+
+bool jagged(const Candidate& candidate)
+{
+    return std::any_of(candidate.forms.begin(), candidate.forms.end(), [](const auto* f) { return f->rough; });
+}
+
+bool two_mass_edit(const Candidate& candidate)
+{
+    return std::any_of(candidate.effects.begin(), candidate.effects.end(),
+                       [](const auto* e) { return e->name == "compliance" || e->name == "backlash"; });
+}
+
+bool needs_history(const Candidate& candidate)
+{
+    for (std::size_t i = 0; i < candidate.effects.size(); ++i)
+        if (candidate.effects[i]->name == "backlash" && candidate.forms[i]->name == "two-mass") return true;
+    return false;
+}
+
+bool better(const Attribution& a, const Attribution& b)
+{
+    return a.score < b.score;
+}
+
+LevelFit improve(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales,
+                 const Eigen::VectorXd& x, double omega, int effort, int descents)
+{
+    if (!jagged(candidate)) return descend(cases, candidate, scales, x, omega, descents);
+    Kept smooth, rough;  // which parameters the misfit is jagged in, and which not
+    for (const auto* f : candidate.forms) {
+        smooth.resize(smooth.size() + candidate.count_of(*f), !f->rough);
+        rough.resize(smooth.size(), f->rough);
+    }
+    const auto searched = static_cast<int>(std::count(rough.begin(), rough.end(), 1));
+    constexpr double first_step = 0.3;
+    if (searched == static_cast<int>(rough.size()))
+        return search_rough(cases, candidate, scales, x, omega, effort * searched, first_step);
+    // in turn: a simplex over all of them would get lost
+    constexpr int turns = 2;
+    LevelFit fit;
+    fit.x = x;
+    int evaluations = 0;
+    for (int turn = 0; turn < turns; ++turn) {
+        fit = descend_block(cases, candidate, scales, fit.x, omega, std::max(2, descents / 3), rough);
+        evaluations += fit.evaluations;
+        fit = search_block(cases, candidate, scales, fit.x, omega, effort * searched / turns,
+                           turn == 0 ? first_step : 0.1 * first_step, smooth);
+        evaluations += fit.evaluations;
+    }
+    constexpr Eigen::Index few = 3;
+    if (fit.x.size() <= few) {  // play and inertia make up for each other: in turn they creep along a narrow valley
+        fit = search_rough(cases, candidate, scales, fit.x, omega, effort * static_cast<int>(fit.x.size()),
+                           0.1 * first_step);
+        evaluations += fit.evaluations;
+    }
+    fit.evaluations = evaluations;
+    return fit;
+}
+
+LevelFit best_of(const std::vector<Case>& cases, const Scales& scales, const Candidate& candidate,
+                 const std::vector<Eigen::VectorXd>& from, double omega, int effort, int descents)
+{
+    std::vector<std::pair<double, std::size_t>> order;
+    constexpr std::size_t few = 3;
+    // of a force found on a comb only the frequency is known: before its descent no start is better than another
+    const bool combed =
+        candidate.forms.size() == 1 &&
+        std::ranges::any_of(candidate.forms[0]->parameters, [](const auto& p) { return p.comb != Comb::none; });
+    const bool rough = (from.size() > few && !combed) || jagged(candidate);
+    for (std::size_t i = 0; i < from.size(); ++i)
+        order.emplace_back(rough ? evaluate(cases, candidate, in_si(candidate, from[i], scales), omega).objective : 0,
+                           i);
+    std::stable_sort(order.begin(), order.end());
+    const int apart = candidate.forms.size() == 1 ? candidate.forms[0]->apart : -1;
+    if (apart >= 0) {
+        std::vector<double> taken;
+        std::erase_if(order, [&](const auto& start) {
+            const double value = from[start.second][apart];
+            const bool again = std::ranges::count(taken, value) > 0;
+            taken.push_back(value);
+            return again;
+        });
+    } else if (rough && order.size() > 2) {
+        order.resize(2);
+    }
+    LevelFit best;
+    int evaluations = rough ? static_cast<int>(from.size()) : 0;
+    for (const auto& [objective, i] : order) {
+        auto fit = improve(cases, candidate, scales, from[i], omega, effort, descents);
+        evaluations += fit.evaluations;
+        if (best.x.size() == 0 || fit.evaluation.objective < best.evaluation.objective) best = std::move(fit);
+    }
+    if (constexpr double longer = levels[1]; jagged(candidate) && omega > longer) {
+        // the slope towards the right play or limit is longer where a prediction has to hold for longer
+        std::size_t start = 0;
+        double least = infinity;
+        for (std::size_t i = 0; i < from.size(); ++i)
+            if (const double o = evaluate(cases, candidate, in_si(candidate, from[i], scales), longer).objective;
+                o < least)
+                least = o, start = i;
+        const int count = effort * static_cast<int>(candidate.parameter_count());
+        constexpr double first_step = 0.3, near = 0.03;
+        auto fit = search_rough(cases, candidate, scales, from[start], longer, count, first_step);
+        evaluations += static_cast<int>(from.size()) + fit.evaluations;
+        fit = search_rough(cases, candidate, scales, fit.x, omega, count / 2, near);
+        evaluations += fit.evaluations;
+        if (fit.evaluation.objective < best.evaluation.objective) best = std::move(fit);
+    }
+    best.evaluations = evaluations;
+    return best;
+}
+
+Attribution as_screened(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
+                        const Candidate& candidate, const LevelFit& screened)
+{
+    Attribution a;
+    a.candidate = candidate;
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+        a.x[l] = screened.x;
+        a.evaluation[l] = evaluate(cases, candidate, in_si(candidate, screened.x, scales), levels[l]);
+    }
+    a.evaluations = screened.evaluations + static_cast<int>(levels.size());
+    a.information = screened.information;
+    judge(a, nominal);
+    return a;
+}
+
+namespace {
+
+/// Carries a screened candidate through all levels, fastest first.
+void refine(const std::vector<Case>& cases, const std::vector<Case>& part, const Scales& scales, const Nominal& nominal,
+            Attribution& a)
+{
+    const Attribution screened = a;
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+        std::vector<Eigen::VectorXd> from{screened.x[l]};
+        if (l > 0 && a.x[l - 1] != screened.x[l]) from.push_back(a.x[l - 1]);
+        std::size_t start = 0;
+        double least = infinity;
+        for (std::size_t i = 0; i < from.size(); ++i)
+            if (const double o = evaluate(part, a.candidate, in_si(a.candidate, from[i], scales), levels[l]).objective;
+                o < least)
+                least = o, start = i;
+        auto fit = improve(part, a.candidate, scales, from[start], levels[l], 12);
+        a.evaluations += fit.evaluations;
+        // the middle level's numbers are the ones that are told: they and their errors come from all data
+        if (l == 1 && !jagged(a.candidate))
+            fit = descend(cases, a.candidate, scales, fit.x, levels[l], 1);
+        else
+            fit.evaluation = evaluate(cases, a.candidate, in_si(a.candidate, fit.x, scales), levels[l]);
+        a.x[l] = fit.x;
+        a.evaluation[l] = fit.evaluation;
+        if (l == 1 && fit.information.size()) a.information = fit.information;
+    }
+    // a level may have come to rest in a hollow that the others found the way out of
+    constexpr double clearly = 0.8;
+    for (std::size_t l = 0; l < levels.size(); ++l)
+        for (std::size_t from = 0; from < levels.size(); ++from) {
+            if (a.x[from] == a.x[l]) continue;
+            const auto si = in_si(a.candidate, a.x[from], scales);
+            auto there = evaluate(cases, a.candidate, si, levels[l]);
+            ++a.evaluations;
+            if (!(there.objective < clearly * a.evaluation[l].objective)) continue;
+            a.x[l] = a.x[from];
+            a.evaluation[l] = std::move(there);
+        }
+    judge(a, nominal);
+}
+
+}  // namespace
+
+void refine_best(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
+                 std::vector<Attribution>& ranked, std::size_t most, const ParallelFor& parallel)
+{
+    constexpr std::size_t few = 3;
+    constexpr double behind = 0.25;  // of score; rivals matter within a tenth of that
+    const auto part = excerpts(cases, levels[1], refine_ticks, 1);
+    const auto some = [&](std::size_t from, std::size_t to) {
+        parallel(to - from, [&](std::size_t i) {
+            Attribution& a = ranked[from + i];
+            if (!a.refined) refine(cases, part, scales, nominal, a);
+            a.refined = true;
+        });
+        std::stable_sort(ranked.begin(), ranked.end(), better);
+    };
+    most = std::min(most, ranked.size());
+    some(0, std::min(few, most));
+    while (most > few && !ranked.empty() && ranked[0].accepted && ranked[most - 1].score > ranked[0].score + behind)
+        --most;
+    some(0, most);
+}
+
+void polish_best(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
+                 std::vector<Attribution>& ranked, std::size_t most, const ParallelFor& parallel)
+{
+    constexpr int long_search = 40, short_search = 20;  // evaluations a parameter
+    constexpr double wide = 0.3, narrow = 0.05;         // first steps
+    constexpr double promising = 0.5;                   // of the excess misfit explained
+    const auto part = excerpts(cases, levels[1], refine_ticks, 1);
+    std::vector<Attribution*> some;
+    for (auto& a : ranked)
+        if (some.size() < most && a.refined && jagged(a.candidate) && a.explained > promising) some.push_back(&a);
+    const auto search = [&](Attribution& a, std::size_t l, const Eigen::VectorXd& from, int effort, double step) {
+        const auto fit = search_rough(part, a.candidate, scales, from, levels[l],
+                                      effort * static_cast<int>(a.candidate.parameter_count()), step);
+        a.evaluations += fit.evaluations + 1;
+        auto there = evaluate(cases, a.candidate, in_si(a.candidate, fit.x, scales), levels[l]);
+        if (there.objective < a.evaluation[l].objective) a.x[l] = fit.x, a.evaluation[l] = std::move(there);
+    };
+    parallel(some.size(), [&](std::size_t i) { search(*some[i], 0, some[i]->x[0], long_search, wide); });
+    double least = infinity;
+    for (auto* a : some) judge(*a, nominal), least = std::min(least, a->evaluation[0].objective);
+    constexpr double behind = 1.15;
+    std::erase_if(some, [&](const auto* a) { return a->evaluation[0].objective > behind * least; });
+    parallel(some.size(), [&](std::size_t i) {
+        Attribution& a = *some[i];
+        for (std::size_t l = 1; l < levels.size(); ++l) search(a, l, a.x[l - 1], short_search, narrow);
+        judge(a, nominal);
+    });
+    std::stable_sort(ranked.begin(), ranked.end(), better);
+}
+
+double screening_level(const Nominal& nominal)
+{
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+        double excess = 0;
+        for (const auto& m : nominal.evaluation[l].records) excess = std::max({excess, m.position - 1, m.effort - 1});
+        if (excess > 0.3) return levels[l];
+    }
+    return levels.back();
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,52 @@
+// How candidates are searched: a first look on excerpts of the records, then all levels on all data.
+#pragma once
+#include "analysis/diagnosis/search/attribute.h"
+
+#include <vector>
+
+namespace stickslip::gap {
+
+inline constexpr std::size_t brief_ticks = 24000;  ///< of all records together, for a first look
+inline constexpr double coarse = 2;                ///< and time steps longer by this
+inline constexpr int full_effort = 25;             ///< evaluations a parameter where the misfit is jagged
+inline constexpr int iterations = 12;
+inline constexpr double clear_score = 0.04;  ///< so little is left that no better numbers are needed
+
+bool jagged(const Candidate& candidate);
+/// Whether it divides the mass or lets it play: ten times as dear as the others.
+bool two_mass_edit(const Candidate& candidate);
+/// Whether it lets two known masses play: where the link rests in its play is history, which excerpts cut off, and a
+/// wrong flank at their start outweighs the right width. Such a candidate is looked at on whole records.
+bool needs_history(const Candidate& candidate);
+bool better(const Attribution& a, const Attribution& b);
+
+/// One descent, or a search of `effort` evaluations a parameter where the misfit is jagged.
+LevelFit improve(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales,
+                 const Eigen::VectorXd& x, double omega, int effort, int descents = iterations);
+
+/// The best of descents from the given starts at one level. With many starts, or a jagged misfit, all are evaluated
+/// and the two best go on, or the best of each value that the form wants apart.
+LevelFit best_of(const std::vector<Case>& cases, const Scales& scales, const Candidate& candidate,
+                 const std::vector<Eigen::VectorXd>& from, double omega, int effort = full_effort,
+                 int descents = iterations);
+
+/// A candidate as it stands after a first look: judged on all data, everywhere at the same parameters.
+Attribution as_screened(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
+                        const Candidate& candidate, const LevelFit& screened);
+
+/// Carries the best `most` through all levels, fastest first. Once one of the first few is accepted, those far behind
+/// it are left as they are.
+void refine_best(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
+                 std::vector<Attribution>& ranked, std::size_t most, const ParallelFor& parallel);
+
+/// Searches all numbers of the best `most` refined candidates with a jagged misfit at once, fastest level first: what
+/// is fitted in turn creeps along the valley in which play, shares of the mass and a partner make up for each other.
+/// Those that explain little are left as they are, those far behind at the fastest level are left there.
+void polish_best(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
+                 std::vector<Attribution>& ranked, std::size_t most, const ParallelFor& parallel);
+
+/// The fastest level at which the nominal joint clearly fails: there a fit is least troubled by what stick-slip
+/// amplifies.
+double screening_level(const Nominal& nominal);
+
+}  // namespace stickslip::gap

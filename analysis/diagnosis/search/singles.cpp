@@ -1,0 +1,57 @@
+#include "analysis/diagnosis/fit/excerpt.h"
+#include "analysis/diagnosis/search/search.h"
+#include "analysis/diagnosis/fit/seeds.h"
+
+#include <algorithm>
+
+namespace stickslip::gap {
+namespace {
+
+constexpr std::size_t refined_singles = 8;
+
+}  // namespace
+
+std::vector<Attribution> fit_singles(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
+                                     const std::vector<Candidate>& candidates, const ParallelFor& parallel)
+{
+    const double omega = screening_level(nominal);
+    const auto brief = excerpts(cases, omega, brief_ticks, coarse), whole = uncut(cases, coarse);
+    std::vector<Attribution> best;
+    const auto screen = [&](const std::vector<Candidate>& some) {
+        std::vector<Attribution> forms(some.size());
+        parallel(some.size(), [&](std::size_t i) {
+            // frequencies are found on whole records: gaps would blur their spectra
+            const auto from = starts(cases, scales, some[i], {}, {});
+            if (from.empty()) return;
+            const auto& part = needs_history(some[i]) ? whole : brief;
+            forms[i] = as_screened(cases, scales, nominal, some[i], best_of(part, scales, some[i], from, omega));
+        });
+        for (auto& f : forms) {
+            if (f.x[0].size() == 0) continue;
+            const auto same = std::find_if(best.begin(), best.end(),
+                                           [&](const auto& b) { return b.candidate.effects == f.candidate.effects; });
+            if (same == best.end())
+                best.push_back(std::move(f));
+            else if (better(f, *same))
+                *same = std::move(f);
+        }
+        std::stable_sort(best.begin(), best.end(), better);
+        refine_best(cases, scales, nominal, best, refined_singles, parallel);
+    };
+    std::vector<Candidate> simple, divided;
+    for (const auto& c : candidates) (two_mass_edit(c) ? divided : simple).push_back(c);
+    screen(simple);
+    if (!best.empty() && best[0].accepted) {
+        // two masses cost ten times as much: only those that could be mistaken for the winner
+        const auto& mistaken = best[0].candidate.effects[0]->confusable;
+        std::erase_if(divided, [&](const Candidate& c) {
+            return std::find(mistaken.begin(), mistaken.end(), c.effects[0]->name) == mistaken.end();
+        });
+    }
+    if (!divided.empty()) screen(divided);
+    if (!best.empty() && jagged(best[0].candidate) && best[0].score > clear_score)
+        polish_best(cases, scales, nominal, best, 1, parallel);
+    return best;
+}
+
+}  // namespace stickslip::gap

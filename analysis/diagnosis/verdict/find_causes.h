@@ -1,0 +1,14 @@
+// From prepared records to causes: singles, then pairs, then what predicts unseen data, then forces without a name.
+#pragma once
+#include "analysis/diagnosis/verdict/findings.h"
+
+#include <functional>
+
+namespace stickslip::gap {
+
+/// Looks for what explains the records; `pair_partners` of the best singles look for a partner. A jump of the reference
+/// that lies elsewhere once an effect is known is moved in the cases.
+Findings find_causes(Prepared& prepared, std::size_t pair_partners,
+                     const std::function<void(const char* stage, double done)>& progress, const ParallelFor& parallel);
+
+}  // namespace stickslip::gap

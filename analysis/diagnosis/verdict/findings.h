@@ -1,0 +1,45 @@
+// What a diagnosis gathers on its way: records made ready, then the causes that were found in them.
+#pragma once
+#include "analysis/diagnosis/audit/audit.h"
+#include "analysis/diagnosis/heldout/contest.h"
+#include "analysis/diagnosis/search/free_force.h"
+#include "analysis/diagnosis/verdict/verdict.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace stickslip::gap {
+
+/// Records as the fits take them, and the joint that the document describes held against them.
+struct Prepared {
+    std::vector<Case> cases;        ///< each with the joint that the audit left
+    std::vector<Joint> documented;  ///< of each record, before the audit
+    Audit audit;
+    Scales scales;
+    Nominal nominal;
+
+    bool noise_documented() const
+    {
+        return std::all_of(cases.begin(), cases.end(), [](const auto& c) { return c.noise_documented; });
+    }
+};
+
+/// Candidates and what became of them. Decision and contest point into the lists, so findings are moved, not copied.
+struct Findings {
+    Findings() = default;
+    Findings(Findings&&) = default;
+    Findings& operator=(Findings&&) = delete;
+
+    Attribution none;    ///< the joint as it is
+    bool quiet = false;  ///< nothing but noise is left without any effect
+    std::vector<Attribution> singles, pairs;
+    std::vector<FreeFit> free;
+    Decision decision;
+    Contest contest;
+    std::string only_nearest;  ///< why the best cause is only the nearest in shape; empty where it is not
+
+    bool named() const { return decision.named || contest.decided; }
+};
+
+}  // namespace stickslip::gap

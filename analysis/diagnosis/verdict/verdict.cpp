@@ -1,0 +1,309 @@
+#include "analysis/diagnosis/verdict/verdict.h"
+
+#include "analysis/diagnosis/fit/moment.h"
+#include "analysis/diagnosis/search/search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+namespace stickslip::gap {
+namespace {
+
+constexpr double margin = 0.02;  // of score: rivals this close cannot be told apart
+// From evidence to probabilities. Innovations of a true joint would be white, every row a reading of its own; so many
+// rows count as one, which the nine nearest ties in two draws of sealed cases bear out. Far above the floor margins are
+// model error, and grow with the best score itself.
+constexpr double rows_per_reading = 15, relative_temperature = 0.007;
+// A rival with one more parameter that gains nothing by it holds the winner as a special case. A true one would have
+// used its parameter: the odds against it, Schwarz's √n for a thousand independent readings.
+constexpr double needless_parameter = 30;
+// The chance that a cause is not the one although it is named, where what is left is noise and where it is not.
+constexpr double doubt_of_accepted = 0.015, doubt = 0.15;
+constexpr int runs = 3;
+
+/// Stick-slip amplifies what two integrators do differently, so slower levels get more room. Scores of misfit at which
+/// a cause still counts as found although a rest remains.
+constexpr double explained_single = 0.97, explained_pair = 0.985;
+/// Play leaves a little wherever its contact is not quite the one that is simulated: so little is no second effect.
+constexpr double explained_by_play = 0.99;
+/// A single that leaves so much counts where a second effect hardly helps it: what is left is then not the second.
+constexpr double explained_alone = 0.9;
+
+/// Two free functions of position, or of time, are a short Fourier series: together they come near any smooth force.
+bool flexible(const Attribution& a)
+{
+    constexpr std::array<std::string_view, 5> shapes{"gravity", "cogging", "sensor-offset",
+                                                     "position-dependent-friction", "periodic-disturbance"};
+    std::size_t n = 0;
+    for (const auto* e : a.candidate.effects)
+        n += static_cast<std::size_t>(std::count(shapes.begin(), shapes.end(), e->name));
+    return n > 1;
+}
+
+/// Whether a partner beside play or a spring takes away most of what that one leaves alone. The contact of a real play
+/// is none of the ones that can be simulated, so a rest remains of both.
+bool completes(const Attribution& pair, const Attribution& single)
+{
+    constexpr double most = 0.75, enough = 0.94;
+    const bool holds = std::ranges::count(pair.candidate.effects, single.candidate.effects[0]) > 0;
+    return holds && two_mass_edit(single.candidate) && pair.explained > enough && !flexible(pair) &&
+           1 - pair.explained < (1 - most) * (1 - single.explained);
+}
+
+/// Best score first. Of the leading ones that come down to the noise, within the margin, the likeliest: their scores
+/// are those of the floor, and tell nothing.
+void put_likeliest_first(std::vector<Attribution>& ranked)
+{
+    std::stable_sort(ranked.begin(), ranked.end(), better);
+    const auto end = std::find_if(ranked.begin(), ranked.end(), [&](const auto& a) {
+        return !a.accepted || !a.refined || a.score > ranked[0].score + margin;
+    });
+    const auto priced = [](const Attribution& a) {
+        return a.evidence + price_of_parameter * static_cast<double>(a.candidate.parameter_count());
+    };
+    std::stable_sort(ranked.begin(), end, [&](const auto& a, const auto& b) { return priced(a) < priced(b); });
+}
+
+double worst_at(const Attribution& a, std::size_t level)
+{
+    double worst = 0;
+    for (const auto& m : a.evaluation[level].records) worst = std::max({worst, m.position, m.effort});
+    return worst;
+}
+
+/// How much of a rival's misfit may be a lost step, with what is below this least mean square counted as such. Where
+/// anything but noise is left, all of it counts.
+double by_chance(const Attribution& winner, const Attribution& rival, double least)
+{
+    return winner.accepted && rival.accepted ? hangs_on_a_moment(winner.evaluation, rival.evaluation, least) : 0;
+}
+
+}  // namespace
+
+bool at_floor(const std::vector<Case>& cases, const Attribution& a, const Nominal& nominal, const Scales& scales,
+              const ParallelFor& parallel)
+{
+    if (a.candidate.effects.empty() && (nominal.worst <= 1.06 || closed_loop_at_floor(cases, {}, {}, parallel)))
+        return true;
+    const auto si = a.candidate.effects.empty() ? std::vector<double>{} : in_si(a.candidate, a.x[1], scales);
+    constexpr double mostly = 0.9;
+    if (!a.candidate.effects.empty() && a.explained > mostly && closed_loop_at_floor(cases, a.candidate, si, parallel))
+        return true;
+    constexpr double hopeless = 3;  // no joint's own noise does this at the fastest level
+    if (worst_at(a, 0) > hopeless) return false;
+    return within(spread_of(cases, a.candidate, si, runs, parallel), a.evaluation, levels.size());
+}
+
+double explained_beyond(const NoiseSpread& own, const Evaluation& middle, const Nominal& nominal)
+{
+    constexpr std::size_t level = 1;
+    double before = 0, after = 0;
+    for (std::size_t i = 0; i < middle.records.size(); ++i) {
+        const auto &was = nominal.evaluation[level].records[i], &is = middle.records[i], &noise = own.mean[level][i];
+        before += std::max(0.0, was.position - 1) + std::max(0.0, was.effort - 1);
+        after += std::max(0.0, is.position - std::max(1.0, noise.position)) +
+                 std::max(0.0, is.effort - std::max(1.0, noise.effort));
+    }
+    return before > 0 ? 1 - after / before : 0;
+}
+
+bool bends_only(const Candidate& candidate, const Eigen::VectorXd& x, const Scales& scales)
+{
+    constexpr double turn = 2.0 / 3;  // of a period: the wave has turned back
+    const auto si = in_si(candidate, x, scales);
+    for (std::size_t i = 0; i < si.size(); ++i) {
+        const Comb comb = candidate.parameter(i).comb;
+        if (comb == Comb::none) continue;
+        const double seen = si[i] * (comb == Comb::time ? scales.duration : scales.position);
+        if (seen < turn * 2 * std::numbers::pi) return true;
+    }
+    return false;
+}
+
+void confirm(const std::vector<Case>& cases, std::vector<Attribution>& ranked, const Nominal& nominal,
+             const Scales& scales, const ParallelFor& parallel)
+{
+    constexpr std::size_t few = 2;
+    put_likeliest_first(ranked);
+    for (std::size_t i = 0; i < std::min(few, ranked.size()); ++i) {
+        Attribution& a = ranked[i];
+        if (a.accepted && flexible(a) && bends_only(a.candidate, a.x[1], scales)) {
+            a.accepted = false;
+            continue;
+        }
+        if (!a.refined || (a.accepted && a.score < clear_score)) continue;
+        const auto si = in_si(a.candidate, a.x[1], scales);
+        if (flexible(a)) {
+            a.accepted = !bends_only(a.candidate, a.x[1], scales) &&
+                         within(spread_of(cases, a.candidate, si, runs, parallel), a.evaluation, levels.size());
+            continue;
+        }
+        a.accepted = at_floor(cases, a, nominal, scales, parallel);
+        constexpr double most = 0.75;  // less is never named: the runs would be wasted
+        if (!a.accepted && a.explained > most)
+            a.explained = explained_beyond(spread_of(cases, a.candidate, si, runs, parallel), a.evaluation[1], nominal);
+    }
+    put_likeliest_first(ranked);
+}
+
+Decision decide(const std::vector<Attribution>& singles, const std::vector<Attribution>& pairs)
+{
+    Decision d;
+    const std::vector<Attribution>* from = nullptr;
+    const bool single = !singles.empty() && (singles[0].accepted || pairs.empty());
+    const Attribution* best_single = singles.empty() ? nullptr : &singles[0];
+    const Attribution* best_pair = pairs.empty() ? nullptr : &pairs[0];
+    if (best_single) d.best_explained = best_single->explained;
+    // two free shapes that are not accepted come near anything: that explains nothing
+    if (best_pair && (best_pair->accepted || !flexible(*best_pair)))
+        d.best_explained = std::max(d.best_explained, best_pair->explained);
+    if (single && best_single->accepted) {
+        d.winner = best_single;
+        from = &singles;
+    } else if (best_pair && (best_pair->accepted || (best_pair->explained > explained_pair && !flexible(*best_pair)) ||
+                             (best_single && completes(*best_pair, *best_single)))) {
+        // a second effect must earn its place: else the first alone is the answer with a rest
+        const bool all_but =
+            best_single && two_mass_edit(best_single->candidate) && best_single->explained > explained_by_play;
+        const double worth = best_pair->accepted && !all_but ? 0.06 : 0.15;
+        const bool alone = best_single &&
+                           best_single->explained > (best_pair->accepted ? explained_single : explained_alone) &&
+                           best_single->score < best_pair->score + worth;
+        d.winner = alone ? best_single : best_pair;
+        from = alone ? &singles : &pairs;
+    } else if (best_single &&
+               best_single->explained > (two_mass_edit(best_single->candidate) ? 0.75 : explained_single)) {
+        d.winner = best_single;
+        from = &singles;
+    }
+    d.named = d.winner != nullptr;
+    if (d.named)
+        for (const auto& rival : *from)
+            if (&rival != d.winner && rival.refined &&
+                rival.score - by_chance(*d.winner, rival, noise_square) < d.winner->score + margin)
+                d.ambiguous.push_back(&rival);
+    return d;
+}
+
+std::vector<Ranked> rank(const std::vector<Attribution>& singles, const std::vector<Attribution>& pairs,
+                         const Decision& decision, double rows)
+{
+    std::vector<Ranked> all;
+    const bool pair_wins = decision.named && decision.winner->candidate.effects.size() > 1;
+    for (const auto& s : singles) all.push_back({&s, 0});
+    for (const auto& p : pairs)
+        if (pair_wins || !decision.named) all.push_back({&p, 0});
+    std::stable_sort(all.begin(), all.end(), [&](const Ranked& a, const Ranked& b) {
+        const bool wa = a.attribution == decision.winner, wb = b.attribution == decision.winner;
+        if (wa != wb) return wa;
+        return a.attribution->score < b.attribution->score;
+    });
+    if (all.empty()) return all;
+    const Attribution& first = *all.front().attribution;
+    const double width = std::max(2 * rows_per_reading / rows, relative_temperature * first.score);
+    double sum = 0;
+    const auto parameters = [](const Ranked& r) {
+        return static_cast<double>(r.attribution->candidate.parameter_count());
+    };
+    for (auto& r : all) {
+        const double needless = std::max(0.0, parameters(r) - parameters(all.front()));
+        const double worse = r.attribution->evidence - first.evidence - by_chance(first, *r.attribution, exact_square);
+        r.probability = std::exp(-std::max(0.0, worse) / width) * std::pow(needless_parameter, -needless);
+        sum += r.probability;
+    }
+    std::stable_sort(all.begin() + 1, all.end(),
+                     [](const Ranked& a, const Ranked& b) { return a.probability > b.probability; });
+    // what the best leaves unexplained is the chance that it is something else
+    const double unexplained = std::clamp(1 - first.explained, 0.0, 1.0);
+    constexpr double unnamed = 0.9, most = 0.95;
+    const double else_ = !decision.named  ? unnamed
+                         : first.accepted ? doubt_of_accepted + 0.5 * unexplained
+                                          : std::min(most, doubt + unexplained);
+    for (auto& r : all) r.probability *= (1 - else_) / sum;
+    return all;
+}
+
+Quality quality_of(const std::vector<Case>& cases, const Attribution& a, const Scales& scales)
+{
+    Quality q;
+    const auto n = static_cast<Eigen::Index>(a.candidate.parameter_count());
+    q.standard_error.assign(static_cast<std::size_t>(n), not_set);
+    const auto si = in_si(a.candidate, a.x[1], scales);
+    if (a.information.rows() == n && n > 0 && a.information.diagonal().minCoeff() > 0) {
+        // weights are one over the rows of a record: undo that, and scale with what is left
+        const double per_record = rows_of(cases) / static_cast<double>(cases.size());
+        const Eigen::MatrixXd covariance =
+            (a.information * per_record).completeOrthogonalDecomposition().pseudoInverse();
+        double left = 0;
+        for (const auto& m : a.evaluation[1].records) left = std::max(left, m.position);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const auto& p = a.candidate.parameter(static_cast<std::size_t>(i));
+            const double error = std::sqrt(std::max(0.0, covariance(i, i)) * std::max(1.0, left));
+            // wider than its bounds: these records cannot tell it from another parameter
+            const double widest = p.logarithmic ? std::log(p.high / p.low) : p.high - p.low;
+            if (!(error < widest)) continue;
+            q.standard_error[static_cast<std::size_t>(i)] =
+                p.logarithmic ? error * si[static_cast<std::size_t>(i)] : error * unit_of(p.scale, scales);
+        }
+    }
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const auto& p = a.candidate.parameter(static_cast<std::size_t>(i));
+        const double value = p.logarithmic ? std::exp(a.x[1][i]) : a.x[1][i];
+        const bool at_bound = value > p.high * (p.high > 0 ? 0.999 : 1.001) || (p.logarithmic && value < p.low * 1.001);
+        if (at_bound || (!p.logarithmic && p.prior > 0 && std::abs(value) > 10 * std::max(p.prior, 0.1)))
+            q.plausible = false;
+    }
+    // the pattern that the effect takes out of the residual, against the residual itself, second by second
+    int acts = 0, found = 0;
+    Innovation before, after;
+    for (const auto& c : cases) {
+        const Plant one = flatten(c.joint), two = flatten(edited(c.joint, a.candidate, si, c.number));
+        predict(one, c.ticks, known_command(one, c.ticks), levels[1], before);
+        predict(two, c.ticks, known_command(two, c.ticks), levels[1], after);
+        const auto block = static_cast<std::size_t>(std::max(10.0, 1 / c.row_step));
+        for (std::size_t b = 0; b + block <= c.ticks.size(); b += block) {
+            double mm = 0, rr = 0, mr = 0;
+            for (std::size_t k = b; k < b + block; ++k) {
+                if (!c.ticks.logged[k]) continue;
+                double r = before.position[k] / c.sigma, m = r - after.position[k] / c.sigma;
+                if (c.effort_sigma > 0 && std::isfinite(before.effort[k])) {
+                    const double er = before.effort[k] / c.effort_sigma, em = er - after.effort[k] / c.effort_sigma;
+                    mm += em * em, rr += er * er, mr += em * er;
+                }
+                mm += m * m, rr += r * r, mr += m * r;
+            }
+            if (mm < 4 * static_cast<double>(block)) continue;  // does not act here
+            ++acts;
+            found += mr > 0.7 * std::sqrt(mm * rr);
+        }
+    }
+    q.signature = acts > 0 ? 3 * found >= 2 * acts : a.explained > 0.9;
+    return q;
+}
+
+bool could_have_shown(const std::vector<Case>& cases, const Scales& scales, const ParallelFor& parallel)
+{
+    std::vector<Candidate> all;
+    for (const auto& e : effects())
+        for (const auto& f : e.forms) {
+            Candidate c{{&e}, {&f}, cases.size()};
+            if (c.applies(cases[0].joint) && e.name != "backlash" && e.name != "compliance" && e.name != "quantisation")
+                all.push_back(c);
+        }
+    std::vector<double> shown(all.size(), 0);
+    parallel(all.size(), [&](std::size_t i) {
+        std::vector<double> usual;
+        for (std::size_t p = 0; p < all[i].parameter_count(); ++p) usual.push_back(all[i].parameter(p).prior);
+        if (all[i].effects[0]->name == "inertia" || all[i].effects[0]->name == "effort-gain") usual[0] = 1 + usual[0];
+        const auto si = in_si(all[i], to_fit(all[i], usual), scales);
+        for (const auto& m : evaluate(cases, all[i], si, levels.back()).records)
+            shown[i] = std::max({shown[i], m.position, m.effort});
+    });
+    constexpr double five_times_noise = 25;
+    return *std::max_element(shown.begin(), shown.end()) > five_times_noise;
+}
+
+}  // namespace stickslip::gap

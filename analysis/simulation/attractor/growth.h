@@ -1,0 +1,19 @@
+// The growth rate of a small disturbance, measured by following it.
+#pragma once
+#include "analysis/simulation/flows/mode.h"
+
+namespace stickslip {
+
+/// How right a measured growth rate is, or it is not given.
+inline constexpr double growth_precision = 1e-5;
+
+/// Growth per time [1/s] of `probe`, a displacement from steady sliding whose size does not matter, along the mode:
+/// the equations of motion are integrated over its window and what has become of l·(y − y_ss) is compared with what it
+/// was. Not a number where rounding leaves less than growth_precision, as of a growth that is nearly none.
+double measure_growth(const Flow& flow, const SlowMode& mode, const FlowVector& probe);
+
+/// The size of a small disturbance in units of the flow's scale: its own, or that of the mode that it excites, which
+/// may be far larger, as a position that balances at V_0 starts without a change of speed and brings one about.
+double size_of(const Flow& flow, const SlowMode& mode, const FlowVector& offset);
+
+}  // namespace stickslip

@@ -1,0 +1,228 @@
+#include "analysis/simulation/attractor/nonlinear.h"
+
+#include "analysis/simulation/attractor/attractor.h"
+#include "analysis/simulation/attractor/bifurcation.h"
+#include "analysis/simulation/attractor/growth.h"
+#include "analysis/simulation/attractor/large_starts.h"
+#include "analysis/simulation/flows/late_flow.h"
+#include "analysis/stability/joint_spectrum.h"
+#include "analysis/stability/spectrum.h"
+#include "analysis/stability/steady.h"
+#include "analysis/stability/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+constexpr std::string_view unmeasured = "the growth is too small beside its frequency to be told from rounding";
+constexpr std::string_view not_followed = "no motion was followed";
+constexpr std::string_view no_branch = "the branch of limit cycles could not be followed to its end";
+constexpr std::string_view no_smooth_branch = "folds are followed for cycles of one body with memory that never rests";
+
+/// A first Lyapunov coefficient, per ω, that decides nothing.
+constexpr double degenerate_lyapunov = 1e-6;
+
+/// To which a small disturbance that grows is lifted, in units of the flow's scale; and the size below which it excites
+/// its mode so little that the lifted one would drown in the solver's tolerance.
+constexpr double lifted = 0.1, hidden = 1e-3 * small_disturbance;
+
+constexpr double another_gain = 1.5;  ///< per k_p: at two gains only what nothing damps is neutral
+
+void describe_cycle(const Attractor& a, NonlinearVerdict& verdict)
+{
+    verdict.period = a.kind == Attractor::Kind::irregular ? missing : a.period;
+    verdict.amplitude = 0.5 * (a.position_max - a.position_min);
+    verdict.velocity_min = a.velocity_min;
+    verdict.velocity_max = a.velocity_max;
+    verdict.stick_fraction = a.rest_time / a.period;
+    verdict.multipliers.assign(a.multipliers.begin(), a.multipliers.end());
+    verdict.repeats = a.repeats;
+    verdict.path = a.path;
+}
+
+/// Criticality at k_cr, and the fold: from a subcritical Hopf point, or from the cycle that a bistable joint has.
+void add_bifurcation(const Joint& joint, const Flow& flow, const FlowVector& cycle_start, NonlinearVerdict& verdict)
+{
+    const auto* single = dynamic_cast<const SlidingFlow*>(&flow);  // the branch of cycles is followed for one body
+
+    const double k_cr = linear_verdict(joint).state_variable.k_cr;
+    const CycleOptions options;
+    if (std::isfinite(k_cr) && k_cr > 0) {
+        const auto at_critical = flow.with_gain(k_cr);
+        const auto hopf = hopf_point(*at_critical);
+        verdict.lyapunov = hopf.lyapunov;
+        const bool weak = !(std::abs(hopf.lyapunov) > degenerate_lyapunov * hopf.omega);
+        verdict.criticality = weak                ? Criticality::degenerate
+                              : hopf.lyapunov > 0 ? Criticality::subcritical
+                                                  : Criticality::supercritical;
+        if (!single) return;
+        if (const auto fold = fold_of_cycles(*at_critical, hopf, options)) verdict.fold_k_p = fold->k_p;
+    }
+    const bool smooth = single && single->states > 0 && cycle_start.size() > 0 && verdict.velocity_min > 0;
+    if (std::isnan(verdict.fold_k_p) && verdict.region == NonlinearRegion::bistable && smooth)
+        if (const auto fold = fold_of_cycles(flow, BranchPoint{single->k_p, cycle_start}, options))
+            verdict.fold_k_p = fold->k_p;
+}
+
+bool held_by_spring(const SlidingFlow& flow)
+{
+    return flow.k_p > 0;
+}
+bool held_by_spring(const ChainFlow& flow)
+{
+    return flow.gain() >= 0;  // beside a spring to the surroundings the loop may have none
+}
+bool held_by_spring(const LateFlow& flow)
+{
+    return held_by_spring(flow.chain());
+}
+
+std::string_view why_unsupported(const Joint& joint)
+{
+    if (answers_late(joint)) return "friction that answers late is followed without memory on top of it";
+    const auto& m = joint.mechanism;
+    if (m.transmission.backlash + m.motor_transmission.backlash + m.transmission_link.backlash > 0)
+        return "play in a transmission has no steady sliding to disturb";
+    return "a force or friction that changes with position or time leaves no steady sliding to disturb";
+}
+
+/// The linear theory's side of the axis, and whether it is neutral whatever the gain: at a critical gain memory still
+/// decides, but what nothing damps is left to itself.
+struct LinearSide {
+    double abscissa = missing;
+    bool undamped = false;
+};
+LinearSide linear_side(const Joint& joint)
+{
+    LinearJoint linear = linear_joint(joint, steady_sliding(joint).velocity);
+    LinearSide side{spectral_abscissa(linear)};
+    linear.k_p *= another_gain;
+    side.undamped = side.abscissa == 0 && spectral_abscissa(linear) == 0;
+    return side;
+}
+
+void leave_open(Reason reason, NonlinearVerdict& verdict)
+{
+    verdict.outcome = Outcome::undecided;
+    verdict.reason = reason;
+}
+
+/// The verdict on equations of motion that exist.
+template <class AnyFlow>
+void judge(const Joint& joint, const AnyFlow& flow, const NonlinearOptions& options, NonlinearVerdict& verdict)
+{
+    FollowOptions follow_options;
+    follow_options.solver = options.fallback_only ? Solver::rodas5p : Solver::cvode;
+    follow_options.rtol = options.rtol;
+    follow_options.turn_limit = options.turn_limit;
+    follow_options.accelerate = options.accelerate;
+
+    const auto mode = slow_mode(flow);
+    if (!mode.shows_itself()) verdict.growth_missing = not_followed;
+    const auto growth_of_mode = [&] { return measure_growth(flow, mode, mode.right.real()); };
+    if (!held_by_spring(flow)) {
+        if (mode.shows_itself()) verdict.growth_rate = growth_of_mode();
+        return leave_open(Reason::diverges, verdict);
+    }
+    if (!mode.shows_itself())
+        return leave_open(std::isfinite(mode.fastest) ? Reason::not_converged : Reason::not_finite, verdict);
+    const double deflection = steady_sliding(joint).deflection;
+    const auto kind = options.disturbance.kind;
+    const bool stated_small = !is_set(options.disturbance.size);
+    if (stated_small) verdict.disturbance.size = default_size(flow, mode, kind);
+
+    const FlowVector y0 = disturbed(flow, mode, kind, verdict.disturbance.size);
+    const bool no_states = kind == DisturbanceKind::state && (y0 - mode.steady).isZero(0);
+    if (no_states || !y0.allFinite())
+        return leave_open(no_states ? Reason::unsupported : Reason::law_needs_motion, verdict);
+    const FlowVector small = disturbed(flow, mode, kind, default_size(flow, mode, kind));
+    verdict.growth_rate = measure_growth(flow, mode, small - mode.steady);
+    // a disturbance that hardly excites the mode drowns where the mode itself, whose rate it is, still shows
+    if (std::isnan(verdict.growth_rate)) verdict.growth_rate = growth_of_mode();
+    const auto linear = linear_side(joint);
+    if (linear.undamped) return leave_open(Reason::neutral, verdict);
+    const bool measurable = std::abs(verdict.growth_rate) > measurable_growth * std::abs(mode.s);
+    const bool decays = measurable ? verdict.growth_rate < 0 : linear.abscissa <= 0;
+
+    // the stated disturbance
+    Attractor stated;
+    if (stated_small && decays) {
+        stated.kind = Attractor::Kind::steady;
+        SlidingMotion first(flow, follow_options.solver, options.rtol);
+        first.start(y0);
+        stated.first_peak = first.turn(mode.window()).position_max;
+    } else {
+        // a small disturbance that grows need not be watched while it is linear: its direction is known, its size is
+        // not
+        const double size = size_of(flow, mode, y0 - mode.steady);
+        const double lift = stated_small ? lifted / (size < hidden ? size : small_disturbance) : 1;
+        stated = follow(flow, mode.steady + lift * (y0 - mode.steady), decays, follow_options);
+    }
+    verdict.outcome = stated.outcome();
+    verdict.reason = stated.reason;
+    verdict.path = stated.path;
+    verdict.used_fallback |= stated.used_fallback;
+    // fmax ignores what is missing
+    if (!stated.diverged)
+        verdict.overshoot = std::fmax(0, std::fmax(stated.first_peak, stated.position_max)) / std::abs(deflection);
+    if (stated.oscillates()) describe_cycle(stated, verdict);
+    FlowVector cycle_start = stated.start;
+
+    if (!decays) {
+        verdict.region = NonlinearRegion::stick_slip;
+    } else if (stated.oscillates()) {
+        verdict.region = NonlinearRegion::bistable;
+    } else if (options.region) {
+        Attractor large;
+        const auto starts = large_starts(flow, mode);
+        verdict.searched_from = starts.words;
+        for (const auto& start : starts.y) {
+            if (!start.allFinite()) continue;
+            large = follow(flow, start, decays, follow_options);
+            verdict.used_fallback |= large.used_fallback;
+            if (large.kind != Attractor::Kind::steady) break;
+        }
+        if (large.kind == Attractor::Kind::steady) verdict.region = NonlinearRegion::stable;
+        if (large.oscillates()) {
+            verdict.region = NonlinearRegion::bistable;
+            describe_cycle(large, verdict);
+            cycle_start = large.start;
+        }
+        if (verdict.region == NonlinearRegion::undecided) verdict.reason = large.reason;
+    }
+    if (!options.bifurcation || answers_late(joint)) return;
+    add_bifurcation(joint, flow, cycle_start, verdict);
+    const bool followed = joint.mechanism.model == Model::single_mass && verdict.velocity_min > 0;
+    if (verdict.region == NonlinearRegion::bistable && std::isnan(verdict.fold_k_p))
+        verdict.fold_missing = followed ? no_branch : no_smooth_branch;
+}
+
+}  // namespace
+
+NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& options)
+{
+    NonlinearVerdict verdict;
+    verdict.disturbance = options.disturbance;
+    const auto judged = [&](const auto& found) {
+        verdict.reason = found.reason;
+        if (found.reason == Reason::none) {
+            judge(joint, found.flow, options, verdict);
+            if (std::isnan(verdict.growth_rate) && verdict.growth_missing.empty()) verdict.growth_missing = unmeasured;
+        } else {
+            verdict.outcome = found.reason == Reason::linear_only ? Outcome::linear_only : Outcome::undecided;
+            if (found.reason == Reason::unsupported) verdict.explanation = why_unsupported(joint);
+            verdict.growth_missing = not_followed;
+        }
+    };
+    if (answers_late(joint))
+        judged(late_flow(joint));
+    else if (joint.mechanism.model == Model::single_mass)
+        judged(sliding_flow(joint));
+    else
+        judged(chain_flow(joint));
+    return verdict;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,60 @@
+// The nonlinear truth about one joint: what a disturbance ends in, and which outcomes coexist.
+#pragma once
+#include "analysis/joint/joint.h"
+#include "analysis/results/point.h"
+#include "analysis/simulation/flows/disturbance.h"
+
+#include <complex>
+#include <string_view>
+#include <vector>
+
+namespace stickslip {
+
+enum class NonlinearRegion : std::uint8_t { undecided, stable, bistable, stick_slip };
+enum class Criticality : std::uint8_t { none, supercritical, subcritical, degenerate };
+
+struct NonlinearOptions {
+    Disturbance disturbance;  ///< the one that the outcome means
+    double rtol = 1e-8;
+    int turn_limit = 3000;       ///< revolutions after which a point is undecided
+    bool region = true;          ///< also look for stick-slip that a larger disturbance reaches
+    bool bifurcation = false;    ///< also criticality of the Hopf point and fold of limit cycles
+    bool accelerate = true;      ///< shooting and amplitude jumps; off: the motion is watched until it repeats
+    bool fallback_only = false;  ///< Rodas5P in place of CVODE
+};
+
+/// Mirrored by the nonlinear fields of PointResult. The cycle is the one that the disturbance ends in or, in the
+/// bistable region, the one that a larger disturbance would reach.
+struct NonlinearVerdict {
+    Outcome outcome = Outcome::not_asked;
+    NonlinearRegion region = NonlinearRegion::undecided;
+    Disturbance disturbance;       ///< with its size in SI
+    double growth_rate = missing;  ///< of a small disturbance of that kind, measured [1/s]
+    double amplitude = missing;    ///< half peak to peak in position
+    double velocity_min = missing, velocity_max = missing;
+    double period = missing;
+    double stick_fraction = missing;  ///< share of the period at rest or below a hundredth of V_0
+    double overshoot = missing;  ///< largest excess of position over the steady path after the disturbance, per δ_ss
+    std::vector<std::complex<double>> multipliers;  ///< Floquet, where shooting found the cycle
+    int repeats = 1;                                ///< turns after which a period-n motion repeats
+    Criticality criticality = Criticality::none;
+    double lyapunov = missing;  ///< first Lyapunov coefficient at k_cr: sign decides the criticality
+    double fold_k_p = missing;  ///< gain above which no limit cycle is left
+    DecisionPath path = DecisionPath::none;
+    Reason reason = Reason::none;
+    std::string_view explanation;     ///< the reason in words where more is known than its code says
+    std::string_view growth_missing;  ///< why there is no growth rate
+    std::string_view fold_missing;    ///< why a fold was asked for and not found
+    std::string_view searched_from;   ///< larger disturbances that were tried where the stated one decays
+    bool used_fallback = false;       ///< CVODE gave up on the way and Rodas5P finished
+};
+
+/// Integrates the joint through its disturbance and says where it ends. A joint that has no nonlinear answer gets its
+/// reason (no velocity, linear_only, unsupported, …); exceptions never. Safe to call from many threads. Of friction
+/// that answers late, stability and folds of the cycles are not computed.
+NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& options);
+
+/// Writes a verdict into the nonlinear fields of a row whose linear fields stand; a bistable joint changes its region.
+void write_nonlinear(const NonlinearVerdict& verdict, PointResult& point);
+
+}  // namespace stickslip

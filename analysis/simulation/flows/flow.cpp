@@ -1,0 +1,251 @@
+#include "analysis/simulation/flows/flow.h"
+
+#include "analysis/stability/linear_joint.h"
+#include "analysis/stability/steady.h"
+
+#include <algorithm>
+
+namespace stickslip {
+namespace {
+
+constexpr double least_change = 1e-6;  ///< of a state by a relative change of V of order one, per its level
+
+}  // namespace
+
+bool has_unsteady_terms(const Friction& f, const Load& l)
+{
+    return f.load_coefficient != 0 || f.ripple.amplitude != 0 || f.drift.change != 0 || l.gravity_amplitude != 0 ||
+           l.cogging.amplitude != 0 || l.disturbance.amplitude != 0;
+}
+
+bool can_rest(const Friction& friction)
+{
+    const bool contact = friction.has_memory() && friction.memory.A > 0;
+    return info(friction.law).set_valued_at_rest && !contact && !friction.has_bristle();
+}
+
+FrictionResponse respond_on(const Friction& friction, Branch branch, double V, double V0, const States& theta)
+{
+    const double edge = branch == Branch::forward ? rest_speed * V0 : -rest_speed * V0;
+    if ((V - edge) * edge > 0) return respond(friction, V, theta);
+    auto r = respond(friction, edge, theta);
+    r.force += r.by_velocity * (V - edge);
+    return r;
+}
+
+FrictionResponse respond_logarithmic(const Friction& friction, double w, double V0, const States& theta)
+{
+    const double V = V0 * std::exp(std::max(w, least_logarithm));
+    auto r = respond(friction, V, theta);
+    if (w < least_logarithm) r.force += r.by_velocity * V * (w - least_logarithm);
+    return r;
+}
+
+FlowVector SlidingFlow::steady() const
+{
+    FlowVector y = FlowVector::Zero(size());
+    y[1] = logarithmic ? 0 : V0;
+    const auto theta = steady_state(friction, V0);
+    for (int i = 0; i < states; ++i) y[2 + i] = theta[i];
+    return y;
+}
+
+FlowVector SlidingFlow::scale() const
+{
+    FlowVector s(size());
+    const auto r = respond(friction, V0, steady_state(friction, V0));
+    // the offset at which the spring takes what a relative change of speed of order one takes
+    double effort = std::abs(r.by_velocity) * V0 + k_v * V0 + std::sqrt(std::abs(k_p) * inertia) * V0;
+    for (int i = 0; i < states; ++i) {
+        const double change = std::abs(r.rate_by_velocity[i] * V0 / r.rate_by_state[i]);
+        const double level = std::abs(steady_state(friction, V0)[i]);
+        // a state that hardly depends on V there still has its level: rounding moves it by more than its change
+        s[2 + i] = change > least_change * level && std::isfinite(change) ? change : std::max(level, 1e-300);
+        effort += std::abs(r.by_state[i]) * s[2 + i];
+    }
+    s[0] = k_p != 0 ? effort / std::abs(k_p) : V0;
+    s[1] = logarithmic ? 1 : V0;
+    return s;
+}
+
+FrictionResponse SlidingFlow::response(const FlowVector& y) const
+{
+    States theta{};
+    for (int i = 0; i < states; ++i) theta[i] = y[2 + i];
+    if (logarithmic) return respond_logarithmic(friction, y[1], V0, theta);
+    return can_rest() ? respond_on(friction, branch, y[1], V0, theta) : respond(friction, y[1], theta);
+}
+
+void SlidingFlow::rate(const FlowVector& y, FlowVector& out) const
+{
+    const auto r = response(y);
+    const double V = velocity(y);
+    const double acceleration = (steady_friction + force - r.force - k_v * (V - V0) - k_p * y[0]) / inertia;
+    out.resize(size());
+    out[0] = logarithmic ? V0 * std::expm1(y[1]) : V - V0;
+    out[1] = logarithmic ? acceleration / V : acceleration;
+    for (int i = 0; i < states; ++i) out[2 + i] = r.rate[i];
+}
+
+void SlidingFlow::jacobian(const FlowVector& y, FlowMatrix& J) const
+{
+    const auto r = response(y);
+    const double V = velocity(y);
+    const double acceleration = (steady_friction + force - r.force - k_v * (V - V0) - k_p * y[0]) / inertia;
+    const double per_speed = logarithmic ? 1 / V : 1;  // d y[1] / dV
+    J.setZero(size(), size());
+    J(0, 1) = 1 / per_speed;
+    J(1, 0) = -k_p / inertia * per_speed;
+    J(1, 1) = -(k_v + r.by_velocity) / inertia - (logarithmic && y[1] > least_logarithm ? acceleration / V : 0);
+    for (int i = 0; i < states; ++i) {
+        J(1, 2 + i) = -r.by_state[i] / inertia * per_speed;
+        J(2 + i, 1) = r.rate_by_velocity[i] / per_speed;
+        J(2 + i, 2 + i) = r.rate_by_state[i];
+    }
+}
+
+FlowVector SlidingFlow::speed_gradient(const FlowVector&) const
+{
+    FlowVector g = FlowVector::Zero(size());
+    g[1] = logarithmic ? 1 : 1 / V0;
+    return g;
+}
+
+std::unique_ptr<Flow> SlidingFlow::with_gain(double gain) const
+{
+    auto copy = std::make_unique<SlidingFlow>(*this);
+    copy->k_p = gain;
+    return copy;
+}
+
+double SlidingFlow::release_force(double x, double excess) const
+{
+    const double forces = std::abs(steady_friction) + std::abs(force) + std::abs(k_v * V0) + std::abs(k_p * x);
+    return static_force() + excess * forces;
+}
+
+double SlidingFlow::static_force() const
+{
+    return stickslip::static_force(friction);
+}
+FlowVector QuasiStaticFlow::steady() const
+{
+    const FlowVector y = full_.steady();
+    FlowVector reduced(size());
+    reduced[0] = y[0];
+    for (int i = 0; i < full_.states; ++i) reduced[1 + i] = y[2 + i];
+    return reduced;
+}
+
+FlowVector QuasiStaticFlow::scale() const
+{
+    const FlowVector s = full_.scale();
+    FlowVector reduced(size());
+    reduced[0] = s[0];
+    for (int i = 0; i < full_.states; ++i) reduced[1 + i] = s[2 + i];
+    return reduced;
+}
+
+double QuasiStaticFlow::velocity(const FlowVector& y) const
+{
+    States theta{};
+    for (int i = 0; i < full_.states; ++i) theta[i] = y[1 + i];
+    const double needed = full_.steady_friction + full_.force - full_.k_p * y[0];
+    // Newton in ln V: the balance is nearly linear there for every law with a direct effect
+    double logarithm = 0;
+    for (int i = 0; i < 100; ++i) {
+        const double V = full_.V0 * std::exp(logarithm);
+        const auto r = respond(full_.friction, V, theta);
+        const double step = (r.force + full_.k_v * (V - full_.V0) - needed) / ((r.by_velocity + full_.k_v) * V);
+        logarithm -= std::clamp(step, -5.0, 5.0);
+        if (!(std::abs(step) > 1e-15 * (1 + std::abs(logarithm)))) break;
+    }
+    return full_.V0 * std::exp(logarithm);
+}
+
+void QuasiStaticFlow::rate(const FlowVector& y, FlowVector& out) const
+{
+    States theta{};
+    for (int i = 0; i < full_.states; ++i) theta[i] = y[1 + i];
+    const double V = velocity(y);
+    const auto r = respond(full_.friction, V, theta);
+    out.resize(size());
+    out[0] = V - full_.V0;
+    for (int i = 0; i < full_.states; ++i) out[1 + i] = r.rate[i];
+}
+
+void QuasiStaticFlow::jacobian(const FlowVector& y, FlowMatrix& J) const
+{
+    States theta{};
+    for (int i = 0; i < full_.states; ++i) theta[i] = y[1 + i];
+    const double V = velocity(y);
+    const auto r = respond(full_.friction, V, theta);
+    // the balance gives dV = −(k_p dx + Σ f_θ dθ)/(k_v + f_V)
+    const double resistance = full_.k_v + r.by_velocity;
+    FlowVector dV(size());
+    dV[0] = -full_.k_p / resistance;
+    for (int i = 0; i < full_.states; ++i) dV[1 + i] = -r.by_state[i] / resistance;
+    J.setZero(size(), size());
+    J.row(0) = dV.transpose();
+    for (int i = 0; i < full_.states; ++i) {
+        J.row(1 + i) = r.rate_by_velocity[i] * dV.transpose();
+        J(1 + i, 1 + i) += r.rate_by_state[i];
+    }
+}
+
+double QuasiStaticFlow::speed_measure(const FlowVector& y) const
+{
+    return std::log(velocity(y) / full_.V0);
+}
+
+FlowVector QuasiStaticFlow::speed_gradient(const FlowVector& y) const
+{
+    States theta{};
+    for (int i = 0; i < full_.states; ++i) theta[i] = y[1 + i];
+    const double V = velocity(y);
+    const auto r = respond(full_.friction, V, theta);
+    FlowVector g(size());
+    g[0] = -full_.k_p;
+    for (int i = 0; i < full_.states; ++i) g[1 + i] = -r.by_state[i];
+    return g / ((full_.k_v + r.by_velocity) * V);
+}
+
+std::unique_ptr<Flow> QuasiStaticFlow::with_gain(double gain) const
+{
+    auto copy = std::make_unique<QuasiStaticFlow>(*this);
+    copy->full_.k_p = gain;
+    return copy;
+}
+
+SlidingOrReason sliding_flow(const Joint& joint)
+{
+    SlidingOrReason result;
+    auto& flow = result.flow;
+    if (joint.mechanism.model != Model::single_mass || has_unsteady_terms(joint.friction, joint.load)) {
+        result.reason = Reason::unsupported;
+        return result;
+    }
+    const auto sliding = steady_sliding(joint);
+    result.reason = sliding.reason;
+    if (result.reason != Reason::none) return result;
+    if (info(joint.friction.law).needs_history) result.reason = Reason::unsupported;
+    if (info(joint.friction.law).linear_only) result.reason = Reason::linear_only;
+    if (result.reason != Reason::none) return result;
+    flow.inertia = joint.mechanism.inertia;
+    const auto loop = linear_joint(joint, sliding.velocity);
+    flow.k_v = loop.k_v * loop.actuated[0];
+    flow.k_p = loop.k_p * loop.actuated[0] + loop.contact[0];
+    flow.friction = joint.friction;
+    flow.V0 = std::abs(sliding.velocity);
+    if (sliding.velocity < 0) {
+        flow.friction.asymmetry.coulomb *= -1;
+        flow.friction.asymmetry.viscous *= -1;
+    }
+    flow.steady_friction = steady_force(flow.friction, flow.V0);
+    flow.logarithmic = info(joint.friction.law).needs_motion;
+    flow.states = states(flow.friction);
+    if (!flow.steady().allFinite() || !flow.scale().allFinite()) result.reason = Reason::not_finite;
+    return result;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,116 @@
+// Friction that answers late, f(t) = f_ss(V(t − τ)), by the method of steps: over less than a lag the late friction is
+// a known function of time, and the motion a flow like any other.
+#pragma once
+#include "analysis/simulation/flows/chain_flow.h"
+#include "analysis/simulation/flows/mode.h"
+#include "analysis/simulation/flows/speed_history.h"
+
+#include <array>
+#include <set>
+
+namespace stickslip {
+
+/// A chain of one to three bodies, some with a time lag on their friction. y is that of the chain and, last, the time
+/// itself. The lag delays the level of the friction; its direction is that of the present motion, as in the model of
+/// Armstrong-Hélouvry, Dupont & Canudas de Wit, Automatica 30 (1994), so that a body may turn back, and at rest a body
+/// holds what its static friction allows. The flow carries the past of one motion: each motion needs a copy.
+class LateFlow final : public SwitchingFlow {
+  public:
+    explicit LateFlow(ChainFlow chain);
+
+    const ChainFlow& chain() const { return chain_; }
+    double V0 = not_set;
+
+    int size() const override { return chain_.size() + 1; }
+    FlowVector steady() const override { return with_clock(chain_.steady(), 0); }
+    FlowVector scale() const override { return with_clock(chain_.scale(), longest_lag_); }
+    void rate(const FlowVector& y, FlowVector& rate) const override;
+    void jacobian(const FlowVector& y, FlowMatrix& jacobian) const override;
+    double velocity(const FlowVector& y) const override { return chain_.velocity(y); }
+    double position(const FlowVector& y) const override { return chain_.position(y); }
+    double speed_measure(const FlowVector& y) const override { return chain_.speed_measure(y); }
+    FlowVector speed_gradient(const FlowVector& y) const override { return with_clock(chain_.speed_gradient(y), 0); }
+    double commanded_velocity() const override { return chain_.commanded_velocity(); }
+    bool logarithmic_speed() const override { return chain_.logarithmic_speed(); }
+    void surround(double d, double normal_load) override { chain_.surround(d, normal_load); }
+    std::unique_ptr<Flow> with_gain(double k_p) const override;
+    double gain() const override { return chain_.gain(); }
+    double wind_up_time() const override { return chain_.wind_up_time(); }
+    std::unique_ptr<Flow> copy() const override { return std::make_unique<LateFlow>(*this); }
+
+    int switches() const override { return chain_.switches(); }
+    void switch_values(const FlowVector& y, double* values) const override;
+    void enter(FlowVector& y) override;
+    void pass(int which, FlowVector& y) override;
+    bool anything_rests() const override { return chain_.anything_rests(); }
+    bool link_stuck() const { return chain_.link_stuck(); }
+    double link_friction(const FlowVector& y) const { return chain_.link_friction(y, friction_at(clock(y))); }
+
+    // The past of the motion.
+    double clock(const FlowVector& y) const { return y[chain_.size()]; }
+    /// Begins a motion at y, after steady sliding for ever.
+    void begin(FlowVector& y);
+    /// Makes ready for a step from y and says by when it must end: the past that it needs must be known and smooth.
+    double step_limit(const FlowVector& y);
+    /// Takes a step into the past; `at` is the state within it.
+    template <class At>
+    void remember(const FlowVector& from, const FlowVector& to, const At& at);
+    /// The velocity of some body has a kink now, and its friction a lag later.
+    void note_kink(const FlowVector& y);
+
+    /// Of the late bodies: a_i of v̇_i(t) = … + a_i v_i(t − τ_i) about steady sliding.
+    double late_rate(int i) const;
+    double lag(int i) const { return lag_[i]; }
+    double longest_lag() const { return longest_lag_; }
+    const SpeedHistory& history(int i) const { return history_[i]; }
+
+  private:
+    FlowVector with_clock(const FlowVector& y, double clock) const;
+    /// What the bodies' friction resists, and its change in time.
+    LateFriction friction_at(double clock) const;
+    LateFriction friction_rate_at(double clock) const;
+    SpeedHistory::Speed speed_then(int i, double clock) const;
+    double slope(int i, double V) const;
+
+    ChainFlow chain_;
+    std::array<double, max_bodies> lag_{};      ///< 0 of bodies whose friction is not late
+    static constexpr double kept_lags = 1.001;  ///< of the past: a little more, as a lag ago may mean just before then
+    double shortest_lag_ = infinity, longest_lag_ = 0;
+    std::array<SpeedHistory, max_bodies> history_;
+    std::set<double> kinks_;                       ///< instants to come at which the friction of a body has one
+    double piece_from_ = 0, piece_to_ = infinity;  ///< between kinks: where the present step lies
+};
+
+template <class At>
+void LateFlow::remember(const FlowVector& from, const FlowVector& to, const At& at)
+{
+    const double t0 = clock(from), t1 = clock(to);
+    if (!(t1 > t0)) return;
+    const std::array<FlowVector, 5> y = {from, at(0.25), at(0.5), at(0.75), to};
+    for (int i = 0; i < chain_.bodies; ++i) {
+        if (lag_[i] == 0) continue;
+        SpeedHistory::Step step{t0, t1, {}};
+        for (std::size_t k = 0; k < y.size(); ++k) step.velocity[k] = chain_.velocity(y[k], i);
+        history_[i].append(step, t0 - kept_lags * lag_[i]);  // both ends of the step still ask for their past
+    }
+}
+
+/// The flow of a joint some of whose bodies answer late; nothing if none does.
+struct LateOrReason {
+    LateFlow flow;
+    Reason reason = Reason::none;
+};
+bool answers_late(const Joint& joint);
+LateOrReason late_flow(const Joint& joint);
+
+/// The rightmost root of the characteristic equation with its null vectors.
+SlowMode slow_mode(const LateFlow& flow);
+double default_size(const LateFlow& flow, const SlowMode& mode, DisturbanceKind kind);
+/// As for a chain. One body has no state that could balance an offset: `position` and `velocity` change nothing else.
+FlowVector disturbed(const LateFlow& flow, const SlowMode& mode, DisturbanceKind kind, double size);
+void push(const LateFlow& flow, FlowVector& y, double impulse);
+
+/// As measure_growth of a flow, with the memory of the motion in the projection on the mode.
+double measure_growth(const LateFlow& flow, const SlowMode& mode, const FlowVector& probe);
+
+}  // namespace stickslip

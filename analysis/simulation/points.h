@@ -1,0 +1,14 @@
+// The nonlinear outcomes of many joints at once, in lanes where a law has them.
+#pragma once
+#include "analysis/simulation/attractor/nonlinear.h"
+
+#include <span>
+
+namespace stickslip {
+
+/// The nonlinear fields of many rows, points[i] for joints[i], whose linear fields stand. Equal joints and joints of
+/// equal dimensionless groups are followed once. Each row depends on its joint and the options alone, not on its
+/// neighbours. Single-threaded; any number of calls may run side by side.
+void nonlinear_points(std::span<const Joint> joints, const NonlinearOptions& options, std::span<PointResult> points);
+
+}  // namespace stickslip

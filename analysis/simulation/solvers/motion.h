@@ -1,0 +1,101 @@
+// The motion of a joint through sliding, sticking and reversal, turn by turn around the section V = V_0.
+#pragma once
+#include "analysis/simulation/flows/near_rest.h"
+#include "analysis/simulation/solvers/stepper.h"
+
+#include <functional>
+
+namespace stickslip {
+
+class LateFlow;
+
+/// One revolution, from one downward crossing of V = V_0 to the next.
+struct Turn {
+    enum class End { crossing, settled, time, failure, held };  ///< held: sticks for ever
+    End end = End::crossing;
+    double t0 = 0, t1 = 0;
+    FlowVector start, state;  ///< at both ends
+    double velocity_min = 0, velocity_max = 0;
+    double position_min = 0, position_max = 0;
+    double rest_time = 0;               ///< at rest or below near_rest · V_0
+    double release_position = missing;  ///< where true sticking last ended
+    int sticks = 0;                     ///< phases of true sticking, of any body
+    int steps = 0;                      ///< of the solver
+    bool reversed = false;
+    double period() const { return t1 - t0; }
+};
+
+/// An instant of the motion, as an observer sees it at every step.
+struct Instant {
+    double t;
+    const FlowVector& y;
+    double velocity;
+    bool stuck;
+    const Flow& flow;  ///< with the branches that hold
+};
+
+/// Follows one flow. Laws that are set-valued at rest stick there while the force needed to hold the mass stays within
+/// the static friction; sticking has a closed form (the spring winds up at V_0) and ends with forward or reverse
+/// sliding. Friction that answers late is followed by the one-step method whichever is asked for: it ends its steps at
+/// kinks.
+class SlidingMotion {
+  public:
+    SlidingMotion(const Flow& flow, Solver solver, double rtol);
+
+    void start(const FlowVector& y, double t = 0);
+    /// Flow::surround from the instant that the motion has reached.
+    void surround(double force, double normal_load);
+    /// Until the next downward crossing of V = V_0, until `settled` says true at a step, or until the time is over.
+    Turn turn(double t_end, const std::function<bool(const FlowVector&)>& settled = {});
+    /// Straight to a time, whatever is crossed on the way; false if the solver fails or takes more steps than that.
+    bool advance(double t_end, int most_steps);
+
+    /// Of one turn; thousands are usual. More means time scales so far apart that rounding makes the solver creep.
+    static constexpr int most_steps_of_turn = 100'000;
+    /// After so many of them CVODE leaves the turn to the one-step method: a multistep method creeps along vibrations
+    /// that hardly decay, as of a stiff transmission, for as long as they last.
+    static constexpr int patience_of_turn = 15'000;
+
+    double time() const { return t_; }
+    const FlowVector& state() const { return y_; }
+    const Flow& flow() const { return *flow_; }  ///< with the branches that hold, and the past of a late one
+    bool used_fallback() const { return used_fallback_; }
+    void observe(std::function<void(const Instant&)> observer) { observer_ = std::move(observer); }
+
+  private:
+    enum EventIndex { section = 0, slow = 1, rest = 2 };
+    bool fall_back();
+    bool step_failed();
+    void restart();
+    void begin_slide(Branch branch);
+    void arrive_at_rest();
+    bool pass_switch(int which);
+    bool stick(double t_end);
+    Turn run(double t_end, const std::function<bool(const FlowVector&)>& settled);
+    void measure_step(double from, const FlowVector& before, const StepReport& report, Turn& turn);
+    void tell();
+
+    std::unique_ptr<Flow> flow_;
+    SlidingFlow* mutable_flow_ = nullptr;  ///< flow_, where branches are switched
+    SwitchingFlow* switching_ = nullptr;   ///< flow_, where several bodies may rest
+    LateFlow* late_ = nullptr;             ///< flow_, where friction answers late
+    Events events_;
+    std::unique_ptr<Stepper> stepper_;
+    Solver solver_;
+    double rtol_;
+    double t_ = 0, clock_ = 0;  ///< now, and the instant that the solver counts from
+    int steps_of_clock_ = 0;    ///< since it was started
+    FlowVector y_;
+    bool stuck_ = false, used_fallback_ = false;
+    bool became_slow_ = false;  ///< the last step ended where V fell below near_rest
+    double rest_time_ = 0, release_position_ = missing;
+    int sticks_ = 0, rests_ = 0, restarts_ = 0;
+    int bounces_ = 0;  ///< rests since the mass last moved faster than near_rest
+    double release_excess_ = SlidingFlow::least_excess;
+    int steps_left_ = 0;     ///< of the present turn or advance
+    int patience_left_ = 0;  ///< with CVODE
+    int idle_switches_ = 0;  ///< since time last moved on
+    std::function<void(const Instant&)> observer_;
+};
+
+}  // namespace stickslip

@@ -1,0 +1,25 @@
+// Baselines as JSON, and the outcome of a check as JUnit XML.
+#pragma once
+#include "sweep/study/check/boundaries.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace stickslip {
+
+/// Reads a baseline. Throws BadInput naming file and position for anything that is not one.
+std::vector<WatchedBoundary> read_baseline(const std::filesystem::path& file);
+
+/// Writes a baseline beside the old one, then replaces it. Throws
+/// std::filesystem::filesystem_error if the place cannot be written.
+void write_baseline(const std::filesystem::path& file, const std::string& title,
+                    const std::vector<WatchedBoundary>& watched);
+
+/// One JUnit test case a boundary.
+void write_junit(const std::filesystem::path& file, const std::string& title, const std::vector<Deviation>& deviations);
+
+/// "moved by 3.1e-03 (allowed 1.0e-06): 55000 → 55170 N/m"
+std::string describe(const Deviation& deviation);
+
+}  // namespace stickslip

@@ -1,0 +1,115 @@
+#include "sweep/files/json/diagnosis_json.h"
+
+#include "analysis/stability/verdict.h"
+#include "sweep/files/json/verdict_json.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace stickslip {
+namespace {
+
+Json interval(const ConfidenceInterval& i)
+{
+    return Json::array({json_number(i.low), json_number(i.high)});
+}
+
+Json cause_json(const Cause& cause)
+{
+    Json parameters = Json::object();
+    for (const auto& p : cause.parameters)
+        parameters[p.name] = {
+            {"value", json_number(p.value)}, {"stderr", json_number(p.standard_error)}, {"unit", p.unit}};
+    Json json = {{"names", cause.names},
+                 {"form", cause.form},
+                 {"probability", json_number(cause.probability)},
+                 {"parameters", parameters},
+                 {"heldout_gain", json_number(cause.heldout_gain)},
+                 {"heldout_gain_interval", interval(cause.heldout_gain_interval)},
+                 {"signature", cause.signature},
+                 {"plausible", cause.plausible},
+                 {"tell_tale", cause.tell_tale},
+                 {"misfit", json_number(cause.misfit)}};
+    if (std::isfinite(cause.force_gain)) {
+        json["drive_force_gain"] = json_number(cause.force_gain);
+        json["drive_force_gain_interval"] = interval(cause.force_gain_interval);
+    }
+    return json;
+}
+
+Json shares_json(const std::vector<Share>& shares)
+{
+    Json all = Json::array();
+    for (const auto& s : shares)
+        all.push_back({{"name", s.name},
+                       {"share", json_number(s.share)},
+                       {"interval", interval(s.interval)},
+                       {"rms", json_number(s.rms)},
+                       {"floor", json_number(s.floor)},
+                       {"unit", s.unit}});
+    return all;
+}
+
+}  // namespace
+
+Json boundary_json(const Joint& given, double speed)
+{
+    Joint joint = given;
+    if (!is_set(joint.control.V0) && !is_set(joint.control.force_rate)) joint.control.V0 = 0.1 * speed;
+    try {
+        const auto verdict = linear_verdict(joint);
+        return {{"V0", json_number(joint.control.V0)},
+                {"velocity_only_k_v_min", json_number(verdict.velocity_only.k_v_min)},
+                {"state_variable_stable", verdict.state_variable.stable},
+                {"spectral_abscissa", json_number(verdict.state_variable.spectral_abscissa)},
+                {"k_cr", json_number(verdict.state_variable.k_cr)}};
+    } catch (const std::exception& e) {
+        return {{"reason", e.what()}};
+    }
+}
+
+Json diagnosis_json(const Diagnosis& d, const Joint& before, const Joint& after)
+{
+    if (d.verdict == Verdict::gap && d.overall.worse())
+        throw std::logic_error("a diagnosis names a cause that makes held-out data worse");
+    Json json;
+    json["verdict"] = name_of(d.verdict);
+    json["reasons"] = d.reasons;
+    json["records"] = Json::array();
+    for (const auto& r : d.records) json["records"].push_back({{"file", r.file}, {"role", r.role}});
+    json["where"] = {{"signals", shares_json(d.signals)}, {"regimes", shares_json(d.regimes)}};
+    json["effects"] = Json::array();
+    for (const auto& c : d.effects) json["effects"].push_back(cause_json(c));
+    json["ambiguous_with"] = d.ambiguous_with;
+    Json separates = Json::array();
+    for (const auto& [one, two] : d.next_experiment.separates) separates.push_back({one, two});
+    json["next_experiment"] = {{"description", d.next_experiment.description},
+                               {"file", d.next_experiment.reference.empty() ? "" : "next-experiment.csv"},
+                               {"separates", separates},
+                               {"distance", json_number(d.next_experiment.distance)}};
+    Json gap = Json::object();
+    for (const auto& g : d.gap)
+        gap[g.signal] = {{"unit", g.unit},
+                         {"before", json_number(g.before)},
+                         {"after", json_number(g.after)},
+                         {"floor", json_number(g.floor)},
+                         {"explained", json_number(g.explained)}};
+    gap["overall"] = {{"before", json_number(d.overall.before)},
+                      {"after", json_number(d.overall.after)},
+                      {"floor", json_number(d.overall.floor)},
+                      {"explained", json_number(d.overall.explained)},
+                      {"interval", interval(d.overall.interval)}};
+    json["gap"] = gap;
+    if (d.drive_force.corner > 0)
+        json["drive_force"] = {{"unit", d.drive_force.unit},
+                               {"below_hz", json_number(d.drive_force.corner)},
+                               {"before", json_number(d.drive_force.before)},
+                               {"after", json_number(d.drive_force.after)}};
+    json["remainder"] = json_number(d.remainder);
+    json["boundary"] = {{"before", boundary_json(before, d.usual_speed)},
+                        {"after", boundary_json(after, d.usual_speed)}};
+    json["notes"] = d.notes;
+    return json;
+}
+
+}  // namespace stickslip

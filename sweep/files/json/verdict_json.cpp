@@ -1,0 +1,79 @@
+#include "sweep/files/json/verdict_json.h"
+
+#include "sweep/words/verdict_text.h"
+
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+/// "stable", "neutral", "unstable", of either theory.
+template <class Verdict>
+const char* verdict_name(const Verdict& v)
+{
+    return v.stable ? "stable" : v.neutral ? "neutral" : "unstable";
+}
+
+Json intervals_json(const std::vector<Interval>& list)
+{
+    Json json = Json::array();
+    for (const auto& i : list) json.push_back({json_number(i.low), json_number(i.high)});
+    return json;
+}
+
+Json state_variable_json(const StateVariableVerdict& v)
+{
+    Json eigenvalues = Json::array(), crossings = Json::array();
+    for (const auto& s : v.eigenvalues) eigenvalues.push_back({json_number(s.real()), json_number(s.imag())});
+    for (const auto& c : v.crossings)
+        crossings.push_back({{"k_p", json_number(c.k_p)}, {"omega", json_number(c.omega)}, {"direction", c.direction}});
+    return {
+        {"stable", v.stable},
+        {"verdict", verdict_name(v)},
+        {"spectral_abscissa", json_number(v.spectral_abscissa)},
+        {"eigenvalues", eigenvalues},
+        {"eigenvalues_complete", v.all_eigenvalues},
+        {"eigenvalues_note",
+         v.all_eigenvalues ? Json(nullptr)
+                           : Json("memory that is a delay or a table has infinitely many: these are rightmost ones; "
+                                  "none lies right of spectral_abscissa, others may lie between them")},
+        {"f_v", json_number(v.f_v)},
+        {"kernel_integral", json_number(v.kernel_integral)},
+        {"crossings", crossings},
+        {"stable_intervals", intervals_json(v.stable_intervals)},
+        {"k_cr", json_number(v.k_cr)},
+        {"searched_to", json_number(v.searched_to)},
+        {"doubtful_omega", intervals_json(v.doubtful)}};
+}
+
+}  // namespace
+
+Json json_number(double value)
+{
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json verdict_json(const LinearVerdict& verdict)
+{
+    const auto& steady = verdict.steady;
+    Json json = {{"steady",
+                  {{"velocity", json_number(steady.velocity)},
+                   {"friction", json_number(steady.friction)},
+                   {"deflection", json_number(steady.deflection)}}}};
+    if (steady.reason != Reason::none) {
+        json["linear"] = nullptr;
+        json["reason"] = reason_text(steady.reason);
+        return json;
+    }
+    const auto& v = verdict.velocity_only;
+    json["linear"] = {{"velocity_only",
+                       {{"stable", v.stable},
+                        {"verdict", verdict_name(v)},
+                        {"k_v_min", json_number(v.k_v_min)},
+                        {"stable_k_v", intervals_json(v.stable_k_v)},
+                        {"slope", json_number(v.slope)}}},
+                      {"state_variable", state_variable_json(verdict.state_variable)}};
+    return json;
+}
+
+}  // namespace stickslip

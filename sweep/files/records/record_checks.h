@@ -1,0 +1,20 @@
+// What looks wrong about a record that reads well: units, gaps, a motor that was off. Internal to sweep/files.
+#pragma once
+#include "analysis/diagnosis/records/record.h"
+#include "analysis/joint/joint.h"
+
+#include <string>
+#include <vector>
+
+namespace stickslip::files {
+
+struct Suspicion {
+    std::string text;
+    bool contradiction = false;  ///< two things that were given cannot both be in their units
+};
+
+/// One sentence each. Suspicions compare signals with one another and with the joint; they never change data.
+/// `unit_named`: the layout says in which unit the position is, so that long travel is no sign of another one.
+std::vector<Suspicion> suspicions(const Record& record, const Joint& joint, bool unit_named = false);
+
+}  // namespace stickslip::files

@@ -1,0 +1,193 @@
+#include "sweep/files/text/toml_input.h"
+
+#include "analysis/joint/parameters.h"
+#include "sweep/files/text/bad_input.h"
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <tuple>
+
+namespace stickslip::files {
+namespace {
+
+constexpr std::uintmax_t max_bytes = 16u << 20;  // a description is a page of text; this is a wrong file
+constexpr std::size_t max_quoted = 60;           // characters of a text that a message repeats
+
+std::string below(const std::string& path, const std::string& key)
+{
+    return path.empty() ? key : path + "." + key;
+}
+
+std::string at(const std::string& source, const Place& place)
+{
+    if (place.line == 0) return source;
+    return source + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
+}
+
+std::string_view line_of(std::string_view text, unsigned number)
+{
+    for (; number > 1 && !text.empty(); --number) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    return text.substr(0, std::min(text.find('\n'), text.find('\r')));
+}
+
+/// toml++ says what its parser was doing; a writer wants to know what is wrong with the line.
+std::string syntax_error(std::string_view parser_says, std::string_view line)
+{
+    const auto first = std::min(line.find_first_not_of(" \t"), line.size());
+    line.remove_prefix(first);
+    if (parser_says.find("cannot redefine") != std::string_view::npos) {
+        const auto name =
+            line.starts_with('[') ? line : line.substr(0, line.find_last_not_of(" \t", line.find('=') - 1) + 1);
+        return std::string(name) + " stands twice in this file; keep one of the two";
+    }
+    if (parser_says.starts_with("Error while parsing "))
+        parser_says.remove_prefix(std::min(parser_says.find(": "), parser_says.size() - 2) + 2);
+    std::string text = "not valid TOML: " + std::string(parser_says);
+    const auto equals = line.find('=');
+    const bool number_with_text = equals != std::string_view::npos &&
+                                  parser_says.find("expected a comment or whitespace") != std::string_view::npos;
+    if (number_with_text) text += "; a number with a unit stands in quotes, as in V0 = \"1 mm/s\"";
+    return text;
+}
+
+}  // namespace
+
+void Complaints::add(const Place& place, std::string_view path, std::string_view text)
+{
+    std::string message = at(source_, place) + ": ";
+    if (!path.empty()) message += std::string(path) + ": ";
+    entries_.push_back({place, message + std::string(text)});
+}
+
+void Complaints::add_foreign(const std::vector<std::string>& messages)
+{
+    foreign_.insert(foreign_.end(), messages.begin(), messages.end());
+}
+
+std::vector<std::string> Complaints::messages() const
+{
+    std::vector<Entry> sorted = entries_;
+    std::stable_sort(sorted.begin(), sorted.end(), [](const Entry& a, const Entry& b) {
+        return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
+    });
+    std::vector<std::string> texts = foreign_;
+    for (auto& entry : sorted) texts.push_back(std::move(entry.text));
+    return texts;
+}
+
+void Complaints::throw_if_any() const
+{
+    if (!empty()) throw BadInput(messages());
+}
+
+std::string read_text(const std::filesystem::path& file)
+{
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) throw BadInput(file.string() + ": there is no such file");
+    if (std::filesystem::is_directory(file, error))
+        throw BadInput(file.string() + ": is a folder, expected is a TOML file");
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) throw BadInput(file.string() + ": cannot be opened for reading");
+    std::string text(max_bytes + 1, '\0');
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    if (stream.bad()) throw BadInput(file.string() + ": cannot be read");
+    if (static_cast<std::uintmax_t>(stream.gcount()) > max_bytes)
+        throw BadInput(file.string() + ": is larger than 16 MiB, expected is a TOML file");
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+    return text;
+}
+
+toml::table parse_toml(std::string_view text, const std::string& name)
+{
+    try {
+        return toml::parse(text, std::string_view(name));
+    } catch (const toml::parse_error& error) {
+        Complaints complaints(name);
+        const Place place(error.source());
+        complaints.add(place, "", syntax_error(error.description(), line_of(text, place.line)));
+        throw BadInput(complaints.messages());
+    }
+}
+
+std::string describe(const toml::node& node)
+{
+    if (const auto* text = node.as_string()) {
+        const std::string& value = text->get();
+        return "\"" + (value.size() > max_quoted ? value.substr(0, max_quoted) + "…" : value) + "\"";
+    }
+    if (const auto* whole = node.as_integer()) return std::to_string(whole->get());
+    if (const auto* real = node.as_floating_point()) return number_text(real->get());
+    if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
+    if (node.is_array()) return "a list";
+    if (node.is_table()) return "a table";
+    return "a date or time";
+}
+
+std::string did_you_mean(std::string_view given, const std::vector<std::string>& known)
+{
+    const auto near = nearest_names(given, known);
+    return near.empty() ? "" : "; did you mean \"" + near.front() + "\"?";
+}
+
+std::string listed(const std::vector<std::string>& names)
+{
+    std::string text;
+    for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+std::string number_text(double value)
+{
+    std::array<char, 32> buffer;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+    return {buffer.data(), end};
+}
+
+const toml::table* table_at(const toml::table& parent, const std::string& key, const std::string& path,
+                            Complaints& complaints)
+{
+    const auto* node = parent.get(key);
+    if (node && !node->is_table())
+        complaints.add(Place(node->source()), below(path, key), "is " + describe(*node) + ", allowed is a table");
+    return node ? node->as_table() : nullptr;
+}
+
+void read_text_at(const toml::table& parent, const std::string& key, const std::string& path, std::string& value,
+                  Complaints& complaints)
+{
+    const auto* node = parent.get(key);
+    if (!node) return;
+    if (const auto* text = node->as_string())
+        value = text->get();
+    else
+        complaints.add(Place(node->source()), below(path, key),
+                       "is " + describe(*node) + ", allowed is text in quotes");
+}
+
+void complain_unknown_keys(const toml::table& table, const std::vector<std::string>& allowed, const std::string& path,
+                           Complaints& complaints)
+{
+    for (auto&& [key, node] : table) {
+        const std::string name(key.str());
+        if (std::find(allowed.begin(), allowed.end(), name) != allowed.end()) continue;
+        const Place place = Place(key.source()).or_else(Place(table.source()));
+        complaints.add(place, below(path, name),
+                       "unknown key, allowed here are " + listed(allowed) + did_you_mean(name, allowed));
+    }
+}
+
+std::vector<std::pair<std::string, const toml::node*>> in_file_order(const toml::table& table)
+{
+    std::vector<std::tuple<unsigned, unsigned, std::string, const toml::node*>> keyed;
+    for (auto&& [key, node] : table) {
+        const Place place(key.source());
+        keyed.emplace_back(place.line, place.column, std::string(key.str()), &node);
+    }
+    std::sort(keyed.begin(), keyed.end());
+    std::vector<std::pair<std::string, const toml::node*>> ordered;
+    for (auto& [line, column, key, node] : keyed) ordered.emplace_back(std::move(key), node);
+    return ordered;
+}
+
+}  // namespace stickslip::files

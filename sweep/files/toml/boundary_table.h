@@ -1,0 +1,15 @@
+// The [boundary] table of a spec: what `stickslip boundary` is asked where its command line says nothing.
+#pragma once
+#include "sweep/files/text/toml_input.h"
+#include "sweep/study/spec.h"
+
+namespace stickslip::files {
+
+/// Reads the keys that a self-describing struct cannot hold: kind, along and over, one text or a list. `axis` is
+/// another name of along.
+void read_boundary_lists(const toml::table& table, const Joint& joint, BoundarySpec& spec, Complaints& complaints);
+
+/// Those keys.
+inline const std::vector<std::string> boundary_lists{"kind", "along", "over", "axis"};
+
+}  // namespace stickslip::files

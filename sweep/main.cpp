@@ -1,6 +1,0 @@
-#include "sweep/program.h"
-
-int main(int argc, char** argv)
-{
-    return stickslip::run_program(argc, argv);
-}

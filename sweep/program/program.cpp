@@ -1,0 +1,143 @@
+#include "sweep/program/program.h"
+
+#include "analysis/simulation/lanes/instructions.h"
+#include "sweep/engine/build.h"
+#include "sweep/engine/run_directory.h"
+#include "sweep/files/text/bad_input.h"
+#include "sweep/program/verbs/usage.h"
+#include "sweep/program/verbs/verbs.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+#include <system_error>
+
+namespace stickslip {
+namespace {
+
+std::atomic<bool>* interrupt_flag = nullptr;
+
+extern "C" void on_interrupt(int)
+{
+    interrupt_flag->store(true);
+}
+
+/// One argument as a shell would take it back.
+std::string quoted(const std::string& argument)
+{
+    const bool plain =
+        !argument.empty() &&
+        argument.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%") ==
+            std::string::npos;
+    if (plain) return argument;
+    std::string text = "'";
+    for (const char c : argument) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
+
+/// Whether the answer reached whoever reads it: a full disk shows only when the buffer is emptied.
+bool answer_written()
+{
+    std::cout.flush();  // help is written by way of it
+    const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+    if (!written)
+        fmt::print(stderr,
+                   "stickslip: the answer could not be written to standard output ({}); "
+                   "make room and run the same command again\n",
+                   std::generic_category().message(errno));
+    return written;
+}
+
+/// What STICKSLIP_INSTRUCTIONS asks for: the answers of a machine with fewer instructions, on this one.
+void keep_to_instructions()
+{
+    const char* name = std::getenv("STICKSLIP_INSTRUCTIONS");
+    if (!name || !*name) return;
+    try {
+        lanes::use_instructions(name);
+    } catch (const std::invalid_argument& e) {
+        throw BadInput(std::string("STICKSLIP_INSTRUCTIONS: ") + e.what());
+    }
+}
+
+}  // namespace
+
+void catch_interrupts(Invocation& invocation)
+{
+    interrupt_flag = &invocation.interrupted;
+    struct sigaction action {};
+    action.sa_handler = on_interrupt;
+    action.sa_flags = SA_RESETHAND;  // a second Ctrl-C ends the program the ordinary way
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+}
+
+int run_program(int argc, char** argv, Cluster* cluster)
+{
+    Invocation invocation;
+    invocation.cluster = cluster;
+    invocation.command = "stickslip";
+    for (int i = 1; i < argc; ++i) invocation.command += " " + quoted(argv[i]);
+
+    CLI::App app{
+        "stickslip: where a joint slides and where it sticks.\n"
+        "Sweeps the design space of a robot joint, locates its stability boundaries, and diagnoses sim-to-real gaps.\n"
+        "All numbers are SI; a revolute joint reads rad, N·m, kg·m² where a prismatic one reads m, N, kg."};
+    app.name("stickslip");
+    app.set_version_flag("--version", "stickslip " + program_version());
+    app.require_subcommand(1);
+    app.footer(
+        "Exit codes: 0 done, 1 check failed, 2 bad input, 3 interrupted and resumable, 4 too many undecided points.\n"
+        "Example: stickslip sweep -o out && xdg-open out/report.html");
+    add_sweep(app, invocation);
+    add_boundary(app, invocation);
+    add_design(app, invocation);
+    add_margins(app, invocation);
+    add_check(app, invocation);
+    add_evaluate(app, invocation);
+    add_list(app, invocation);
+    add_figures(app, invocation);
+    add_merge(app, invocation);
+    add_report(app, invocation);
+    add_simulate(app, invocation);
+    add_diagnose(app, invocation);
+    add_blind(app, invocation);
+    add_completion(app, invocation);
+    add_man_page(app, invocation);
+
+    try {
+        keep_to_instructions();
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+        if (e.get_exit_code() == 0) {  // help or version, on standard output
+            const int code = app.exit(e);
+            return answer_written() ? code : exit_interrupted;
+        }
+        fmt::print(stderr, "{}", usage_error(app, e, {argv + 1, argv + argc}));
+        return exit_bad_input;
+    } catch (const BadInput& e) {
+        for (const auto& message : e.messages()) fmt::print(stderr, "{}\n", message);
+        return exit_bad_input;
+    } catch (const Refused& e) {
+        fmt::print(stderr, "{}\n", e.what());
+        return exit_bad_input;
+    } catch (const std::filesystem::filesystem_error& e) {
+        fmt::print(stderr,
+                   "stickslip: {}: {}\nChoose a directory that exists on a disk and that you may write to, with -o.\n",
+                   e.path1().string(), e.code().message());
+        return exit_bad_input;
+    } catch (const std::exception& e) {
+        if (std::ferror(stdout) != 0 && !answer_written()) return exit_interrupted;
+        fmt::print(stderr, "stickslip: {}\n", e.what());
+        return exit_bad_input;
+    }
+    return answer_written() ? invocation.exit_code : exit_interrupted;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,207 @@
+// stickslip blind: diagnoses sealed cases, each in a process of its own that sees only its folder, and scores the
+// answers.
+#include "sweep/study/score.h"
+#include "sweep/files/text/bad_input.h"
+#include "sweep/files/text/whole_file.h"
+#include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/verbs.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <thread>
+
+namespace stickslip {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct Options {
+    std::string directory, truth, answers, score;
+    int jobs = 1;
+    int threads = 0;
+    double timeout = 600;  ///< s a case
+};
+
+struct Running {
+    std::size_t number = 0;
+    std::chrono::steady_clock::time_point since = std::chrono::steady_clock::now();
+    bool stopped = false;
+};
+
+std::string read_text(const fs::path& file)
+{
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throw BadInput(file.string() + ": cannot be read");
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+std::vector<fs::path> cases_of(const fs::path& directory)
+{
+    std::vector<fs::path> cases;
+    if (!fs::is_directory(directory)) throw BadInput(directory.string() + ": is not a directory");
+    for (const auto& entry : fs::directory_iterator(directory))
+        if (fs::exists(entry.path() / "joint.toml")) cases.push_back(entry.path());
+    std::sort(cases.begin(), cases.end());
+    if (cases.empty()) throw BadInput(directory.string() + ": holds no case (a folder with joint.toml and records)");
+    return cases;
+}
+
+/// Runs this program's diagnose on a copy of the case in a folder of its own; gives the process.
+pid_t start(const fs::path& sealed, const fs::path& scratch, int threads)
+{
+    fs::create_directories(scratch);
+    std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string(), "diagnose", "joint.toml"};
+    for (const auto& entry : fs::directory_iterator(sealed)) {
+        const auto name = entry.path().filename().string();
+        fs::copy(entry.path(), scratch / name);
+        if (name.ends_with(".csv") || name.ends_with(".csv.gz")) words.push_back(name);
+    }
+    std::sort(words.begin() + 3, words.end());
+    for (const char* word : {"-o", "answer", "--no-report", "--threads"}) words.emplace_back(word);
+    words.push_back(std::to_string(threads));
+    std::vector<char*> arguments;
+    for (auto& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    const pid_t child = fork();
+    if (child != 0) return child;
+    // only async-signal-safe calls from here on
+    if (chdir(scratch.c_str()) != 0) _exit(127);
+    const int null = open("/dev/null", O_WRONLY);
+    const int log = open("log.txt", O_WRONLY | O_CREAT, 0644);
+    dup2(null, STDOUT_FILENO);
+    dup2(log, STDERR_FILENO);
+    execv(arguments[0], arguments.data());
+    _exit(127);
+}
+
+Json failed(const std::string& log)
+{
+    return {{"verdict", "failed"}, {"effects", Json::array()}, {"log", log}};
+}
+
+/// Waits for a case to end and gives its process; stops those that take too long.
+pid_t next_done(std::map<pid_t, Running>& running, double timeout)
+{
+    for (;;) {
+        int status = 0;
+        const pid_t done = waitpid(-1, &status, WNOHANG);
+        if (done != 0) return done;
+        const auto now = std::chrono::steady_clock::now();
+        for (auto& [pid, one] : running)
+            if (!one.stopped && std::chrono::duration<double>(now - one.since).count() > timeout)
+                one.stopped = true, kill(pid, SIGKILL);
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+}
+
+/// What answers.json says of one case, from its diagnosis.json.
+Json answer_of(const fs::path& scratch)
+{
+    const fs::path file = scratch / "answer" / "diagnosis.json";
+    if (!fs::exists(file)) return failed(fs::exists(scratch / "log.txt") ? read_text(scratch / "log.txt") : "");
+    const Json d = Json::parse(read_text(file));
+    Json answer{{"verdict", d["verdict"]}, {"effects", Json::array()}, {"probabilities", Json::array()}};
+    for (const auto& effect : d["effects"]) {
+        answer["effects"].push_back(effect["names"]);
+        answer["probabilities"].push_back(effect["probability"]);
+    }
+    answer["ambiguous_with"] = d["ambiguous_with"];
+    answer["gap_before"] = d["gap"]["overall"]["before"];
+    answer["gap_after"] = d["gap"]["overall"]["after"];
+    return answer;
+}
+
+int run_cases(const Options& options, Invocation& invocation)
+{
+    const auto cases = cases_of(options.directory);
+    const fs::path root = fs::temp_directory_path() / fmt::format("stickslip-blind-{}", getpid());
+    std::map<pid_t, Running> running;
+    std::map<std::string, Json> answers;
+    std::size_t next = 0;
+    while (next < cases.size() || !running.empty()) {
+        while (next < cases.size() && static_cast<int>(running.size()) < std::max(1, options.jobs) &&
+               !invocation.interrupted) {
+            const auto name = cases[next].filename().string();
+            try {
+                running[start(cases[next], root / name, options.threads)] = {next};
+            } catch (const std::exception& e) {  // the others are still answered
+                answers[name] = failed(e.what());
+                fmt::print(stderr, "{:>4}/{}  {}  failed  {}\n", answers.size(), cases.size(), name, e.what());
+            }
+            ++next;
+        }
+        if (running.empty() && invocation.interrupted) break;
+        if (running.empty()) continue;
+        const pid_t done = next_done(running, options.timeout);
+        if (done < 0) break;
+        const Running one = running.at(done);
+        const auto name = cases[one.number].filename().string();
+        running.erase(done);
+        answers[name] =
+            one.stopped ? failed(fmt::format("stopped after {} s", options.timeout)) : answer_of(root / name);
+        fmt::print(stderr, "{:>4}/{}  {}  {}  {}\n", answers.size(), cases.size(), name,
+                   answers[name]["verdict"].get<std::string>(),
+                   answers[name]["effects"].empty() ? "" : answers[name]["effects"][0].dump());
+        fs::remove_all(root / name);
+        if (invocation.interrupted && running.empty()) break;
+    }
+    fs::remove_all(root);
+    Json all = Json::object();
+    for (auto& [name, answer] : answers) all[name] = answer;
+    const fs::path file =
+        options.answers.empty() ? fs::path(options.directory) / "answers.json" : fs::path(options.answers);
+    write_whole(file, all.dump(2) + "\n");
+    for (const auto& [name, answer] : answers)
+        if (answer["verdict"] == "failed")
+            fmt::print(stderr, "{} failed: {}\n", name, answer.value("log", std::string("no log")));
+    fmt::print("answers: {}\n", file.string());
+    if (answers.size() < cases.size()) return exit_interrupted;
+    if (options.truth.empty()) return exit_done;
+    const auto score = blind::score(blind::parse_answers(all.dump()), blind::parse_truths(read_text(options.truth)));
+    fmt::print("{}", blind::score_text(score));
+    if (!options.score.empty()) write_whole(options.score, blind::score_json(score) + "\n");
+    return exit_done;
+}
+
+}  // namespace
+
+void add_blind(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<Options>();
+    auto* verb =
+        app.add_subcommand("blind", "Diagnose sealed cases, each in a process of its own, and score the answers");
+    verb->add_option("DIR", options->directory, "folder of case-NN/{joint.toml, *.csv.gz}")->required();
+    verb->add_option("--truth", options->truth, "file of the true answers: scores them, after all cases are answered");
+    verb->add_option("--answers", options->answers, "where to write the answers (DIR/answers.json)");
+    verb->add_option("--score", options->score, "where to write the score as JSON");
+    verb->add_option("--jobs", options->jobs, "cases at once");
+    verb->add_option("--timeout", options->timeout, "seconds after which a case is given up")
+        ->check(CLI::PositiveNumber);
+    verb->add_option("--threads", options->threads, "threads of each diagnosis, 0 for all");
+    verb->footer(
+        "Example: stickslip blind sealed --truth sealed.truth.json\n"
+        "Exit codes: 0 done (the answers say which cases failed), 2 bad input, 3 interrupted, with the answers so far "
+        "written.");
+    verb->callback([options, &invocation] {
+        catch_interrupts(invocation);
+        invocation.exit_code = run_cases(*options, invocation);
+    });
+}
+
+}  // namespace stickslip

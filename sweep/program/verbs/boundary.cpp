@@ -1,0 +1,149 @@
+// stickslip boundary: where exactly the boundaries lie.
+#include "analysis/boundary/kinds/outside.h"
+#include "sweep/files/text/bad_input.h"
+#include "sweep/files/json/boundary_json.h"
+#include "sweep/files/text/whole_file.h"
+#include "sweep/program/verbs/exit_code.h"
+#include "sweep/words/verdict_text.h"
+#include "sweep/report/pages/write_report.h"
+#include "sweep/program/verbs/boundary_question.h"
+#include "sweep/program/verbs/disturbance_option.h"
+#include "sweep/program/verbs/parallel.h"
+#include "sweep/program/verbs/verbs.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+
+namespace stickslip {
+namespace {
+
+int locate(const BoundaryOptions& options, const Invocation& invocation)
+{
+    const auto asked = read_spec_or_joint(options.input, options.settings);
+    const auto questions = boundary_questions(asked, options);
+    const ThreadLimit limit(options.threads);
+    BoundaryAnswer answer;
+    answer.title = asked.spec.title;
+    answer.command = invocation.command;
+    answer.design = asked.design;
+    const auto start = std::chrono::steady_clock::now();
+    for (const auto& [request, axes] : questions) {
+        if (request.kind == BoundaryKind::outcome)
+            answer.outcome_means = disturbance_text(request.disturbance, asked.design.mechanism.motion);
+        if (axes.size() == 2) {
+            answer.curves.push_back(follow_boundaries(asked.design, axes[0], axes[1], request));
+            continue;
+        }
+        auto ray = locate_boundaries(asked.design, axes[0], request);
+        if (ray.points.empty() && ray.undecided < ray.nodes) ray.outside = nearest_outside(asked.design, ray, request);
+        answer.rays.push_back(std::move(ray));
+    }
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+
+    const auto report = boundary_report(answer, parallel_for_each);
+    auto json = boundary_json(answer);
+    json["answer"] = plain_text(report.verdict);
+    fmt::print("{}\n", options.json ? json.dump(2) : plain_text(report.verdict));
+    bool coarse = false, undecided = false;
+    const auto judge = [&](int missing_verdicts, int nodes) {
+        undecided = undecided || missing_verdicts > options.max_undecided * nodes;
+    };
+    int points = 0, evaluations = 0;
+    for (const auto& ray : answer.rays) {
+        judge(ray.undecided, ray.nodes);
+        points += static_cast<int>(ray.points.size());
+        evaluations += ray.evaluations;
+        for (const auto& p : ray.points) coarse = coarse || !p.converged;
+        if (options.json) continue;
+        fmt::print("{} along {}: {} points, {} evaluations\n", name_of(ray.kind), ray.axis.path, ray.points.size(),
+                   ray.evaluations);
+        for (const auto& p : ray.points)
+            fmt::print("  {:<14} {:<18.12g} {:<8} bracket {:.1e}  {}  {}, {} evaluations\n", name_of(ray.kind), p.value,
+                       unit_of(ray.axis.quantity, answer.design.mechanism.motion), p.precision(),
+                       p.converged ? "located" : "coarse ", name_of(p.method), p.evaluations);
+        fmt::print("  could be missed: {}\n", could_be_missed(ray));
+    }
+    for (const auto& c : answer.curves) {
+        judge(c.guard.undecided, c.guard.nodes);
+        points += c.points();
+        evaluations += c.evaluations;
+        if (options.json) continue;
+        fmt::print("{} over ({}, {}): {} pieces, {} points, coarsest bracket {:.1e}, {} evaluations\n", name_of(c.kind),
+                   c.x.path, c.y.path, c.pieces.size(), c.points(), c.precision(), c.evaluations);
+        for (const auto& piece : c.pieces)
+            if (!piece.points.empty())
+                fmt::print("  ({:.6g}, {:.6g}) … ({:.6g}, {:.6g}), {} points, ends: {}, {}\n", piece.points.front().x,
+                           piece.points.front().y, piece.points.back().x, piece.points.back().y, piece.points.size(),
+                           name_of(piece.first), name_of(piece.last));
+        fmt::print("  could be missed: {}\n", could_be_missed(c));
+    }
+    if (!options.directory.empty()) {
+        write_whole(std::filesystem::path(options.directory) / "boundary.json", json.dump(1) + "\n");
+        write_whole(std::filesystem::path(options.directory) / "boundary.csv", boundary_csv(answer));
+        const auto page = write_report(report, options.directory);
+        if (!options.json) fmt::print("report: {}\n", page.string());
+    }
+    if (!options.json) {
+        if (!answer.outcome_means.empty())
+            fmt::print("outcomes follow a disturbance: {}\n", plain_text(answer.outcome_means));
+        fmt::print("{} points, {} evaluations, {:.2f} s\n", points, evaluations, wall.count());
+    }
+    return coarse || undecided ? exit_undecided : exit_done;
+}
+
+}  // namespace
+
+void add_boundary(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<BoundaryOptions>();
+    std::vector<std::string> kinds, disturbances;
+    for (const auto kind : boundary_kinds) kinds.emplace_back(name_of(kind));
+    for (const auto& k : DisturbanceSpec::kinds) disturbances.emplace_back(k.name);
+    auto* verb = app.add_subcommand(
+        "boundary", "Locate boundaries along axes and over two of them: linear, folds of cycles, outcomes, V_min");
+    verb->add_option("INPUT", options->input, "sweep spec or joint description, TOML")->required();
+    verb->add_option("--kind", options->kinds, "kinds of boundary, one or more; default: velocity-only linear")
+        ->check(CLI::IsMember(kinds));
+    verb->add_option("--along", options->along,
+                     "axes: PATH or PATH=FROM..TO, SI or with units, perhaps :log or :linear behind");
+    verb->add_option("--over", options->over, "two axes, x then y, each as in --along")->expected(2);
+    verb->add_option("--set", options->settings, "change a number first: path=value");
+    verb->add_option("--disturbance", options->disturbance,
+                     "what an outcome means; default: that of the spec, else a start from V0/10⁴")
+        ->check(CLI::IsMember(disturbances));
+    verb->add_option("--size", options->size,
+                     "of the disturbance: m, m/s, N·s, N (rad, …); for start: the share of V0 from which V0 is "
+                     "commanded")
+        ->check(finite_number());
+    verb->add_option("--precision", options->precision,
+                     "relative width of brackets; default: 1e-10 linear, 1e-6 fold, 1e-4 outcome")
+        ->check(finite_number())
+        ->check(between(1e-12, 0.1));
+    verb->add_option("--guard", options->guard,
+                     "cells along each axis of the grid that guards against missed pieces; default: 16, where each "
+                     "point is a motion 8")
+        ->check(CLI::Range(2, 512));
+    verb->add_option("-o,--output", options->directory, "write boundary.json, boundary.csv and report.html here");
+    verb->add_option("--threads", options->threads, "0: all cores")->capture_default_str();
+    verb->add_option("--max-undecided", options->max_undecided,
+                     "exit 4 if a larger share of the scanned points has no verdict")
+        ->capture_default_str();
+    verb->add_flag("--json", options->json, "print boundary.json instead of text");
+    verb->footer(
+        "Examples:\n"
+        "  stickslip boundary examples/02-ball-screw/joint-with-memory.toml --set control.k_v=0 --along "
+        "control.k_p=1e3..1e7\n"
+        "  stickslip boundary examples/03-bistable-strip/spec.toml --kind linear fold --over control.k_p control.k_v "
+        "-o "
+        "out\n"
+        "  stickslip boundary joint.toml --kind v-min --along 'control.V0=1 um/s..10 mm/s'\n"
+        "A spec may ask the same in a [boundary] table: kind, along, over, guard, precision.\n"
+        "Exit codes: 0 answered (also: no boundary there), 2 bad input, 4 a point is coarser than asked for or too "
+        "many "
+        "points have no verdict.");
+    verb->callback([options, &invocation] { invocation.exit_code = locate(*options, invocation); });
+}
+
+}  // namespace stickslip

@@ -1,0 +1,121 @@
+// stickslip design: the best gains under requirements.
+#include "sweep/files/toml/asked_axes.h"
+#include "sweep/files/text/bad_input.h"
+#include "sweep/files/toml/requirements_file.h"
+#include "sweep/files/text/whole_file.h"
+#include "sweep/program/verbs/exit_code.h"
+#include "sweep/report/pages/design_report.h"
+#include "sweep/words/verdict_text.h"
+#include "sweep/report/pages/write_report.h"
+#include "sweep/program/verbs/parallel.h"
+#include "sweep/program/verbs/verbs.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace stickslip {
+namespace {
+
+struct Options {
+    std::string input, directory;
+    std::vector<std::string> settings, requirements;
+    int threads = 0;
+    bool json = false;
+};
+
+/// Columns as wide as their longest cell, counted in characters rather than bytes.
+void print_table(const Table& table)
+{
+    const auto length = [](const std::string& s) {
+        return static_cast<std::size_t>(std::count_if(s.begin(), s.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+    };
+    std::vector<std::vector<std::string>> rows{table.columns};
+    rows.insert(rows.end(), table.rows.begin(), table.rows.end());
+    std::vector<std::size_t> width(table.columns.size());
+    for (auto& row : rows)
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            row[i] = plain_text(row[i]);
+            width[i] = std::max(width[i], length(row[i]));
+        }
+    fmt::print("\n{}\n", table.title);
+    for (const auto& row : rows) {
+        std::string line = " ";
+        for (std::size_t i = 0; i < row.size(); ++i)
+            line += " " + row[i] + std::string(width[i] - length(row[i]) + 1, ' ');
+        line.erase(line.find_last_not_of(' ') + 1);
+        fmt::print("{}\n", line);
+    }
+}
+
+int design(const Options& options, const Invocation& invocation)
+{
+    const auto asked = read_spec_or_joint(options.input, options.settings);
+    DesignAnswer answer;
+    answer.title = asked.spec.title;
+    answer.command = invocation.command;
+    answer.joint = asked.design;
+    answer.requirements = read_requirements(options.input, asked.design, options.requirements);
+    const ThreadLimit limit(options.threads);
+    try {
+        answer.design = design_gains(answer.joint, answer.requirements, parallel_for_each);
+    } catch (const std::invalid_argument& e) {
+        throw BadInput(fmt::format("{}: requirements.{}", options.input, e.what()));
+    }
+    if (answer.design.decided) {
+        Joint best = answer.joint;
+        best.control.k_p = answer.design.best.k_p, best.control.k_v = answer.design.best.k_v;
+        const auto& uncertain = answer.requirements.uncertain;
+        answer.nearest =
+            nearest_boundary(best, uncertain.empty() ? friction_coordinates(best) : uncertain, affordable_search(best));
+    }
+    const auto json = design_json(answer);
+    if (options.json) {
+        fmt::print("{}\n", json.dump(2));
+    } else {
+        fmt::print("{}\n", plain_text(design_text(answer)));
+        for (const auto& table : design_tables(answer)) print_table(table);
+        if (!answer.design.front.empty()) {
+            fmt::print("\nPareto front\n  {:>8} {:>14} {:>14} {:>14} {:>14}\n", "margin", "k_p", "k_v", "motion rms",
+                       "effort rms");
+            for (const auto& c : answer.design.front)
+                fmt::print("  {:>8.3g} {:>14.5g} {:>14.5g} {:>14.4g} {:>14.4g}\n", c.margin, c.k_p, c.k_v,
+                           c.motion_noise, c.effort_noise);
+        }
+    }
+    if (!options.directory.empty()) {
+        write_whole(std::filesystem::path(options.directory) / "design.json", json.dump(1) + "\n");
+        const auto page = write_report(design_report(answer), options.directory);
+        if (!options.json) fmt::print("\nreport: {}\n", page.string());
+    }
+    return !answer.design.decided ? exit_undecided : answer.design.feasible ? exit_done : exit_check_failed;
+}
+
+}  // namespace
+
+void add_design(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<Options>();
+    auto* verb = app.add_subcommand(
+        "design", "Best k_p and k_v under noise, effort, margin and velocity requirements; Pareto front");
+    verb->add_option("INPUT", options->input, "sweep spec or joint description, TOML, with [requirements]")->required();
+    verb->add_option("--set", options->settings, "change a number of the joint first: path=value");
+    verb->add_option("--require", options->requirements,
+                     "change a requirement: key=value; keys: objective (motion | effort), position_noise [m], "
+                     "velocity_noise [m/s], sample_time [s], filter [s], average, effort_limit [N], noise_multiple, "
+                     "margin, least_velocity [m/s], stiffness_scale [N/m], k_p_from, k_p_to [N/m], k_v_from, k_v_to "
+                     "[N·s/m], front_points; rad, N·m for revolute joints; values may carry units");
+    verb->add_option("-o,--output", options->directory, "write design.json and report.html here");
+    verb->add_option("--threads", options->threads, "0: all cores")->capture_default_str();
+    verb->add_flag("--json", options->json, "print design.json instead of text");
+    verb->footer(
+        "Examples:\n"
+        "  stickslip design examples/04-design/spec.toml -o out\n"
+        "  stickslip design joint.toml --require 'position_noise=1 um' --require sample_time=1e-3 --require "
+        "margin=0.2\n"
+        "Exit codes: 0 feasible, 1 no gains meet the requirements (the answer says what would be feasible), 2 bad "
+        "input, 4 no verdict.");
+    verb->callback([options, &invocation] { invocation.exit_code = design(*options, invocation); });
+}
+
+}  // namespace stickslip

@@ -1,0 +1,70 @@
+// stickslip figures: the paper's figures and numbers, computed anew.
+#include "sweep/program/verbs/exit_code.h"
+#include "sweep/report/pages/figures_report.h"
+#include "sweep/words/verdict_text.h"
+#include "sweep/report/pages/write_report.h"
+#include "sweep/program/verbs/verbs.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+namespace stickslip {
+namespace {
+
+struct Options {
+    std::string directory = "figures";
+    bool json = false;
+};
+
+int figures(const Options& options)
+{
+    const std::filesystem::path directory = options.directory;
+    std::filesystem::create_directories(directory / "models");
+    const auto page = write_report(figures_report(), directory);
+    for (const auto& model : paper_models()) {
+        const auto drawn = directory / "charts" / (model.id + ".svg");
+        if (std::filesystem::exists(drawn))
+            std::filesystem::copy_file(drawn, directory / "models" / drawn.filename(),
+                                       std::filesystem::copy_options::overwrite_existing);
+    }
+
+    bool met = true;
+    auto json = nlohmann::ordered_json::array();
+    for (const auto& n : paper_numbers()) {
+        const double difference = std::abs(n.computed / n.printed - 1);
+        met = met && difference < figure_tolerance;
+        json.push_back({{"equation", n.equation},
+                        {"statement", plain_text(n.statement)},
+                        {"paper", n.printed},
+                        {"computed", n.computed},
+                        {"relative_difference", difference},
+                        {"unit", unit_of(n.quantity, Motion::prismatic)}});
+        if (!options.json)
+            fmt::print("{:<8} {:<66} {:>16.10g} {:>16.10g} {:<8} {:.1e}\n", n.equation, plain_text(n.statement),
+                       n.printed, n.computed, unit_of(n.quantity, Motion::prismatic), difference);
+    }
+    if (options.json)
+        fmt::print("{}\n", json.dump(2));
+    else
+        fmt::print("page: {}\n", page.string());
+    return met ? exit_done : exit_check_failed;
+}
+
+}  // namespace
+
+void add_figures(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<Options>();
+    auto* verb = app.add_subcommand("figures", "The paper's figures, lumped models and numbers, computed anew");
+    verb->add_option("-o,--output", options->directory, "directory of the page, the charts and the drawings")
+        ->capture_default_str();
+    verb->add_flag("--json", options->json, "the numbers, machine-readable");
+    verb->footer("Exit 1 if a number of the paper is missed.\nExample: stickslip figures -o figures");
+    verb->callback([options, &invocation] { invocation.exit_code = figures(*options); });
+}
+
+}  // namespace stickslip

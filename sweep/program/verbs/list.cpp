@@ -1,0 +1,195 @@
+// stickslip list: what there is to choose from.
+#include "analysis/diagnosis/fit/effect.h"
+#include "analysis/joint/parameters.h"
+#include "sweep/files/toml/joint_file.h"
+#include "sweep/program/verbs/verbs.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <memory>
+
+namespace stickslip {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// With the properties of §2 of the paper that each law declares, and what else chooses its solver.
+Json law_list()
+{
+    Json json = Json::array();
+    for (const auto& law : laws())
+        json.push_back({{"name", law.name},
+                        {"steady_state_dependence", law.steady_state_dependence},
+                        {"direct_effect", law.direct_effect},
+                        {"slip_distance", law.slip_distance},
+                        {"formula", law.formula},
+                        {"source", law.source},
+                        {"validity", law.validity},
+                        {"set_valued_at_rest", law.set_valued_at_rest},
+                        {"needs_motion", law.needs_motion},
+                        {"linear_only", law.linear_only}});
+    return json;
+}
+
+struct JointKind {
+    const char *figure, *bodies, *feedback, *reduces_to;
+};
+
+JointKind kind_of(Model model)
+{
+    switch (model) {
+        case Model::single_mass:
+            return {"Fig. 7a, 7b", "inertia", "the mass itself", "nothing"};
+        case Model::two_mass:
+            return {"Fig. 6", "motor_inertia, link_inertia", "motor or link",
+                    "single-mass: ideal motor (7a, 7b), or rigid transmission"};
+        case Model::three_mass:
+            return {"Fig. 5", "motor_inertia, transmission_inertia, link_inertia", "motor or link",
+                    "two-mass: transmission at the motor, or at the joint"};
+        case Model::lever:
+            return {"Fig. 4", "motor_inertia, transmission_inertia, lever_arm, link_inertia", "motor or link",
+                    "three-mass: reflected by the table of section 3"};
+    }
+    return {};
+}
+
+Json joint_list()
+{
+    Json json = Json::array();
+    for (const auto& model : models) {
+        const auto kind = kind_of(model.value);
+        json.push_back({{"name", model.name},
+                        {"figure", kind.figure},
+                        {"bodies", kind.bodies},
+                        {"feedback", kind.feedback},
+                        {"control", "position or force"},
+                        {"reduces_to", kind.reduces_to}});
+    }
+    return json;
+}
+
+/// The catalogue of the diagnosis; a parameter's name is the effect's name, a dot, and its own.
+Json effect_list(bool with_parameters)
+{
+    Json json = Json::array();
+    for (const auto& effect : gap::effects()) {
+        Json entry{{"name", effect.name},
+                   {"stage", effect.stage},
+                   {"form", effect.form},
+                   {"source", effect.source},
+                   {"signature", effect.signature}};
+        if (with_parameters) {
+            entry["confusable_with"] = effect.confusable;
+            entry["parameters"] = Json::array();
+            for (const auto& form : effect.forms)
+                for (const auto& p : form.parameters)
+                    entry["parameters"].push_back({{"name", std::string(effect.name) + "." + std::string(p.name)},
+                                                   {"form", form.name},
+                                                   {"unit_prismatic", unit_of(p.quantity, Motion::prismatic)},
+                                                   {"unit_revolute", unit_of(p.quantity, Motion::revolute)},
+                                                   {"help", p.help}});
+        }
+        json.push_back(entry);
+    }
+    return json;
+}
+
+/// A law with one row in each of its lists, so that the numbers of a row are listed, too.
+void set_law(Joint& joint, const std::string& law)
+{
+    apply_setting(joint, "friction.law=" + law);
+    const auto row = [&](const char* setting) { apply_setting(joint, setting); };
+    std::visit(
+        [&](const auto& l) {
+            if constexpr (requires { l.B; }) row("friction.B=[1]"), row("friction.L=[1]");
+            if constexpr (requires { l.elements; }) row("friction.elements=[{stiffness=1, yield=1}]");
+            if constexpr (requires { l.exponentials; }) {
+                row("friction.exponentials=[{weight=1, rate=1}]");
+                row("friction.delays=[{weight=1, time=1}]");
+            }
+        },
+        FrictionLaw(joint.friction.law));
+}
+
+/// Every number of a joint: of the given file, or of a single mass with the given law.
+Json parameter_list(const std::string& file, const std::string& law)
+{
+    Joint joint;
+    if (!file.empty())
+        joint = read_joint(file);
+    else
+        set_law(joint, law);
+    Json json = Json::array();
+    for (const auto& p : parameters(joint))
+        json.push_back({{"path", p.path},
+                        {"unit", unit_of(p.quantity, joint.mechanism.motion)},
+                        {"range", describe(p.range)},
+                        {"required", p.need == Need::required},
+                        {"help", p.help}});
+    return json;
+}
+
+/// A heading and one line an entry, columns as wide as their widest text.
+void print_columns(Json list)
+{
+    if (list.empty()) return;
+    Json heading;
+    for (const auto& [key, value] : list[0].items()) {
+        std::string words = key;
+        std::replace(words.begin(), words.end(), '_', ' ');
+        heading[key] = words;
+    }
+    list.insert(list.begin(), heading);
+    std::vector<std::size_t> widths;
+    const auto cell = [](const Json& v) {
+        return v.is_boolean() ? std::string(v.get<bool>() ? "yes" : "no") : v.get<std::string>();
+    };
+    for (const auto& entry : list) {
+        std::size_t column = 0;
+        for (const auto& value : entry) {
+            if (widths.size() <= column) widths.push_back(0);
+            widths[column] = std::max(widths[column], cell(value).size());
+            ++column;
+        }
+    }
+    for (const auto& entry : list) {
+        std::size_t column = 0;
+        for (const auto& value : entry) fmt::print("{:<{}}  ", cell(value), widths[column++]);
+        fmt::print("\n");
+    }
+}
+
+struct Options {
+    std::string what, joint, law = "rate-and-state";
+    bool json = false;
+};
+
+}  // namespace
+
+void add_list(CLI::App& app, Invocation&)
+{
+    auto options = std::make_shared<Options>();
+    auto* verb = app.add_subcommand("list", "What there is: friction laws, joints, effects, parameters");
+    verb->add_option("WHAT", options->what, "laws | joints | effects | parameters")
+        ->required()
+        ->check(CLI::IsMember({"laws", "joints", "effects", "parameters"}));
+    verb->add_option("--joint", options->joint, "list the parameters of this joint file");
+    verb->add_option("--law", options->law, "list the parameters of a single mass with this law")
+        ->capture_default_str();
+    verb->add_flag("--json", options->json, "machine-readable, stable names");
+    verb->footer("Example: stickslip list parameters --law stribeck");
+    verb->callback([options] {
+        const Json list = options->what == "laws"      ? law_list()
+                          : options->what == "joints"  ? joint_list()
+                          : options->what == "effects" ? effect_list(options->json)
+                                                       : parameter_list(options->joint, options->law);
+        if (options->json)
+            fmt::print("{}\n", list.dump(2));
+        else
+            print_columns(list);
+    });
+}
+
+}  // namespace stickslip

@@ -1,0 +1,100 @@
+// stickslip margins: how far a design is from its boundaries.
+#include "sweep/files/toml/asked_axes.h"
+#include "sweep/files/text/bad_input.h"
+#include "sweep/files/toml/requirements_file.h"
+#include "sweep/files/text/whole_file.h"
+#include "sweep/program/verbs/exit_code.h"
+#include "sweep/report/pages/margins_report.h"
+#include "sweep/words/verdict_text.h"
+#include "sweep/report/pages/write_report.h"
+#include "sweep/program/verbs/parallel.h"
+#include "sweep/program/verbs/verbs.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace stickslip {
+namespace {
+
+struct Options {
+    std::string input, directory, shape = "box";
+    std::vector<std::string> settings, uncertain, over;
+    int guard = 12, threads = 0;
+    bool json = false;
+};
+
+int margins(const Options& options, const Invocation& invocation)
+{
+    const auto asked = read_spec_or_joint(options.input, options.settings);
+    const ThreadLimit limit(options.threads);
+    auto answer = margins_of(asked.design);
+    answer.title = asked.spec.title;
+    answer.command = invocation.command;
+    if (!options.uncertain.empty()) {
+        answer.uncertainty = uncertainty_from(asked.design, options.uncertain);
+        if (options.shape == "ellipsoid") answer.uncertainty.shape = UncertaintyShape::ellipsoid;
+        answer.worst = worst_case(asked.design, answer.uncertainty, Curve::Kind::state_variable);
+    }
+    if (!options.over.empty()) {
+        if (options.uncertain.empty())
+            throw BadInput("--over: the robustly stable set needs --uncertain PATH=SHARE, such as friction.L=20%");
+        const Axis x = axis_from(asked, options.over[0], "--over"), y = axis_from(asked, options.over[1], "--over");
+        if (x.path == y.path) throw BadInput("--over: given is " + x.path + " twice, wanted are two different axes");
+        BoundaryRequest request;
+        request.parallel = parallel_for_each;
+        request.following.guard = options.guard;
+        answer.robust = follow_robust_boundary(asked.design, x, y, answer.uncertainty, request);
+        answer.nominal = follow_boundaries(asked.design, x, y, request);
+    }
+    const auto json = margins_json(answer);
+    if (options.json) {
+        fmt::print("{}\n", json.dump(2));
+    } else {
+        fmt::print("{}\n", plain_text(margins_text(answer)));
+        for (const auto& row : alone_table(answer).rows)
+            fmt::print("  {:<24} {:>16}  boundary at {:<18} {}\n", plain_text(row[0]), plain_text(row[1]),
+                       plain_text(row[2]), plain_text(row[3]));
+        if (answer.robust)
+            fmt::print("robust boundary: {} pieces, {} points\n", answer.robust->pieces.size(),
+                       answer.robust->points());
+    }
+    if (!options.directory.empty()) {
+        write_whole(std::filesystem::path(options.directory) / "margins.json", json.dump(1) + "\n");
+        const auto page = write_report(margins_report(answer), options.directory);
+        if (!options.json) fmt::print("report: {}\n", page.string());
+    }
+    return answer.nearest.decided ? exit_done : exit_undecided;
+}
+
+}  // namespace
+
+void add_margins(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<Options>();
+    auto* verb = app.add_subcommand(
+        "margins", "How far a design is from its boundaries: nearest in all directions, one by one, at worst");
+    verb->add_option("INPUT", options->input, "sweep spec or joint description, TOML")->required();
+    verb->add_option("--set", options->settings, "change a number first: path=value");
+    verb->add_option("--uncertain", options->uncertain,
+                     "shares by which numbers may be off: PATH=20%, 'friction.B - friction.A=10%'");
+    verb->add_option("--shape", options->shape, "of the uncertainty: all at once (box), or an ellipsoid within it")
+        ->check(CLI::IsMember({"box", "ellipsoid"}))
+        ->capture_default_str();
+    verb->add_option("--over", options->over,
+                     "two axes over which the robustly stable set is followed: PATH or PATH=FROM..TO")
+        ->expected(2);
+    verb->add_option("--guard", options->guard, "cells along each axis of the guarding grid")
+        ->check(CLI::Range(2, 512))
+        ->capture_default_str();
+    verb->add_option("-o,--output", options->directory, "write margins.json and report.html here");
+    verb->add_option("--threads", options->threads, "0: all cores")->capture_default_str();
+    verb->add_flag("--json", options->json, "print margins.json instead of text");
+    verb->footer(
+        "Example: stickslip margins examples/01-reference-joint/spec.toml --uncertain friction.L=20% --uncertain "
+        "'friction.B - friction.A=10%' --over control.k_p control.k_v -o out\n"
+        "Exit codes: 0 answered, 2 bad input, 4 the joint has no verdict.");
+    verb->callback([options, &invocation] { invocation.exit_code = margins(*options, invocation); });
+}
+
+}  // namespace stickslip

@@ -1,0 +1,43 @@
+// stickslip merge: journals of shards become one results.nc.
+#include "sweep/engine/merge.h"
+#include "analysis/results/text.h"
+#include "sweep/engine/run_directory.h"
+#include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/verbs.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace stickslip {
+namespace {
+
+struct Options {
+    std::vector<std::string> directories;
+    std::string results;
+};
+
+int merge_journals(const Options& options)
+{
+    const std::vector<std::filesystem::path> directories(options.directories.begin(), options.directories.end());
+    const std::filesystem::path results =
+        options.results.empty() ? directories.front() / run_files::results : std::filesystem::path(options.results);
+    const auto merged = merge(directories, results);
+    fmt::print("{} merged in {:.2f} s\nresults: {}\n", counted(merged.points, "point"), merged.seconds,
+               results.string());
+    return exit_done;
+}
+
+}  // namespace
+
+void add_merge(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<Options>();
+    auto* verb = app.add_subcommand("merge", "Merge the journals of shards into one results.nc");
+    verb->add_option("DIR", options->directories, "directories of the shards")->required();
+    verb->add_option("-o,--output", options->results, "results file; default: results.nc in the first directory");
+    verb->footer("Example: stickslip merge out");
+    verb->callback([options, &invocation] { invocation.exit_code = merge_journals(*options); });
+}
+
+}  // namespace stickslip

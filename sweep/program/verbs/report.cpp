@@ -1,0 +1,93 @@
+// stickslip report: draw the page of a finished sweep again, or of what changed between two.
+#include "sweep/engine/results_file.h"
+#include "sweep/engine/run_directory.h"
+#include "sweep/files/text/bad_input.h"
+#include "sweep/files/toml/spec_file.h"
+#include "sweep/program/verbs/exit_code.h"
+#include "sweep/report/pages/compare_report.h"
+#include "sweep/report/pages/summary.h"
+#include "sweep/program/verbs/timestamp.h"
+#include "sweep/report/pages/write_report.h"
+#include "sweep/program/verbs/terminal.h"
+#include "sweep/program/verbs/verbs.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace stickslip {
+namespace {
+
+struct Options {
+    std::vector<std::string> directories;
+    std::string output = "comparison", timestamp;
+};
+
+/// A finished sweep. The spec travels with its results, with its joint written out, so that no other file is needed.
+/// `charts` are those to show; empty: the sweep's own.
+ComparedRun read_run(const std::string& directory, const ReportSpec* charts, const std::string& date)
+{
+    const auto file = std::filesystem::path(directory) / run_files::results;
+    if (!std::filesystem::exists(file))
+        throw BadInput(directory + ": holds no finished sweep (results.nc); make one with: stickslip sweep -o " +
+                       directory);
+    const ResultsFile results(file);
+    ComparedRun run{directory, read_spec_text(results.attribute("spec"), directory + " (spec of results.nc)"), {}};
+    choose_charts(run.spec);
+    if (charts) {
+        const auto has = [&](const std::string& path) {
+            for (const auto& axis : run.spec.axes)
+                if (axis.path == path) return true;
+            return false;
+        };
+        run.spec.report.charts.clear();
+        for (const auto& chart : charts->charts)
+            if (has(chart[0]) && has(chart[1])) run.spec.report.charts.push_back(chart);
+    }
+    run.summary = summarise(run.spec, results);
+    if (!date.empty()) run.summary.provenance.emplace_back("drawn", date);
+    return run;
+}
+
+int draw_again(const std::string& directory, const std::string& date)
+{
+    const auto run = read_run(directory, nullptr, date);
+    const auto report = stability_report(run.spec, run.summary);
+    fmt::print("{}", terminal_summary(report));
+    fmt::print("report:  {}\n", write_sweep_report(report, run.spec, directory).string());
+    return exit_done;
+}
+
+int compare(const Options& options, const std::string& date)
+{
+    const auto before = read_run(options.directories[0], nullptr, date);
+    const auto after = read_run(options.directories[1], &before.spec.report, date);
+    const auto report = compare_report(before, after);
+    fmt::print("{}", terminal_summary(report));
+    fmt::print("report:  {}\n", write_report(report, options.output).string());
+    return exit_done;
+}
+
+int report(const Options& options)
+{
+    const auto date = timestamp(options.timestamp);
+    return options.directories.size() == 1 ? draw_again(options.directories[0], date) : compare(options, date);
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<Options>();
+    auto* verb = app.add_subcommand("report", "Draw the report of a finished sweep again, or compare two sweeps");
+    verb->add_option("DIR", options->directories, "directory of the sweep; two of them: what changed from A to B")
+        ->required()
+        ->expected(1, 2);
+    verb->add_option("-o,--output", options->output, "directory of the comparison")->capture_default_str();
+    verb->add_option("--timestamp", options->timestamp,
+                     "date on the page: now, or seconds since 1970; default: SOURCE_DATE_EPOCH, else none");
+    verb->footer("Examples: stickslip report out\n          stickslip report before after -o comparison");
+    verb->callback([options, &invocation] { invocation.exit_code = report(*options); });
+}
+
+}  // namespace stickslip

@@ -1,0 +1,121 @@
+// stickslip simulate: one motion of one joint, as numbers and pictures.
+#include "analysis/simulation/simulate.h"
+#include "analysis/simulation/attractor/nonlinear.h"
+#include "analysis/stability/steady.h"
+
+#include "sweep/engine/build.h"
+#include "sweep/files/toml/asked_axes.h"
+#include "sweep/program/verbs/exit_code.h"
+#include "sweep/report/pages/trajectory_report.h"
+#include "sweep/words/verdict_text.h"
+#include "sweep/report/pages/write_report.h"
+#include "sweep/program/verbs/disturbance_option.h"
+#include "sweep/program/verbs/surroundings_option.h"
+#include "sweep/program/verbs/verbs.h"
+
+#include <fmt/format.h>
+#include <fmt/os.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+
+namespace stickslip {
+namespace {
+
+struct Options {
+    std::string joint, directory = "out";
+    std::vector<std::string> settings;
+    DisturbanceOption disturbance;
+    SurroundingsOption surroundings;
+    double tolerance = 1e-8;
+};
+
+/// What acts on the joint from outside, as numbers and for the page.
+SimulatedSurroundings surround(const Joint& joint, const SurroundingsOption& asked, SimulateOptions& simulation)
+{
+    SimulatedSurroundings shown;
+    simulation.duration = asked.force.duration;
+    const bool slides = steady_sliding(joint).reason == Reason::none;
+    if (!asked.force.kind.empty() && slides) {
+        shown.linear = disturbed_motion(joint, asked.force);
+        simulation.force = shown.linear->force;
+        const double shown_for = simulation.force.step * static_cast<double>(simulation.force.value.size());
+        if (!is_set(simulation.duration)) simulation.duration = shown_for;
+    }
+    if (asked.loaded()) {
+        const auto record = asked.normal_load();
+        if (!is_set(simulation.duration)) simulation.duration = record.duration();
+        auto& load = simulation.normal_load;
+        load.step = simulation.duration / sampled_disturbance;
+        load.value = record.sampled(load.step, sampled_disturbance);
+        shown.normal_load = load;
+    }
+    return shown;
+}
+
+/// trajectory.csv, one row a step of the solver.
+std::filesystem::path write_trajectory(const Joint& joint, const Trajectory& t, const std::filesystem::path& directory)
+{
+    std::filesystem::create_directories(directory);
+    const auto file = directory / "trajectory.csv";
+    const auto motion = joint.mechanism.motion;
+    auto out = fmt::output_file(file.string());
+    out.print("time [s],excess_position [{}],velocity [{}],friction [{}],stuck\n", unit_of(Quantity::position, motion),
+              unit_of(Quantity::velocity, motion), unit_of(Quantity::effort, motion));
+    for (std::size_t i = 0; i < t.time.size(); ++i)
+        out.print("{},{},{},{},{}\n", t.time[i], t.position[i], t.velocity[i], t.friction[i],
+                  static_cast<int>(t.stuck[i]));
+    return file;
+}
+
+int simulate_joint(const Options& options, const Invocation& invocation)
+{
+    const auto asked = read_spec_or_joint(options.joint, options.settings);
+    const Joint& joint = asked.design;
+    SimulateOptions simulation;
+    simulation.disturbance = options.disturbance.disturbance(asked.spec.nonlinear);
+    simulation.rtol = options.tolerance;
+    const auto surroundings = surround(joint, options.surroundings, simulation);
+    NonlinearOptions outcome;
+    outcome.disturbance = simulation.disturbance;
+    outcome.rtol = simulation.rtol;
+    const auto verdict = nonlinear_verdict(joint, outcome);
+    simulation.cycle_period = verdict.period;
+    const auto trajectory = simulate(joint, simulation);
+    auto report = trajectory_report(joint, trajectory, verdict, surroundings);
+    report.provenance = {{"version", program_version()}, {"command", invocation.command}};
+    fmt::print("{}\n", plain_text(report.verdict));
+    if (trajectory.time.empty()) return exit_undecided;
+    fmt::print("trajectory: {}\n", write_trajectory(joint, trajectory, options.directory).string());
+    fmt::print("report:     {}\n", write_report(report, options.directory).string());
+    return trajectory.reason == Reason::none ? exit_done : exit_undecided;
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<Options>();
+    auto* verb = app.add_subcommand(
+        "simulate", "One motion of one joint: trajectory.csv, time series, phase portrait, friction-velocity loop");
+    verb->add_option("JOINT", options->joint, "joint description, or a spec: its design point, TOML")->required();
+    verb->add_option("-o,--output", options->directory, "directory of the files")->capture_default_str();
+    verb->add_option("--set", options->settings, "change a number first: path=value");
+    options->disturbance.add_to(*verb);
+    options->surroundings.add_to(*verb);
+    options->surroundings.add_duration_to(*verb,
+                                          "fifty turns of the slowest mode, up to 400 where it grows slowly; with a "
+                                          "force until the mode has shown itself; a file's own");
+    verb->add_option("--tolerance", options->tolerance, "relative tolerance")
+        ->check(CLI::Range(1e-13, 1e-2))
+        ->capture_default_str();
+    verb->footer(
+        "Example: stickslip simulate examples/02-ball-screw/joint-with-memory.toml --set control.k_v=0 --set "
+        "control.k_p=5e4 -o out\n"
+        "Example: stickslip simulate joint.toml --force sine --force-size 0.1 --omega 60 -o out\n"
+        "Example: stickslip simulate joint.toml --normal-load record.csv --nominal-load 250 -o out");
+    verb->callback([options, &invocation] { invocation.exit_code = simulate_joint(*options, invocation); });
+}
+
+}  // namespace stickslip

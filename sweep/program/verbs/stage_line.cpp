@@ -1,0 +1,72 @@
+#include "sweep/program/verbs/stage_line.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace stickslip {
+namespace {
+
+constexpr std::chrono::milliseconds on_terminal{500}, in_log{30'000};
+
+}  // namespace
+
+StageLine::StageLine() : terminal_(isatty(STDERR_FILENO) != 0)
+{
+    clock_ = std::thread([this] {
+        const auto interval = terminal_ ? on_terminal : in_log;
+        std::unique_lock lock(mutex_);
+        while (!ended_.wait_for(lock, interval, [this] { return end_; })) draw();
+    });
+}
+
+StageLine::~StageLine()
+{
+    {
+        const std::lock_guard lock(mutex_);
+        end_ = true;
+    }
+    ended_.notify_all();
+    clock_.join();
+    if (!terminal_) return;
+    fmt::print(stderr, "\r\x1b[K");
+    std::fflush(stderr);
+}
+
+std::function<void(const std::string&, double)> StageLine::listener()
+{
+    return [this](const std::string& stage, double done) {
+        const std::lock_guard lock(mutex_);
+        stage_ = stage;
+        done_ = done;
+        tasks_ = 0;
+        if (terminal_) draw();
+    };
+}
+
+ParallelFor StageLine::counted(ParallelFor run)
+{
+    return [this, run = std::move(run)](std::size_t n, const std::function<void(std::size_t)>& task) {
+        finished_ = 0;
+        tasks_ = n;
+        run(n, [&](std::size_t i) {
+            task(i);
+            ++finished_;
+        });
+    };
+}
+
+void StageLine::draw()
+{
+    if (stage_.empty()) return;
+    const auto seconds =
+        std::chrono::duration_cast<std::chrono::seconds>(std::chrono::steady_clock::now() - start_).count();
+    const std::size_t tasks = tasks_, finished = finished_;
+    const auto text = fmt::format("{:3.0f} %  {}{}  {} s", 100 * done_, stage_,
+                                  tasks > 1 ? fmt::format(", {} of {}", finished, tasks) : "", seconds);
+    fmt::print(stderr, "{}{}{}", terminal_ ? "\r\x1b[K" : "", text, terminal_ ? "" : "\n");
+    std::fflush(stderr);
+}
+
+}  // namespace stickslip

@@ -1,0 +1,158 @@
+// stickslip sweep: from a spec to results.nc and report.html.
+#include "analysis/results/text.h"
+#include "analysis/stability/verdict.h"
+#include "sweep/program/verbs/embedded.h"
+#include "sweep/engine/run_directory.h"
+#include "sweep/engine/run_on_cluster.h"
+#include "sweep/study/evaluate.h"
+#include "sweep/files/text/bad_input.h"
+#include "sweep/files/toml/spec_file.h"
+#include "sweep/program/verbs/exit_code.h"
+#include "sweep/report/pages/summary.h"
+#include "sweep/program/verbs/timestamp.h"
+#include "sweep/words/verdict_text.h"
+#include "sweep/report/pages/write_report.h"
+#include "sweep/program/verbs/progress_line.h"
+#include "sweep/program/verbs/shell_word.h"
+#include "sweep/program/verbs/terminal.h"
+#include "sweep/program/verbs/verbs.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace stickslip {
+namespace {
+
+struct Options {
+    std::string spec, directory = "out", shard, timestamp;
+    int threads = 0;
+    double max_undecided = 0.05;
+    bool fresh = false, json = false, no_report = false;
+};
+
+/// "2/7": the second of seven shards.
+Shard shard_from(const std::string& text)
+{
+    if (text.empty()) return {};
+    unsigned long long index = 0, count = 0;
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%llu/%llu%c", &index, &count, &rest) != 2 || index < 1 || index > count)
+        throw BadInput("--shard: given is " + text + ", wanted is i/n with 1 ≤ i ≤ n");
+    return {index - 1, count};
+}
+
+int end_early(const RunReport& run, const std::string& directory)
+{
+    if (run.end == RunEnd::write_failed) {
+        fmt::print(stderr,
+                   "stickslip: {}\nNothing journalled is lost: free some space and run the same command again.\n",
+                   run.message);
+        return exit_interrupted;
+    }
+    fmt::print(stderr, "stopped after {} points; the same command goes on from there (journals in {})\n",
+               run.computed.points, directory);
+    return exit_interrupted;
+}
+
+int sweep(const Options& options, Invocation& invocation)
+{
+    const auto date = timestamp(options.timestamp);
+    const bool embedded = options.spec.empty();
+    Spec spec = embedded ? read_spec_text(embedded_spec(), "(embedded example)") : read_spec(options.spec);
+    choose_charts(spec);
+
+    for (const auto& path : idle_axes(design_joint(spec), spec.axes))
+        fmt::print(stderr, "note: {} changes no linear answer at the design point; the maps' theory may leave it out\n",
+                   path);
+
+    PlanOptions plan_options;
+    plan_options.evaluation = evaluation_text(spec.nonlinear);
+    plan_options.nonlinear = spec.nonlinear.enabled;
+    plan_options.seconds_per_point = seconds_per_point(spec.nonlinear);
+    plan_options.title = spec.title;
+    plan_options.spec = embedded ? std::string(embedded_spec()) : self_contained_text(options.spec);
+    plan_options.command = embedded ? "stickslip sweep" : "stickslip sweep " + shell_word(options.spec);
+    const Plan plan = make_plan(spec.joint, spec.axes, plan_options);
+
+    ProgressLine line;
+    RunOptions run_options;
+    run_options.directory = options.directory;
+    run_options.fresh = options.fresh;
+    run_options.shard = shard_from(options.shard);
+    run_options.engine.threads = options.threads;
+    run_options.engine.interrupt = &invocation.interrupted;
+    if (line.shown()) run_options.engine.progress = [&](const Progress& p) { line.update(p); };
+    catch_interrupts(invocation);
+    const auto evaluate = evaluator(spec.nonlinear);
+    const auto run = invocation.cluster ? run_on_cluster(plan, spec.joint, evaluate, run_options, *invocation.cluster)
+                                        : run_sweep(plan, spec.joint, evaluate, run_options);
+    line.end();
+    if (run.end != RunEnd::complete) return end_early(run, options.directory);
+    if (invocation.cluster && invocation.cluster->rank() != 0) return exit_done;  // rank 0 reports for all
+    if (!run_options.shard.whole()) {
+        fmt::print("shard {} done; when all are: stickslip merge {}\n", options.shard, shell_word(options.directory));
+        return exit_done;
+    }
+
+    const ResultsFile results(run.results);
+    auto summary = summarise(spec, results);
+    if (!date.empty()) summary.provenance.emplace_back("drawn", date);
+    const Joint design = design_joint(spec);
+    const auto verdict = linear_verdict(design);
+    const double undecided = static_cast<double>(summary.undecided) / static_cast<double>(summary.points);
+    std::filesystem::path page;
+    std::string answer = plain_text(verdict_text(design, verdict)) + "\n";
+    if (!options.no_report) {
+        const auto report = stability_report(spec, summary);
+        answer = terminal_summary(report);
+        page = write_sweep_report(report, spec, options.directory);
+    }
+    if (options.json) {
+        nlohmann::ordered_json json{{"points", summary.points},
+                                    {"computed", run.computed.points},
+                                    {"undecided", summary.undecided},
+                                    {"results", absolute(run.results).string()},
+                                    {"report", nullptr}};
+        if (!page.empty()) json["report"] = absolute(page).string();
+        fmt::print("{}\n", json.dump(2));
+    } else {
+        fmt::print("{}", answer);
+        fmt::print("{}, {} of them computed now in {:.2f} s, {} undecided\n", counted(summary.points, "point"),
+                   run.computed.points, run.computed.seconds, summary.undecided);
+        for (const auto& [reason, count] : summary.reasons) fmt::print("  {}: {}\n", counted(count, "point"), reason);
+        fmt::print("results: {}\n", (std::filesystem::path(options.directory) / run_files::results).string());
+        if (!page.empty()) fmt::print("report:  {}\n", page.string());
+    }
+    return undecided > options.max_undecided ? exit_undecided : exit_done;
+}
+
+}  // namespace
+
+void add_sweep(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<Options>();
+    auto* verb = app.add_subcommand("sweep", "Sweep a design space: results.nc and report.html");
+    verb->add_option("SPEC", options->spec, "sweep spec, TOML; without it the embedded example runs");
+    verb->add_option("-o,--output", options->directory, "directory of the results; an interrupted sweep resumes there")
+        ->capture_default_str();
+    verb->add_option("--threads", options->threads, "threads, 0 for all cores")
+        ->check(CLI::Range(0, 4096))
+        ->capture_default_str();
+    verb->add_option("--shard", options->shard, "compute only part i of n, as i/n; then: stickslip merge DIR");
+    verb->add_option("--max-undecided", options->max_undecided, "exit 4 if a larger share of the points is undecided")
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str();
+    verb->add_flag("--fresh", options->fresh, "discard what an earlier sweep left in the directory");
+    verb->add_flag("--no-report", options->no_report, "write results.nc only");
+    verb->add_option("--timestamp", options->timestamp,
+                     "date on the page: now, or seconds since 1970; default: SOURCE_DATE_EPOCH, else none");
+    verb->add_flag("--json", options->json, "machine-readable summary");
+    verb->footer(
+        "Example: stickslip sweep examples/02-ball-screw/spec-with-memory.toml -o out\n"
+        "Exit codes: 0 done, 2 bad input, 3 interrupted (the same command goes on), 4 too many points undecided.");
+    verb->callback([options, &invocation] { invocation.exit_code = sweep(*options, invocation); });
+}
+
+}  // namespace stickslip

@@ -1,0 +1,69 @@
+#include "sweep/program/verbs/terminal.h"
+
+#include "sweep/words/verdict_text.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace stickslip {
+namespace {
+
+const char* code_of(Headline::Tone tone)
+{
+    switch (tone) {
+        case Headline::Tone::good:
+            return "\033[32m";
+        case Headline::Tone::warning:
+            return "\033[33m";
+        case Headline::Tone::bad:
+            return "\033[31m";
+        case Headline::Tone::neutral:
+            break;
+    }
+    return "";
+}
+
+bool colours()
+{
+    // no-color.org: set and not empty
+    const auto set = [](const char* name, std::string_view unless) {
+        const char* value = std::getenv(name);
+        return value && value != unless;
+    };
+    static const bool wanted = isatty(STDOUT_FILENO) != 0 && !set("NO_COLOR", "") && set("TERM", "dumb");
+    return wanted;
+}
+
+/// Letters, not bytes: for columns.
+std::size_t letters(const std::string& text)
+{
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+}
+
+}  // namespace
+
+std::string toned(const std::string& text, Headline::Tone tone)
+{
+    const std::string code = colours() ? code_of(tone) : "";
+    return code.empty() ? text : code + text + "\033[0m";
+}
+
+std::string terminal_summary(const Report& report)
+{
+    std::string text = toned(plain_text(report.verdict), report.tone) + "\n";
+    for (const auto& alert : report.alerts) text += toned("! " + plain_text(alert.text), alert.tone) + "\n";
+    std::size_t widest = 0;
+    for (const auto& headline : report.headlines) widest = std::max(widest, letters(plain_text(headline.value)));
+    for (const auto& headline : report.headlines) {
+        const auto value = plain_text(headline.value);
+        text += "  " + toned(value, headline.tone) + std::string(widest + 2 - letters(value), ' ') +
+                plain_text(headline.meaning) + "\n";
+    }
+    return text;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,150 @@
+#include "sweep/report/figures/diagnosis_figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace stickslip {
+namespace {
+
+constexpr int most_records = 3;
+
+std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b)
+{
+    std::vector<double> r;
+    for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) r.push_back(a[k] - b[k]);
+    return r;
+}
+
+double rms(const std::vector<double>& values)
+{
+    double sum = 0, n = 0;
+    for (double v : values)
+        if (std::isfinite(v)) sum += v * v, n += 1;
+    return n > 0 ? std::sqrt(sum / n) : 0;
+}
+
+/// One signal of one record: measured, and simulated before and after.
+struct Signal {
+    const DiagnosedTrace& trace;
+    std::string name, unit, id;
+    const std::vector<double>&measured, &before, &after;
+    bool named;  ///< a cause is added; else both simulations are the same
+};
+
+/// The stretch of a trace in which the simulation before the cause errs most: over the whole of a record the lines lie
+/// on each other.
+std::pair<std::size_t, std::size_t> worst_stretch(const Signal& s)
+{
+    const std::vector<double>& time = s.trace.time;
+    constexpr double seconds = 1.5;
+    const std::size_t n = std::min({time.size(), s.measured.size(), s.before.size()});
+    if (n < 2 || time[n - 1] - time[0] <= 2 * seconds) return {0, n};
+    const auto rows =
+        std::max<std::size_t>(2, static_cast<std::size_t>(seconds / (time[n - 1] - time[0]) * static_cast<double>(n)));
+    double sum = 0, largest = -1;
+    std::size_t best = 0;
+    const auto square = [&](std::size_t k) {
+        const double e = s.measured[k] - s.before[k];
+        return std::isfinite(e) ? e * e : 0;
+    };
+    for (std::size_t k = 0; k < n; ++k) {
+        sum += square(k);
+        if (k >= rows) sum -= square(k - rows);
+        if (k + 1 >= rows && sum > largest) largest = sum, best = k + 1 - rows;
+    }
+    return {best, best + rows};
+}
+
+std::vector<double> cut(const std::vector<double>& values, std::pair<std::size_t, std::size_t> stretch)
+{
+    const auto end = std::min(stretch.second, values.size());
+    return {values.begin() + static_cast<std::ptrdiff_t>(std::min(stretch.first, end)),
+            values.begin() + static_cast<std::ptrdiff_t>(end)};
+}
+
+Figure overlay(const Signal& s)
+{
+    const auto stretch = worst_stretch(s);
+    const auto time = cut(s.trace.time, stretch);
+    LineChart chart;
+    constexpr std::string_view measured = "measured ";
+    const bool twice = s.name.starts_with(measured);
+    chart.title = "Measured and simulated " + (twice ? s.name.substr(measured.size()) : s.name) +
+                  " where it is worst: " + s.trace.file;
+    chart.x_label = "time [s]";
+    chart.y_label = s.name + " [" + s.unit + "]";
+    chart.lines = {{"measured", time, cut(s.measured, stretch), false},
+                   {s.named ? "simulated before" : "simulated", time, cut(s.before, stretch), true}};
+    if (s.named) chart.lines.push_back({"simulated after", time, cut(s.after, stretch), true});
+    return {s.id, chart,
+            "The stretch in which the joint as documented errs most. The simulation follows the reference on its own; "
+            "the measured motion is no part of it.",
+            "Measured " + s.name + " over time and " +
+                (s.named ? "two simulations, before and after the cause is added" : "the simulation")};
+}
+
+Figure residual(const Signal& s)
+{
+    const auto before = difference(s.measured, s.before), after = difference(s.measured, s.after);
+    LineChart chart;
+    chart.title = "What the simulation gets wrong in " + s.name + ": " + s.trace.file;
+    chart.x_label = "time [s]";
+    chart.y_label = "measured minus simulated [" + s.unit + "]";
+    if (!s.named) {
+        chart.lines = {{"measured minus simulated", s.trace.time, before, false}};
+        const std::string words = "Residual of " + s.name + " over time.";
+        return {s.id + "-residual", chart, words, words};
+    }
+    chart.lines = {{"before", s.trace.time, before, true}, {"after", s.trace.time, after, false}};
+    const double was = rms(before), is = rms(after);
+    std::string words = "Residual of " + s.name + " over time, before and after";
+    if (was > 0) words += ": its RMS goes to " + std::to_string(std::lround(100 * is / was)) + " % of what it was";
+    return {s.id + "-residual", chart, words + ".", words};
+}
+
+}  // namespace
+
+std::vector<Figure> trace_figures(const Diagnosis& d)
+{
+    const std::string position(unit_of(Quantity::position, d.motion));
+    std::vector<Figure> figures;
+    int n = 0;
+    for (const auto& trace : d.traces) {
+        if (++n > most_records) break;
+        const std::string id = "record-" + std::to_string(n);
+        const bool named = d.verdict == Verdict::gap;
+        const Signal motion{trace,          "position",   position,    id + "-position",
+                            trace.measured, trace.before, trace.after, named};
+        const Signal effort{trace,
+                            trace.effort_name,
+                            trace.effort_unit,
+                            id + "-effort",
+                            trace.effort_measured,
+                            trace.effort_before,
+                            trace.effort_after,
+                            named};
+        const bool forces = !trace.effort_measured.empty();
+        // a rig's load point moves as it was told: there is nothing to get wrong
+        const bool moves = rms(difference(trace.measured, trace.before)) > 0;
+        if (moves) figures.push_back(residual(motion));
+        if (forces) figures.push_back(residual(effort));
+        if (n > 1) continue;
+        if (moves) figures.push_back(overlay(motion));
+        if (forces) figures.push_back(overlay(effort));
+    }
+    return figures;
+}
+
+Figure experiment_figure(const Diagnosis& d)
+{
+    LineChart motion;
+    motion.title = "Next experiment";
+    motion.x_label = "time [s]";
+    motion.y_label = "reference [" + std::string(unit_of(Quantity::position, d.motion)) + "]";
+    motion.lines = {{"reference", d.next_experiment.time, d.next_experiment.reference, false}};
+    return {"next-experiment", motion, "The reference is beside the page as next-experiment.csv.",
+            "Reference of the next experiment over time"};
+}
+
+}  // namespace stickslip

@@ -1,0 +1,113 @@
+#include "sweep/report/figures/disturbance_figure.h"
+
+#include "analysis/results/text.h"
+#include "analysis/stability/joint_spectrum.h"
+#include "analysis/stability/loop.h"
+#include "analysis/stability/steady.h"
+#include "sweep/files/text/series_file.h"
+#include "sweep/words/line_figure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace stickslip {
+namespace {
+
+constexpr int samples = sampled_disturbance;
+
+/// Ten times what the slowest mode needs to change by e, but no more than two hundred of its turns.
+double shown_duration(const LinearJoint& joint)
+{
+    double longest = 0;
+    for (const auto& s : spectrum(joint)) {
+        if (std::abs(s) == 0) continue;
+        const double settled = 10 / std::abs(s.real()), turns = 200 * 2 * std::numbers::pi / std::abs(s);
+        longest = std::max(longest, std::min(settled, turns));
+    }
+    return longest;
+}
+
+Series force_record(const AskedDisturbance& asked, Motion motion)
+{
+    return read_series(asked.kind, "force", SeriesQuantity{Quantity::effort, motion});
+}
+
+SampledForce force_of(const AskedDisturbance& asked, double duration, double omega, Motion motion)
+{
+    constexpr std::pair<const char*, ForceKind> kinds[] = {{"impulse", ForceKind::impulse},
+                                                           {"step", ForceKind::step},
+                                                           {"sine", ForceKind::sine},
+                                                           {"noise", ForceKind::noise}};
+    for (const auto& [name, kind] : kinds)
+        if (asked.kind == name) return sampled_force(kind, asked.size, duration, duration / samples, omega, asked.seed);
+    SampledForce force = sampled_force(ForceKind::step, 0, duration, duration / samples);
+    force.value = force_record(asked, motion).sampled(force.step, samples);
+    for (double& d : force.value) d *= asked.size;
+    return force;
+}
+
+}  // namespace
+
+bool is_force_file(const AskedDisturbance& asked)
+{
+    for (const char* name : {"", "impulse", "step", "sine", "noise"})
+        if (asked.kind == name) return false;
+    return true;
+}
+
+DisturbedMotion disturbed_motion(const Joint& joint, const AskedDisturbance& asked)
+{
+    const auto linear = linear_joint(joint, commanded_velocity(joint));
+    double duration = is_set(asked.duration) ? asked.duration
+                      : is_force_file(asked) ? force_record(asked, joint.mechanism.motion).duration()
+                                             : shown_duration(linear);
+    const auto peak = response_peak(linear);
+    const double omega = is_set(asked.omega) ? asked.omega : peak.omega > 0 ? peak.omega : 20 / duration;
+    if (!is_set(asked.duration) && asked.kind == "sine") duration = std::max(duration, 12 * std::numbers::pi / omega);
+    DisturbedMotion motion;
+    motion.force = force_of(asked, duration, omega, joint.mechanism.motion);
+    motion.memory = forced_response(linear, motion.force);
+    motion.velocity_only = forced_response(velocity_only(linear), motion.force);
+    const auto& x = motion.memory.position;
+    const auto largest =
+        std::max_element(x.begin(), x.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    motion.peak = std::abs(*largest);
+    motion.peak_time = motion.memory.time[static_cast<std::size_t>(largest - x.begin())];
+    return motion;
+}
+
+Figure disturbance_figure(const Joint& joint, const AskedDisturbance& asked, const DisturbedMotion& motion)
+{
+    const auto unit = joint.mechanism.motion;
+    LineChart chart;
+    chart.title = "Answer to a disturbing force: " + asked.kind;
+    chart.fixed =
+        is_force_file(asked)
+            ? "the file's force times " + plain_number(asked.size)
+            : "size " + with_unit(asked.size, asked.kind == "impulse" ? Quantity::impulse : Quantity::effort, unit);
+    chart.x_label = axis_label("time t", Quantity::time, unit);
+    chart.y_label = axis_label("excess position x", Quantity::position, unit);
+    // an unstable answer would squeeze the other one into a line
+    const auto shown = [&](const ForcedResponse& r) {
+        LineChart::Line line{"", r.time, r.position};
+        for (auto& x : line.y)
+            if (std::abs(x) > 3 * motion.peak) x = missing;
+        return line;
+    };
+    auto memory = shown(motion.memory), simple = shown(motion.velocity_only);
+    memory.name = "with memory";
+    simple.name = "velocity alone";
+    simple.dashed = true;
+    chart.lines = {std::move(memory), std::move(simple)};
+    return line_figure("forced", std::move(chart),
+                       "With memory the link moves by up to " + with_unit(motion.peak, Quantity::position, unit) +
+                           ", " + with_unit(motion.peak_time, Quantity::time, unit) + " after the start.",
+                       "d(t) of (9) acts on the link; position in excess of steady sliding by the linear theory, exact "
+                       "for a force held over each of " +
+                           std::to_string(motion.force.value.size()) + " samples of " +
+                           with_unit(motion.force.step, Quantity::time, unit) +
+                           ". Where a theory calls the joint unstable its line grows until it leaves the picture.");
+}
+
+}  // namespace stickslip

@@ -1,0 +1,192 @@
+#include "sweep/report/figures/map_figures.h"
+
+#include "analysis/boundary/trace/locate.h"
+#include "analysis/results/text.h"
+#include "analysis/stability/verdict.h"
+#include "sweep/report/figures/map_motions.h"
+#include "sweep/report/figures/nonlinear_findings.h"
+#include "sweep/words/verdict_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+std::string stiffness(double k, Motion motion)
+{
+    return with_unit(k, Quantity::stiffness, motion);
+}
+
+/// "10^{−12}" of 1e-12.
+std::string power_of_ten(double value)
+{
+    const auto exponent = std::lround(std::log10(value));
+    return std::string("10^{") + (exponent < 0 ? "−" : "") + std::to_string(std::abs(exponent)) + "}";
+}
+
+/// The share of a chart's area, axes as drawn, that has one of these regions.
+double share_of(const Slice& slice, std::initializer_list<Region> regions)
+{
+    const auto shares = area_shares(slice.x, slice.y);
+    double sum = 0;
+    for (std::size_t i = 0; i < shares.size(); ++i)
+        if (std::find(regions.begin(), regions.end(), slice.region[i]) != regions.end()) sum += shares[i];
+    return sum;
+}
+
+std::string design_words(const DesignPoint& design)
+{
+    if (design.region == Region::bistable)
+        return "The design is stable for small disturbances only: a larger one ends in stick-slip.";
+    if (design.region == Region::undecided) return "The design is undecided.";
+    if (design.region == Region::neutral)
+        return "The design is neutral: small disturbances neither decay nor grow.";
+    return design.spectral_abscissa < 0 ? "The design slides smoothly." : "The design sticks and slips.";
+}
+
+std::string held_words(const Slice& slice, Motion motion)
+{
+    return slice.held.empty() ? "" : " Held: " + held_text(slice.held, motion) + ".";
+}
+
+Figure outcome_figure(const Joint& joint, const Slice& slice, const MapReading& reading, const char* id,
+                      std::string title, std::string how_to_read)
+{
+    const auto motion = joint.mechanism.motion;
+    FieldMap map;
+    map.title = std::move(title);
+    map.fixed = held_text(slice.held, motion);
+    map.motion = motion;
+    map.x = slice.x;
+    map.y = slice.y;
+    map.name = reading.name;
+    map.quantity = reading.quantity;
+    map.values = reading.values;
+    map.none = "no limit cycle was reached";
+    double low = infinity, high = -infinity;
+    std::size_t cycles = 0;
+    for (const double v : reading.values)
+        if (std::isfinite(v)) low = std::min(low, v), high = std::max(high, v), ++cycles;
+    map.scale = low > 0 && high > 30 * low ? FieldMap::Scale::log : FieldMap::Scale::linear;
+    const auto share = percent(static_cast<double>(cycles) / static_cast<double>(reading.values.size()));
+    const auto range = cycles ? "between " + with_unit(low, reading.quantity, motion) + " and " +
+                                    with_unit(high, reading.quantity, motion)
+                              : "nowhere";
+    map.statement = share + " of the points end in a limit cycle.";
+    const Joint held = joint_at(joint, slice.held);
+    auto boundary = locate_over_chart(held, slice.x, slice.y, Curve::Kind::state_variable);
+    if (!boundary.x.empty())
+        map.lines.push_back({"linear boundary, with memory", std::move(boundary.x), std::move(boundary.y), false});
+    const auto design = design_point(joint, slice);
+    map.design = design;
+    map.has_design = true;
+    map.command = reproducing_command(slice);
+    Figure figure;
+    figure.id = chart_id(id, slice.x, slice.y);
+    figure.finding = plain_text(reading.name) + " over " + slice.x.name + " and " + slice.y.name + ": " + range +
+                     " on " + share + " of the points.";
+    figure.caption = how_to_read + " Values lie " + range +
+                     ". Every point was started close to steady sliding and, where that decays, from near rest, and "
+                     "followed to its end; grey: " +
+                     map.none + "." + held_words(slice, motion);
+    figure.picture = std::move(map);
+    return figure;
+}
+
+}  // namespace
+
+std::string chart_id(const char* kind, const Axis& x, const Axis& y)
+{
+    std::string id = kind;
+    for (const auto* axis : {&x, &y}) {
+        id += '-';
+        for (const char c : axis->path.substr(axis->path.rfind('.') + 1))
+            id += std::isalnum(static_cast<unsigned char>(c)) ? static_cast<char>(std::tolower(c)) : '-';
+    }
+    return id;
+}
+
+std::string reproducing_command(const Slice& slice, const std::string& depth, const std::string& up)
+{
+    std::string command = "stickslip simulate joint.toml --set " + slice.x.path + "={x} --set " + slice.y.path + "={y}";
+    for (const auto& h : slice.held)
+        command += " --set " + h.axis.path + "=" +
+                   (h.axis.path == depth ? std::string("{depth}")
+                    : h.axis.path == up  ? std::string("{up}")
+                                         : fmt::format("{}", h.value));
+    return command + " -o motion";
+}
+
+Figure map_figure(const Joint& joint, const Slice& slice)
+{
+    Figure figure;
+    auto map = stability_map(joint, slice);
+    const auto motion = joint.mechanism.motion;
+    const auto needless = percent(share_of(slice, {Region::memory_only}));
+    const auto missed = percent(share_of(slice, {Region::velocity_only}));
+    const auto bistable = share_of(slice, {Region::bistable});
+    figure.id = chart_id("map", slice.x, slice.y);
+    figure.finding = "Stability map over " + slice.x.name + " and " + slice.y.name + ". Sliding is smooth on " +
+                     percent(share_of(slice, {Region::stable, Region::memory_only})) + " of the chart; on " + needless +
+                     " of it only friction with memory explains why, and on " + missed +
+                     " friction that depends on velocity alone promises smooth sliding wrongly. " +
+                     (bistable > 0 ? percent(bistable) + " is bistable. " : "") + design_words(map.design);
+    figure.caption =
+        "How to read it: blue decays, red grows (largest real part of the spectrum, with memory). Compared are two "
+        "theories of the same friction. Solid: boundary with memory (state-variable friction). Dashed: boundary if "
+        "friction depended on velocity alone. Hatched in gold: smooth, though velocity-only theory forbids it, " +
+        needless + " of the chart as drawn; the opposite error covers " + missed +
+        ". Both curves are located to a relative bracket of " + power_of_ten(linear_precision) +
+        ", not contoured from the grid; a closed piece smaller than 1/" + std::to_string(map_mesh) +
+        " of an axis could be missed." + held_words(slice, motion);
+    if (auto found = nonlinear_findings(joint, slice); !found.text.empty()) {
+        figure.caption += " " + found.text;
+        for (auto& fold : found.folds) map.curves.push_back(std::move(fold));
+    }
+    map.command = reproducing_command(slice, slice.depth.path);
+    map.motions = map_motions(joint, slice);
+    figure.picture = std::move(map);
+    return figure;
+}
+
+std::vector<Figure> outcome_figures(const Joint& joint, const Slice& slice)
+{
+    std::vector<Figure> figures;
+    for (const auto& reading : slice.readings) {
+        const bool any =
+            std::any_of(reading.values.begin(), reading.values.end(), [](double v) { return std::isfinite(v); });
+        if (!any) continue;
+        if (reading.column == "amplitude")
+            figures.push_back(outcome_figure(joint, slice, reading, "amplitude", "Amplitude of the limit cycle",
+                                             "How far the position swings to either side, half peak to peak."));
+        else if (reading.column == "period")
+            figures.push_back(outcome_figure(joint, slice, reading, "period", "Period of the limit cycle",
+                                             "How long one turn of the limit cycle takes."));
+        else if (reading.column == "stick_fraction")
+            figures.push_back(outcome_figure(joint, slice, reading, "rest", "Share of the period spent sticking",
+                                             "Share of each turn at rest or below a hundredth of V_{0}."));
+    }
+    return figures;
+}
+
+Figure surface_figure(const Joint& joint, const Axis& x, const Axis& y)
+{
+    Figure figure;
+    auto surface = critical_gain_surface(joint, x, y);
+    double low = infinity, high = -infinity;
+    for (const double z : surface.z)
+        if (std::isfinite(z)) low = std::min(low, z), high = std::max(high, z);
+    const auto motion = joint.mechanism.motion;
+    figure.id = chart_id("surface", x, y);
+    const std::string range =
+        low <= high ? "from " + stiffness(low, motion) + " to " + stiffness(high, motion) : "nowhere on this range";
+    figure.finding = "Surface of the critical position gain over " + x.name + " and " + y.name + ", " + range;
+    figure.caption = "Least position gain for stable sliding, " + range + "." + where_no_critical_gain(joint, surface);
+    figure.picture = std::move(surface);
+    return figure;
+}
+
+}  // namespace stickslip

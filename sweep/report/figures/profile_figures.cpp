@@ -1,0 +1,120 @@
+#include "sweep/report/figures/profile_figures.h"
+
+#include "analysis/boundary/trace/locate.h"
+#include "analysis/joint/parameters.h"
+#include "analysis/results/text.h"
+#include "analysis/stability/joint_spectrum.h"
+#include "analysis/stability/steady.h"
+#include "sweep/words/line_figure.h"
+#include "sweep/report/figures/map_figures.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+/// max Re s along an axis with friction replaced by its steady-state curve.
+std::vector<double> velocity_only_abscissa(Joint joint, const Axis& axis)
+{
+    double* number = find_parameter(joint, axis.path);
+    std::vector<double> abscissa;
+    for (const double value : axis.values) {
+        *number = value;
+        const bool slides = steady_sliding(joint).reason == Reason::none;
+        abscissa.push_back(slides ? spectral_abscissa(velocity_only(linear_joint(joint, commanded_velocity(joint))))
+                                  : missing);
+    }
+    return abscissa;
+}
+
+struct OutcomeKind {
+    const char *column, *id, *title, *meaning;
+};
+
+constexpr OutcomeKind outcome_kinds[] = {
+    {"amplitude", "amplitude", "Amplitude of the limit cycle",
+     "How far the position swings to either side, half peak to peak."},
+    {"period", "period", "Period of the limit cycle", "How long one turn of the limit cycle takes."},
+    {"stick_fraction", "rest", "Share of the period spent sticking",
+     "Share of each turn at rest or below a hundredth of V_{0}."}};
+
+}  // namespace
+
+Figure profile_figure(const Joint& joint, const Profile& profile)
+{
+    const auto motion = joint.mechanism.motion;
+    const auto& axis = profile.axis;
+    LineChart chart;
+    chart.title = "Decay and growth over " + axis.symbol;
+    chart.x_label = axis.name + " " + axis.symbol + " [" + std::string(unit_of(axis.quantity, motion)) + "]";
+    chart.y_label = "max Re s [1/s]";
+    chart.x_log = axis.log;
+    const Joint held = joint_at(joint, profile.held);
+    chart.lines.push_back({"with memory", axis.values, profile.abscissa});
+    chart.lines.push_back({"velocity alone", axis.values, velocity_only_abscissa(held, axis), true});
+    const auto located = [&](Curve::Kind theory) {
+        return locate_on_ray(held, axis.path, axis.values.front(), axis.values.back(), axis.log, theory);
+    };
+    Joint design = joint;
+    if (const double own = *find_parameter(design, axis.path); own >= axis.values.front() && own <= axis.values.back())
+        chart.x_marks.emplace_back("design", own);
+    std::string crossings, simple;
+    for (const auto& point : located(Curve::Kind::state_variable)) {
+        chart.x_marks.emplace_back(with_unit(point.value, axis.quantity, motion, 4), point.value);
+        crossings += (crossings.empty() ? "" : ", ") + with_unit(point.value, axis.quantity, motion, 6);
+    }
+    for (const auto& point : located(Curve::Kind::velocity_only))
+        simple += (simple.empty() ? "" : ", ") + with_unit(point.value, axis.quantity, motion, 6);
+    Figure figure;
+    figure.id = chart_id("profile", axis, axis);
+    figure.finding = (crossings.empty() ? "With memory no change of stability along " + axis.name
+                                        : "With memory stability changes at " + crossings) +
+                     (simple.empty() ? ", by velocity alone nowhere" : ", by velocity alone at " + simple);
+    figure.caption = "Largest real part of the spectrum along " + axis.symbol +
+                     " with memory and with friction that depends on velocity alone; below zero small disturbances "
+                     "decay. " +
+                     figure.finding + "." +
+                     (profile.held.empty() ? "" : " Held: " + held_text(profile.held, motion) + ".");
+    figure.picture = std::move(chart);
+    return figure;
+}
+
+std::vector<Figure> outcome_profiles(const Joint& joint, const Profile& profile)
+{
+    const auto motion = joint.mechanism.motion;
+    const auto& axis = profile.axis;
+    std::vector<Figure> figures;
+    for (const auto& kind : outcome_kinds)
+        for (const auto& reading : profile.readings) {
+            const auto& values = reading.values;
+            const auto cycles = std::count_if(values.begin(), values.end(), [](double v) { return !std::isnan(v); });
+            if (reading.column != kind.column || cycles == 0) continue;
+            LineChart chart;
+            chart.title = std::string(kind.title) + " over " + axis.symbol;
+            chart.x_label = axis_label(axis.name + " " + axis.symbol, axis.quantity, motion);
+            chart.y_label = reading.quantity == Quantity::number ? reading.name
+                                                                 : axis_label(reading.name, reading.quantity, motion);
+            chart.x_log = axis.log;
+            chart.lines.push_back({reading.name, axis.values, values});
+            Joint design = joint;
+            if (const double own = *find_parameter(design, axis.path);
+                own >= axis.values.front() && own <= axis.values.back())
+                chart.x_marks.emplace_back("design", own);
+            double low = infinity, high = -infinity;
+            for (const double v : values)
+                if (!std::isnan(v)) low = std::min(low, v), high = std::max(high, v);
+            if (high == 0) continue;  // cycles that never rest: nothing to see
+            const auto finding = std::string(kind.title) + ": from " + with_unit(low, reading.quantity, motion) +
+                                 " to " + with_unit(high, reading.quantity, motion) + " on " + std::to_string(cycles) +
+                                 " of " + std::to_string(values.size()) + " points; none elsewhere.";
+            figures.push_back(line_figure(chart_id(kind.id, axis, axis), std::move(chart), finding,
+                                          std::string(kind.meaning) +
+                                              " Every point was started close to steady sliding and, where that "
+                                              "decays, from near rest, and followed to its end; where the line ends, "
+                                              "no limit cycle was reached."));
+        }
+    return figures;
+}
+
+}  // namespace stickslip

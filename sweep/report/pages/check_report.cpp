@@ -1,0 +1,182 @@
+#include "sweep/report/pages/check_report.h"
+
+#include "analysis/results/text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <tuple>
+
+namespace stickslip {
+namespace {
+
+using Tone = Headline::Tone;
+
+/// One crossing over the rays of a chart: theory and number.
+struct Line {
+    LineChart::Line old_line, new_line;
+};
+
+std::string label(const Axis& axis, Motion motion)
+{
+    return axis.name + " " + axis.symbol + " [" + std::string(unit_of(axis.quantity, motion)) + "]";
+}
+
+std::string verdict_of(Deviation::Kind kind)
+{
+    switch (kind) {
+        case Deviation::Kind::within:
+            return "within";
+        case Deviation::Kind::refined:
+            return "refined";
+        case Deviation::Kind::moved:
+            return "moved";
+        case Deviation::Kind::changed:
+            return "changed its unit or its stable side";
+        case Deviation::Kind::coarser:
+            return "located more coarsely";
+        case Deviation::Kind::vanished:
+            return "vanished";
+        case Deviation::Kind::appeared:
+            break;
+    }
+    return "appeared";
+}
+
+std::string kind_words(const std::string& theory)
+{
+    return theory == "velocity_only"    ? "velocity-only boundary"
+           : theory == "state_variable" ? "boundary with memory"
+           : theory == "v_min"          ? "least stable velocity"
+           : theory == "fold"           ? "fold of limit cycles"
+           : theory == "outcome"        ? "boundary of the outcome"
+                                        : theory;
+}
+
+Figure figure_of(const Spec& spec, const Axis& x, const Axis& y, const std::vector<Deviation>& deviations)
+{
+    std::map<std::pair<std::string, int>, Line> lines;
+    for (const auto& d : deviations) {
+        const auto& shown = d.kind == Deviation::Kind::appeared ? d.now : d.stored;
+        if (shown.axis != x.path || shown.at.size() != 1 || shown.at[0].first != y.path) continue;
+        auto& line = lines[{shown.theory, shown.number}];
+        if (d.kind != Deviation::Kind::appeared)
+            line.old_line.x.push_back(d.stored.point.value), line.old_line.y.push_back(shown.at[0].second);
+        if (d.kind != Deviation::Kind::vanished)
+            line.new_line.x.push_back(d.now.point.value), line.new_line.y.push_back(shown.at[0].second);
+    }
+    LineChart chart;
+    chart.title = "Boundaries before (dashed) and now, over (" + x.symbol + ", " + y.symbol + ")";
+    const auto motion = spec.joint.mechanism.motion;
+    chart.x_label = label(x, motion), chart.y_label = label(y, motion);
+    chart.x_log = x.log, chart.y_log = y.log;
+    for (auto& [key, line] : lines) {
+        const std::string name = kind_words(key.first) + (key.second > 0 ? " " + std::to_string(key.second + 1) : "");
+        line.new_line.name = name + ", now";
+        line.old_line.name = name + ", baseline";
+        line.old_line.dashed = true;
+        for (auto* l : {&line.new_line, &line.old_line})
+            if (!l->x.empty()) chart.lines.push_back(std::move(*l));
+    }
+    Figure figure;
+    figure.id = "check";
+    for (const auto* axis : {&x, &y}) {
+        figure.id += '-';
+        for (const char c : axis->path.substr(axis->path.rfind('.') + 1))
+            figure.id += std::isalnum(static_cast<unsigned char>(c)) ? static_cast<char>(std::tolower(c)) : '-';
+    }
+    figure.caption =
+        "Each line joins the crossings of up to nine rays, straight from one to the next; the crossings themselves are "
+        "located. Where dashed and solid lie on one another nothing moved.";
+    figure.finding = chart.title;
+    figure.picture = std::move(chart);
+    return figure;
+}
+
+/// A watched boundary as a reader names it: "boundary with memory along k_{p}, at k_{v} = 10 N·s/m".
+std::string watched_words(const Spec& spec, const WatchedBoundary& w)
+{
+    const auto motion = spec.joint.mechanism.motion;
+    const auto* along = axis_of(spec, w.axis);
+    std::string text = kind_words(w.theory) + " along " + (along ? along->symbol : w.axis);
+    if (w.number > 0) text += ", number " + std::to_string(w.number + 1);
+    for (const auto& [path, value] : w.at) {
+        const auto* axis = axis_of(spec, path);
+        text += ", at " + (axis ? axis->symbol + " = " + with_unit(value, axis->quantity, motion)
+                                : path + " = " + plain_number(value));
+    }
+    return text;
+}
+
+std::vector<std::string> row_of(const Spec& spec, const Deviation& d)
+{
+    const auto& shown = d.kind == Deviation::Kind::appeared ? d.now : d.stored;
+    const auto* along = axis_of(spec, shown.axis);
+    const auto value = [&](bool known, const WatchedBoundary& w) -> std::string {
+        if (!known) return "none";
+        const auto motion = spec.joint.mechanism.motion;
+        return along ? with_unit(w.point.value, along->quantity, motion, 8)
+                     : plain_number(w.point.value, 8) + " " + w.unit;
+    };
+    const bool both = d.kind != Deviation::Kind::appeared && d.kind != Deviation::Kind::vanished;
+    return {watched_words(spec, shown),
+            value(d.kind != Deviation::Kind::appeared, d.stored),
+            value(d.kind != Deviation::Kind::vanished, d.now),
+            both ? plain_number(d.relative, 2) : "–",
+            both ? plain_number(shown.tolerance, 2) : "–",
+            verdict_of(d.kind)};
+}
+
+}  // namespace
+
+Report check_report(const Spec& spec, const std::vector<Deviation>& deviations, const std::string& command)
+{
+    std::size_t failed = 0, refined = 0;
+    for (const auto& d : deviations) {
+        failed += !d.passes();
+        refined += d.kind == Deviation::Kind::refined;
+    }
+    Report report;
+    report.title = spec.title.empty() ? "Boundaries of the joint" : spec.title;
+    report.subtitle = "boundaries against their baseline";
+    report.verdict = failed ? std::to_string(failed) + " of " + std::to_string(deviations.size()) +
+                                  " boundaries are out of tolerance."
+                            : "All " + std::to_string(deviations.size()) + " boundaries are where they were.";
+    if (refined) report.verdict += " " + std::to_string(refined) + " are located more finely than before.";
+    report.tone = failed ? Tone::bad : Tone::good;
+    double largest = 0;
+    for (const auto& d : deviations) largest = std::max(largest, d.relative);
+    report.headlines = {
+        {failed ? Tone::bad : Tone::good, std::to_string(failed),
+         "of " + std::to_string(deviations.size()) + " boundaries are out of tolerance; none is allowed"},
+        {Tone::neutral, largest > 0 ? plain_number(largest, 2) : "0",
+         "largest relative move of a boundary; each has a tolerance of its own"},
+        {Tone::neutral, std::to_string(refined), "are located more finely than in the baseline"}};
+    Section curves{"curves", "Before and now", "", {}, {}};
+    for (const auto& [x, y] : spec.report.charts)
+        if (const Axis* a = axis_of(spec, x), *b = axis_of(spec, y); a && b) {
+            auto figure = figure_of(spec, *a, *b, deviations);
+            if (!std::get<LineChart>(figure.picture).lines.empty()) curves.figures.push_back(std::move(figure));
+        }
+    if (!curves.figures.empty()) report.sections.push_back(std::move(curves));
+    Table table;
+    table.title = failed ? "Out of tolerance" : "The largest moves";
+    table.columns = {"boundary", "baseline", "now", "relative move", "allowed", "verdict"};
+    std::vector<const Deviation*> shown;
+    for (const auto& d : deviations)
+        if (!failed || !d.passes()) shown.push_back(&d);
+    std::stable_sort(shown.begin(), shown.end(), [](const Deviation* a, const Deviation* b) {
+        return a->relative * b->stored.tolerance > b->relative * a->stored.tolerance;
+    });
+    for (std::size_t i = 0; i < shown.size() && (failed || i < 10); ++i) table.rows.push_back(row_of(spec, *shown[i]));
+    Section list{"list", table.title, "", {}, {}};
+    list.tables.push_back(std::move(table));
+    report.sections.push_back(std::move(list));
+    report.not_checked = {
+        "Boundaries away from the nine rays of each chart and from the rays through the design point.",
+        "Whether the baseline was right: it says where the boundaries were."};
+    report.provenance = {{"command", command}};
+    return report;
+}
+
+}  // namespace stickslip

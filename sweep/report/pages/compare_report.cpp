@@ -1,0 +1,231 @@
+#include "sweep/report/pages/compare_report.h"
+
+#include "analysis/boundary/trace/locate.h"
+#include "analysis/joint/parameters.h"
+#include "analysis/results/text.h"
+#include "analysis/simulation/attractor/nonlinear.h"
+#include "analysis/stability/verdict.h"
+#include "sweep/study/evaluate.h"
+#include "sweep/report/figures/compare_maps.h"
+#include "sweep/report/pages/first_screen.h"
+#include "sweep/words/verdict_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+using Tone = Headline::Tone;
+
+/// "+3.2 %", "unchanged", "−".
+std::string relative_change(double before, double after)
+{
+    if (before == after || (std::isnan(before) && std::isnan(after))) return "unchanged";
+    if (!std::isfinite(before) || !std::isfinite(after) || before == 0) return "–";
+    const double change = (after - before) / std::abs(before);
+    if (std::abs(change) < 1e-9) return "< 10^{−9}";
+    return (change < 0 ? "−" : "+") + plain_number(100 * std::abs(change)) + " %";
+}
+
+struct ComparedNumber {
+    std::string name;
+    double before, after;
+    Quantity quantity;
+};
+
+/// A rate may change its sign, and a share of it would mislead: its difference is said.
+std::string change_words(const ComparedNumber& n, Motion motion)
+{
+    if (n.quantity != Quantity::rate || n.before == n.after) return relative_change(n.before, n.after);
+    return std::string(n.after > n.before ? "+" : "") + with_unit(n.after - n.before, n.quantity, motion);
+}
+
+Table table_of(std::string title, const std::vector<ComparedNumber>& numbers, Motion motion)
+{
+    Table table;
+    table.title = std::move(title);
+    table.columns = {"quantity", "before", "after", "change"};
+    for (const auto& n : numbers)
+        table.rows.push_back({n.name, with_unit(n.before, n.quantity, motion, 6),
+                              with_unit(n.after, n.quantity, motion, 6), change_words(n, motion)});
+    return table;
+}
+
+std::vector<ComparedNumber> design_numbers(const LinearVerdict& a, const LinearVerdict& b)
+{
+    return {{"commanded velocity V_{0}", a.steady.velocity, b.steady.velocity, Quantity::velocity},
+            {"friction of steady sliding f_{ss}(V_{0})", a.steady.friction, b.steady.friction, Quantity::effort},
+            {"least k_{v} by velocity alone", a.velocity_only.k_v_min, b.velocity_only.k_v_min, Quantity::damping},
+            {"critical position gain k_{cr}", a.state_variable.k_cr, b.state_variable.k_cr, Quantity::stiffness},
+            {"spectral abscissa max Re s", a.state_variable.spectral_abscissa, b.state_variable.spectral_abscissa,
+             Quantity::rate}};
+}
+
+/// Numbers of the joints that differ, by path.
+std::vector<ComparedNumber> changed_parameters(Joint a, Joint b)
+{
+    std::vector<ComparedNumber> changed;
+    const auto after = parameters(b);
+    for (const auto& p : parameters(a)) {
+        const auto same = std::find_if(after.begin(), after.end(), [&](const auto& q) { return q.path == p.path; });
+        const double then = *p.value, now = same == after.end() ? missing : *same->value;
+        if (then == now || (std::isnan(then) && std::isnan(now))) continue;
+        changed.push_back({p.path, then, now, p.quantity});
+    }
+    return changed;
+}
+
+std::vector<ComparedNumber> boundary_numbers(const ComparedRun& before, const Joint& a, const Joint& b)
+{
+    std::vector<ComparedNumber> numbers;
+    for (const auto& axis : before.spec.axes) {
+        const auto then = margin_along(a, axis), now = margin_along(b, axis);
+        numbers.push_back({"nearest boundary along " + axis.name + " " + axis.symbol,
+                           then.found ? then.boundary : missing, now.found ? now.boundary : missing, axis.quantity});
+    }
+    return numbers;
+}
+
+/// What the design of a run is, the answer to large disturbances included where its points were simulated.
+Region region_of_design(const Spec& spec, const Joint& joint)
+{
+    PointResult row = linear_point(joint);
+    if (spec.nonlinear.enabled) write_nonlinear(nonlinear_verdict(joint, nonlinear_options(spec.nonlinear)), row);
+    return row.region;
+}
+
+std::string verdict_word(Region region)
+{
+    switch (region) {
+        case Region::stable:
+        case Region::memory_only:
+            return "stable";
+        case Region::bistable:
+            return "bistable (stable for small disturbances only)";
+        case Region::velocity_only:
+        case Region::unstable:
+            return "in stick-slip";
+        case Region::neutral:
+            return "neutral (small disturbances neither decay nor grow)";
+        case Region::undecided:
+            break;
+    }
+    return "undecided";
+}
+
+/// How well off a design is: the tone of a comparison follows whether that rises or falls.
+int standing(Region region)
+{
+    const auto word = verdict_word(region);
+    return word == "stable"                                           ? 3
+           : region == Region::bistable                               ? 2
+           : region == Region::undecided || region == Region::neutral ? 1
+                                                                      : 0;
+}
+
+/// The largest relative move of a boundary that both runs have.
+const ComparedNumber* largest_move(const std::vector<ComparedNumber>& numbers)
+{
+    const ComparedNumber* found = nullptr;
+    const auto move = [](const ComparedNumber& n) { return std::abs(n.after / n.before - 1); };
+    for (const auto& n : numbers)
+        if (std::isfinite(move(n)) && (!found || move(n) > move(*found))) found = &n;
+    return found;
+}
+
+bool nothing_changed(const std::vector<ComparedNumber>& numbers)
+{
+    return std::all_of(numbers.begin(), numbers.end(), [](const ComparedNumber& n) {
+        return n.before == n.after || (std::isnan(n.before) && std::isnan(n.after));
+    });
+}
+
+bool same_values(const Slice& a, const Slice& b)
+{
+    const auto same = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+    return a.region == b.region &&
+           std::equal(a.abscissa.begin(), a.abscissa.end(), b.abscissa.begin(), b.abscissa.end(), same);
+}
+
+}  // namespace
+
+bool same_grid(const ComparedRun& before, const ComparedRun& after)
+{
+    const auto &a = before.spec.axes, &b = after.spec.axes;
+    return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](const Axis& x, const Axis& y) {
+               return x.path == y.path && x.values == y.values;
+           });
+}
+
+Report compare_report(const ComparedRun& before, const ComparedRun& after)
+{
+    const Joint a = design_joint(before.spec), b = design_joint(after.spec);
+    const auto motion = b.mechanism.motion;
+    const auto then = linear_verdict(a), now = linear_verdict(b);
+    const auto boundaries = boundary_numbers(before, a, b);
+    const auto numbers = design_numbers(then, now);
+    const bool comparable = same_grid(before, after) && a.mechanism.motion == motion;
+
+    Report report;
+    report.title = "What changed";
+    report.subtitle = "before: " + before.name + " · after: " + after.name;
+    bool same_maps = comparable;
+    Section maps{"maps", "Maps of the difference", "", {}, {}};
+    std::array<double, changes> shares{};
+    for (std::size_t i = 0; comparable && i < before.summary.slices.size() && i < after.summary.slices.size(); ++i) {
+        const auto &p = before.summary.slices[i], &q = after.summary.slices[i];
+        if (i == 0) shares = change_shares(p, q);
+        if (same_values(p, q)) continue;
+        same_maps = false;
+        for (auto& figure : change_figures(a, p, b, q)) maps.figures.push_back(std::move(figure));
+    }
+
+    const auto region_then = region_of_design(before.spec, a), region_now = region_of_design(after.spec, b);
+    const auto was = verdict_word(region_then), is = verdict_word(region_now);
+    const bool nothing = same_maps && nothing_changed(numbers) && nothing_changed(boundaries);
+    report.verdict = nothing     ? "Nothing changed: boundaries, regions and numbers are the same."
+                     : was != is ? "The design was " + was + " and is " + is + " now."
+                                 : "The design is " + is + ", as before.";
+    report.tone = nothing || is == "stable"                      ? Tone::good
+                  : standing(region_now) < standing(region_then) ? Tone::bad
+                  : was == is                                    ? Tone::neutral
+                                                                 : Tone::warning;
+    if (const auto* moved = largest_move(boundaries); moved && moved->before != moved->after) {
+        report.verdict += " The " + moved->name + " moved by " + relative_change(moved->before, moved->after) +
+                          ", to " + with_unit(moved->after, moved->quantity, motion, 4) + ".";
+        report.headlines.push_back({Tone::neutral, relative_change(moved->before, moved->after),
+                                    "largest move of a boundary: " + moved->name + ", from " +
+                                        with_unit(moved->before, moved->quantity, motion, 4) + " to " +
+                                        with_unit(moved->after, moved->quantity, motion, 4)});
+    }
+    if (comparable && !before.summary.slices.empty()) {
+        const auto share = [&](Change c) { return shares[static_cast<std::size_t>(c)]; };
+        report.headlines.push_back({share(Change::became_smooth) > 0 ? Tone::good : Tone::neutral,
+                                    percent(share(Change::became_smooth)), "of the first chart became smooth"});
+        report.headlines.push_back({share(Change::became_stick_slip) > 0 ? Tone::bad : Tone::neutral,
+                                    percent(share(Change::became_stick_slip)), "of the first chart became stick-slip"});
+    }
+    if (!comparable)
+        report.alerts.push_back(
+            {Tone::warning, "The two sweeps have different axes: only their designs are compared."});
+    if (!maps.figures.empty()) report.sections.push_back(std::move(maps));
+
+    Section tables{"numbers", "Numbers of the design", "", {}, {}};
+    tables.tables.push_back(table_of("Linear theory at the design point", numbers, motion));
+    if (!boundaries.empty()) tables.tables.push_back(table_of("Nearest boundaries", boundaries, motion));
+    if (const auto changed = changed_parameters(a, b); !changed.empty())
+        tables.tables.push_back(table_of("What differs between the two joints", changed, motion));
+    report.sections.push_back(std::move(tables));
+    report.not_checked = {"Whether a change matters: set a tolerance with stickslip check.",
+                          "Changes between the points of the grid that no located boundary shows."};
+    if (!before.spec.nonlinear.enabled || !after.spec.nonlinear.enabled)
+        report.not_checked.push_back(
+            "Large disturbances: at least one of the runs was judged by the linear theory alone.");
+    for (const auto* run : {&before, &after})
+        for (const auto& [name, value] : run->summary.provenance)
+            report.provenance.emplace_back((run == &before ? "before, " : "after, ") + name, value);
+    return report;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,251 @@
+#include "sweep/report/pages/comparison_section.h"
+
+#include "analysis/results/text.h"
+#include "analysis/stability/joint_spectrum.h"
+#include "analysis/stability/steady.h"
+#include "sweep/words/line_figure.h"
+#include "sweep/report/figures/vmin_figure.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+struct Words {
+    Motion motion;
+    std::string damping(double v) const { return with_unit(v, Quantity::damping, motion, 4); }
+    std::string stiffness(double v) const { return with_unit(v, Quantity::stiffness, motion, 4); }
+    std::string velocity(double v) const { return with_unit(v, Quantity::velocity, motion, 4); }
+    std::string gains(const std::vector<Interval>& set, Quantity q) const { return intervals_text(set, q, motion); }
+};
+
+/// The least k_v at the joint's own k_p over its searched velocities, by both theories.
+Figure demand_figure(Joint joint, const LinearStudy& study, bool rational)
+{
+    const Words words{joint.mechanism.motion};
+    LineChart chart;
+    chart.title = "Velocity gain that each theory demands";
+    chart.fixed = "k_{p} = " + words.stiffness(joint.control.k_p);
+    chart.x_label = axis_label("commanded velocity V_{0}", Quantity::velocity, words.motion);
+    chart.y_label = axis_label("least k_{v}", Quantity::damping, words.motion);
+    chart.x_log = true;
+    LineChart::Line simple{"velocity alone", {}, {}, true}, memory{"with memory", {}, {}};
+    const double own = commanded_velocity(joint);
+    joint.control.force_rate = not_set;
+    const auto at = [&](double V) {
+        joint.control.V0 = std::copysign(V, own);
+        return compare_theories(joint);
+    };
+    for (const double V : log_steps(study.velocities.low, study.velocities.high, rational ? 121 : 25)) {
+        const auto both = at(V);
+        simple.x.push_back(V), simple.y.push_back(both.k_v_demanded_velocity_only());
+        memory.x.push_back(V), memory.y.push_back(both.k_v_demanded_memory());
+    }
+    if (rational) {
+        // one set of samples, so that both can be read at one place
+        smooth(simple, [&](double V) { return at(V).k_v_demanded_velocity_only(); });
+        memory = {memory.name, simple.x, {}};
+        for (const double V : memory.x) memory.y.push_back(at(V).k_v_demanded_memory());
+        smooth(memory, [&](double V) { return at(V).k_v_demanded_memory(); });
+        simple = {simple.name, memory.x, {}, true};
+        for (const double V : simple.x) simple.y.push_back(at(V).k_v_demanded_velocity_only());
+    }
+    // demands span decades; none, which is zero, lies on the lower edge
+    for (const auto* line : {&memory, &simple})
+        chart.y_log = chart.y_log || std::any_of(line->y.begin(), line->y.end(), [](double y) { return y > 0; });
+    chart.lines = {std::move(memory), std::move(simple)};
+    chart.x_marks.emplace_back("here", std::abs(own));
+    const auto& here = study.comparison;
+    return line_figure(
+        "k-v-demanded", std::move(chart),
+        "At the joint's own velocity, velocity alone demands: " + demanded_text(here.k_v_velocity_only, words.motion) +
+            "; with memory: " + demanded_text(here.k_v_memory, words.motion) + ".",
+        "Least velocity gain for stable sliding at the joint's own position gain, over the velocity. For a Stribeck "
+        "curve the demand falls as velocity goes to zero, for the logarithmic curve of state-variable friction it "
+        "grows as 1/V_{0}. On the lower edge none is needed; in a gap none is enough.");
+}
+
+Table comparison_table(const Joint& joint, const LinearStudy& study)
+{
+    const Words words{joint.mechanism.motion};
+    const auto& c = study.comparison;
+    Table table;
+    table.title = "What each theory demands of this joint";
+    table.columns = {"", "velocity alone", "with memory"};
+    table.rows = {{"velocity gain asked for at this k_{p}", demanded_text(c.k_v_velocity_only, words.motion),
+                   demanded_text(c.k_v_memory, words.motion)},
+                  {"stable k_{v} at this k_{p}", words.gains(c.k_v_velocity_only, Quantity::damping),
+                   words.gains(c.k_v_memory, Quantity::damping)},
+                  {"stable k_{p} at this k_{v}", words.gains(c.k_p_velocity_only, Quantity::stiffness),
+                   words.gains(c.k_p_memory, Quantity::stiffness)},
+                  {"k_{p} that only this theory allows", words.gains(c.allowed_wrongly, Quantity::stiffness),
+                   words.gains(c.forbidden_needlessly, Quantity::stiffness)}};
+    if (!std::isnan(study.velocities.low)) {
+        table.rows.push_back({"least stable velocity", words.velocity(study.velocity_only.least),
+                              words.velocity(study.state_variable.least)});
+        table.rows.push_back({"stable from this velocity upwards", words.velocity(study.velocity_only.all_above),
+                              words.velocity(study.state_variable.all_above)});
+    }
+    if (!std::isnan(study.velocity_only.least_force_rate) || !std::isnan(study.state_variable.least_force_rate))
+        table.rows.push_back(
+            {"least stable rate of force",
+             with_unit(study.velocity_only.least_force_rate, Quantity::effort_rate, words.motion, 4),
+             with_unit(study.state_variable.least_force_rate, Quantity::effort_rate, words.motion, 4)});
+    if (study.range_gain)
+        table.rows.push_back({"k_{v} for every velocity up to " + words.velocity(study.velocities.high),
+                              demanded_text(study.range_gain->stable_k_v, words.motion) +
+                                  " (hardest: " + words.velocity(study.range_gain->velocity) + ")",
+                              "–"});
+    if (!std::isnan(study.mix.noise))
+        table.rows.push_back(
+            {"quietest pair of gains on the boundary (velocity differenced from position)", "–",
+             "k_{p} = " + words.stiffness(study.mix.k_p) + ", k_{v} = " + words.damping(study.mix.k_v)});
+    return table;
+}
+
+std::string comparison_words(const Comparison& c, const Words& words)
+{
+    std::string text =
+        "Friction of velocity alone is stable where k_{v} outweighs the falling steady curve, (21); friction with "
+        "memory "
+        "also where a stiff position loop forces the slip along faster than the memory answers, (34)-(37).";
+    if (!c.forbidden_needlessly.empty())
+        text += " Here velocity alone forbids k_{p} " + words.gains(c.forbidden_needlessly, Quantity::stiffness) +
+                " although memory allows it: what Armstrong saw with his stiffest springs (§5).";
+    if (!c.allowed_wrongly.empty())
+        text += " Here velocity alone allows k_{p} " + words.gains(c.allowed_wrongly, Quantity::stiffness) +
+                " although sliding is unstable there: for one mass this takes a lag or a negative direct effect, for "
+                "several masses the springs between them suffice.";
+    return text +
+           " On the unstable side, more stiffness or damping first makes stick-slip smaller before it ends it "
+           "(Rabinowicz, §5): amplitudes are a matter of the nonlinear joint, and of its maps.";
+}
+
+}  // namespace
+
+Section comparison_section(const Joint& joint, const LinearStudy& study)
+{
+    const Words words{joint.mechanism.motion};
+    Section section{"comparison", "Velocity alone against memory", comparison_words(study.comparison, words), {}, {}};
+    const bool rational = linear_joint(joint, commanded_velocity(joint)).rational();
+    if (!std::isnan(study.velocities.low)) {
+        section.figures.push_back(demand_figure(joint, study, rational));
+        auto slowest = vmin_figure(joint, study);
+        if (!std::get<LineChart>(slowest.picture).lines.empty()) section.figures.push_back(std::move(slowest));
+    }
+    section.tables.push_back(comparison_table(joint, study));
+    return section;
+}
+
+Section response_section(const Joint& joint, const LinearStudy& study)
+{
+    const Words words{joint.mechanism.motion};
+    const auto compliance = [&](double x_per_d) {
+        const bool none = std::isnan(x_per_d);
+        return none ? std::string("–") : with_unit(1 / x_per_d, Quantity::stiffness, words.motion, 4);
+    };
+    const auto memory = linear_joint(joint, commanded_velocity(joint));
+    const auto simple = velocity_only(memory);
+    Section section{"response", "Disturbances and margins", "", {}, {}};
+
+    double low = infinity, high = 0;
+    for (const auto& s : spectrum(memory))
+        if (std::abs(s) > 0) low = std::min(low, std::abs(s)), high = std::max(high, std::abs(s));
+    LineChart chart;
+    chart.title = "Displacement per disturbing force";
+    chart.x_label = axis_label("frequency ω", Quantity::angular_frequency, words.motion);
+    chart.y_label = words.motion == Motion::prismatic ? "|X/D| [m/N]" : "|X/D| [rad/(N·m)]";
+    chart.x_log = chart.y_log = true;
+    for (const auto* j : {&memory, &simple}) {
+        LineChart::Line line{j == &memory ? "with memory" : "velocity alone", {}, {}, j == &simple};
+        for (const double omega : log_steps(low / 30, high * 3, 801)) {
+            line.x.push_back(omega);
+            line.y.push_back(std::abs(disturbance_response(*j, {0, omega})));
+        }
+        chart.lines.push_back(std::move(line));
+    }
+    const bool stable = !std::isnan(study.peak.magnitude);
+    if (stable && study.peak.omega > 0)
+        chart.x_marks.emplace_back("peak at " + with_unit(study.peak.omega, Quantity::angular_frequency, words.motion),
+                                   study.peak.omega);
+    const std::string finding =
+        stable
+            ? "The joint yields most at " + with_unit(study.peak.omega, Quantity::angular_frequency, words.motion) +
+                  ": a sine of force there meets a stiffness of " + compliance(study.peak.magnitude) +
+                  " only, against " + compliance(study.compliance) + " for a lasting force."
+            : "Sliding is unstable here: the curve is the response of the linear joint, which no steady sine reaches.";
+    section.figures.push_back(line_figure("response-curve", std::move(chart), finding,
+                                          "Equation (19): displacement of the link per disturbing force on it, about "
+                                          "steady sliding. An impulse, a step or "
+                                          "noise d(t) is answered by the same function."));
+    if (!stable) return section;
+    const auto& m = study.margins;
+    Table table;
+    table.title = "Margins of the loop";
+    table.columns = {"quantity", "value"};
+    table.rows = {{"k_{p} may shrink to this part of itself", plain_number(m.gain_below, 4)},
+                  {"k_{p} may grow by this factor", plain_number(m.gain_above, 4)},
+                  {"phase margin", with_unit(m.phase, Quantity::angle, words.motion, 4)},
+                  {"at the crossover frequency", with_unit(m.crossover, Quantity::angular_frequency, words.motion, 4)}};
+    section.tables.push_back(std::move(table));
+    return section;
+}
+
+Section ramp_section(const Joint& joint)
+{
+    const Words words{joint.mechanism.motion};
+    Section section{"ramps",
+                    "Force ramps through a spring",
+                    "Armstrong's experiment (§5): the force ramps at a constant rate r through a spring, so that the "
+                    "joint slides at V_{0} = r/k. A stiffer spring gives a smaller velocity, and above the critical "
+                    "stiffness a stable one.",
+                    {},
+                    {}};
+    const double stiffness = joint.control.k_p + joint.control.contact_stiffness;
+    const double rate = std::abs(stiffness * commanded_velocity(joint));
+    const bool rational = linear_joint(joint, commanded_velocity(joint)).rational();
+    LineChart chart;
+    chart.title = "Stiffness that a ramp needs";
+    chart.fixed = "k_{v} = " + words.damping(joint.control.k_v);
+    chart.x_label = axis_label("rate of force r", Quantity::effort_rate, words.motion);
+    chart.y_label = axis_label("k_{p} at the boundary", Quantity::stiffness, words.motion);
+    chart.x_log = chart.y_log = true;
+    const double k_low = joint.control.k_p / 1e3, k_high = joint.control.k_p * 1e3;
+    std::string finding;
+    for (const auto theory : {Theory::state_variable, Theory::velocity_only}) {
+        const bool memory = theory == Theory::state_variable;
+        LineChart::Line lower{memory ? "with memory, stable above" : "velocity alone, stable above", {}, {}, !memory},
+            upper{memory ? "with memory, stable below" : "velocity alone, stable below", {}, {}, !memory};
+        for (const double r : log_steps(rate / 100, rate * 100, rational ? 61 : 13)) {
+            double above = missing, below = missing;
+            for (const auto& i : stable_springs(joint, r, k_low, k_high, theory, rational ? 120 : 30)) {
+                if (i.low > k_low && std::isnan(above)) above = i.low;
+                if (i.high < k_high) below = i.high;
+            }
+            lower.x.push_back(r), lower.y.push_back(above);
+            upper.x.push_back(r), upper.y.push_back(below);
+        }
+        const auto drawn = [](const LineChart::Line& l) {
+            return std::any_of(l.y.begin(), l.y.end(), [](double y) { return !std::isnan(y); });
+        };
+        for (auto* line : {&lower, &upper})
+            if (drawn(*line)) chart.lines.push_back(std::move(*line));
+        const auto here = stable_springs(joint, rate, k_low, k_high, theory);
+        finding += (finding.empty() ? "At this ramp of " + with_unit(rate, Quantity::effort_rate, words.motion) +
+                                          ", springs slide smoothly with memory for k_{p} "
+                                    : "; by velocity alone ") +
+                   words.gains(here, Quantity::stiffness);
+    }
+    if (chart.lines.empty()) {
+        section.text += " " + finding + ".";
+        return section;
+    }
+    chart.x_marks.emplace_back("here", rate);
+    section.figures.push_back(line_figure("ramp-springs", std::move(chart), finding + ".",
+                                          "Ends of the stable springs over the rate of force, searched three decades "
+                                          "to either side of the joint's own spring; V_{0} = r/k_{p} at every point."));
+    return section;
+}
+
+}  // namespace stickslip

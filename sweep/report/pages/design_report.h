@@ -1,0 +1,33 @@
+// A design of gains as a page, as a table for the terminal and as JSON.
+#pragma once
+#include "analysis/boundary/kinds/nearest.h"
+#include "analysis/design/design.h"
+#include "analysis/results/report.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace stickslip {
+
+/// A design and what it was asked of.
+struct DesignAnswer {
+    std::string title, command;
+    Joint joint;  ///< as given
+    Requirements requirements;
+    GainDesign design;
+    NearestBoundary nearest;  ///< of the best gains
+};
+
+/// The answer in a few sentences, mark-up: the optimum, or why there is none and what would be feasible.
+std::string design_text(const DesignAnswer& answer);
+
+/// The choices side by side, and how each demand fared.
+std::vector<Table> design_tables(const DesignAnswer& answer);
+
+Report design_report(const DesignAnswer& answer);
+
+nlohmann::ordered_json design_json(const DesignAnswer& answer);
+
+}  // namespace stickslip

@@ -1,0 +1,250 @@
+#include "sweep/report/pages/diagnosis_report.h"
+
+#include "sweep/report/figures/diagnosis_figures.h"
+#include "sweep/words/diagnosis_tables.h"
+#include "sweep/report/figures/moved_boundary.h"
+#include "sweep/report/figures/where_drawing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+using Tone = Headline::Tone;
+
+const Share* largest(const std::vector<Share>& shares, std::size_t among)
+{
+    const Share* best = nullptr;
+    for (std::size_t i = 0; i < std::min(among, shares.size()); ++i)
+        if (!best || shares[i].share > best->share) best = &shares[i];
+    return best;
+}
+
+bool judged_by_force(const Diagnosis& d)
+{
+    return d.verdict == Verdict::gap && d.drive_force.corner > 0 && d.drive_force.after < d.drive_force.before;
+}
+
+/// "2.31", "2.4e+04": a gap in noise floors, which can be anything.
+std::string floors(double gap)
+{
+    constexpr double long_number = 1000;
+    return gap < long_number ? fmt::format("{:.2f}", gap) : fmt::format("{:.2g}", gap);
+}
+
+std::string rivals_text(const Diagnosis& d)
+{
+    std::string text;
+    for (const auto& names : d.ambiguous_with) {
+        const bool same = !d.effects.empty() && names == d.effects[0].names;
+        text += (text.empty() ? "" : ", ") + together(names) + (same ? " by another law" : "");
+    }
+    return text;
+}
+
+Headline what_card(const Diagnosis& d)
+{
+    if (d.verdict == Verdict::no_gap) return {Tone::good, "nothing", "what: the nominal joint is enough"};
+    if (d.verdict == Verdict::unknown || d.effects.empty())
+        return {Tone::bad, "none of the catalogue", "what: no named effect explains the gap"};
+    std::string numbers;
+    constexpr std::size_t most = 2;
+    const auto& parameters = d.effects[0].parameters;
+    for (std::size_t i = 0; i < std::min(most, parameters.size()); ++i) {
+        const auto& p = parameters[i];
+        numbers += (i ? ", " : "") + p.name.substr(p.name.rfind('.') + 1) + fmt::format(" {:.3g}", p.value);
+        if (std::isfinite(p.standard_error)) numbers += fmt::format(" ± {:.1g}", p.standard_error);
+        if (p.unit != "1") numbers += " " + p.unit;
+    }
+    return {Tone::warning, together(d.effects[0].names), "what: the most probable cause; " + numbers};
+}
+
+Headline where_card(const Diagnosis& d)
+{
+    if (d.verdict == Verdict::no_gap) return {Tone::good, "nowhere", "where: no stage errs by more than its noise"};
+    constexpr std::size_t exclusive = 3;  // stuck, low speed, sliding
+    const Share* s = largest(d.signals, d.signals.size());
+    const Share* r = largest(d.regimes, exclusive);
+    std::string meaning = fmt::format("where: the stage that holds {} of the gap", whole_percent(s->share));
+    if (r && r->share > 0) meaning += fmt::format("; {} of the motion's while {}", whole_percent(r->share), r->name);
+    return {Tone::neutral, s->name, meaning};
+}
+
+/// A cause that is itself noise cannot bring two simulations closer: it explains why they differ.
+bool adds_noise(const Diagnosis& d)
+{
+    return d.overall.after >= d.overall.before;
+}
+
+Headline how_much_card(const Diagnosis& d)
+{
+    if (judged_by_force(d))
+        return {Tone::neutral, fmt::format("− {}", whole_percent(1 - d.drive_force.after / d.drive_force.before)),
+                fmt::format("how much: held-out drive force that the model gets wrong, {:.3g} → {:.3g} {}",
+                            d.drive_force.before, d.drive_force.after, d.drive_force.unit)};
+    if (d.verdict == Verdict::gap && adds_noise(d))
+        return {
+            Tone::neutral, floors(d.overall.after) + " floors",
+            fmt::format("how much: the gap on held-out data; simulations with the cause differ by {} among themselves",
+                        floors(d.overall.own_floor))};
+    if (d.verdict == Verdict::gap)
+        return {Tone::neutral, fmt::format("− {}", whole_percent(1 - d.overall.after / d.overall.before)),
+                fmt::format("how much: held-out gap, {} → {} noise floors", floors(d.overall.before),
+                            floors(d.overall.after))};
+    return {Tone::neutral, floors(d.overall.before) + " floors",
+            "how much: the gap on held-out data; 1 is what noise alone makes"};
+}
+
+Headline how_sure_card(const Diagnosis& d)
+{
+    const auto& first = d.effects[0];
+    std::string meaning = "how sure: its probability; ";
+    if (!d.ambiguous_with.empty())
+        meaning += "these data cannot tell it from " + rivals_text(d);
+    else if (d.effects.size() > 1)
+        meaning += fmt::format("next best is {} with {}", together(d.effects[1].names),
+                               whole_percent(d.effects[1].probability));
+    else
+        meaning += "no rival was left";
+    return {Tone::neutral, whole_percent(first.probability), meaning};
+}
+
+Section next_section(const Diagnosis& d)
+{
+    const auto& e = d.next_experiment;
+    Section next{"next", "What to measure next", "", {}, {}};
+    if (e.description.empty() || e.separates.empty()) {
+        next.text = d.verdict == Verdict::gap || d.verdict == Verdict::no_gap
+                        ? "Nothing is left to tell apart."
+                        : "No motion was found that would decide between named causes.";
+        return next;
+    }
+    constexpr double beyond_doubt = 100, seen = 1;
+    const auto& [one, two] = e.separates[0];
+    if (e.distance < seen) {
+        next.text = fmt::format(
+            "No motion that was tried would tell {} from {}: with the numbers that were found, even along {} they "
+            "differ by only {:.1g} noise standard deviations. For a simulation one is as good as the other.",
+            one, two, e.description, e.distance);
+        return next;
+    }
+    next.text = fmt::format("Move along {}: there {} and {} differ by {}.", e.description, one, two,
+                            e.distance > beyond_doubt ? std::string("more than a hundred noise standard deviations")
+                                                      : fmt::format("{:.1f} noise standard deviations", e.distance));
+    if (!e.reference.empty()) next.figures.push_back(experiment_figure(d));
+    return next;
+}
+
+}  // namespace
+
+std::string diagnosis_sentence(const Diagnosis& d)
+{
+    switch (d.verdict) {
+        case Verdict::gap: {
+            std::string text = fmt::format("The gap comes from {}", together(d.effects[0].names));
+            if (judged_by_force(d))
+                text += fmt::format(
+                    ": on held-out data the drive force that the model gets wrong shrinks from {:.3g} "
+                    "to {:.3g} {}",
+                    d.drive_force.before, d.drive_force.after, d.drive_force.unit);
+            else if (d.overall.before > 0 && adds_noise(d))
+                text += fmt::format(
+                    ": it makes noise, and simulations with it differ by {} noise floors among themselves, "
+                    "the records from them by {}",
+                    floors(d.overall.own_floor), floors(d.overall.after));
+            else if (d.overall.before > 0)
+                text += fmt::format(": on held-out data it shrinks from {} to {} noise floors",
+                                    floors(d.overall.before), floors(d.overall.after));
+            if (!d.ambiguous_with.empty()) text += "; these records cannot tell it from " + rivals_text(d);
+            return text + ".";
+        }
+        case Verdict::no_gap:
+            return "No gap: the nominal joint predicts the records to the noise.";
+        case Verdict::unknown:
+            return "There is a gap, and nothing in the catalogue explains it.";
+        default: {
+            const bool suspected = std::any_of(d.reasons.begin(), d.reasons.end(),
+                                               [](const auto& r) { return r.find("suspected") != std::string::npos; });
+            return suspected ? "Nothing was concluded: records and joint do not fit together."
+                             : "These records do not hold enough to conclude anything.";
+        }
+    }
+}
+
+Report diagnosis_report(const Diagnosis& d, const Joint& before, const Joint& after,
+                        std::vector<std::pair<std::string, std::string>> provenance)
+{
+    Report r;
+    r.title = "Sim-to-real gap of one joint";
+    if (!d.records.empty())
+        r.subtitle =
+            d.records.size() == 1 ? "One record: " + d.records[0].file : fmt::format("{} records", d.records.size());
+    r.verdict = diagnosis_sentence(d);
+    r.tone = d.verdict == Verdict::no_gap ? Tone::good : d.verdict == Verdict::gap ? Tone::warning : Tone::bad;
+    // that nothing is wrong is the verdict already, and no warning
+    if (d.verdict != Verdict::no_gap)
+        for (const auto& reason : d.reasons) r.alerts.push_back({Tone::warning, reason});
+    r.not_checked = gathered_notes(d);
+    r.provenance = std::move(provenance);
+    // nothing was concluded: pages of empty tables would hide the reason
+    if (d.verdict == Verdict::insufficient_data && d.signals.empty()) return r;
+
+    if (!d.signals.empty()) r.headlines.push_back(where_card(d));
+    r.headlines.push_back(what_card(d));
+    if (d.overall.before > 0) r.headlines.push_back(how_much_card(d));
+    if (d.verdict == Verdict::gap) r.headlines.push_back(how_sure_card(d));
+
+    Section where{"where",
+                  "Where the gap lies",
+                  "In the tables full blocks are sure, light ones lie within the 95 % interval; stages are compared "
+                  "as efforts on the mechanism.",
+                  {},
+                  {shares_table("By stage of the chain", d.signals)}};
+    if (!d.signals.empty()) where.figures.push_back(where_figure(d));
+    if (!d.regimes.empty())
+        where.tables.push_back(shares_table("By regime: stuck, low speed and sliding exclude each other", d.regimes));
+    const bool named = d.verdict == Verdict::gap;
+    Section much{"how-much",
+                 named ? "How far it shrinks" : "How large it is",
+                 named ? "Every number is from data that the fit has not seen."
+                       : "The joint as documented against the records; nothing was added to it.",
+                 {},
+                 {gap_table(d)}};
+    much.figures = trace_figures(d);
+    // shares of noise would look like findings
+    if (d.verdict != Verdict::no_gap) r.sections.push_back(std::move(where));
+    if (!d.effects.empty()) {
+        Section what{"what", "What causes it", "", {}, {causes_table(d), parameters_table(d)}};
+        what.text = d.verdict == Verdict::gap ? "Tell-tale of the first: " + d.effects[0].tell_tale + "."
+                                              : "Nothing here is named as the cause; this is how far each one came.";
+        r.sections.push_back(std::move(what));
+    }
+    r.sections.push_back(std::move(much));
+    r.sections.push_back(next_section(d));
+    if (d.verdict == Verdict::gap) {
+        const bool given = is_set(before.control.V0);
+        constexpr double slow_part = 0.1;  // where stick-slip is to be feared
+        auto moved = moved_boundary(before, after, given ? before.control.V0 : slow_part * d.usual_speed,
+                                    "with " + together(d.effects[0].names));
+        Section boundary{"boundary",
+                         "What it does to the stability map",
+                         moved.sentence +
+                             " Friction, inertia and gains move the boundary; delays, sampling and what "
+                             "depends on place or time are not in this theory.",
+                         std::move(moved.figures),
+                         {}};
+        if (!moved.table.rows.empty()) boundary.tables.push_back(std::move(moved.table));
+        r.sections.push_back(std::move(boundary));
+    }
+    r.sections.push_back({"data",
+                          "The data behind it",
+                          "diagnosis.json beside this page holds every number of it under stable names.",
+                          {},
+                          {records_table(d)}});
+    return r;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,83 @@
+#include "sweep/report/pages/ending.h"
+
+#include "analysis/results/text.h"
+#include "sweep/words/verdict_text.h"
+
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+using Tone = Headline::Tone;
+
+bool oscillates(Outcome outcome)
+{
+    return outcome == Outcome::stick_slip || outcome == Outcome::limit_cycle || outcome == Outcome::reversal ||
+           outcome == Outcome::period_n || outcome == Outcome::irregular;
+}
+
+}  // namespace
+
+std::string ending_words(const NonlinearVerdict& v)
+{
+    const auto resting = [&] {
+        return v.stick_fraction > 0 ? " It spends " + percent(v.stick_fraction) + " of each turn sticking."
+                                    : std::string();
+    };
+    switch (v.outcome) {
+        case Outcome::stable_sliding:
+            return v.region == NonlinearRegion::bistable
+                       ? "Smooth for this disturbance: it dies away, but a larger one ends in a limit cycle."
+                       : "Smooth: the disturbance dies away.";
+        case Outcome::stick_slip:
+            return "Stick-slip: the motion ends in a cycle that comes to rest again and again." + resting();
+        case Outcome::limit_cycle:
+            return "Oscillation: the motion ends in a limit cycle that never comes to rest.";
+        case Outcome::reversal:
+            return "Oscillation: the motion ends in a limit cycle that even runs backwards." + resting();
+        case Outcome::period_n:
+            return "Oscillation: the motion repeats after " + std::to_string(v.repeats) + " turns." + resting();
+        case Outcome::irregular:
+            return "Oscillation: the motion does not settle to any cycle." + resting();
+        case Outcome::linear_only:
+            return "Judged by the linear theory only.";
+        case Outcome::solver_failure:
+        case Outcome::undecided:
+        case Outcome::not_asked:
+            break;
+    }
+    const auto why = reason_text(v);
+    return "How the motion ends is undecided" + (why.empty() ? "." : ": " + why + ".");
+}
+
+Headline::Tone ending_tone(const NonlinearVerdict& v)
+{
+    if (oscillates(v.outcome)) return Tone::bad;
+    if (v.outcome == Outcome::linear_only) return Tone::neutral;
+    return v.outcome == Outcome::stable_sliding && v.region != NonlinearRegion::bistable ? Tone::good : Tone::warning;
+}
+
+std::vector<Headline> ending_headlines(const Joint& joint, const NonlinearVerdict& v)
+{
+    const auto motion = joint.mechanism.motion;
+    std::vector<Headline> list;
+    const auto add = [&](double value, Quantity quantity, std::string meaning) {
+        if (is_set(value)) list.push_back({Tone::neutral, with_unit(value, quantity, motion), std::move(meaning)});
+    };
+    if (oscillates(v.outcome)) {
+        add(v.amplitude, Quantity::position, "amplitude of the limit cycle in position: half the swing");
+        add(v.period, Quantity::time, "period of the cycle");
+        add(v.velocity_max, Quantity::velocity,
+            "peak velocity of the cycle; commanded are " + with_unit(joint.control.V0, Quantity::velocity, motion));
+        if (is_set(v.stick_fraction))
+            list.push_back({Tone::neutral, percent(v.stick_fraction),
+                            "of each turn at rest or below a hundredth of the commanded velocity"});
+    }
+    if (is_set(v.growth_rate))
+        list.push_back({v.growth_rate < 0 ? Tone::good : Tone::bad, with_unit(v.growth_rate, Quantity::rate, motion),
+                        v.growth_rate < 0 ? "rate at which a small disturbance decays; stable below 0"
+                                          : "rate at which a small disturbance grows; stable below 0"});
+    return list;
+}
+
+}  // namespace stickslip

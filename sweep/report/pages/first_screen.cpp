@@ -1,0 +1,117 @@
+#include "sweep/report/pages/first_screen.h"
+
+#include "analysis/results/text.h"
+#include "analysis/stability/resolution.h"
+#include "analysis/stability/study.h"
+#include "sweep/words/verdict_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+using Tone = Headline::Tone;
+
+constexpr double near_boundary = 1.2;  // a factor: closer than this, an alert
+
+std::string number_with_unit(double value, const Axis& axis, Motion motion, int digits = 3)
+{
+    return with_unit(value, axis.quantity, motion, digits);
+}
+
+/// How far the boundary is as a factor ≥ 1; infinite where a sign or zero lies between.
+double factor(const Margin& m)
+{
+    if (!m.found || m.value <= 0 || m.boundary <= 0) return infinity;
+    return std::max(m.value / m.boundary, m.boundary / m.value);
+}
+
+std::string change_words(const Margin& m)
+{
+    const double change = m.boundary / m.value - 1;
+    return std::string(change < 0 ? "−" : "+") +
+           (std::abs(change) < 10 ? percent(std::abs(change)) : "1000 % and more");
+}
+
+}  // namespace
+
+DesignVerdict design_verdict(const Joint& joint, const LinearVerdict& linear, Region region)
+{
+    DesignVerdict verdict{region, verdict_text(joint, linear), Tone::good};
+    if (linear.steady.reason != Reason::none) {
+        verdict.tone = Tone::warning;
+    } else if (linear.state_variable.neutral) {
+        verdict.tone = Tone::warning;
+    } else if (!linear.state_variable.stable) {
+        verdict.tone = Tone::bad;
+    } else if (region == Region::bistable) {
+        verdict.tone = Tone::warning;
+        // one verdict, not two: what the linear theory calls stable is half of the answer
+        constexpr std::string_view half = "Stable: s";
+        if (verdict.text.starts_with(half)) verdict.text.replace(0, half.size(), "S");
+        verdict.text =
+            "Bistable: the design slides, but a large enough disturbance ends in stick-slip for good. " + verdict.text;
+    }
+    return verdict;
+}
+
+Headline nearest_boundary(const std::vector<Margin>& margins, bool stable, Motion motion)
+{
+    const auto nearest = std::min_element(margins.begin(), margins.end(),
+                                          [](const Margin& a, const Margin& b) { return factor(a) < factor(b); });
+    Headline h;
+    if (nearest == margins.end() || !std::isfinite(factor(*nearest))) {
+        h.value = "none found";
+        h.meaning = "boundary of stability when one swept parameter changes alone, up to ten times beyond its axis";
+        return h;
+    }
+    const auto& m = *nearest;
+    h.value = change_words(m);
+    h.meaning = std::string("of ") + m.axis.name + " " + m.axis.symbol +
+                (stable ? " is the nearest way into stick-slip" : " is the nearest way out of stick-slip") + ": " +
+                number_with_unit(m.value, m.axis, motion) + ", boundary at " +
+                number_with_unit(m.boundary, m.axis, motion, 4);
+    h.tone = !stable ? Tone::bad : factor(m) < near_boundary ? Tone::warning : Tone::good;
+    return h;
+}
+
+std::vector<Headline> velocity_headlines(const Joint& joint, bool stable)
+{
+    const auto motion = joint.mechanism.motion;
+    const auto text = [&](double v) { return with_unit(v, Quantity::velocity, motion); };
+    const double V = joint.control.V0;
+    if (!(V > 0)) return {};
+    const double reach = std::pow(10, study_decades), low = V / reach, high = V * reach;
+    const auto stable_set = stable_velocities(joint, low, high, Theory::state_variable);
+    const std::string searched = ", with these gains; searched from " + text(low) + " to " + text(high);
+    if (stable_set.intervals.empty()) return {{Tone::bad, "none", "velocity slides smoothly" + searched}};
+    std::vector<Headline> headlines;
+    const double least = stable_set.least;
+    headlines.push_back({Tone::neutral, (least <= low * (1 + 1e-9) ? "≤ " : "") + text(least),
+                         "least velocity of smooth sliding V_{min}" + searched});
+    for (const auto& i : stable_set.intervals) {
+        if (!stable || V < i.low || V > i.high || (i.low <= low * (1 + 1e-9) && i.high >= high * (1 - 1e-9))) continue;
+        const bool open = i.high >= high * (1 - 1e-9);
+        headlines.push_back({!open && i.high < near_boundary * V ? Tone::warning : Tone::neutral,
+                             (open ? "≥ " : "") + text(i.high),
+                             "up to here sliding stays smooth when the design's " + text(V) + " is raised"});
+    }
+    return headlines;
+}
+
+Table margin_table(const std::vector<Margin>& margins, Motion motion)
+{
+    Table table;
+    table.title = "Margins of the design point, one parameter at a time";
+    table.columns = {"parameter", "design value", "nearest boundary", "change to it", "searched"};
+    for (const auto& m : margins)
+        table.rows.push_back(
+            {m.axis.name + " " + m.axis.symbol, number_with_unit(m.value, m.axis, motion, 4),
+             m.found ? number_with_unit(m.boundary, m.axis, motion, 6) : "none found",
+             std::isfinite(factor(m)) ? change_words(m) : "–",
+             number_with_unit(m.low, m.axis, motion) + " … " + number_with_unit(m.high, m.axis, motion)});
+    return table;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,30 @@
+// What a reader sees first: the verdict in words, a few numbers with their limits, and what needs attention.
+#pragma once
+#include "analysis/joint/joint.h"
+#include "analysis/results/boundary.h"
+#include "analysis/results/report.h"
+#include "analysis/stability/verdict.h"
+#include "sweep/report/pages/stability_report.h"
+
+namespace stickslip {
+
+/// How a point of the design is judged, and in words.
+struct DesignVerdict {
+    Region region = Region::undecided;
+    std::string text;  ///< mark-up
+    Headline::Tone tone = Headline::Tone::neutral;
+};
+
+/// `region` is that of the results at the design where the sweep simulated its points.
+DesignVerdict design_verdict(const Joint& joint, const LinearVerdict& linear, Region region);
+
+/// The nearest boundary of all parameters, by factor.
+Headline nearest_boundary(const std::vector<Margin>& margins, bool stable, Motion motion);
+
+/// The stable velocities around the design, and the least stable one.
+std::vector<Headline> velocity_headlines(const Joint& joint, bool stable);
+
+/// Every margin as a row.
+Table margin_table(const std::vector<Margin>& margins, Motion motion);
+
+}  // namespace stickslip

@@ -1,0 +1,120 @@
+#include "sweep/report/pages/linear_report.h"
+
+#include "analysis/boundary/kinds/nearest.h"
+#include "analysis/results/text.h"
+#include "sweep/report/pages/comparison_section.h"
+#include "sweep/report/pages/first_screen.h"
+#include "sweep/words/line_figure.h"
+#include "sweep/report/figures/loop_figures.h"
+#include "sweep/report/figures/model_drawing.h"
+#include "sweep/words/nearest_text.h"
+#include "sweep/report/pages/reduction_section.h"
+#include "sweep/words/verdict_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace stickslip {
+namespace {
+
+using Tone = Headline::Tone;
+
+constexpr double locus_span = 100;  // k_p to either side of its own value
+
+std::string model_name(Model model)
+{
+    for (const auto& m : models)
+        if (m.value == model) return std::string(m.name);
+    return "";
+}
+
+Headline demand(const char* theory, const std::vector<Interval>& stable, double own, Motion motion)
+{
+    if (stable.empty()) return {Tone::bad, "no k_{v}", std::string("is enough for smooth sliding, ") + theory};
+    const bool within = std::any_of(stable.begin(), stable.end(), [&](const Interval& i) {
+        return own < i.high && (own > i.low || (own == 0 && i.low == 0));
+    });
+    const auto tone = within ? Tone::good : Tone::neutral;
+    const auto& [low, high] = stable.front();
+    if (low == 0 && high == infinity)
+        return {tone, "any k_{v}", std::string("is enough for smooth sliding, ") + theory};
+    if (high == infinity)
+        return {tone, with_unit(low, Quantity::damping, motion),
+                std::string("velocity gain k_{v} to exceed for smooth sliding, ") + theory};
+    return {tone, demanded_text(stable, motion), std::string("window of velocity gains for smooth sliding, ") + theory};
+}
+
+/// The worst reduction that still has the right number of boundaries, and how many have not.
+void reduction_alerts(Report& report, const std::vector<ReductionStudy>& studies)
+{
+    constexpr double poor = 0.1;
+    for (const auto& study : studies)
+        if (study.refused.empty() && study.own.error > poor)
+            report.alerts.push_back(
+                {Tone::warning,
+                 "The reduction to " + study.model + " " +
+                     (std::isinf(study.own.error) ? std::string("changes the number of boundaries of this joint")
+                                                  : "moves the boundary by " + percent(study.own.error)) +
+                     ": its assumption does not hold here."});
+}
+
+}  // namespace
+
+std::vector<Section> linear_sections(const Joint& joint, const LinearStudy& study)
+{
+    std::vector<Section> sections;
+    if (std::isnan(study.compliance)) return sections;
+    sections.push_back(comparison_section(joint, study));
+    sections.push_back(response_section(joint, study));
+    if (study.ramp) sections.push_back(ramp_section(joint));
+    if (!study.reductions.empty()) sections.push_back(reduction_section(joint, study.reductions));
+    return sections;
+}
+
+Report linear_report(const Joint& joint, const LinearVerdict& linear, const NonlinearVerdict& nonlinear,
+                     const LinearStudy& study)
+{
+    const auto motion = joint.mechanism.motion;
+    const bool decided = linear.steady.reason == Reason::none;
+    Report report;
+    report.title = "One joint, both theories";
+    report.subtitle = std::string(joint.control.kind == ControlKind::position ? "position control" : "force control") +
+                      " · " + (motion == Motion::prismatic ? "prismatic" : "revolute") + " joint · " +
+                      model_name(joint.mechanism.model);
+    const auto region = nonlinear.region == NonlinearRegion::bistable ? Region::bistable : Region::undecided;
+    const auto verdict = design_verdict(joint, linear, region);
+    report.verdict = verdict.text;
+    report.tone = verdict.tone;
+    if (decided) {
+        const auto& c = study.comparison;
+        const bool stable = linear.state_variable.stable;
+        report.headlines = {
+            nearest_headline(nearest_boundary(joint, natural_coordinates(joint), affordable_search(joint)), motion),
+            demand("by velocity alone", c.k_v_velocity_only, joint.control.k_v, motion),
+            demand("with memory", c.k_v_memory, joint.control.k_v, motion)};
+        if (std::isfinite(linear.state_variable.k_cr))
+            report.headlines.push_back({Tone::neutral,
+                                        with_unit(linear.state_variable.k_cr, Quantity::stiffness, motion),
+                                        "critical position gain k_{cr}, at this k_{v} and velocity"});
+        if (auto slowest = velocity_headlines(joint, stable); !slowest.empty())
+            report.headlines.push_back(std::move(slowest.front()));
+        reduction_alerts(report, study.reductions);
+        report.sections = linear_sections(joint, study);
+        for (auto& section : report.sections)
+            if (section.id == "response")
+                for (auto& figure : loop_figures(joint, joint.control.k_p / locus_span, joint.control.k_p * locus_span))
+                    section.figures.push_back(std::move(figure));
+    }
+    Section design{"numbers", "Numbers", "", {}, {}};
+    if (decided) design.tables.push_back(linear_table(joint, linear));
+    design.tables.push_back(nonlinear_table(joint, nonlinear));
+    report.sections.insert(report.sections.begin(), model_section(joint));
+    report.sections.push_back(std::move(design));
+    report.not_checked = {
+        "Terms locked to position or time (ripple, cogging, drift, periodic forces) are no part of the linear theory.",
+        "Sampling, delay, saturation and quantisation of a digital loop."};
+    return report;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,21 @@
+// The page of one joint: everything that the linear theory says of it.
+#pragma once
+#include "analysis/joint/joint.h"
+#include "analysis/results/report.h"
+#include "analysis/simulation/attractor/nonlinear.h"
+#include "analysis/stability/study.h"
+#include "analysis/stability/verdict.h"
+
+#include <vector>
+
+namespace stickslip {
+
+/// Comparison of the theories, disturbances and margins, force ramps, reductions: the sections that the joint has.
+/// Empty without steady sliding.
+std::vector<Section> linear_sections(const Joint& joint, const LinearStudy& study);
+
+/// Verdict, sections and tables of one joint.
+Report linear_report(const Joint& joint, const LinearVerdict& linear, const NonlinearVerdict& nonlinear,
+                     const LinearStudy& study);
+
+}  // namespace stickslip

@@ -1,0 +1,90 @@
+#include "sweep/report/pages/load_section.h"
+
+#include "analysis/results/text.h"
+#include "sweep/words/line_figure.h"
+
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+LineChart over_load(const char* title)
+{
+    LineChart chart;
+    chart.title = title;
+    chart.x_label = "normal load σ_{n} per the nominal one";
+    return chart;
+}
+
+Figure growth_figure(const LoadStudy& study, Motion motion)
+{
+    auto chart = over_load("Growth rate over the normal load");
+    chart.y_label = axis_label("max Re s", Quantity::rate, motion);
+    LineChart::Line memory{"with memory", {}, {}}, simple{"velocity alone", {}, {}, true}, zero{"no growth", {}, {}};
+    for (const auto& v : study.at) {
+        for (auto* line : {&memory, &simple, &zero}) line->x.push_back(v.load);
+        memory.y.push_back(v.state_variable);
+        simple.y.push_back(v.velocity_only);
+        zero.y.push_back(0);
+    }
+    chart.lines = {std::move(memory), std::move(simple), std::move(zero)};
+    return line_figure(
+        "load-growth", std::move(chart),
+        "Sliding is stable at the loads of " + percent(study.stable_state_variable) +
+            " of the record with memory, of " + percent(study.stable_velocity_only) + " by velocity alone.",
+        "σ_{n} of (1) multiplies the friction; below zero a small disturbance decays. Each load is taken "
+        "as held long enough for sliding to become steady.");
+}
+
+Figure gain_figure(const Joint& joint, const LoadStudy& study, Motion motion)
+{
+    auto chart = over_load("Critical position gain over the normal load");
+    chart.y_label = axis_label("position gain k_{p}", Quantity::stiffness, motion);
+    LineChart::Line critical{"k_{cr} with memory", {}, {}}, own{"the joint's k_{p}", {}, {}, true};
+    for (const auto& v : study.at) {
+        critical.x.push_back(v.load), own.x.push_back(v.load);
+        critical.y.push_back(std::isfinite(v.k_cr) ? v.k_cr : missing);
+        own.y.push_back(joint.control.k_p);
+    }
+    chart.lines = {std::move(critical), std::move(own)};
+    return line_figure("load-gain", std::move(chart),
+                       "The record asks for the largest gain at a load of " + plain_number(study.hardest_load, 4) +
+                           ": " + with_unit(study.hardest_k_cr, Quantity::stiffness, motion, 4) + ".",
+                       "A position gain above the curve keeps sliding stable at that load.");
+}
+
+}  // namespace
+
+Table load_table(const Joint& joint, const LoadStudy& study)
+{
+    const auto motion = joint.mechanism.motion;
+    double k_v = 0;
+    for (const auto& v : study.at) k_v = std::max(k_v, v.k_v_min);
+    const std::string where =
+        std::isnan(study.hardest_k_cr) ? "" : " (at load " + plain_number(study.hardest_load, 4) + ")";
+    Table table;
+    table.title = "Over the normal loads of the record";
+    table.columns = {"quantity", "value"};
+    table.rows = {
+        {"normal loads", plain_number(study.low, 4) + " … " + plain_number(study.high, 4)},
+        {"stable share of the record, with memory", percent(study.stable_state_variable)},
+        {"stable share of the record, velocity alone", percent(study.stable_velocity_only)},
+        {"largest critical position gain k_{cr}",
+         std::isnan(study.hardest_k_cr) ? "none"
+                                        : with_unit(study.hardest_k_cr, Quantity::stiffness, motion, 4) + where},
+        {"largest velocity gain demanded by velocity alone", with_unit(k_v, Quantity::damping, motion, 4)}};
+    return table;
+}
+
+Section load_section(const Joint& joint, const LoadStudy& study)
+{
+    const auto motion = joint.mechanism.motion;
+    Section section{"normal-load", "Normal load", "", {}, {}};
+    section.tables.push_back(load_table(joint, study));
+    if (study.at.size() < 2) return section;
+    section.figures.push_back(growth_figure(study, motion));
+    if (!std::isnan(study.hardest_k_cr)) section.figures.push_back(gain_figure(joint, study, motion));
+    return section;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,172 @@
+#include "sweep/report/pages/reduction_section.h"
+
+#include "analysis/joint/parameters.h"
+#include "analysis/results/text.h"
+#include "sweep/words/line_figure.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+/// A number of a joint as charts name it.
+struct Named {
+    std::string symbol;
+    Quantity quantity = Quantity::number;
+    double value = missing;
+};
+
+Named named(Joint joint, const std::string& path)
+{
+    for (const auto& p : parameters(joint))
+        if (p.path == path) {
+            if (path == "control.k_p") return {"k_{p}", p.quantity, *p.value};
+            if (path == "joint.transmission.stiffness") return {"k_{tr}", p.quantity, *p.value};
+            if (path == "joint.motor_transmission.stiffness") return {"k_{m-tr}", p.quantity, *p.value};
+            if (path == "joint.transmission_link.stiffness") return {"k_{tr-l}", p.quantity, *p.value};
+            return {p.path, p.quantity, *p.value};
+        }
+    return {path};
+}
+
+std::string boundaries_text(const std::vector<double>& values, Quantity quantity, Motion motion)
+{
+    std::string text;
+    for (const double v : values) text += (text.empty() ? "" : ", ") + with_unit(v, quantity, motion, 4);
+    return text.empty() ? "none" : text;
+}
+
+std::string error_text(double error)
+{
+    return std::isnan(error)   ? "nothing to compare"
+           : std::isinf(error) ? "different number of boundaries"
+                               : percent(error);
+}
+
+/// The i-th boundary of every value, missing where there are fewer.
+std::vector<double> boundary_line(const ReductionStudy& study, std::vector<double> ReductionError::*side, std::size_t i)
+{
+    std::vector<double> line;
+    for (const auto& at : study.at) line.push_back(i < (at.*side).size() ? (at.*side)[i] : missing);
+    return line;
+}
+
+std::string good_text(const ReductionStudy& study, const Named& number, Motion motion)
+{
+    const auto from = [&](double v) {
+        return std::isnan(v) ? std::string("nowhere") : number.symbol + " ≥ " + with_unit(v, number.quantity, motion);
+    };
+    return "within 1 %: " + from(study.good_from) + "; within 10 %: " + from(study.fair_from);
+}
+
+Figure boundary_figure(const Joint& joint, const ReductionStudy& study, const std::string& id)
+{
+    const auto motion = joint.mechanism.motion;
+    const auto moved = named(joint, study.assumption_path), boundary = named(joint, study.boundary_path);
+    LineChart chart;
+    chart.title = "Boundary of the full joint and of " + study.model;
+    chart.fixed = "assumed: " + study.assumption;
+    chart.x_label = axis_label(moved.symbol, moved.quantity, motion);
+    chart.y_label = axis_label(boundary.symbol + " at the boundary", boundary.quantity, motion);
+    chart.x_log = chart.y_log = true;
+    std::size_t most_full = 0, most_reduced = 0;
+    for (const auto& at : study.at) {
+        most_full = std::max(most_full, at.full.size());
+        most_reduced = std::max(most_reduced, at.reduced.size());
+    }
+    for (std::size_t i = 0; i < most_full; ++i)
+        chart.lines.push_back({most_full > 1 ? "full joint, boundary " + std::to_string(i + 1) : "full joint",
+                               study.values, boundary_line(study, &ReductionError::full, i)});
+    for (std::size_t i = 0; i < most_reduced; ++i)
+        chart.lines.push_back({most_reduced > 1 ? "reduced, boundary " + std::to_string(i + 1) : "reduced",
+                               study.values, boundary_line(study, &ReductionError::reduced, i), true});
+    chart.x_marks.emplace_back("here", moved.value);
+    return line_figure(
+        id, std::move(chart),
+        std::isfinite(study.own.error)
+            ? "The reduction to " + study.model + " moves the boundary of this joint by " +
+                  error_text(study.own.error) + "."
+            : "The reduction to " + study.model + " at this joint's own values: " + error_text(study.own.error) + ".",
+        "Solid: the full joint. Dashed: the reduced one. A boundary is where stability changes along " +
+            boundary.symbol + "; a line ends where there is none from " +
+            with_unit(study.searched_low, boundary.quantity, motion) + " to " +
+            with_unit(study.searched_high, boundary.quantity, motion) + ".");
+}
+
+Figure error_figure(const Joint& joint, const ReductionStudy& study, const std::string& id)
+{
+    const auto motion = joint.mechanism.motion;
+    const auto moved = named(joint, study.assumption_path);
+    LineChart chart;
+    chart.title = "Error of the boundary of " + study.model;
+    chart.fixed = "assumed: " + study.assumption;
+    chart.x_label = axis_label(moved.symbol, moved.quantity, motion);
+    chart.y_label = "relative error of the boundary [1]";
+    chart.x_log = chart.y_log = true;
+    constexpr double least = 1e-12;  // what the located boundaries themselves are good for
+    LineChart::Line line{"error", study.values, {}};
+    for (const auto& at : study.at) line.y.push_back(std::isinf(at.error) ? missing : std::max(at.error, least));
+    chart.lines = {std::move(line),
+                   {"1 %", {study.values.front(), study.values.back()}, {0.01, 0.01}, true},
+                   {"10 %", {study.values.front(), study.values.back()}, {0.1, 0.1}, true}};
+    chart.x_marks.emplace_back("here", moved.value);
+    return line_figure(
+        id, std::move(chart), "Good " + good_text(study, moved, motion) + ".",
+        "Largest relative distance between corresponding boundaries. No line: the full and the reduced "
+        "joint have different numbers of boundaries, the reduction is wrong in kind, or neither has any.");
+}
+
+}  // namespace
+
+Section reduction_section(const Joint& joint, const std::vector<ReductionStudy>& studies)
+{
+    const auto motion = joint.mechanism.motion;
+    Section section{"reductions",
+                    "How good the paper's reductions are",
+                    "Each step from the full joint to a single mass (Figs. 4 to 7) neglects something. For each, the "
+                    "boundary of stability is located in the full joint and in the reduced one.",
+                    {},
+                    {}};
+    Table table;
+    table.title = "Reductions of this joint";
+    table.columns = {"reduction", "assumes", "boundary, full", "boundary, reduced", "error here", "good"};
+    std::string neglects;
+    std::vector<std::pair<std::string, std::string>> refused;  // why, and which
+    std::size_t number = 0;
+    for (const auto& study : studies) {
+        ++number;
+        if (!study.refused.empty()) {
+            const auto same = std::find_if(refused.begin(), refused.end(),
+                                           [&](const auto& entry) { return entry.first == study.refused; });
+            if (same == refused.end())
+                refused.emplace_back(study.refused, study.name);
+            else if (same->second.find(study.name) == std::string::npos)
+                same->second += ", " + study.name;
+            continue;
+        }
+        const auto boundary = named(joint, study.boundary_path);
+        for (const auto& text : study.neglected)
+            if (neglects.find(text) == std::string::npos) neglects += (neglects.empty() ? " Neglected: " : "; ") + text;
+        table.rows.push_back(
+            {study.name, study.assumption,
+             boundary.symbol + " = " + boundaries_text(study.own.full, boundary.quantity, motion),
+             boundary.symbol + " = " + boundaries_text(study.own.reduced, boundary.quantity, motion),
+             error_text(study.own.error),
+             study.values.empty() ? "exact" : good_text(study, named(joint, study.assumption_path), motion)});
+        const bool drawn = std::any_of(study.at.begin(), study.at.end(),
+                                       [](const auto& at) { return !at.full.empty() || !at.reduced.empty(); });
+        if (!drawn) continue;
+        section.figures.push_back(boundary_figure(joint, study, "reduction-" + std::to_string(number)));
+        const bool measured = std::any_of(study.at.begin(), study.at.end(),
+                                          [](const auto& at) { return !std::isinf(at.error) && !at.full.empty(); });
+        if (measured)
+            section.figures.push_back(error_figure(joint, study, "reduction-error-" + std::to_string(number)));
+    }
+    section.text += neglects + (neglects.empty() ? "" : ".");
+    for (const auto& [why, which] : refused) section.text += " Not applicable (" + which + "): " + why + ".";
+    if (!table.rows.empty()) section.tables.push_back(std::move(table));
+    return section;
+}
+
+}  // namespace stickslip

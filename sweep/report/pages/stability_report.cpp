@@ -1,0 +1,178 @@
+#include "sweep/report/pages/stability_report.h"
+
+#include "analysis/boundary/trace/locate.h"
+#include "analysis/boundary/kinds/nearest.h"
+#include "analysis/results/text.h"
+#include "analysis/stability/verdict.h"
+#include "sweep/study/evaluate.h"
+#include "sweep/report/pages/first_screen.h"
+#include "sweep/report/pages/linear_report.h"
+#include "sweep/report/figures/loop_figures.h"
+#include "sweep/report/figures/map_figures.h"
+#include "sweep/report/figures/model_drawing.h"
+#include "sweep/words/nearest_text.h"
+#include "sweep/report/figures/profile_figures.h"
+#include "sweep/report/figures/reduction_map.h"
+#include "sweep/words/verdict_text.h"
+
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+using Tone = Headline::Tone;
+
+constexpr std::size_t card_limit = 5;  // in one row; that nothing is wrong may be left out
+
+std::string grid_words(const Spec& spec, std::uint64_t points)
+{
+    std::string text = grouped(points) + (points == 1 ? " point" : " points");
+    std::string shape;
+    for (const auto& axis : spec.axes)
+        shape += (shape.empty() ? "" : " × ") + std::to_string(axis.values.size()) + " " + axis.symbol;
+    return spec.axes.size() > 1 ? text + " (" + shape + ")" : text;
+}
+
+/// "rate-and-state friction", or one law a body.
+std::string friction_words(const Joint& joint)
+{
+    const auto name = [](const Friction& f) { return std::string(info(f.law).name); };
+    if (joint.mechanism.model == Model::single_mass) return name(joint.friction) + " friction";
+    const auto& f = joint.frictions;
+    return "friction " + name(f.motor) + " on the motor, " +
+           (f.has_transmission ? name(f.transmission) + " on the transmission, " : "") + name(f.link) + " on the link";
+}
+
+std::string subtitle(const Spec& spec, const Joint& joint, std::uint64_t points)
+{
+    return std::string(joint.control.kind == ControlKind::position ? "position control" : "force control") + " · " +
+           (joint.mechanism.motion == Motion::prismatic ? "prismatic" : "revolute") + " joint · " +
+           friction_words(joint) + " · " + grid_words(spec, points);
+}
+
+Headline disagreement_headline(const StabilityMap& map)
+{
+    return {Tone::neutral, percent(map.disagreement),
+            "of the first chart, over " + map.x.symbol + " and " + map.y.symbol +
+                ", is judged wrongly by friction that depends on velocity alone"};
+}
+
+Headline undecided_headline(const SweepSummary& summary)
+{
+    const double share =
+        summary.points ? static_cast<double>(summary.undecided) / static_cast<double>(summary.points) : 0;
+    return {summary.undecided ? Tone::warning : Tone::good, percent(share),
+            "of the " + grouped(summary.points) + " points are undecided"};
+}
+
+void add_alerts(Report& report, const SweepSummary& summary, const std::vector<const StabilityMap*>& maps)
+{
+    for (const auto* map : maps)
+        if (!map->design.inside)
+            report.alerts.push_back({Tone::warning, "The design point lies outside the chart over " + map->x.name +
+                                                        " and " + map->y.name + "."});
+    for (const auto& headline : report.headlines)
+        if (headline.tone == Tone::warning && headline.meaning.find("nearest way") != std::string::npos)
+            report.alerts.push_back({Tone::warning, "The design lies within a factor of 1.2 of its boundary."});
+    for (const auto& [reason, count] : summary.reasons)
+        report.alerts.push_back({Tone::warning, grouped(count) + (count == 1 ? " point has" : " points have") +
+                                                    " no verdict: " + reason + "."});
+}
+
+std::vector<std::string> not_checked(const Spec& spec)
+{
+    std::vector<std::string> list;
+    if (!spec.nonlinear.enabled)
+        list.push_back(
+            "Large disturbances: the verdicts are those of the linear theory, and hold for small ones. "
+            "Simulate the points with [nonlinear] enabled = true.");
+    else
+        list.push_back("Disturbances other than the one stated, and larger than it.");
+    list.push_back(
+        "Terms locked to position or time (ripple, cogging, drift, periodic forces) are no part of these "
+        "verdicts.");
+    list.push_back("Sampling, saturation and quantisation of a digital loop.");
+    list.push_back("Whether the joint's numbers are those of your machine: compare records with stickslip diagnose.");
+    return list;
+}
+
+}  // namespace
+
+Report stability_report(const Spec& spec, const SweepSummary& summary)
+{
+    const Joint joint = design_joint(spec);
+    const auto motion = joint.mechanism.motion;
+    const auto linear = linear_verdict(joint);
+    const bool stable = linear.state_variable.stable, slides = linear.steady.reason == Reason::none;
+    NonlinearVerdict nonlinear;
+    PointResult row = linear_point(joint);
+    if (spec.nonlinear.enabled) {
+        auto options = nonlinear_options(spec.nonlinear);
+        options.bifurcation = true;
+        nonlinear = nonlinear_verdict(joint, options);
+        write_nonlinear(nonlinear, row);
+    }
+
+    Report report;
+    report.title = !spec.report.title.empty() ? spec.report.title
+                   : !spec.title.empty()      ? spec.title
+                                              : "Where the joint slides smoothly";
+    report.subtitle = subtitle(spec, joint, summary.points);
+    const auto verdict = design_verdict(joint, linear, row.region);
+    report.verdict = verdict.text;
+    report.tone = verdict.tone;
+
+    std::vector<Margin> margins;
+    for (const auto& axis : spec.axes) margins.push_back(margin_along(joint, axis));
+    Section maps{"maps", "Stability maps", "", {}, {}};
+    for (const auto& slice : summary.slices) maps.figures.push_back(map_figure(joint, slice));
+    std::vector<const StabilityMap*> drawn;
+    for (const auto& figure : maps.figures) drawn.push_back(&std::get<StabilityMap>(figure.picture));
+
+    if (slides) {
+        report.headlines.push_back(
+            nearest_headline(nearest_boundary(joint, natural_coordinates(joint), affordable_search(joint)), motion));
+        report.headlines.push_back(nearest_boundary(margins, stable, motion));
+        for (auto& headline : velocity_headlines(joint, stable)) report.headlines.push_back(std::move(headline));
+    }
+    if (!drawn.empty()) report.headlines.push_back(disagreement_headline(*drawn.front()));
+    if (summary.undecided > 0 || report.headlines.size() < card_limit)
+        report.headlines.push_back(undecided_headline(summary));
+    add_alerts(report, summary, drawn);
+
+    if (summary.multiples) maps.figures.push_back(multiples_figure(joint, *summary.multiples));
+    for (const auto& slice : summary.slices)
+        if (auto figure = reduction_map(joint, slice)) maps.figures.push_back(std::move(*figure));
+    for (const auto& profile : summary.profiles) maps.figures.push_back(profile_figure(joint, profile));
+    if (!maps.figures.empty()) report.sections.push_back(std::move(maps));
+
+    Section outcomes{"outcomes", "Limit cycles", "", {}, {}};
+    for (const auto& slice : summary.slices)
+        for (auto& figure : outcome_figures(joint, slice)) outcomes.figures.push_back(std::move(figure));
+    for (const auto& profile : summary.profiles)
+        for (auto& figure : outcome_profiles(joint, profile)) outcomes.figures.push_back(std::move(figure));
+    if (!outcomes.figures.empty()) report.sections.push_back(std::move(outcomes));
+
+    Section gains{"critical-gain", "Critical position gain", "", {}, {}};
+    for (const auto& [x, y] : spec.report.surfaces)
+        if (const Axis* a = axis_of(spec, x), *b = axis_of(spec, y); a && b)
+            gains.figures.push_back(surface_figure(joint, *a, *b));
+    if (const Axis* k_p = axis_of(spec, "control.k_p"); k_p && k_p->values.size() > 1)
+        for (auto& figure : loop_figures(joint, k_p->values.front(), k_p->values.back()))
+            gains.figures.push_back(std::move(figure));
+    if (!gains.figures.empty()) report.sections.push_back(std::move(gains));
+
+    Section design{"design", "The design point", "", {model_drawing_figure(joint, "lumped-model")}, {}};
+    if (!margins.empty()) design.tables.push_back(margin_table(margins, motion));
+    if (slides) design.tables.push_back(linear_table(joint, linear));
+    if (spec.nonlinear.enabled) design.tables.push_back(nonlinear_table(joint, nonlinear));
+    report.sections.push_back(std::move(design));
+    if (linear.steady.reason == Reason::none)
+        for (auto& section : linear_sections(joint, linear_study(joint))) report.sections.push_back(std::move(section));
+
+    report.not_checked = not_checked(spec);
+    report.provenance = summary.provenance;
+    return report;
+}
+
+}  // namespace stickslip

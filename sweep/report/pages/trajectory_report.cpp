@@ -1,0 +1,200 @@
+#include "sweep/report/pages/trajectory_report.h"
+
+#include "analysis/results/text.h"
+#include "analysis/stability/linear_joint.h"
+#include "sweep/report/pages/ending.h"
+#include "sweep/words/verdict_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+std::string label(const char* name, Quantity quantity, Motion motion)
+{
+    return std::string(name) + " [" + std::string(unit_of(quantity, motion)) + "]";
+}
+
+/// The last third of a motion's time: what it has settled to.
+std::vector<double> settled(const Trajectory& t, const std::vector<double>& values)
+{
+    const auto from = std::lower_bound(t.time.begin(), t.time.end(), 2 * t.time.back() / 3) - t.time.begin();
+    return {values.begin() + from, values.end()};
+}
+
+/// "between −1 µm and 3 µm": what a chart's last line spans.
+std::string range(const std::vector<double>& values, Quantity quantity, Motion motion)
+{
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    return "between " + with_unit(*low, quantity, motion) + " and " + with_unit(*high, quantity, motion);
+}
+
+/// The friction on the link, which the loop of friction over velocity shows.
+const Friction& shown_friction(const Joint& joint)
+{
+    const Chain chain = chain_of(joint);
+    return *chain.body[chain.bodies - 1].friction;
+}
+
+/// f_ss between the least and the largest velocity, on both sides of rest where the motion reverses.
+LineChart::Line steady_curve(const Joint& joint, double low, double high)
+{
+    constexpr int points = 240;
+    const auto& friction = shown_friction(joint);
+    const double from = info(friction.law).needs_motion ? std::max(low, 1e-3 * high) : low;
+    LineChart::Line line{"steady sliding f_{ss}(V)", {}, {}, true};
+    for (int i = 0; i <= points; ++i) {
+        const double V = from + (high - from) * i / points;
+        if (V == 0) continue;
+        line.x.push_back(V);
+        line.y.push_back(steady_force(friction, V));
+    }
+    return line;
+}
+
+/// The velocity loop of what the motion has settled to, over the curve that friction without memory would follow.
+std::vector<LineChart::Line> friction_loop(const Joint& joint, const Trajectory& t)
+{
+    constexpr double still = 1e-3;  // per commanded velocity: a motion that has settled has no loop
+    std::vector<LineChart::Line> lines{{"last third", settled(t, t.velocity), settled(t, t.friction)}};
+    const auto [low, high] = std::minmax_element(lines[0].x.begin(), lines[0].x.end());
+    if (*high - *low > still * t.commanded_velocity) lines.push_back(steady_curve(joint, *low, *high));
+    return lines;
+}
+
+Figure line_figure(const char* id, LineChart chart, std::string caption, std::string finding)
+{
+    Figure figure;
+    figure.id = id;
+    figure.finding = chart.title + ". " + std::move(finding);
+    figure.caption = std::move(caption);
+    figure.picture = std::move(chart);
+    return figure;
+}
+
+LineChart chart_of(const char* title, std::string x_label, std::string y_label, std::vector<LineChart::Line> lines)
+{
+    LineChart chart;
+    chart.title = title;
+    chart.x_label = std::move(x_label);
+    chart.y_label = std::move(y_label);
+    chart.lines = std::move(lines);
+    return chart;
+}
+
+/// A quantity held over each sample, as a line.
+LineChart::Line staircase(const char* name, double step, const std::vector<double>& values)
+{
+    LineChart::Line line{name, {}, {}};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        line.x.push_back(step * static_cast<double>(i)), line.y.push_back(values[i]);
+        line.x.push_back(step * static_cast<double>(i + 1)), line.y.push_back(values[i]);
+    }
+    return line;
+}
+
+/// The linear answer as far as it stays near the motion: an unstable one would squeeze it into a line.
+LineChart::Line linear_line(const ForcedResponse& linear, const Trajectory& t)
+{
+    double largest = 0;
+    for (const double x : t.position) largest = std::max(largest, std::abs(x));
+    LineChart::Line line{"linear theory", linear.time, linear.position, true};
+    for (double& x : line.y)
+        if (std::abs(x) > 3 * largest) x = missing;
+    return line;
+}
+
+Section surroundings_section(const SimulatedSurroundings& surroundings, const std::string& time, Motion motion)
+{
+    Section section{"surroundings", "What acted from outside", "", {}, {}};
+    if (surroundings.linear && !surroundings.linear->force.value.empty()) {
+        const auto& d = surroundings.linear->force;
+        std::string caption =
+            "d(t) of (9) on the link, held over each sample of " + with_unit(d.step, Quantity::time, motion) + ".";
+        if (d.impulse != 0)
+            caption += " An impulse of " + with_unit(d.impulse, Quantity::impulse, motion) + " stands before it.";
+        section.figures.push_back(
+            line_figure("force",
+                        chart_of("Disturbing force in time", time, label("force d", Quantity::effort, motion),
+                                 {staircase("d", d.step, d.value)}),
+                        std::move(caption), "It stays " + range(d.value, Quantity::effort, motion) + "."));
+    }
+    const auto& load = surroundings.normal_load;
+    if (!load.value.empty())
+        section.figures.push_back(line_figure(
+            "normal-load",
+            chart_of("Normal load in time", time, "normal load σ_{n} per the nominal one",
+                     {staircase("σ_{n}", load.step, load.value)}),
+            "σ_{n}(t) of (1) multiplies the friction of the link. The states of the law are those of the contacts and "
+            "do not jump with it. Before the start the joint slides steadily under the first load.",
+            "It stays " + range(load.value, Quantity::number, motion) + "."));
+    return section;
+}
+
+}  // namespace
+
+Report trajectory_report(const Joint& joint, const Trajectory& t, const NonlinearVerdict& verdict,
+                         const SimulatedSurroundings& surroundings)
+{
+    const auto motion = joint.mechanism.motion;
+    const auto time = label("time t", Quantity::time, motion),
+               position = label("excess position x", Quantity::position, motion),
+               velocity = label("velocity V", Quantity::velocity, motion),
+               friction = label("friction f", Quantity::effort, motion);
+    Report report;
+    report.title = "One motion of the joint";
+    report.subtitle = std::string(info(shown_friction(joint).law).name) +
+                      " friction · V_{0} = " + with_unit(t.commanded_velocity, Quantity::velocity, motion) +
+                      " · k_{p} = " + with_unit(joint.control.k_p, Quantity::stiffness, motion) +
+                      " · k_{v} = " + with_unit(joint.control.k_v, Quantity::damping, motion);
+    if (t.time.empty()) {
+        report.verdict = "No motion: " + reason_text(t.reason) + ".";
+        report.tone = Headline::Tone::warning;
+        return report;
+    }
+    const bool forced = surroundings.linear || !surroundings.normal_load.value.empty();
+    const auto last_third = range(settled(t, t.velocity), Quantity::velocity, motion);
+    report.verdict = (forced ? "" : ending_words(verdict) + " ") + "In the last third of " +
+                     with_unit(t.time.back(), Quantity::time, motion) + " the velocity stays " + last_third + ".";
+    if (!forced) {
+        report.tone = ending_tone(verdict);
+        report.headlines = ending_headlines(joint, verdict);
+    }
+    if (t.reason != Reason::none)
+        report.alerts.push_back({Headline::Tone::warning, "The motion stops early: " + reason_text(t.reason) + "."});
+    if (t.used_fallback)
+        report.alerts.push_back({Headline::Tone::neutral, "CVODE gave up on the way; Rodas5P finished the motion."});
+    Section section{"motion", "Motion", "", {}, {}};
+    section.figures.push_back(
+        line_figure("velocity", chart_of("Velocity in time", time, velocity, {{"V", t.time, t.velocity}}),
+                    "Velocity of the link after the disturbance.", "In the last third it stays " + last_third + "."));
+    auto in_time = chart_of("Excess position in time", time, position, {{"x", t.time, t.position}});
+    if (surroundings.linear && surroundings.normal_load.value.empty())
+        in_time.lines.push_back(linear_line(surroundings.linear->memory, t));
+    section.figures.push_back(
+        line_figure("position", std::move(in_time), "Position of the link beyond its steady path.",
+                    "In the last third it stays " + range(settled(t, t.position), Quantity::position, motion) + "."));
+    section.figures.push_back(
+        line_figure("phase",
+                    chart_of("Phase portrait", position, velocity,
+                             {{"whole motion", t.position, t.velocity, true},
+                              {"last third", settled(t, t.position), settled(t, t.velocity)}}),
+                    "Velocity over excess position; solid is what the motion has settled to.",
+                    "Velocity over excess position; the last third encloses velocities " + last_third + "."));
+    section.figures.push_back(line_figure(
+        "loop", chart_of("Friction over velocity", velocity, friction, friction_loop(joint, t)),
+        "Friction against velocity. Where the motion leaves the dashed curve of steady sliding, friction remembers or "
+        "holds the joint at rest.",
+        "In the last third friction stays " + range(settled(t, t.friction), Quantity::effort, motion) + "."));
+    report.sections.push_back(std::move(section));
+    if (forced) report.sections.push_back(surroundings_section(surroundings, time, motion));
+    Section outcome{"outcome", "Where this disturbance ends", "", {}, {nonlinear_table(joint, verdict)}};
+    if (forced) outcome.title = "Where the stated disturbance alone ends";
+    report.sections.push_back(std::move(outcome));
+    report.not_checked = {"Other disturbances, and larger ones: one motion is one example.",
+                          "Sampling, saturation and quantisation of a digital loop."};
+    return report;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,85 @@
+#include "sweep/study/evaluate.h"
+
+#include "analysis/joint/parameters.h"
+#include "analysis/stability/verdict.h"
+#include "analysis/simulation/points.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
+namespace stickslip {
+namespace {
+
+/// A chunk at a time, so that the lanes of the nonlinear evaluation are full.
+void evaluate_nonlinear(PointCursor& cursor, std::span<PointResult> rows, const NonlinearOptions& options)
+{
+    std::vector<Joint> joints;
+    joints.reserve(rows.size());
+    for (PointResult& row : rows) {
+        joints.push_back(cursor.joint());
+        row = linear_point(joints.back());
+        cursor.advance();
+    }
+    nonlinear_points(joints, options, rows);
+}
+
+}  // namespace
+
+NonlinearOptions nonlinear_options(const NonlinearSpec& spec)
+{
+    NonlinearOptions options;
+    options.disturbance = spec.disturbance.disturbance;
+    options.rtol = spec.tolerance;
+    return options;
+}
+
+EvaluateChunk evaluator(const NonlinearSpec& spec)
+{
+    if (!spec.enabled) return point_by_point([](const Joint& joint) { return linear_point(joint); });
+    return [options = nonlinear_options(spec)](PointCursor& cursor, std::span<PointResult> rows) {
+        evaluate_nonlinear(cursor, rows, options);
+    };
+}
+
+std::vector<std::string> idle_axes(const Joint& joint, const std::vector<Axis>& axes)
+{
+    std::vector<std::string> idle;
+    for (const auto& axis : axes) {
+        const auto varied = [&](double value) {
+            Joint other = joint;
+            *find_parameter(other, axis.path) = value;
+            return other;
+        };
+        const auto answer = [&](double value) { return linear_point(varied(value)); };
+        const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+        const auto first = answer(axis.values.front());
+        const auto unchanged = [&](double value) {
+            const auto now = answer(value);
+            return now.reason == first.reason && same(now.spectral_abscissa, first.spectral_abscissa) &&
+                   same(now.k_v_min, first.k_v_min) && same(now.k_cr, first.k_cr);
+        };
+        // neutral sliding stays neutral with its frequency changed
+        const auto spectrum_at = [&](double value) { return linear_verdict(varied(value)).state_variable.eigenvalues; };
+        if (axis.values.size() > 1 && unchanged(axis.values[axis.values.size() / 2]) && unchanged(axis.values.back()) &&
+            spectrum_at(axis.values.front()) == spectrum_at(axis.values.back()))
+            idle.push_back(axis.path);
+    }
+    return idle;
+}
+
+std::string evaluation_text(const NonlinearSpec& spec)
+{
+    if (!spec.enabled) return "linear";
+    const auto& d = spec.disturbance.disturbance;
+    return fmt::format("linear and nonlinear, disturbance {} of {}, tolerance {}", static_cast<int>(d.kind), d.size,
+                       spec.tolerance);
+}
+
+double seconds_per_point(const NonlinearSpec& spec)
+{
+    return spec.enabled ? nonlinear_point_cost : linear_point_cost;
+}
+
+}  // namespace stickslip

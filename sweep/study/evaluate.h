@@ -1,0 +1,29 @@
+// How a sweep evaluates its points: the one place where linear and nonlinear answers meet.
+#pragma once
+#include "analysis/simulation/attractor/nonlinear.h"
+#include "sweep/engine/engine.h"
+#include "sweep/engine/plan.h"
+#include "sweep/study/spec.h"
+
+#include <string>
+#include <vector>
+
+namespace stickslip {
+
+/// The options of the nonlinear evaluation that a spec asks for.
+NonlinearOptions nonlinear_options(const NonlinearSpec& spec);
+
+/// Rows of a chunk: linear verdicts, and nonlinear outcomes where the spec asks for them.
+EvaluateChunk evaluator(const NonlinearSpec& spec);
+
+/// Axes along which no linear answer changes at this joint, tried at their ends and in the middle: a dead time, say, is a
+/// term of records that the continuous loop of the maps leaves out. Paths, in the order of the axes.
+std::vector<std::string> idle_axes(const Joint& joint, const std::vector<Axis>& axes);
+
+/// Canonical text of everything that the evaluation depends on besides the joint; goes into the plan's id.
+std::string evaluation_text(const NonlinearSpec& spec);
+
+/// Rough cost of a point on one core [s], for the size of chunks.
+double seconds_per_point(const NonlinearSpec& spec);
+
+}  // namespace stickslip

@@ -1,0 +1,145 @@
+#include "sweep/words/boundary_text.h"
+
+#include "analysis/joint/parameters.h"
+#include "analysis/results/text.h"
+#include "analysis/stability/verdict.h"
+#include "sweep/words/verdict_text.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+namespace stickslip {
+namespace {
+
+/// What lies beyond a range without boundaries.
+std::string outside_text(const LocatedRay& ray, Motion motion)
+{
+    if (!ray.outside) return "";
+    const auto& o = *ray.outside;
+    const auto quantity = ray.axis.quantity;
+    if (!o.nearest)
+        return " None lies within " + with_unit(o.low, quantity, motion) + " … " + with_unit(o.high, quantity, motion) +
+               " either.";
+    return " The nearest one outside lies at " + ray.axis.symbol + " = " +
+           with_unit(o.nearest->value, quantity, motion, ray.kind == BoundaryKind::outcome ? 4 : 8) + ".";
+}
+
+/// What the scanned points of a ray without boundaries say.
+std::string throughout(const LocatedRay& ray)
+{
+    if (ray.kind == BoundaryKind::fold) return "";
+    const double judged = 1 - static_cast<double>(ray.undecided) / ray.nodes;
+    const char* side = ray.stable_share == 0               ? ": unstable "
+                       : ray.stable_share > judged - 1e-12 ? ": stable "
+                                                           : nullptr;
+    if (!side) return "";
+    if (ray.neutral_share > 0 && ray.stable_share == 0)
+        return ": neutral " +
+               std::string(ray.neutral_share > judged - 1e-12 ? "throughout" : "or unstable throughout") +
+               ". Where sliding is neutral, small disturbances neither decay nor grow, and nothing turns stable";
+    return side + (ray.undecided == 0
+                       ? std::string("throughout")
+                       : "at all of the " + std::to_string(ray.nodes - ray.undecided) +
+                             " scanned points that have a verdict; " + std::to_string(ray.undecided) + " have none");
+}
+
+}  // namespace
+
+std::string direction_text(int direction)
+{
+    return direction > 0 ? "unstable above" : direction < 0 ? "stable above" : "–";
+}
+
+std::string could_be_missed(const LocatedRay& ray)
+{
+    std::string text = fmt::format("two boundaries of one kind within 1/{} of the range", ray.nodes - 1);
+    if (ray.climbed > 0) text += fmt::format(" ({} near touches were searched)", ray.climbed);
+    if (ray.kind == BoundaryKind::fold)
+        text += "; cycles that neither a subcritical linear boundary nor a start from near rest leads to";
+    if (ray.undecided > 0) text += fmt::format("; {} of {} scanned points have no verdict", ray.undecided, ray.nodes);
+    return text;
+}
+
+std::string could_be_missed(const FollowedBoundary& c)
+{
+    std::string text = fmt::format("a closed piece smaller than 1/{:.0f} of an axis", 1 / c.guard.cell);
+    if (c.guard.climbed > 0)
+        text += fmt::format(" that none of {} climbs between the nodes met ({} islands found so)", c.guard.climbed,
+                            c.guard.islands);
+    if (c.kind == BoundaryKind::fold)
+        text += "; cycles that neither a subcritical linear boundary nor a start from near rest leads to";
+    if (c.guard.unexplained > 0)
+        text += fmt::format("; {} of {} changes of side on the grid were not followed", c.guard.unexplained,
+                            c.guard.changes);
+    if (c.guard.undecided > 0)
+        text += fmt::format("; {} of {} grid points have no verdict", c.guard.undecided, c.guard.nodes);
+    return text;
+}
+
+std::string ray_text(const Joint& design, const LocatedRay& ray)
+{
+    // the boundary along the velocity has a name of its own
+    std::string kind =
+        ray.kind == BoundaryKind::v_min ? "least velocity V_{min}" : std::string(name_of(ray.kind)) + " boundary";
+    const auto motion = design.mechanism.motion;
+    const std::string range = with_unit(ray.axis.values.front(), ray.axis.quantity, motion) + " … " +
+                              with_unit(ray.axis.values.back(), ray.axis.quantity, motion);
+    if (ray.undecided == ray.nodes) {
+        Joint first = design;
+        *find_parameter(first, ray.axis.path) = ray.axis.values.front();
+        const auto reason = linear_verdict(first).steady.reason;
+        return "No verdict along " + ray.axis.symbol + ": the joint cannot be judged at any of the " +
+               std::to_string(ray.nodes) + " points of the scan" +
+               (reason == Reason::none ? "." : ". At the first: " + reason_text(reason) + ".");
+    }
+    if (ray.points.empty())
+        return "No " + kind + " along " + ray.axis.symbol + " within " + range + throughout(ray) + "." +
+               outside_text(ray, motion);
+    kind[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(kind[0])));
+    std::string text = kind + " along " + ray.axis.symbol + " at ";
+    for (const auto& p : ray.points)
+        text += (&p == &ray.points.front() ? "" : ", ") + with_unit(p.value, ray.axis.quantity, motion, 8) + " (" +
+                direction_text(p.direction) + ")";
+    return text + ".";
+}
+
+std::string design_words(Region region)
+{
+    switch (region) {
+        case Region::stable:
+        case Region::memory_only:
+            return "The design is stable: small disturbances of sliding decay.";
+        case Region::bistable:
+            return "The design is bistable: small disturbances decay, a larger one ends in stick-slip.";
+        case Region::velocity_only:
+        case Region::unstable:
+            return "The design sticks and slips: small disturbances of sliding grow.";
+        case Region::neutral:
+            return "The design is neutral: small disturbances neither decay nor grow.";
+        case Region::undecided:
+            break;
+    }
+    return "The design has no verdict.";
+}
+
+Headline::Tone design_tone(Region region)
+{
+    switch (region) {
+        case Region::stable:
+        case Region::memory_only:
+            return Headline::Tone::good;
+        case Region::bistable:
+            return Headline::Tone::warning;
+        case Region::velocity_only:
+        case Region::unstable:
+            return Headline::Tone::bad;
+        case Region::neutral:
+            return Headline::Tone::warning;
+        case Region::undecided:
+            break;
+    }
+    return Headline::Tone::neutral;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,152 @@
+#include "sweep/words/diagnosis_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+std::string number(double value)
+{
+    return std::isfinite(value) ? fmt::format("{:.4g}", value) : "–";
+}
+
+std::string ranged(double value, const ConfidenceInterval& interval)
+{
+    if (!std::isfinite(value)) return "–";
+    if (!std::isfinite(interval.low)) return whole_percent(value);
+    return fmt::format("{} ({} … {})", whole_percent(value), whole_percent(interval.low), whole_percent(interval.high));
+}
+
+}  // namespace
+
+std::string together(const std::vector<std::string>& names)
+{
+    return fmt::format("{}", fmt::join(names, " with "));
+}
+
+std::string whole_percent(double part)
+{
+    return std::isfinite(part) ? fmt::format("{:.0f} %", 100 * part) : "–";
+}
+
+std::string share_bar(double share, const ConfidenceInterval& interval)
+{
+    static constexpr int cells = 10;
+    const auto blocks = [](double part) {
+        return std::isfinite(part) ? std::clamp(static_cast<int>(std::lround(cells * part)), 0, cells) : 0;
+    };
+    const int low = std::min(blocks(share), std::isfinite(interval.low) ? blocks(interval.low) : cells);
+    const int high = std::max(blocks(share), blocks(interval.high));
+    std::string bar;
+    for (int i = 0; i < cells; ++i) bar += i < low ? "█" : i < high ? "▒" : "·";
+    return bar;
+}
+
+Table causes_table(const Diagnosis& d)
+{
+    Table t{
+        "Causes, most probable first",
+        {"cause", "probability", "held-out gain", "its tell-tale is there", "plausible", "form", "misfit (0 is noise)"},
+        {}};
+    const bool forces = d.drive_force.corner > 0;
+    if (forces)
+        t.columns.insert(t.columns.begin() + 3,
+                         fmt::format("of the drive force below {:.0f} Hz", d.drive_force.corner));
+    double all = 0;
+    for (const auto& c : d.effects) {
+        const bool held = std::isfinite(c.heldout_gain_interval.low) || c.heldout_gain != 0;
+        all += c.probability;
+        t.rows.push_back({together(c.names), share_bar(c.probability, {}) + fmt::format(" {:.3f}", c.probability),
+                          held ? ranged(c.heldout_gain, c.heldout_gain_interval) : "not held out",
+                          c.signature ? "yes" : "no", c.plausible ? "yes" : "no", c.form.empty() ? "–" : c.form,
+                          number(c.misfit)});
+        if (forces) {
+            auto& row = t.rows.back();
+            row.insert(row.begin() + 3, ranged(c.force_gain, c.force_gain_interval));
+        }
+    }
+    constexpr double visible = 5e-4;
+    if (!d.effects.empty() && 1 - all > visible) {
+        t.rows.push_back({"none of these", share_bar(1 - all, {}) + fmt::format(" {:.3f}", 1 - all)});
+        t.rows.back().resize(t.columns.size(), "–");
+    }
+    return t;
+}
+
+Table parameters_table(const Diagnosis& d)
+{
+    Table t{"Numbers of the first cause", {"parameter", "value", "standard error", "unit"}, {}};
+    if (!d.effects.empty())
+        for (const auto& p : d.effects[0].parameters)
+            t.rows.push_back({p.name, number(p.value), number(p.standard_error), p.unit});
+    return t;
+}
+
+Table shares_table(const char* title, const std::vector<Share>& shares)
+{
+    Table t{title, {"where", "share of the gap", "95 % interval", "RMS", "noise floor", "unit"}, {}};
+    for (const auto& s : shares)
+        t.rows.push_back({s.name, share_bar(s.share, s.interval) + " " + whole_percent(s.share),
+                          whole_percent(s.interval.low) + " … " + whole_percent(s.interval.high), number(s.rms),
+                          number(s.floor), s.unit});
+    return t;
+}
+
+Table gap_table(const Diagnosis& d)
+{
+    Table t{"Measured against simulated, held-out data",
+            {"signal", "before", "after", "noise floor", "explained", "unit"},
+            {}};
+    constexpr double beyond_floor = 1.1;  // less is no gap, and a part of it no number
+    for (const auto& g : d.gap)
+        t.rows.push_back({g.signal, number(g.before), number(g.after), number(g.floor),
+                          g.before > beyond_floor * g.floor ? whole_percent(g.explained) : "no gap here", g.unit});
+    t.rows.push_back({"overall", number(d.overall.before), number(d.overall.after), number(d.overall.floor),
+                      ranged(d.overall.explained, d.overall.interval), "floors"});
+    if (d.drive_force.corner > 0)
+        t.rows.push_back(
+            {fmt::format("drive force below {:.0f} Hz, the joint's own numbers refitted", d.drive_force.corner),
+             number(d.drive_force.before), number(d.drive_force.after), "–",
+             whole_percent(1 - d.drive_force.after / d.drive_force.before) + " of the RMS", d.drive_force.unit});
+    return t;
+}
+
+Table records_table(const Diagnosis& d)
+{
+    Table t{"Records", {"file", "role"}, {}};
+    for (const auto& r : d.records) t.rows.push_back({r.file, r.role});
+    return t;
+}
+
+std::vector<std::string> gathered_notes(const Diagnosis& d)
+{
+    std::vector<std::pair<std::string, int>> counted;
+    std::vector<std::string> firsts;
+    const auto said_as_reason = [&](const std::string& note) {
+        return std::any_of(d.reasons.begin(), d.reasons.end(), [&](const auto& r) { return r.ends_with(note); });
+    };
+    for (const auto& note : d.notes) {
+        if (said_as_reason(note)) continue;
+        std::string text = note;
+        for (const auto& r : d.records)
+            if (note.starts_with(r.file + ": ")) text = note.substr(r.file.size() + 2);
+        const auto same = std::find_if(counted.begin(), counted.end(), [&](const auto& c) { return c.first == text; });
+        if (same != counted.end()) {
+            ++same->second;
+            continue;
+        }
+        counted.emplace_back(text, 1);
+        firsts.push_back(note);
+    }
+    std::vector<std::string> notes;
+    for (std::size_t i = 0; i < counted.size(); ++i)
+        notes.push_back(counted[i].second == 1 ? firsts[i]
+                                               : fmt::format("{} of {} records: {}", counted[i].second,
+                                                             d.records.size(), counted[i].first));
+    return notes;
+}
+
+}  // namespace stickslip

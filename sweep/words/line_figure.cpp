@@ -1,0 +1,81 @@
+#include "sweep/words/line_figure.h"
+
+#include "analysis/results/text.h"
+
+#include <cmath>
+
+namespace stickslip {
+
+std::string axis_label(std::string_view name, Quantity quantity, Motion motion)
+{
+    return std::string(name) + " [" + std::string(unit_of(quantity, motion)) + "]";
+}
+
+std::vector<double> log_steps(double low, double high, int count)
+{
+    std::vector<double> values;
+    for (int i = 0; i < count; ++i) values.push_back(low * std::pow(high / low, i / (count - 1.0)));
+    return values;
+}
+
+void smooth(LineChart::Line& line, const std::function<double(double)>& y, double most, int rounds)
+{
+    const auto kind = [](double v) { return std::isnan(v) ? 0 : v > 0 ? 2 : 1; };
+    const auto apart = [&](double a, double b) {
+        return kind(a) != kind(b) || (kind(a) == 2 && std::abs(std::log(a / b)) > most);
+    };
+    for (int round = 0; round < rounds; ++round) {
+        std::vector<double> finer_x, finer_y;
+        for (std::size_t i = 0; i < line.x.size(); ++i) {
+            if (i > 0 && apart(line.y[i - 1], line.y[i])) {
+                const double middle = std::sqrt(line.x[i - 1] * line.x[i]);
+                finer_x.push_back(middle), finer_y.push_back(y(middle));
+            }
+            finer_x.push_back(line.x[i]), finer_y.push_back(line.y[i]);
+        }
+        if (finer_x.size() == line.x.size()) return;
+        line.x = std::move(finer_x), line.y = std::move(finer_y);
+    }
+}
+
+Figure line_figure(std::string id, LineChart chart, std::string finding, std::string reading)
+{
+    Figure figure;
+    figure.id = std::move(id);
+    figure.caption = finding + " " + std::move(reading);
+    figure.finding = std::move(finding);
+    figure.picture = std::move(chart);
+    return figure;
+}
+
+std::string intervals_text(const std::vector<Interval>& list, Quantity quantity, Motion motion)
+{
+    constexpr std::size_t most = 4;
+    const auto words = [&](const Interval& i) -> std::string {
+        const bool from_zero = i.low == 0, open = std::isinf(i.high);
+        const auto low = with_unit(i.low, quantity, motion, 4), high = with_unit(i.high, quantity, motion, 4);
+        return from_zero && open ? "all values"
+               : open            ? "above " + low
+               : from_zero       ? "below " + high
+                                 : "from " + low + " to " + high;
+    };
+    std::string text;
+    for (std::size_t i = 0; i < list.size() && i < most; ++i) text += (i ? ", " : "") + words(list[i]);
+    if (list.size() > most) text += " and " + std::to_string(list.size() - most) + " more";
+    return list.empty() ? "none" : text;
+}
+
+std::string demanded_text(const std::vector<Interval>& stable, Motion motion)
+{
+    if (stable.empty()) return "no k_{v} is enough";
+    const auto& [low, high] = stable.front();
+    const auto words = [&](double k_v) { return with_unit(k_v, Quantity::damping, motion); };
+    std::string text = low == 0 && high == infinity ? "any k_{v} is enough"
+                       : high == infinity           ? "k_{v} > " + words(low)
+                       : low == 0                   ? "k_{v} < " + words(high)
+                                                    : words(low) + " < k_{v} < " + words(high);
+    if (stable.size() > 1) text += ", or in " + counted(stable.size() - 1, "further window");
+    return text;
+}
+
+}  // namespace stickslip

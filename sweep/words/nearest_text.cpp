@@ -1,0 +1,95 @@
+#include "sweep/words/nearest_text.h"
+
+#include "analysis/results/text.h"
+#include "sweep/words/symbols.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+constexpr double near = 0.182;  ///< ln 1.2: closer than this, an alert
+constexpr double idle = 0.1;    ///< of the largest move: below, a parameter hardly takes part
+
+/// Several bodies have friction laws with the same letters.
+std::string body_of(const std::string& path)
+{
+    for (const auto* body : {"motor", "transmission", "link"})
+        if (path.starts_with(std::string("friction.") + body + ".")) return std::string(" (") + body + ")";
+    return "";
+}
+
+std::string symbol(const NearestMove& move, Motion motion)
+{
+    return symbol_of(move.path, motion) + (move.less.empty() ? "" : " − " + symbol_of(move.less, motion)) +
+           body_of(move.path);
+}
+
+std::string move_text(const NearestMove& move, Motion motion)
+{
+    const double ratio = move.to / move.from;
+    if (ratio > 2) return symbol(move, motion) + " grows to " + plain_number(ratio) + " times its value";
+    if (ratio < 0.5) return symbol(move, motion) + " falls to 1/" + plain_number(1 / ratio) + " of its value";
+    const double change = ratio - 1;
+    return symbol(move, motion) + (change < 0 ? " falls by " : " grows by ") + plain_number(100 * std::abs(change), 2) +
+           " %";
+}
+
+/// Those that take part, the largest first.
+std::vector<NearestMove> leading_moves(const NearestBoundary& n)
+{
+    auto moves = n.moves;
+    const auto size = [](const NearestMove& m) { return std::abs(std::log(m.to / m.from)); };
+    std::sort(moves.begin(), moves.end(), [&](const auto& a, const auto& b) { return size(a) > size(b); });
+    const double largest = size(moves.front());
+    std::erase_if(moves, [&](const auto& m) { return size(m) < idle * largest; });
+    return moves;
+}
+
+}  // namespace
+
+std::string nearest_text(const NearestBoundary& n, Motion motion)
+{
+    if (!n.decided) return "The joint has no linear verdict, hence no margin.";
+    const std::string event = n.stable ? "Stick-slip appears" : "Sliding becomes stable";
+    if (!n.found) return event + " for no change of the uncertain numbers by up to a factor of ten.";
+    const auto moves = leading_moves(n);
+    std::string text = event + " if ";
+    for (std::size_t i = 0; i < moves.size(); ++i)
+        text += (i == 0                  ? ""
+                 : i == 1                ? " while "
+                 : i + 1 == moves.size() ? " and "
+                                         : ", ") +
+                move_text(moves[i], motion);
+    return text + ".";
+}
+
+Headline nearest_headline(const NearestBoundary& n, Motion motion)
+{
+    Headline h{Headline::Tone::neutral, "none near", nearest_text(n, motion)};
+    if (!n.found) return h;
+    const auto move = leading_moves(n).front();
+    const double change = move.to / move.from - 1;
+    h.value = symbol(move, motion) + (change < 0 ? " −" : " +") + plain_number(100 * std::abs(change), 2) + " %";
+    h.tone = !n.stable ? Headline::Tone::bad : n.distance < near ? Headline::Tone::warning : Headline::Tone::good;
+    return h;
+}
+
+nlohmann::ordered_json nearest_json(const NearestBoundary& n)
+{
+    nlohmann::ordered_json json = {{"decided", n.decided}, {"stable", n.stable}, {"found", n.found}};
+    json["distance"] = n.distance;
+    json["moves"] = nlohmann::ordered_json::array();
+    for (const auto& m : n.moves)
+        json["moves"].push_back({{"path", m.less.empty() ? m.path : m.path + " - " + m.less},
+                                 {"from", m.from},
+                                 {"to", m.to},
+                                 {"change", m.to / m.from - 1}});
+    json["evaluations"] = n.evaluations;
+    return json;
+}
+
+}  // namespace stickslip

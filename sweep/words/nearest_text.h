@@ -1,0 +1,18 @@
+// The nearest boundary in words and numbers.
+#pragma once
+#include "analysis/boundary/kinds/nearest.h"
+#include "analysis/results/report.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace stickslip {
+
+/// "stick-slip appears if L falls by 18 % while B − A grows by 7 %", mark-up.
+std::string nearest_text(const NearestBoundary& nearest, Motion motion);
+
+/// The parameter that moves most, and the sentence.
+Headline nearest_headline(const NearestBoundary& nearest, Motion motion);
+
+nlohmann::ordered_json nearest_json(const NearestBoundary& nearest);
+
+}  // namespace stickslip

@@ -1,0 +1,206 @@
+#include "sweep/words/verdict_text.h"
+
+#include "analysis/results/text.h"
+#include "sweep/words/line_figure.h"
+
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+std::string stiffness(double k, Motion motion)
+{
+    return with_unit(k, Quantity::stiffness, motion);
+}
+
+/// The stable set in k_p where it is no single half-line above a critical gain.
+std::string stable_gains(const Joint& joint, const StateVariableVerdict& memory)
+{
+    const auto motion = joint.mechanism.motion;
+    const auto& stable = memory.stable_intervals;
+    const bool limited = std::isfinite(memory.searched_to);
+    if (stable.empty()) return limited ? "" : " No k_{p} makes it stable.";
+    const bool all = stable.size() == 1 && stable[0].low == 0 && stable[0].high == infinity;
+    if (all && memory.stable) return " So they do at every k_{p} > 0.";
+    return " k_{p} = " + stiffness(joint.control.k_p, motion) +
+           (memory.stable ? " is one of the stable gains: " : " is none of the stable gains: ") +
+           intervals_text(stable, Quantity::stiffness, motion) +
+           (limited ? ", searched up to " + stiffness(memory.searched_to, motion) + "." : ".");
+}
+
+/// What friction of velocity alone would ask for where it says no, and memory does not.
+std::string asked_by_velocity(const Joint& joint, const VelocityOnlyVerdict& velocity_only)
+{
+    if (velocity_only.stable_k_v.empty()) return " at every k_{v}.";
+    return " and ask for " + demanded_text(velocity_only.stable_k_v, joint.mechanism.motion) + ".";
+}
+
+/// The first sentence: what becomes of a small disturbance.
+std::string first_words(const Joint& joint, const LinearVerdict& v)
+{
+    const auto speed = with_unit(v.steady.velocity, Quantity::velocity, joint.mechanism.motion);
+    if (v.state_variable.stable) return "Stable: small disturbances of sliding at " + speed + " decay.";
+    if (v.state_variable.neutral)
+        return "Neutral: small disturbances of sliding at " + speed + " neither decay nor grow.";
+    if (joint.control.k_p < 0)
+        return "Unstable: with k_{p} < 0 the loop pushes away from the commanded motion, sliding at " + speed +
+               " does not last.";
+    return "Stick-slip: sliding at " + speed + " is unstable.";
+}
+
+/// What holds the joint on the imaginary axis, and what would not.
+std::string neutral_words(const Joint& joint, const StateVariableVerdict& memory)
+{
+    if (joint.control.k_p == 0) return " Nothing brings the position back: k_{p} = 0.";
+    if (!memory.stable_intervals.empty() || !memory.crossings.empty())
+        return " The design lies on the boundary of stability." + stable_gains(joint, memory);
+    return " Friction and k_{v} together neither feed nor damp the oscillation, and no k_{p} changes that.";
+}
+
+/// The other theory's word, where it differs.
+std::string other_theory(const Joint& joint, const LinearVerdict& v)
+{
+    const auto& simple = v.velocity_only;
+    const auto& memory = v.state_variable;
+    if (simple.stable == memory.stable && simple.neutral == memory.neutral) return "";
+    const std::string says = " Friction that depends on velocity alone would call it ";
+    return says + (simple.stable    ? "stable."
+                   : simple.neutral ? "neutral."
+                                    : "stick-slip" + asked_by_velocity(joint, simple));
+}
+
+}  // namespace
+
+std::string verdict_text(const Joint& joint, const LinearVerdict& v)
+{
+    const auto motion = joint.mechanism.motion;
+    if (v.steady.reason == Reason::no_steady_state) return "Undecided: the design point has no steady sliding.";
+    if (v.steady.reason != Reason::none) return "Undecided at the design point: " + reason_text(v.steady.reason) + ".";
+    const auto& memory = v.state_variable;
+    const double k_p = joint.control.k_p;
+    std::string text = first_words(joint, v);
+    if (memory.neutral)
+        text += neutral_words(joint, memory);
+    else if (std::isfinite(memory.k_cr) && k_p > 0)
+        text += " k_{p} = " + stiffness(k_p, motion) + " is " + plain_number(k_p / memory.k_cr) +
+                " times the critical gain k_{cr} = " + stiffness(memory.k_cr, motion) + ".";
+    else
+        text += stable_gains(joint, memory);
+    return text + other_theory(joint, v);
+}
+
+Table linear_table(const Joint& joint, const LinearVerdict& v)
+{
+    const auto motion = joint.mechanism.motion;
+    const auto row = [&](std::string name, double value, Quantity q) {
+        return std::vector<std::string>{std::move(name), with_unit(value, q, motion, 6)};
+    };
+    Table table;
+    table.title = "Linear theory at the design point";
+    table.columns = {"quantity", "value"};
+    table.rows = {row("commanded velocity V_{0}", v.steady.velocity, Quantity::velocity),
+                  row("friction of steady sliding f_{ss}(V_{0})", v.steady.friction, Quantity::effort),
+                  row("steady deflection δ_{ss}", v.steady.deflection, Quantity::position),
+                  row("slope of the steady curve f_{ss}'(V_{0})", v.velocity_only.slope, Quantity::damping),
+                  {"asked of k_{v} by velocity alone", v.velocity_only.k_v_min == 0 && v.velocity_only.slope <= 0
+                                                           ? "any k_{v} > 0"
+                                                           : demanded_text(v.velocity_only.stable_k_v, motion)},
+                  row("direct effect f_{v}", v.state_variable.f_v, Quantity::damping),
+                  row("kernel integral ∫g", v.state_variable.kernel_integral, Quantity::damping),
+                  row("critical position gain k_{cr}", v.state_variable.k_cr, Quantity::stiffness),
+                  row("spectral abscissa max Re s", v.state_variable.spectral_abscissa, Quantity::rate)};
+    if (std::isnan(v.state_variable.k_cr))
+        table.rows.push_back(
+            {"stable k_{p}", intervals_text(v.state_variable.stable_intervals, Quantity::stiffness, motion)});
+    else
+        table.rows.push_back(row("frequency at the critical gain ω", v.state_variable.crossings.back().omega,
+                                 Quantity::angular_frequency));
+    return table;
+}
+
+Table nonlinear_table(const Joint& joint, const NonlinearVerdict& v)
+{
+    const auto motion = joint.mechanism.motion;
+    Table table;
+    table.title = "The nonlinear joint";
+    table.columns = {"quantity", "value"};
+    table.rows.push_back({"outcome", std::string(code_name("outcome", static_cast<std::uint8_t>(v.outcome)))});
+    if (!reason_text(v).empty()) table.rows.push_back({"because", reason_text(v)});
+    if (v.region == NonlinearRegion::bistable)
+        table.rows.push_back(v.outcome == Outcome::stable_sliding
+                                 ? std::vector<std::string>{"a larger disturbance", "ends in a limit cycle: bistable"}
+                                 : std::vector<std::string>{"a small disturbance", "decays: bistable"});
+    if (v.region == NonlinearRegion::stable)
+        table.rows.push_back({"larger disturbances", "end in steady sliding, too: " + std::string(v.searched_from)});
+    if (v.repeats > 1) table.rows.push_back({"turns after which the motion repeats", std::to_string(v.repeats)});
+    const auto add = [&](const char* name, double value, Quantity q) {
+        if (is_set(value)) table.rows.push_back({name, with_unit(value, q, motion, 6)});
+    };
+    add("growth rate of a small disturbance", v.growth_rate, Quantity::rate);
+    add("limit-cycle amplitude in position", v.amplitude, Quantity::position);
+    add("least velocity of the cycle", v.velocity_min, Quantity::velocity);
+    add("peak velocity of the cycle", v.velocity_max, Quantity::velocity);
+    add("period", v.period, Quantity::time);
+    add("share of the period spent sticking", v.stick_fraction, Quantity::number);
+    add("overshoot, per steady deflection", v.overshoot, Quantity::number);
+    if (!v.multipliers.empty()) add("largest Floquet multiplier", std::abs(v.multipliers.front()), Quantity::number);
+    if (v.criticality == Criticality::subcritical)
+        table.rows.push_back({"at k_{cr}", "subcritical: cycles exist above it, too"});
+    if (v.criticality == Criticality::supercritical)
+        table.rows.push_back({"at k_{cr}", "supercritical: cycles grow from zero below it"});
+    add("k_{p} at the fold of limit cycles", v.fold_k_p, Quantity::stiffness);
+    return table;
+}
+
+std::string reason_text(Reason reason)
+{
+    switch (reason) {
+        case Reason::none:
+            return "none";
+        case Reason::no_velocity:
+            return "neither control.V0 nor control.force_rate is set";
+        case Reason::law_needs_motion:
+            return "the friction law has no meaning at this velocity";
+        case Reason::no_steady_state:
+            return "there is no steady sliding at the commanded velocity";
+        case Reason::not_finite:
+            return "a number overflowed";
+        case Reason::linear_only:
+            return "the law is linear by definition";
+        case Reason::not_converged:
+            return "the motion is too slow to decide within the allowed work";
+        case Reason::solver_failed:
+            return "both solvers failed";
+        case Reason::unsupported:
+            return "this combination of friction law, joint and disturbance is not computed";
+        case Reason::neutral:
+            return "neutral: small disturbances neither grow nor decay, as nothing damps them";
+        case Reason::diverges:
+            return "diverges: the motion runs away from steady sliding, which no spring or damper holds back";
+    }
+    return "unknown";
+}
+
+std::string reason_text(const NonlinearVerdict& verdict)
+{
+    if (!verdict.explanation.empty()) return std::string(verdict.explanation);
+    return verdict.reason == Reason::none ? std::string() : reason_text(verdict.reason);
+}
+
+std::string plain_text(const std::string& markup)
+{
+    std::string text;
+    for (std::size_t i = 0; i < markup.size(); ++i) {
+        const bool opens = (markup[i] == '_' || markup[i] == '^') && i + 1 < markup.size() && markup[i + 1] == '{';
+        const auto end = opens ? markup.find('}', i) : std::string::npos;
+        if (end == std::string::npos) {
+            text += markup[i];
+            continue;
+        }
+        text += markup[i] + markup.substr(i + 2, end - i - 2);
+        i = end;
+    }
+    return text;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,29 @@
+// The linear verdict in words, for the report and the terminal.
+#pragma once
+#include "analysis/results/report.h"
+#include "analysis/simulation/attractor/nonlinear.h"
+#include "analysis/stability/verdict.h"
+
+#include <string>
+
+namespace stickslip {
+
+/// The answer in one sentence, in chart mark-up.
+std::string verdict_text(const Joint& joint, const LinearVerdict& verdict);
+
+/// Every number of the verdict with its unit.
+Table linear_table(const Joint& joint, const LinearVerdict& verdict);
+
+/// Every number of the nonlinear verdict with its unit.
+Table nonlinear_table(const Joint& joint, const NonlinearVerdict& verdict);
+
+/// Why a row has no verdict, in words.
+std::string reason_text(Reason reason);
+
+/// Why a verdict is open, in its own words where it has some; empty where nothing is open.
+std::string reason_text(const NonlinearVerdict& verdict);
+
+/// Mark-up as a terminal shows it: "k_{cr}" reads k_cr, "10^{−6}" reads 10^−6.
+std::string plain_text(const std::string& markup);
+
+}  // namespace stickslip

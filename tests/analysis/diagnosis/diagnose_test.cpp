@@ -1,0 +1,179 @@
+#include "analysis/diagnosis/diagnose.h"
+#include "analysis/diagnosis/audit/audit.h"
+#include "analysis/diagnosis/verdict/locate.h"
+#include "analysis/diagnosis/audit/prepare.h"
+#include "tests/analysis/diagnosis/small_machine.h"
+
+#include <catch2/catch.hpp>
+#include <set>
+
+using namespace stickslip;
+using namespace stickslip::gap;
+using stickslip::test::Machine;
+using stickslip::test::nominal_joint;
+using stickslip::test::record_of;
+
+namespace {
+
+void in_order(std::size_t n, const std::function<void(std::size_t)>& task)
+{
+    for (std::size_t i = 0; i < n; ++i) task(i);
+}
+
+void backwards(std::size_t n, const std::function<void(std::size_t)>& task)
+{
+    for (std::size_t i = n; i-- > 0;) task(i);
+}
+
+std::vector<Record> records_of(const Machine& m)
+{
+    return {record_of(m, 1), record_of(m, 2)};
+}
+
+}  // namespace
+
+TEST_CASE("the gap is located in time, temperature and frequency", "[gap]")
+{
+    Record r = test::record_of({}, 1, 12);
+    for (std::size_t k = 0; k < r.rows(); ++k) {
+        r.temperature.push_back(20 + 15 * r.time[k] / 12);
+        // a wobble of the reading late in the record, in the middle of a band
+        if (r.time[k] > 9) r.position[k] += 2e-4 * std::sin(2 * M_PI * 3 * r.time[k]);
+    }
+    std::vector<std::string> notes;
+    const auto regimes = locate_regimes({prepare(r, test::nominal_joint(), notes)});
+    const auto share = [&](const std::string& name) {
+        const auto at = std::find_if(regimes.begin(), regimes.end(), [&](const Share& s) { return s.name == name; });
+        REQUIRE(at != regimes.end());
+        return at->share;
+    };
+    CHECK(share("late") > 0.95);
+    CHECK(share("early") < 0.02);
+    CHECK(share("warm") > 0.95);
+    CHECK(share("cold") < 0.02);
+    CHECK(share("1 to 5 Hz") > share("below 1 Hz"));
+    CHECK(share("1 to 5 Hz") > share("above 5 Hz"));
+    CHECK(share("below 1 Hz") + share("1 to 5 Hz") + share("above 5 Hz") == Approx(1));
+    CHECK(share("light load") + share("heavy load") < 1.01);
+    r.temperature.clear();
+    for (const auto& s : locate_regimes({prepare(r, test::nominal_joint(), notes)})) CHECK(s.name != "warm");
+}
+
+TEST_CASE(
+    "the catalogue holds its pinned names, each with bounds that hold its seeds and an edit that changes the joint",
+    "[gap]")
+{
+    const std::set<std::string_view> pinned{"coulomb-level",
+                                            "viscous",
+                                            "stribeck",
+                                            "asymmetric-friction",
+                                            "load-dependent-friction",
+                                            "presliding",
+                                            "frictional-memory",
+                                            "position-dependent-friction",
+                                            "friction-drift",
+                                            "inertia",
+                                            "constant-load",
+                                            "gravity",
+                                            "cogging",
+                                            "backlash",
+                                            "compliance",
+                                            "effort-gain",
+                                            "saturation",
+                                            "supply-sag",
+                                            "actuator-lag",
+                                            "delay",
+                                            "velocity-filter",
+                                            "gain-k_p",
+                                            "gain-k_v",
+                                            "quantisation",
+                                            "sensor-offset",
+                                            "periodic-disturbance"};
+    std::set<std::string_view> found;
+    for (const auto& e : effects()) {
+        found.insert(e.name);
+        INFO(e.name);
+        CHECK(!e.source.empty());
+        CHECK(!e.signature.empty());
+        CHECK(!e.forms.empty());
+        for (const auto& name : e.confusable) CHECK(effect_named(name) != nullptr);
+        for (const auto& f : e.forms)
+            for (const auto& seed : f.seeds) {
+                REQUIRE(seed.size() == f.parameters.size());
+                for (std::size_t i = 0; i < seed.size(); ++i)
+                    if (f.parameters[i].comb == Comb::none)
+                        CHECK((seed[i] >= f.parameters[i].low && seed[i] <= f.parameters[i].high));
+            }
+    }
+    CHECK(found == pinned);
+}
+
+TEST_CASE("the audit reads a wrong gain and a wrong filter off the command, to a thousandth", "[gap]")
+{
+    Machine m;
+    m.k_p *= 1.07;
+    m.tau = 0.0051;
+    std::vector<std::string> notes;
+    std::vector<Case> cases{prepare(record_of(m, 1), nominal_joint(), notes),
+                            prepare(record_of(m, 2), nominal_joint(), notes)};
+    const Audit found = audit(cases);
+    CHECK(found.command_explained);
+    REQUIRE(found.findings.size() == 2);
+    CHECK(found.findings[0].effect == "velocity-filter");
+    CHECK(found.findings[0].value == Approx(0.0051).epsilon(1e-3));
+    CHECK(found.findings[1].effect == "gain-k_p");
+    CHECK(found.findings[1].value == Approx(1.07).epsilon(1e-3));
+}
+
+TEST_CASE("a machine that is its document has no gap", "[gap]")
+{
+    const auto result = diagnose(nominal_joint(), records_of({}), in_order);
+    CHECK(result.diagnosis.verdict == Verdict::no_gap);
+    CHECK(result.diagnosis.effects.empty());
+}
+
+TEST_CASE("more friction is named, sized and halves nothing but the gap; the order of the tasks does not matter",
+          "[gap]")
+{
+    Machine m;
+    m.coulomb = 2.3;
+    DiagnosisOptions options;
+    options.ensemble = 4;
+    const auto result = diagnose(nominal_joint(), records_of(m), in_order, options);
+    const auto& d = result.diagnosis;
+    REQUIRE(d.verdict == Verdict::gap);
+    REQUIRE(!d.effects.empty());
+    CHECK(d.effects[0].names == std::vector<std::string>{"coulomb-level"});
+    CHECK(d.effects[0].parameters[0].value == Approx(0.3).epsilon(0.05));
+    CHECK(d.effects[0].probability > 0.5);
+    CHECK(d.overall.before > 2 * d.overall.after);
+    CHECK(d.overall.after < 1.3);
+    const auto again = diagnose(nominal_joint(), records_of(m), backwards, options);
+    CHECK(again.diagnosis.effects[0].parameters[0].value == d.effects[0].parameters[0].value);
+    CHECK(again.diagnosis.overall.after == d.overall.after);
+}
+
+TEST_CASE("records that say nothing are answered with insufficient-data or refused, never with a cause", "[gap]")
+{
+    Record still = record_of({}, 1, 1);
+    std::fill(still.position.begin(), still.position.end(), 0.5);
+    CHECK(diagnose(nominal_joint(), {still}, in_order).diagnosis.verdict == Verdict::insufficient_data);
+
+    Record backwards_in_time = record_of({}, 1, 1);
+    std::swap(backwards_in_time.time[10], backwards_in_time.time[11]);
+    CHECK_THROWS_AS(diagnose(nominal_joint(), {backwards_in_time}, in_order), std::invalid_argument);
+
+    Record ten = record_of({}, 1, 0.01);
+    CHECK(diagnose(nominal_joint(), {ten}, in_order).diagnosis.verdict == Verdict::insufficient_data);
+}
+
+TEST_CASE("a record in which nothing of the controller is as documented is suspected to be another joint's", "[gap]")
+{
+    Machine other;
+    other.k_p = 1300, other.k_v = 55, other.tau = 0.006;
+    const auto d = diagnose(nominal_joint(), {record_of(other, 1)}, in_order).diagnosis;
+    CHECK(d.verdict == Verdict::insufficient_data);
+    REQUIRE(d.reasons.size() == 1);
+    CHECK(d.reasons[0].find("another joint") != std::string::npos);
+    CHECK(d.reasons[0].find("gain-k_p.factor = 1.083") != std::string::npos);
+}

@@ -1,0 +1,66 @@
+#include "analysis/diagnosis/heldout/heldout.h"
+#include "analysis/diagnosis/heldout/ensemble.h"
+#include "analysis/diagnosis/audit/prepare.h"
+#include "tests/analysis/diagnosis/small_machine.h"
+
+#include <catch2/catch.hpp>
+
+using namespace stickslip;
+using namespace stickslip::gap;
+
+TEST_CASE("a record that alone reaches the limit is held out in thirds, one of many that show friction whole", "[gap]")
+{
+    test::Machine m;
+    m.limit = 4, m.coulomb = 2.3;  // documented: no limit, 2 N
+    std::vector<Case> cases;
+    std::vector<std::string> notes;
+    for (const auto& [seed, amplitude] : {std::pair{1u, 1.0}, {2u, 0.2}, {3u, 0.2}}) {
+        m.amplitude = amplitude;
+        cases.push_back(prepare(test::record_of(m, seed), test::nominal_joint(), notes));
+        cases.back().number = cases.size() - 1;
+    }
+    const Scales scales = scales_of(cases);
+    const auto cause = [&](const char* name, double value) {
+        Attribution a;
+        a.candidate = {{effect_named(name)}, {&effect_named(name)->forms[0]}, cases.size()};
+        a.x.fill(to_fit(a.candidate, {value}));
+        return a;
+    };
+    const auto saturated = folds_for(cases, scales, cause("saturation", m.limit / scales.peak_effort));
+    REQUIRE(saturated.size() == 5);
+    for (std::size_t i = 0; i < 3; ++i) CHECK(saturated[i].record == 0);
+    CHECK(saturated[0].to == saturated[1].from);
+    CHECK(saturated[1].to == Approx(4).margin(0.01));  // of six seconds
+    CHECK(saturated[2].to == infinity);
+    // what is left out is left out of the fit, and nothing else
+    const auto rest = without(cases, saturated[1]);
+    REQUIRE(rest.size() == 3);
+    CHECK_FALSE(rest[0].judged(3000));
+    CHECK(rest[0].judged(1000));
+
+    CHECK(folds_for(cases, scales, cause("coulomb-level", 0.3 / scales.effort)).size() == 3);
+}
+
+TEST_CASE("floors are of the joint in question: the steps of a coarser encoder than documented are gap, not noise",
+          "[gap]")
+{
+    test::Machine m;
+    m.quantum = 1e-4;  // documented: 5 µm
+    std::vector<std::string> notes;
+    const Joint documented = test::nominal_joint();
+    Case c = prepare(test::record_of(m, 1), documented, notes);
+    Joint audited = c.joint;
+    audited.sensor.encoder_quantum = m.quantum;
+    const auto floor_of = [&](const Joint& joint) {
+        const auto squares = compare(c, joint, 4, -infinity, infinity);
+        REQUIRE(squares[0].signal == "position");
+        return squares[0].floor;
+    };
+    const double before = floor_of(documented);
+    c.joint = audited;
+    c.sigma = reading_sigma(audited.sensor, 0);  // as an audit leaves it
+    CHECK(floor_of(documented) == before);
+    const double steps = m.quantum * m.quantum / 12;
+    CHECK(before < 0.1 * steps);
+    CHECK(floor_of(audited) >= 0.5 * steps);
+}

@@ -1,0 +1,105 @@
+#include "analysis/diagnosis/rig/rig.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+using namespace stickslip;
+using namespace stickslip::gap;
+
+namespace {
+
+void in_order(std::size_t n, const std::function<void(std::size_t)>& task)
+{
+    for (std::size_t i = 0; i < n; ++i) task(i);
+}
+
+constexpr double slow = 3e-6, quick = 10e-6, step_at = 30;  // m/s, s
+constexpr double stiffness = 3000, A = 0.008, B = 0.009, L = 6e-6;
+
+double load_point(double t)
+{
+    return slow * std::min(t, step_at) + quick * std::max(0.0, t - step_at);
+}
+
+/// A velocity step as a laboratory logs it: 10 rows a second, 100 after the step. `friction_at` is asked in order.
+template <class Friction>
+Record velocity_step(Friction friction_at, double noise)
+{
+    Record r;
+    r.name = "step";
+    std::mt19937 random(7);
+    std::normal_distribution<double> normal;
+    for (int k = 0; k < 300 + 600; ++k) {
+        const double t = k < 300 ? 0.1 * k : step_at + 0.01 * (k - 300);
+        r.time.push_back(t);
+        r.reference_position.push_back(load_point(t));
+        r.effort_measured.push_back(0.6 + friction_at(t) + noise * normal(random));
+    }
+    return r;
+}
+
+/// Slip law behind a spring, by classical Runge-Kutta in steps of 0.1 ms at most.
+struct SlipLaw {
+    double t = 0, slip = 0, theta = 0;
+    std::pair<double, double> rate(double at, double s, double th) const
+    {
+        const double v = slow * std::exp((stiffness * (load_point(at) - s) - th) / A);
+        return {v, -v / L * (th + B * std::log(v / slow))};
+    }
+    double operator()(double until)
+    {
+        while (t < until - 1e-9) {
+            const double h = std::min(1e-3, until - t);
+            const auto [a1, b1] = rate(t, slip, theta);
+            const auto [a2, b2] = rate(t + h / 2, slip + h / 2 * a1, theta + h / 2 * b1);
+            const auto [a3, b3] = rate(t + h / 2, slip + h / 2 * a2, theta + h / 2 * b2);
+            const auto [a4, b4] = rate(t + h, slip + h * a3, theta + h * b3);
+            slip += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4), theta += h / 6 * (b1 + 2 * b2 + 2 * b3 + b4);
+            t += h;
+        }
+        return stiffness * (load_point(until) - slip);
+    }
+};
+
+double number(const Cause& cause, const std::string& name)
+{
+    for (const auto& p : cause.parameters)
+        if (p.name == name) return p.value;
+    FAIL("no parameter " << name);
+    return 0;
+}
+
+}  // namespace
+
+TEST_CASE("a velocity step of a rig with memory is named, with its numbers, and its law is called ambiguous", "[gap]")
+{
+    const auto d = diagnose_rig({}, velocity_step(SlipLaw{}, 8e-4), in_order).diagnosis;
+    REQUIRE(d.verdict == Verdict::gap);
+    REQUIRE(d.effects.at(0).names == std::vector<std::string>{"frictional-memory"});
+    CHECK(d.effects[0].probability > 0.9);
+    // the peak is A ln(10/3) = 0.0096, twelve times the noise, and lasts about 2 s
+    CHECK(number(d.effects[0], "frictional-memory.A") == Approx(A).epsilon(0.15));
+    CHECK(number(d.effects[0], "frictional-memory.L") == Approx(L).epsilon(0.3));
+    CHECK(number(d.effects[0], "frictional-memory.A") - number(d.effects[0], "frictional-memory.B") ==
+          Approx(A - B).margin(2e-4));
+    CHECK(d.ambiguous_with == std::vector<std::vector<std::string>>{{"frictional-memory"}});
+    CHECK(d.gap.at(0).floor == Approx(8e-4).epsilon(0.1));
+    REQUIRE(d.next_experiment.separates.size() == 1);
+    CHECK(d.next_experiment.time.size() == d.next_experiment.reference.size());
+}
+
+TEST_CASE("a rig whose friction follows the speed at once has no memory", "[gap]")
+{
+    const auto follows = [](double t) { return t < step_at ? 0.0 : 0.01; };
+    const auto d = diagnose_rig({}, velocity_step(follows, 8e-4), in_order).diagnosis;
+    REQUIRE(d.verdict == Verdict::gap);
+    CHECK(d.effects.at(0).names != std::vector<std::string>{"frictional-memory"});
+}
+
+TEST_CASE("a rig with a constant friction has no gap", "[gap]")
+{
+    const auto d = diagnose_rig({}, velocity_step([](double) { return 0.0; }, 8e-4), in_order).diagnosis;
+    CHECK(d.verdict == Verdict::no_gap);
+    CHECK(d.effects.empty());
+}

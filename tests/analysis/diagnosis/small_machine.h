@@ -1,0 +1,104 @@
+// A machine for the tests of the diagnosis, simulated in another way than the diagnosis does: explicit steps of 10 µs
+// with Karnopp's stick band.
+#pragma once
+#include "analysis/diagnosis/records/record.h"
+#include "analysis/joint/joint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace stickslip::test {
+
+struct Machine {
+    double inertia = 1.2, coulomb = 2, viscous = 1.5, k_p = 1200, k_v = 45, tau = 0.003, load = 0, gain = 1;
+    double noise = 2e-6, quantum = 5e-6, drag = 0;
+    double cubic = 0;             ///< N/m³: a spring to the ground that stiffens
+    double bellows = 0;           ///< N/m: a spring to the ground that follows the position behind a play
+    double bellows_play = 0;      ///< m, half of it
+    bool bellows_creeps = false;  ///< takes its play up little by little, as Dahl's friction does
+    double command_step = 0;      ///< N: the command is rounded to whole steps
+    double limit = 1e9;           ///< N, of the effort that reaches the mass
+    double amplitude = 1;         ///< of the motion, as a factor
+    double effort_noise = 0;      ///< N; above 0 the effort that reaches the mass is logged, too
+    double step = 0;              ///< m: by this much the reference jumps at step_time
+    double step_time = 2;         ///< s
+    double command_limit = 1e9;   ///< N, of the controller
+    double one_way = 0;           ///< part of the viscous slope that changes its sign with the direction
+};
+
+inline Joint nominal_joint()
+{
+    const Machine m;
+    Joint j;
+    j.mechanism.inertia = m.inertia;
+    CoulombViscous law;
+    law.coulomb = m.coulomb;
+    law.viscous = m.viscous;
+    j.friction.law = law;
+    j.control.k_p = m.k_p;
+    j.control.k_v = m.k_v;
+    j.control.period = 1e-3;
+    j.control.velocity_estimate.tau = m.tau;
+    j.sensor.position_noise = m.noise;
+    j.sensor.encoder_quantum = m.quantum;
+    return j;
+}
+
+inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
+{
+    Record r;
+    r.name = "run-" + std::to_string(seed);
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    constexpr double period = 1e-3, h = 1e-5, band = 1e-6;
+    double q = 0, v = 0, estimate = 0, last = 0, followed = 0;
+    const double slow = 1.3 + 0.2 * seed, quick = 5.1 + seed;
+    for (int k = 0; k < static_cast<int>(seconds / period); ++k) {
+        const double t = k * period;
+        const auto reference = [&](double s) {
+            const double smooth = std::min(1.0, s) * (0.08 * std::sin(slow * s) + 0.02 * std::sin(quick * s));
+            return m.amplitude * smooth + (t > m.step_time - 0.5 * period ? m.step : 0.0);
+        };
+        double y = q + m.noise * normal(random);
+        y = m.quantum * std::round(y / m.quantum);
+        if (k > 0) estimate += period / (m.tau + period) * ((y - last) / period - estimate);
+        last = y;
+        const double rate = (reference(t + 1e-5) - reference(std::max(0.0, t - 1e-5))) / (t > 0 ? 2e-5 : 1e-5);
+        double u = m.k_p * (reference(t) - y) + m.k_v * (rate - estimate);
+        if (m.command_step > 0) u = m.command_step * std::round(u / m.command_step);
+        u = std::clamp(u, -m.command_limit, m.command_limit);
+        r.time.push_back(t);
+        r.reference_position.push_back(reference(t));
+        r.reference_velocity.push_back(rate);
+        r.position.push_back(y);
+        r.velocity.push_back(estimate);
+        r.effort_command.push_back(u);
+        if (m.effort_noise > 0)
+            r.effort_measured.push_back(std::clamp(m.gain * u, -m.limit, m.limit) + m.effort_noise * normal(random));
+        for (int i = 0; i < 100; ++i) {
+            if (m.bellows_creeps)
+                followed += h * std::abs(v) * (q - followed) / m.bellows_play;
+            else
+                followed = std::clamp(followed, q - m.bellows_play, q + m.bellows_play);
+            const double push =
+                std::clamp(m.gain * u, -m.limit, m.limit) + m.load - m.cubic * q * q * q - m.bellows * followed;
+            if (std::abs(v) < band && std::abs(push) <= m.coulomb) {
+                v = 0;
+                continue;
+            }
+            const double direction = std::abs(v) < band ? std::copysign(1.0, push) : std::copysign(1.0, v);
+            const double next = v + h / m.inertia *
+                                        (push - direction * m.coulomb - m.viscous * v - m.drag * v * std::abs(v) -
+                                         m.one_way * std::abs(v));
+            if (next * v < 0)
+                v = 0;
+            else
+                v = next;
+            q += h * v;
+        }
+    }
+    return r;
+}
+
+}  // namespace stickslip::test

@@ -1,0 +1,335 @@
+#include "analysis/diagnosis/verdict/verdict.h"
+#include "analysis/diagnosis/heldout/ensemble.h"
+#include "analysis/diagnosis/fit/moment.h"
+#include "analysis/diagnosis/audit/prepare.h"
+#include "tests/analysis/diagnosis/small_machine.h"
+
+#include <catch2/catch.hpp>
+
+using namespace stickslip;
+using namespace stickslip::gap;
+
+namespace {
+
+Attribution found(std::initializer_list<const char*> names, double score, double explained, bool accepted)
+{
+    Attribution a;
+    for (const char* name : names) {
+        a.candidate.effects.push_back(effect_named(name));
+        a.candidate.forms.push_back(&a.candidate.effects.back()->forms[0]);
+    }
+    a.score = a.evidence = score, a.explained = explained, a.accepted = accepted, a.refined = true;
+    return a;
+}
+
+/// A document that gives the step of the encoder and no noise.
+Joint without_noise(const test::Machine& m)
+{
+    Joint joint = test::nominal_joint();
+    joint.sensor.position_noise = 0;
+    joint.sensor.encoder_quantum = m.quantum;
+    return joint;
+}
+
+}  // namespace
+
+TEST_CASE("two free functions of position are named only when nothing is left", "[gap]")
+{
+    const std::vector<Attribution> singles{found({"gravity"}, 1.8, 0.65, false)};
+    std::vector<Attribution> pairs{found({"gravity", "cogging"}, 0.08, 0.999, false)};
+    CHECK_FALSE(decide(singles, pairs).named);
+    CHECK(decide(singles, pairs).best_explained == 0.65);
+    pairs[0].accepted = true;
+    CHECK(decide(singles, pairs).named);
+    // a shape and a slope cannot bend into anything
+    CHECK(decide(singles, {found({"viscous", "cogging"}, 0.08, 0.999, false)}).named);
+}
+
+TEST_CASE("a pair that leaves nothing wins over a single that leaves little, one that leaves much does not", "[gap]")
+{
+    const std::vector<Attribution> singles{found({"frictional-memory"}, 0.19, 0.975, false)};
+    const auto with = [&](double score, bool accepted) {
+        const std::vector<Attribution> pairs{found({"viscous", "frictional-memory"}, score, 0.99, accepted)};
+        return decide(singles, pairs).winner->candidate.effects.size();
+    };
+    CHECK(with(0.01, true) == 2);
+    CHECK(with(0.15, true) == 1);
+    CHECK(with(0.08, false) == 1);
+}
+
+TEST_CASE("a partner beside play is named where it takes away most of what the play leaves", "[gap]")
+{
+    const auto named = [](double single, double pair, const char* alone = "backlash") -> std::size_t {
+        const std::vector<Attribution> singles{found({alone}, 1.6, single, false)};
+        const std::vector<Attribution> pairs{found({"viscous", "backlash"}, 0.7, pair, false)};
+        const auto d = decide(singles, pairs);
+        return d.named ? d.winner->candidate.effects.size() : 0;
+    };
+    CHECK(named(0.85, 0.97) == 2);
+    CHECK(named(0.85, 0.95) == 1);                // a third of the rest remains
+    CHECK(named(0.70, 0.93) == 0);                // neither explains enough
+    CHECK(named(0.955, 0.983) == 1);              // more than a quarter remains
+    CHECK(named(0.85, 0.97, "compliance") == 1);  // the pair says another thing
+}
+
+TEST_CASE("probabilities fall with the misfit, with a needless parameter and where something is left", "[gap]")
+{
+    std::vector<Attribution> singles{found({"constant-load"}, 0.010, 1, true),
+                                     found({"asymmetric-friction"}, 0.010, 1, true),
+                                     found({"viscous"}, 0.4, 0.6, false)};
+    constexpr double rows = 3e4;
+    const auto ranked = rank(singles, {}, decide(singles, {}), rows);
+    CHECK(ranked[0].probability / ranked[1].probability == Approx(30));  // one parameter more, and nothing gained
+    CHECK(ranked[2].probability < 1e-6);
+    CHECK(ranked[0].probability + ranked[1].probability + ranked[2].probability == Approx(0.985));
+    singles[0].accepted = false, singles[0].explained = 0.98;
+    const double with_a_rest = rank(singles, {}, decide(singles, {}), rows)[0].probability;
+    CHECK(with_a_rest < 0.85);
+    singles[0].explained = 0.975;  // what is left is lost one to one
+    CHECK(rank(singles, {}, decide(singles, {}), rows)[0].probability / with_a_rest == Approx(0.825 / 0.83));
+}
+
+TEST_CASE("the odds between causes at the noise are those of a likelihood, and grow with the rows", "[gap]")
+{
+    std::vector<Attribution> singles{found({"delay"}, 0.003, 1, true), found({"actuator-lag"}, 0.003, 1, true)};
+    singles[0].evidence = -0.101, singles[1].evidence = -0.100;  // both below a floor that is too high
+    const auto odds = [&](double rows) {
+        const auto ranked = rank(singles, {}, decide(singles, {}), rows);
+        return ranked[0].probability / ranked[1].probability;
+    };
+    // Gaussian innovations of unknown variance: ln L = -n/2 ln(mean square), here with one reading in 15 rows
+    CHECK(odds(30000) == Approx(std::exp(0.5 * 30000 / 15 * 0.001)));
+    CHECK(odds(120000) == Approx(std::pow(odds(30000), 4)));
+    // far above the floor margins are model error, whatever the rows
+    for (auto& s : singles) s.score = 0.5;
+    CHECK(odds(1e6) < 2);
+}
+
+TEST_CASE("of causes that come down to the noise the likelier comes first, though the floor hides the difference",
+          "[gap]")
+{
+    const auto in_order = [](std::size_t n, const std::function<void(std::size_t)>& task) {
+        for (std::size_t i = 0; i < n; ++i) task(i);
+    };
+    std::vector<Attribution> singles{found({"delay"}, 0.003, 1, true), found({"actuator-lag"}, 0.004, 1, true),
+                                     found({"viscous"}, 0.5, 0, false)};
+    singles[0].evidence = -0.100, singles[1].evidence = -0.105, singles[2].evidence = -0.9;
+    confirm({}, singles, {}, {}, in_order);
+    CHECK(singles[0].candidate.effects[0]->name == "actuator-lag");
+    CHECK(singles[1].candidate.effects[0]->name == "delay");
+    CHECK(singles[2].candidate.effects[0]->name == "viscous");  // not accepted: its floor is not the question
+}
+
+TEST_CASE("a step lost in one moment does not decide between causes that are alike everywhere else", "[gap]")
+{
+    std::vector<Attribution> singles{found({"coulomb-level"}, 0.02, 1, true), found({"viscous"}, 0.12, 1, true)};
+    constexpr std::size_t blocks = 100, at = 40;
+    constexpr double rows = 1e4;
+    const auto odds = [&](double everywhere, double in_one_moment) {
+        for (auto& a : singles)
+            for (auto& level : a.evaluation) level.records.assign(1, {1, 1, std::vector<double>(blocks, 1.0), {}});
+        auto& slow = singles[1].evaluation[2].records[0].position_blocks;
+        for (double& x : slow) x = everywhere;
+        slow[at] += in_one_moment, slow[at + 1] += in_one_moment;
+        double mean = 0;
+        for (double x : slow) mean += x / blocks;
+        // three levels of one record, and its effort at the fastest
+        singles[1].evidence = 0.02 + std::log(mean) / 4;
+        const auto ranked = rank(singles, {}, decide(singles, {}), rows);
+        return ranked[0].probability / ranked[1].probability;
+    };
+    CHECK(odds(1, 100) == Approx(1));
+    CHECK(decide(singles, {}).ambiguous.size() == 1);
+    // the same misfit all over the record tells them apart: half of log 3 for each of its fifteenths of rows
+    CHECK(odds(3, 0) == Approx(std::exp(rows / 15 / 2 * std::log(3.0) / 4)).epsilon(1e-3));
+    CHECK(decide(singles, {}).ambiguous.empty());
+    // seconds of which a record has but a few are no moments
+    for (auto& a : singles)
+        for (auto& level : a.evaluation) level.records[0].position_blocks.assign(20, 1.0);
+    singles[1].evaluation[2].records[0].position_blocks[7] = 100;
+    CHECK(hangs_on_a_moment(singles[0].evaluation, singles[1].evaluation, exact_square) == 0);
+    // where one of them is not known to be right, a lost step may be what is wrong with it
+    singles[1].accepted = false;
+    CHECK(odds(1, 100) > 1e10);
+}
+
+TEST_CASE("noise estimated from rounded readings is that before rounding", "[gap]")
+{
+    test::Machine m;
+    m.noise = 4e-5, m.quantum = 8e-5;
+    const Joint joint = without_noise(m);
+    std::vector<std::string> notes;
+    const Case c = prepare(test::record_of(m, 5), joint, notes);
+    CHECK(c.joint.sensor.position_noise == Approx(m.noise).epsilon(0.05));
+    CHECK(c.sigma == Approx(std::hypot(m.noise, m.quantum / std::sqrt(12.0))).epsilon(0.05));
+}
+
+TEST_CASE("noise of a measured effort is that of its sensor, not what the encoder puts into the command", "[gap]")
+{
+    test::Machine m;
+    m.noise = 2e-5, m.effort_noise = 0.05;  // the encoder's alone makes the command rattle by 0.4 N
+    std::vector<std::string> notes;
+    const Case c = prepare(test::record_of(m, 3), test::nominal_joint(), notes);
+    CHECK(c.joint.sensor.effort_noise == Approx(m.effort_noise).epsilon(0.05));
+}
+
+TEST_CASE("noise that is not stated counts although the step of the encoder makes most of it", "[gap]")
+{
+    test::Machine m;
+    m.quantum = 2e-5, m.noise = 3e-6;  // together 1.12 of what rounding alone makes
+    const Joint joint = without_noise(m);
+    std::vector<std::string> notes;
+    const Case c = prepare(test::record_of(m, 5), joint, notes);
+    CHECK(c.sigma == Approx(std::hypot(m.noise, m.quantum / std::sqrt(12.0))).epsilon(0.03));
+}
+
+TEST_CASE("a joint at rest hides the noise of its encoder behind the steps, and gets that of the others", "[gap]")
+{
+    test::Machine m;
+    m.quantum = 2e-5, m.noise = 5e-6;
+    const Joint joint = without_noise(m);
+    std::vector<std::string> notes;
+    test::Machine still = m;
+    still.amplitude = 0;
+    std::vector<Case> cases{prepare(test::record_of(m, 5), joint, notes),
+                            prepare(test::record_of(still, 6), joint, notes)};
+    const double rounding = m.quantum / std::sqrt(12.0), truth = std::hypot(m.noise, rounding);
+    REQUIRE(cases[1].sigma < 0.99 * truth);
+    share_noise(cases, joint.sensor, notes);
+    for (const auto& c : cases) {
+        CHECK(c.sigma == Approx(truth).epsilon(0.03));
+        CHECK(c.joint.sensor.position_noise == Approx(m.noise).epsilon(0.1));
+    }
+    // a documented noise is nobody else's
+    Joint documented = joint;
+    documented.sensor.position_noise = m.noise;
+    std::vector<Case> told{prepare(test::record_of(m, 5), documented, notes),
+                           prepare(test::record_of(still, 6), documented, notes)};
+    const double before = told[1].sigma;
+    told[0].sigma *= 1.3;
+    share_noise(told, documented.sensor, notes);
+    CHECK(told[1].sigma == before);
+}
+
+TEST_CASE("a joint whose closed loop differs from no record by more than noise has no gap", "[gap]")
+{
+    const auto in_order = [](std::size_t n, const std::function<void(std::size_t)>& task) {
+        for (std::size_t i = 0; i < n; ++i) task(i);
+    };
+    const auto at_its_floor = [&](const test::Machine& m) {
+        std::vector<std::string> notes;
+        const std::vector<Case> cases{prepare(test::record_of(m, 1), test::nominal_joint(), notes)};
+        Nominal nominal = judge_nominal(cases);
+        nominal.worst = 1.2;  // a slow observer that once took a stop for a slip
+        Attribution none;
+        none.evaluation = nominal.evaluation;
+        for (auto& misfit : none.evaluation.back().records) misfit.position = 1.3;
+        return at_floor(cases, none, nominal, scales_of(cases), in_order);
+    };
+    CHECK(at_its_floor({}));
+    test::Machine rougher;
+    rougher.coulomb = 2.1;
+    CHECK_FALSE(at_its_floor(rougher));
+}
+
+TEST_CASE("a stop that shakes a joint now and then is not taken for noise of its encoder", "[gap]")
+{
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal;
+    std::vector<double> quiet, shaken;
+    for (int k = 0; k < 20000; ++k) {
+        quiet.push_back(std::sin(1e-3 * k) + 1e-4 * normal(random));
+        const int since = k % 400;  // ticks after an impact
+        shaken.push_back(quiet.back() + (since < 20 ? 5e-3 * std::exp(-0.1 * since) * std::sin(1.5 * since) : 0));
+    }
+    CHECK(noise_of(quiet) == Approx(1e-4).epsilon(0.02));
+    CHECK(noise_of(shaken) == Approx(1e-4).epsilon(0.1));
+}
+
+TEST_CASE("a coarser grid than documented is not booked as noise", "[gap]")
+{
+    test::Machine m;
+    m.noise = 1e-5, m.quantum = 8e-5;
+    Joint joint = test::nominal_joint();
+    joint.sensor.position_noise = m.noise;
+    joint.sensor.encoder_quantum = 0;
+    std::vector<std::string> notes;
+    const Case c = prepare(test::record_of(m, 2), joint, notes);
+    CHECK(c.joint.sensor.position_noise == m.noise);
+    CHECK(notes.empty());
+}
+
+TEST_CASE("what a cause explains is measured over the longest horizon where shorter ones hide the gap", "[gap]")
+{
+    const auto at = [](double middle, double slow) {
+        std::array<Evaluation, levels.size()> all;
+        for (auto& level : all) level.records.resize(1);
+        all[0].records[0].position = 1, all[1].records[0].position = middle, all[2].records[0].position = slow;
+        return all;
+    };
+    Nominal nominal;
+    nominal.evaluation = at(0.99, 5);
+    Attribution a = found({"viscous"}, 0, 0, false);
+    a.evaluation = at(0.99, 2);
+    judge(a, nominal);
+    CHECK(a.explained == Approx(0.75));  // (2 − 1)/(5 − 1) is left
+    // where the middle one shows it, the middle one counts
+    nominal.evaluation = at(3, 5);
+    a.evaluation = at(2, 2);
+    judge(a, nominal);
+    CHECK(a.explained == Approx(0.5));
+}
+
+TEST_CASE("what a coarse grid leaves open reaches the command's floor through k_p", "[gap]")
+{
+    test::Machine m;
+    m.noise = 0, m.quantum = 2e-3, m.amplitude = 0;
+    const Joint joint = without_noise(m);
+    std::vector<std::string> notes;
+    const Case c = prepare(test::record_of(m, 1, 2), joint, notes);
+    // a joint at rest on a step of its grid: every run gives the same readings and the same command
+    const auto signals = compare(c, joint, 3, -infinity, infinity);
+    const auto command = std::ranges::find(signals, "effort_command", &SignalSquares::signal);
+    REQUIRE(command != signals.end());
+    CHECK(command->floor == Approx(0.5 * std::pow(m.k_p * m.quantum, 2) / 12));
+}
+
+TEST_CASE("a cause that is itself noise is not held to make things worse", "[gap]")
+{
+    OverallGap gap;
+    gap.before = 2.2, gap.after = 2.4, gap.floor = 1;
+    CHECK(gap.worse());
+    gap.own_floor = 2.4;  // two simulations with it differ by as much as the record does
+    CHECK_FALSE(gap.worse());
+}
+
+TEST_CASE("a wave of which the travel holds only a bend is told from one that turns", "[gap]")
+{
+    const auto pair = found({"gravity", "cogging"}, 0.02, 1, true).candidate;
+    Scales scales;
+    scales.position = 6.6;
+    const auto seen = [&](double wave_number) {
+        std::vector<double> x(pair.parameter_count(), 0.1);
+        for (std::size_t i = 0; i < x.size(); ++i)
+            if (pair.parameter(i).comb == Comb::position) x[i] = wave_number * scales.position;
+        return bends_only(pair, to_fit(pair, x), scales);
+    };
+    CHECK(seen(0.45));  // period 14 rad
+    CHECK_FALSE(seen(1.5));
+    CHECK_FALSE(bends_only(found({"gravity"}, 0.02, 1, true).candidate, Eigen::VectorXd::Zero(2), scales));
+}
+
+TEST_CASE("what a true joint's own noise leaves is no unexplained rest", "[gap]")
+{
+    Nominal nominal;
+    nominal.evaluation[1].records = {{101, 1}, {2, 1}};
+    Evaluation middle;
+    middle.records = {{4, 1}, {1, 1}};
+    NoiseSpread own;
+    for (auto& level : own.mean) level = {{1, 1}, {1, 1}};
+    CHECK(explained_beyond(own, middle, nominal) == Approx(1 - 3 / 101.0));
+    own.mean[1][0].position = 3;  // a jump between two rows of a slow log
+    CHECK(explained_beyond(own, middle, nominal) == Approx(1 - 1 / 101.0));
+    own.mean[1][0].position = 0.5;  // fewer than one floor is luck
+    CHECK(explained_beyond(own, middle, nominal) == Approx(1 - 3 / 101.0));
+}

@@ -1,0 +1,114 @@
+#include "analysis/diagnosis/verdict/withdraw.h"
+
+#include <catch2/catch.hpp>
+
+using namespace stickslip;
+using namespace stickslip::gap;
+
+namespace {
+
+/// A named cause and what it leaves on held-out data, in floors.
+Diagnosis leaving(double before, double after)
+{
+    Diagnosis d;
+    d.verdict = Verdict::gap;
+    d.effects.resize(2);
+    d.effects[0].names = {"stribeck"}, d.effects[0].probability = 0.6;
+    d.effects[1].names = {"viscous"}, d.effects[1].probability = 0.3;
+    d.ambiguous_with = {{"viscous"}};
+    d.overall.before = before, d.overall.after = after, d.overall.floor = 1;
+    return d;
+}
+
+}  // namespace
+
+TEST_CASE("a cause that makes held-out data worse is withdrawn, one that is settled and helps is not", "[gap]")
+{
+    auto d = leaving(3, 2.9);
+    CHECK_FALSE(withdraw_if_no_better(d, {.settled = true}));
+    CHECK(d.verdict == Verdict::gap);
+    CHECK(d.effects[0].probability == 0.6);
+    d.overall.after = 3.1;
+    CHECK(withdraw_if_no_better(d, {.settled = true}));
+    CHECK(d.verdict == Verdict::unknown);
+    CHECK(d.ambiguous_with.empty());
+    REQUIRE(d.reasons.size() == 1);
+    CHECK(d.reasons[0].starts_with("stribeck fits best, but makes"));
+    CHECK(d.effects.size() == 2);
+}
+
+TEST_CASE("a cause that predictions leave open and that hardly helps on held-out data is not named", "[gap]")
+{
+    auto d = leaving(3, 2.4);  // (2.4² - 1)/(3² - 1) = 0.595 is left
+    CHECK(withdraw_if_no_better(d, {}));
+    CHECK(d.verdict == Verdict::unknown);
+    REQUIRE(d.reasons.size() == 1);
+    CHECK(d.reasons[0].starts_with("stribeck fits best, but leaves most"));
+    CHECK(d.effects[0].probability + d.effects[1].probability < 0.2);
+    // two simulations of a joint that sticks or slips by chance differ by more than two of the nominal one
+    d = leaving(3, 2.4);
+    d.overall.own_floor = 2;
+    CHECK_FALSE(withdraw_if_no_better(d, {}));
+    CHECK(d.verdict == Verdict::gap);
+}
+
+TEST_CASE("a cause that leaves more than a documented noise is doubted, rivals alike", "[gap]")
+{
+    auto d = leaving(10, 2);
+    CHECK_FALSE(withdraw_if_no_better(d, {.noise_documented = true}));
+    CHECK(d.verdict == Verdict::gap);
+    CHECK(d.effects[0].probability == 0.2);
+    CHECK(d.effects[1].probability == Approx(0.1));
+    for (const auto& [after, standing] : {std::pair{1.2, Standing{.noise_documented = true}}, {2.0, Standing{}}}) {
+        d = leaving(10, after);
+        CHECK_FALSE(withdraw_if_no_better(d, standing));
+        CHECK(d.effects[0].probability == 0.6);
+    }
+}
+
+TEST_CASE("a cause that leaves many floors which nobody documented is not named", "[gap]")
+{
+    auto d = leaving(15, 7.5);  // three quarters of the mean square are gone
+    CHECK(withdraw_if_no_better(d, {}));
+    CHECK(d.verdict == Verdict::unknown);
+    REQUIRE(d.reasons.size() == 1);
+    CHECK(
+        d.reasons[0] ==
+        "stribeck fits best, but leaves 7.5 floors of held-out data, and no document tells the noise: it is not named "
+        "as the cause");
+    for (const auto& standing : {Standing{.settled = true}, Standing{.noise_documented = true}}) {
+        d = leaving(15, 7.5);
+        CHECK_FALSE(withdraw_if_no_better(d, standing));
+        CHECK(d.verdict == Verdict::gap);
+    }
+}
+
+TEST_CASE("a cause that leaves a rest and needs an implausible number is not named", "[gap]")
+{
+    auto d = leaving(10, 1.3);
+    d.effects[0].plausible = false;
+    CHECK_FALSE(withdraw_if_no_better(d, {.settled = true}));
+    CHECK(d.verdict == Verdict::gap);
+    CHECK(withdraw_if_no_better(d, {.noise_documented = true}));
+    CHECK(d.verdict == Verdict::unknown);
+    CHECK(
+        d.reasons.at(0).starts_with("stribeck fits best, but leaves more than noise, and needs a number at its bound"));
+}
+
+TEST_CASE("a joint whose predictions hide in the noise is not free of a gap that the whole motion shows", "[gap]")
+{
+    Diagnosis d;
+    d.verdict = Verdict::no_gap;
+    d.reasons = {"a file was too short", "the nominal joint predicts every record to the noise"};
+    d.overall.before = 1.25;
+    CHECK_FALSE(withdraw_no_gap(d));
+    CHECK(d.verdict == Verdict::no_gap);
+    d.overall.before = 3.85;
+    CHECK(withdraw_no_gap(d));
+    CHECK(d.verdict == Verdict::unknown);
+    REQUIRE(d.reasons.size() == 2);
+    CHECK(d.reasons[0] == "a file was too short");
+    CHECK(d.reasons[1].find("3.9 floors away") != std::string::npos);
+    d.verdict = Verdict::gap;
+    CHECK_FALSE(withdraw_no_gap(d));
+}

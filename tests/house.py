@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+"""The rooms of the house: which folder may include which. Run: tests/house.py [source folder]
+
+Checks that arrows between floors go down only, that no folders include each other in a circle (a pair is the smallest
+circle), and that the headers of heavy libraries stay behind ours.
+"""
+import re
+import sys
+from collections import defaultdict
+from pathlib import Path
+
+SOURCE = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parent.parent)
+ROOMS = ("analysis", "render", "sweep")
+
+# What a floor may not include: the first folder that a file lies in decides.
+FORBIDDEN = {
+    "analysis/results": r"analysis/(?!results/)|render/|sweep/|tests/",
+    "analysis": r"render/|sweep/|tests/|fmt/|nlohmann/|toml|CLI/|tbb/|netcdf|vtk|fstream|iostream|thread",
+    "render": r"analysis/(?!results/)|sweep/|tests/|nlohmann/|toml|netcdf|tbb/",
+    "sweep": r"vtk|sundials|nlopt|tests/",
+}
+HEAVY = re.compile(r"sundials|cvode|nvector|nlopt")
+INCLUDE = re.compile(r'^\s*#include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
+
+
+def files():
+    for room in ROOMS:
+        for path in sorted((SOURCE / room).rglob("*")):
+            if path.suffix in (".h", ".cpp"):
+                yield path.relative_to(SOURCE)
+
+
+def circles(arrows):
+    """Strongly connected sets of more than one folder (Tarjan)."""
+    index, low, stack, on_stack, found = {}, {}, [], set(), []
+
+    def visit(folder):
+        index[folder] = low[folder] = len(index)
+        stack.append(folder)
+        on_stack.add(folder)
+        for other in arrows[folder]:
+            if other not in index:
+                visit(other)
+                low[folder] = min(low[folder], low[other])
+            elif other in on_stack:
+                low[folder] = min(low[folder], index[other])
+        if low[folder] == index[folder]:
+            members = []
+            while not members or members[-1] != folder:
+                members.append(stack.pop())
+                on_stack.discard(members[-1])
+            if len(members) > 1:
+                found.append(sorted(members))
+
+    for folder in list(arrows):
+        if folder not in index:
+            visit(folder)
+    return found
+
+
+def main():
+    wrong, arrows, because, counted = [], defaultdict(set), {}, defaultdict(int)
+    for path in files():
+        folder = path.parent.as_posix()
+        counted[folder] += 1
+        floor = "analysis/results" if folder.startswith("analysis/results") else path.parts[0]
+        for name in INCLUDE.findall((SOURCE / path).read_text(encoding="utf-8")):
+            if re.match(FORBIDDEN[floor], name):
+                wrong.append(f"{path}: includes {name}, which lies on a floor above or is not for this floor")
+            if path.suffix == ".h" and floor != "sweep" and HEAVY.match(name):
+                wrong.append(f"{path}: a header of ours includes {name}; keep it in a .cpp")
+            other = Path(name).parent.as_posix()
+            if (SOURCE / name).exists() and other != folder:
+                arrows[folder].add(other)
+                because[folder, other] = f"{path} includes {name}"
+    for members in circles(arrows):
+        wrong.append("folders that include each other in a circle: " + ", ".join(members))
+        wrong += [f"    {text}" for (a, b), text in sorted(because.items()) if a in members and b in members]
+    for line in wrong:
+        print(line)
+    print(f"{sum(counted.values())} files in {len(counted)} folders, {sum(map(len, arrows.values()))} arrows, {len(wrong)} complaints")
+    return 1 if wrong or not counted else 0
+
+
+sys.exit(main())

@@ -1,7 +1,7 @@
 #include "analysis/design/design.h"
 
-#include "analysis/numerics/optimise.h"
 #include "analysis/design/judge.h"
+#include "analysis/numerics/optimise.h"
 #include "analysis/stability/steady.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // Pairs of gains against requirements, by either theory. Internal to analysis/design.
 #pragma once
 #include "analysis/boundary/kinds/nearest.h"
-#include "analysis/numerics/optimise.h"
 #include "analysis/design/design.h"
+#include "analysis/numerics/optimise.h"
 
 #include <array>
 #include <functional>

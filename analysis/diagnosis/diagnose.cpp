@@ -1,16 +1,16 @@
 #include "analysis/diagnosis/diagnose.h"
 
-#include "analysis/diagnosis/verdict/causes.h"
+#include "analysis/diagnosis/audit/inspect.h"
+#include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/fit/jumps.h"
 #include "analysis/diagnosis/heldout/drive_force.h"
+#include "analysis/diagnosis/heldout/heldout.h"
+#include "analysis/diagnosis/records/pieces.h"
+#include "analysis/diagnosis/rig/rig.h"
+#include "analysis/diagnosis/verdict/causes.h"
 #include "analysis/diagnosis/verdict/experiment.h"
 #include "analysis/diagnosis/verdict/find_causes.h"
-#include "analysis/diagnosis/heldout/heldout.h"
-#include "analysis/diagnosis/audit/inspect.h"
-#include "analysis/diagnosis/fit/jumps.h"
 #include "analysis/diagnosis/verdict/locate.h"
-#include "analysis/diagnosis/records/pieces.h"
-#include "analysis/diagnosis/audit/prepare.h"
-#include "analysis/diagnosis/rig/rig.h"
 #include "analysis/diagnosis/verdict/withdraw.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // The diagnosis of one joint: where the gap lies, what causes it, how far it shrinks, how sure that is.
 #pragma once
-#include "analysis/diagnosis/search/attribute.h"
 #include "analysis/diagnosis/records/record.h"
+#include "analysis/diagnosis/search/attribute.h"
 #include "analysis/diagnosis/verdict/result.h"
 
 #include <functional>

@@ -5,8 +5,8 @@
 #include <string>
 #include <type_traits>
 
-#include "analysis/friction/friction.h"
 #include "analysis/base/field.h"
+#include "analysis/friction/friction.h"
 
 namespace stickslip {
 

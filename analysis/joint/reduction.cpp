@@ -163,7 +163,8 @@ Reduction two_mass_to_single_mass(const Joint& joint)
     if (c.kind == ControlKind::position) {
         r.name = "ideal motor as a position source (Fig. 6 to 7a)";
         r.model = "Fig. 7a, ideal motor";
-        r.neglected = {"the motor's inertia and friction", "the compliance of the motor's own loop, k_{p} against k_{tr}"};
+        r.neglected = {"the motor's inertia and friction",
+                       "the compliance of the motor's own loop, k_{p} against k_{tr}"};
         c.k_p = joint.mechanism.transmission.stiffness;
         c.k_v = joint.mechanism.transmission.damping;
     } else {

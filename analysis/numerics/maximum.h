@@ -4,8 +4,8 @@
 
 namespace stickslip {
 
-/// Where f, unimodal between 0 ≤ a < b, is largest: golden sections down to `precision` of the given b. A maximum itself
-/// is known no better than to the square root of rounding, about 1e-8.
+/// Where f, unimodal between 0 ≤ a < b, is largest: golden sections down to `precision` of the given b. A maximum
+/// itself is known no better than to the square root of rounding, about 1e-8.
 template <class Function>
 double maximiser(Function&& f, double a, double b, double precision = 1e-10)
 {

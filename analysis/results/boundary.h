@@ -92,7 +92,7 @@ struct LocatedRay {
     int undecided = 0;  ///< of them without a verdict
     int climbed = 0;    ///< extrema between nodes that were searched for a pair of boundaries
     int evaluations = 0;
-    double stable_share = 0;  ///< of the scanned nodes: tells all stable from none where there is no boundary
+    double stable_share = 0;   ///< of the scanned nodes: tells all stable from none where there is no boundary
     double neutral_share = 0;  ///< of the scanned nodes: a root on the imaginary axis
     std::optional<OutsideOfRay> outside;  ///< where there is none: what lies beyond, if that was looked for
 };

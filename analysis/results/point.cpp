@@ -37,7 +37,8 @@ constexpr Column table[] = {
     coded<&PointResult::region>("region", "verdicts of both theories",
                                 "stable memory_only velocity_only unstable bistable undecided neutral"),
     coded<&PointResult::velocity_only_stable>("velocity_only_stable",
-                                              "stable by friction that depends on velocity alone", "unstable stable undecided neutral"),
+                                              "stable by friction that depends on velocity alone",
+                                              "unstable stable undecided neutral"),
     coded<&PointResult::state_variable_stable>("state_variable_stable", "stable by friction with memory",
                                                "unstable stable undecided neutral"),
     coded<&PointResult::reason>(
@@ -49,7 +50,8 @@ constexpr Column table[] = {
         "not_asked stable-sliding stick-slip limit-cycle reversal period-n irregular undecided "
         "linear-only solver-failure",
         true),
-    coded<&PointResult::path>("path", "method that decided the outcome", "none lanes cvode shooting method-of-steps", true),
+    coded<&PointResult::path>("path", "method that decided the outcome", "none lanes cvode shooting method-of-steps",
+                              true),
     numbered("growth_rate", "growth rate of the small disturbance", Quantity::rate, &PointResult::growth_rate, true),
     numbered("amplitude", "limit-cycle amplitude in position, half peak to peak", Quantity::position,
              &PointResult::amplitude, true),

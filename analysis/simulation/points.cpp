@@ -1,5 +1,5 @@
-#include "analysis/simulation/lanes/batch.h"
 #include "analysis/simulation/points.h"
+#include "analysis/simulation/lanes/batch.h"
 
 namespace stickslip {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/numerics/maximum.h"
 #include "analysis/stability/joint_crossings.h"
 #include "analysis/stability/joint_spectrum.h"
-#include "analysis/numerics/maximum.h"
 #include "analysis/stability/steady.h"
 
 namespace stickslip {

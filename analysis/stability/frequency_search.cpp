@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <span>
 
+#include "analysis/numerics/interval.h"
 #include "analysis/numerics/root.h"
 #include "analysis/stability/characteristic.h"
-#include "analysis/numerics/interval.h"
 
 namespace stickslip {
 namespace {

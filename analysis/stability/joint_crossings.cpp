@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "analysis/numerics/root.h"
 #include "analysis/numerics/balance.h"
+#include "analysis/numerics/root.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/neutral.h"
 

@@ -4,8 +4,8 @@
 #include <complex>
 #include <vector>
 
-#include "analysis/stability/linear_joint.h"
 #include "analysis/numerics/polynomial_arithmetic.h"
+#include "analysis/stability/linear_joint.h"
 
 namespace stickslip {
 

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <numbers>
 
+#include "analysis/numerics/maximum.h"
 #include "analysis/numerics/root.h"
 #include "analysis/stability/characteristic.h"
 #include "analysis/stability/joint_crossings.h"
 #include "analysis/stability/joint_spectrum.h"
-#include "analysis/numerics/maximum.h"
 
 namespace stickslip {
 namespace {

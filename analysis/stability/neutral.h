@@ -4,8 +4,8 @@
 #include <complex>
 #include <limits>
 
-#include "analysis/stability/linear_joint.h"
 #include "analysis/numerics/polynomial_arithmetic.h"
+#include "analysis/stability/linear_joint.h"
 #include "analysis/stability/spectrum.h"
 
 namespace stickslip {

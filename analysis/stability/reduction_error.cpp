@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "analysis/numerics/root.h"
 #include "analysis/joint/parameters.h"
+#include "analysis/numerics/root.h"
 #include "analysis/stability/joint_crossings.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/steady.h"

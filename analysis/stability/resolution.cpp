@@ -4,11 +4,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/numerics/maximum.h"
 #include "analysis/numerics/root.h"
 #include "analysis/stability/joint_crossings.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/linear_friction.h"
-#include "analysis/numerics/maximum.h"
 #include "analysis/stability/steady.h"
 
 namespace stickslip {

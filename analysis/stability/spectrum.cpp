@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "analysis/numerics/balance.h"
-#include "analysis/stability/neutral.h"
 #include "analysis/numerics/polynomial.h"
+#include "analysis/stability/neutral.h"
 
 namespace stickslip {
 namespace {

@@ -1,8 +1,8 @@
 #include "sweep/study/evaluate.h"
 
 #include "analysis/joint/parameters.h"
-#include "analysis/stability/verdict.h"
 #include "analysis/simulation/points.h"
+#include "analysis/stability/verdict.h"
 
 #include <fmt/format.h>
 

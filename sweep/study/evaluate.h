@@ -16,8 +16,8 @@ NonlinearOptions nonlinear_options(const NonlinearSpec& spec);
 /// Rows of a chunk: linear verdicts, and nonlinear outcomes where the spec asks for them.
 EvaluateChunk evaluator(const NonlinearSpec& spec);
 
-/// Axes along which no linear answer changes at this joint, tried at their ends and in the middle: a dead time, say, is a
-/// term of records that the continuous loop of the maps leaves out. Paths, in the order of the axes.
+/// Axes along which no linear answer changes at this joint, tried at their ends and in the middle: a dead time, say, is
+/// a term of records that the continuous loop of the maps leaves out. Paths, in the order of the axes.
 std::vector<std::string> idle_axes(const Joint& joint, const std::vector<Axis>& axes);
 
 /// Canonical text of everything that the evaluation depends on besides the joint; goes into the plan's id.

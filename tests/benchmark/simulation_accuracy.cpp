@@ -7,11 +7,11 @@
 #include <cstdlib>
 #include <thread>
 
-#include "analysis/stability/verdict.h"
 #include "analysis/simulation/points.h"
-#include "sweep/program/verbs/embedded.h"
+#include "analysis/stability/verdict.h"
 #include "sweep/engine/cursor.h"
 #include "sweep/files/toml/spec_file.h"
+#include "sweep/program/verbs/embedded.h"
 #include "tests/analysis/simulation/lanes_comparison.h"
 
 namespace {

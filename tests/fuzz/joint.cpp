@@ -1,8 +1,8 @@
 // Any bytes as joint.toml: a joint or a list of complaints; a joint that is written down reads back as itself.
 #include "analysis/joint/parameters.h"
+#include "sweep/files/records/record_layout.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/toml/joint_file.h"
-#include "sweep/files/records/record_layout.h"
 #include "tests/fuzz/input_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)

@@ -1,6 +1,6 @@
 // Any bytes as a record, plain or gzip: columns of equal length in ascending time, or a list of complaints.
-#include "sweep/files/text/bad_input.h"
 #include "sweep/files/records/record_file.h"
+#include "sweep/files/text/bad_input.h"
 #include "tests/fuzz/input_file.h"
 
 #include <cmath>

@@ -74,8 +74,7 @@ TEST_CASE("the page of boundaries says where they lie from the design", "[progra
 TEST_CASE("the page of margins draws the way to each boundary", "[program][pages]")
 {
     Folder folder;
-    const auto page =
-        page_of(folder, "margins '" + folder.write("joint.toml", joint) + "' --uncertain friction.L=20%");
+    const auto page = page_of(folder, "margins '" + folder.write("joint.toml", joint) + "' --uncertain friction.L=20%");
     check_first_screen(page);
     CHECK_THAT(page, Contains("id=\"growth-by-parameter\"") && Contains("class=\"verdict warning\""));
     const auto lines = program::read(folder / "out/charts/growth-by-parameter.csv");

@@ -3,9 +3,9 @@
 // joints given are templates: every number of them is drawn anew within its range.
 #include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
-#include "sweep/study/evaluate.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/toml/joint_file.h"
+#include "sweep/study/evaluate.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,11 +1,11 @@
 #include "analysis/boundary/kinds/boundary.h"
 
-#include "analysis/boundary/trace/climb.h"
 #include "analysis/boundary/kinds/fold.h"
-#include "analysis/boundary/trace/locate.h"
 #include "analysis/boundary/kinds/outcome.h"
-#include "analysis/numerics/root.h"
+#include "analysis/boundary/trace/climb.h"
+#include "analysis/boundary/trace/locate.h"
 #include "analysis/joint/parameters.h"
+#include "analysis/numerics/root.h"
 #include "analysis/stability/verdict.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // Boundaries of a joint, of every kind: along one axis, and over two.
 #pragma once
+#include "analysis/base/parallel_for.h"
 #include "analysis/boundary/trace/follow.h"
 #include "analysis/joint/joint.h"
-#include "analysis/base/parallel_for.h"
 #include "analysis/simulation/flows/disturbance.h"
 
 namespace stickslip {

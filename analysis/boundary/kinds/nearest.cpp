@@ -1,9 +1,9 @@
 #include "analysis/boundary/kinds/nearest.h"
 
 #include "analysis/boundary/trace/locate.h"
+#include "analysis/joint/parameters.h"
 #include "analysis/numerics/optimise.h"
 #include "analysis/numerics/root.h"
-#include "analysis/joint/parameters.h"
 #include "analysis/stability/linear_joint.h"
 #include "analysis/stability/steady.h"
 

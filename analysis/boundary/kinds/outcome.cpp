@@ -1,9 +1,9 @@
 #include "analysis/boundary/kinds/outcome.h"
 
 #include "analysis/boundary/kinds/fold_seed.h"
-#include "analysis/simulation/flows/flow.h"
 #include "analysis/simulation/attractor/large_disturbance.h"
 #include "analysis/simulation/attractor/nonlinear.h"
+#include "analysis/simulation/flows/flow.h"
 #include "analysis/stability/verdict.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // locate_over_chart: marching over a mesh whose crossings are located exactly.
 #include "analysis/boundary/trace/locate.h"
-#include "analysis/numerics/root.h"
 #include "analysis/joint/parameters.h"
+#include "analysis/numerics/root.h"
 
 #include <array>
 #include <map>

@@ -1,7 +1,7 @@
 #include "analysis/boundary/trace/locate.h"
 
-#include "analysis/numerics/root.h"
 #include "analysis/joint/parameters.h"
+#include "analysis/numerics/root.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/neutral.h"
 #include "analysis/stability/spectrum.h"

@@ -252,8 +252,7 @@ Audit audit(std::vector<Case>& cases)
     }
     for (const auto& c : cases)
         if (c.ticks.source != CommandSource::logged || !c.ticks.has_reference ||
-            c.joint.control.kind != ControlKind::position ||
-            (c.ticks.unseen_between() && !c.ticks.has_velocity))
+            c.joint.control.kind != ControlKind::position || (c.ticks.unseen_between() && !c.ticks.has_velocity))
             return result;
     result.possible = true;
     const Control documented = cases[0].joint.control;

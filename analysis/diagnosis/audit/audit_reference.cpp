@@ -1,8 +1,8 @@
 #include "analysis/diagnosis/audit/audit_reference.h"
 
+#include "analysis/diagnosis/fit/reference.h"
 #include "analysis/diagnosis/plant/controller.h"
 #include "analysis/numerics/line_search.h"
-#include "analysis/diagnosis/fit/reference.h"
 
 #include <algorithm>
 #include <cmath>

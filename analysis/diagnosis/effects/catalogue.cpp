@@ -2,8 +2,7 @@
 
 #include <array>
 
-namespace stickslip::gap
-{
+namespace stickslip::gap {
 
 std::span<const Effect> effects()
 {

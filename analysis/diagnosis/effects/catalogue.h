@@ -2,8 +2,7 @@
 #pragma once
 #include "analysis/diagnosis/fit/effect.h"
 
-namespace stickslip::gap
-{
+namespace stickslip::gap {
 
 Effect coulomb_level();
 Effect viscous();

@@ -1,7 +1,6 @@
 #include "analysis/diagnosis/effects/catalogue.h"
 
-namespace stickslip::gap
-{
+namespace stickslip::gap {
 
 Effect load_dependent_friction()
 {

@@ -1,7 +1,6 @@
 #include "analysis/diagnosis/effects/catalogue.h"
 
-namespace stickslip::gap
-{
+namespace stickslip::gap {
 
 Effect supply_sag()
 {
@@ -27,7 +26,7 @@ Effect supply_sag()
         EffectForm f;
         f.name = "effort";
         f.parameters = {
-{"sag_effort", Quantity::effort, Scale::effort, true, 1.5, 3000, 30,
+            {"sag_effort", Quantity::effort, Scale::effort, true, 1.5, 3000, 30,
              "effort whose current would pull the supply down to nothing"},
         };
         f.apply = [](Joint& j, const double* p) { j.actuator.sag_effort = p[0]; };

@@ -1,8 +1,8 @@
 #include "analysis/diagnosis/fit/fit.h"
 
-#include "analysis/numerics/optimise.h"
 #include "analysis/diagnosis/fit/block.h"
 #include "analysis/diagnosis/plant/step.h"
+#include "analysis/numerics/optimise.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "analysis/diagnosis/heldout/ensemble.h"
 
-#include "analysis/diagnosis/fit/jumps.h"
 #include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/fit/jumps.h"
 #include "analysis/diagnosis/fit/reference.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Which friction law explains a table of measured outcomes.
 #pragma once
-#include "analysis/diagnosis/search/attribute.h"
 #include "analysis/diagnosis/outcomes/fit.h"
+#include "analysis/diagnosis/search/attribute.h"
 #include "analysis/results/diagnosis.h"
 
 namespace stickslip::gap {

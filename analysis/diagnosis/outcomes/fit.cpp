@@ -1,7 +1,7 @@
 #include "analysis/diagnosis/outcomes/fit.h"
 
-#include "analysis/numerics/optimise.h"
 #include "analysis/diagnosis/outcomes/side.h"
+#include "analysis/numerics/optimise.h"
 #include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/stability/verdict.h"
 

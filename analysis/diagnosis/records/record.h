@@ -28,7 +28,7 @@ struct Record {
     std::vector<double> link_position;       ///< m | rad: a second encoder, on the link
     std::vector<double> normal_load;         ///< normal stress or force of a friction rig, in its own unit
     std::vector<std::pair<std::string, double>>
-        overrides;  ///< dotted path of the joint → value that held in this record
+        overrides;                         ///< dotted path of the joint → value that held in this record
     std::optional<bool> at_rest_at_start;  ///< not said: the motion of the first rows tells
 
     std::size_t rows() const { return time.size(); }

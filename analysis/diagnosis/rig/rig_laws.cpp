@@ -1,7 +1,7 @@
 #include "analysis/diagnosis/rig/rig_laws.h"
 
-#include "analysis/numerics/optimise.h"
 #include "analysis/joint/joint.h"
+#include "analysis/numerics/optimise.h"
 
 #include <algorithm>
 #include <cmath>

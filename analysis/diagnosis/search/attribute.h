@@ -1,8 +1,8 @@
 // Which effect, or which few together, explain the gap: every candidate fitted at every level and ranked.
 #pragma once
+#include "analysis/base/parallel_for.h"
 #include "analysis/diagnosis/audit/audit.h"
 #include "analysis/diagnosis/fit/fit.h"
-#include "analysis/base/parallel_for.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include "analysis/diagnosis/fit/block.h"
 #include "analysis/diagnosis/fit/excerpt.h"
-#include "analysis/diagnosis/search/search.h"
 #include "analysis/diagnosis/fit/seeds.h"
+#include "analysis/diagnosis/search/search.h"
 
 #include <algorithm>
 #include <array>

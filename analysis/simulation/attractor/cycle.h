@@ -11,7 +11,7 @@ struct CycleOptions {
     double rtol = 1e-10;
     int turns = 1;  ///< of the orbit around the section: 2 for an orbit of twice the period
     int newton_steps = 20;
-    double closure = 1e-9;    ///< largest gap of a closed cycle, in units of the flow's scale
+    double closure = 1e-9;   ///< largest gap of a closed cycle, in units of the flow's scale
     int step_limit = 50000;  ///< of one revolution; thousands are usual
 };
 

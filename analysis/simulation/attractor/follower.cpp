@@ -1,7 +1,7 @@
 #include "analysis/simulation/attractor/follower.h"
-#include "analysis/simulation/flows/mode.h"
 #include "analysis/simulation/attractor/orbit.h"
 #include "analysis/simulation/attractor/repeats.h"
+#include "analysis/simulation/flows/mode.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "analysis/simulation/attractor/attractor.h"
-#include "analysis/simulation/flows/late_flow.h"
 #include "analysis/simulation/attractor/repeats.h"
+#include "analysis/simulation/flows/late_flow.h"
 
 namespace stickslip {
 namespace {

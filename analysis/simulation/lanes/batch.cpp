@@ -5,10 +5,10 @@
 #include <numeric>
 #include <vector>
 
+#include "analysis/numerics/polynomial.h"
+#include "analysis/simulation/attractor/large_disturbance.h"
 #include "analysis/simulation/lanes/grouping.h"
 #include "analysis/simulation/lanes/stribeck_batch.h"
-#include "analysis/simulation/attractor/large_disturbance.h"
-#include "analysis/numerics/polynomial.h"
 #include "analysis/stability/steady.h"
 
 namespace stickslip::lanes {

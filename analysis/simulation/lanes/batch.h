@@ -3,8 +3,8 @@
 #include <optional>
 #include <span>
 
-#include "analysis/simulation/lanes/job.h"
 #include "analysis/simulation/attractor/nonlinear.h"
+#include "analysis/simulation/lanes/job.h"
 
 namespace stickslip::lanes {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "analysis/simulation/flows/disturbance.h"
 #include "analysis/numerics/hermite.h"
+#include "analysis/simulation/flows/disturbance.h"
 
 namespace stickslip::lanes {
 namespace {

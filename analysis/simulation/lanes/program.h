@@ -2,9 +2,9 @@
 // code, called at events only, compiled once for every processor, while the kernels that integrate are compiled for
 // each.
 #pragma once
+#include "analysis/simulation/flows/near_rest.h"
 #include "analysis/simulation/lanes/job.h"
 #include "analysis/simulation/lanes/secant.h"
-#include "analysis/simulation/flows/near_rest.h"
 #include "analysis/simulation/solvers/rodas5p_table.h"
 
 namespace stickslip::lanes {

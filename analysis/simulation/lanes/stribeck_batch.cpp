@@ -1,7 +1,7 @@
 #include "analysis/simulation/lanes/stribeck_batch.h"
 
-#include "analysis/simulation/lanes/grouping.h"
 #include "analysis/numerics/polynomial.h"
+#include "analysis/simulation/lanes/grouping.h"
 #include "analysis/stability/steady.h"
 
 namespace stickslip::lanes {

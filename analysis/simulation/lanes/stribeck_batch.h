@@ -2,8 +2,8 @@
 #pragma once
 #include <optional>
 
-#include "analysis/simulation/lanes/stribeck_job.h"
 #include "analysis/simulation/attractor/nonlinear.h"
+#include "analysis/simulation/lanes/stribeck_job.h"
 
 namespace stickslip::lanes {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "analysis/simulation/flows/disturbance.h"
 #include "analysis/numerics/hermite.h"
+#include "analysis/simulation/flows/disturbance.h"
 #include "analysis/simulation/flows/near_rest.h"
 
 namespace stickslip::lanes {

@@ -1,9 +1,9 @@
 // What one lane of a Stribeck joint is doing: measure the growth of a small disturbance, then search a cycle turn by
 // turn, through phases of sticking that have a closed form. Plain scalar code, called at events only.
 #pragma once
-#include "analysis/simulation/solvers/dormand_prince.h"
 #include "analysis/simulation/lanes/program.h"
 #include "analysis/simulation/lanes/stribeck_job.h"
+#include "analysis/simulation/solvers/dormand_prince.h"
 
 namespace stickslip::lanes {
 

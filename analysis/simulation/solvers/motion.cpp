@@ -1,7 +1,7 @@
 #include "analysis/simulation/solvers/motion.h"
 
-#include "analysis/simulation/flows/break_away.h"
 #include "analysis/numerics/hermite.h"
+#include "analysis/simulation/flows/break_away.h"
 #include "analysis/simulation/flows/late_flow.h"
 
 #include <algorithm>

@@ -39,7 +39,9 @@ Json ray_json(const Joint& design, const LocatedRay& ray)
     json["points"] = Json::array();
     for (const auto& p : ray.points) json["points"].push_back(point_json(p));
     json["evaluations"] = ray.evaluations;
-    json["scanned"] = {{"points", ray.nodes}, {"undecided", ray.undecided}, {"stable_share", ray.stable_share},
+    json["scanned"] = {{"points", ray.nodes},
+                       {"undecided", ray.undecided},
+                       {"stable_share", ray.stable_share},
                        {"neutral_share", ray.neutral_share}};
     if (ray.outside) {
         const auto& nearest = ray.outside->nearest;

@@ -1,8 +1,8 @@
 #include "sweep/files/json/nonlinear_json.h"
 
 #include "sweep/files/json/verdict_json.h"
-#include "sweep/words/verdict_text.h"
 #include "sweep/study/spec.h"
+#include "sweep/words/verdict_text.h"
 
 namespace stickslip {
 namespace {

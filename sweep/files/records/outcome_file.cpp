@@ -180,10 +180,8 @@ class OutcomeReader {
         const auto cells = cells_of(line, separator_);
         if (cells.size() != columns_.size()) {
             const bool commas = separator_ == ',' && cells.size() == 2 * columns_.size();
-            return complain(
-                1,
-                "has " + std::to_string(cells.size()) + " cells, the header has " + std::to_string(columns_.size()) +
-                    (commas ? decimal_commas : ""));
+            return complain(1, "has " + std::to_string(cells.size()) + " cells, the header has " +
+                                   std::to_string(columns_.size()) + (commas ? decimal_commas : ""));
         }
         OutcomeRow row;
         row.line = lines_.line_number();

@@ -1,10 +1,10 @@
 #include "sweep/files/records/record_file.h"
 
+#include "sweep/files/records/record_checks.h"
+#include "sweep/files/records/record_header.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/csv.h"
 #include "sweep/files/text/line_stream.h"
-#include "sweep/files/records/record_checks.h"
-#include "sweep/files/records/record_header.h"
 #include "sweep/files/text/toml_input.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "sweep/files/records/record_layout.h"
 
+#include "sweep/files/text/units.h"
 #include "sweep/files/toml/joint_keys.h"
 #include "sweep/files/toml/named_values.h"
 #include "sweep/files/toml/struct_reader.h"
-#include "sweep/files/text/units.h"
 
 #include <fnmatch.h>
 

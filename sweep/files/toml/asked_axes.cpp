@@ -2,11 +2,11 @@
 
 #include "analysis/joint/parameters.h"
 #include "sweep/files/text/bad_input.h"
+#include "sweep/files/text/toml_input.h"
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/files/toml/joint_keys.h"
 #include "sweep/files/toml/spec_file.h"
 #include "sweep/words/symbols.h"
-#include "sweep/files/text/toml_input.h"
 
 #include <fmt/format.h>
 

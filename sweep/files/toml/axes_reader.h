@@ -2,8 +2,8 @@
 #pragma once
 #include "analysis/joint/joint.h"
 #include "analysis/results/stability_map.h"
-#include "sweep/files/toml/spec_file.h"
 #include "sweep/files/text/toml_input.h"
+#include "sweep/files/toml/spec_file.h"
 
 #include <vector>
 

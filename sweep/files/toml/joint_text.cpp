@@ -1,7 +1,7 @@
 // The joint as a TOML file.
 #include "analysis/joint/parameters.h"
-#include "sweep/files/toml/joint_file.h"
 #include "sweep/files/text/toml_input.h"
+#include "sweep/files/toml/joint_file.h"
 
 #include <map>
 

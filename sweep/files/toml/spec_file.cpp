@@ -1,8 +1,8 @@
 #include "sweep/files/toml/spec_file.h"
 
 #include "analysis/joint/parameters.h"
-#include "sweep/files/toml/axes_reader.h"
 #include "sweep/files/text/bad_input.h"
+#include "sweep/files/toml/axes_reader.h"
 #include "sweep/files/toml/boundary_table.h"
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/files/toml/joint_keys.h"

@@ -1,8 +1,8 @@
 // Fills any self-describing struct (analysis/joint/field.h) from a TOML table and complains about everything that does
 // not fit: unknown and missing keys, wrong types, units and ranges. Internal to sweep/files.
 #pragma once
-#include "analysis/friction/law.h"
 #include "analysis/base/field.h"
+#include "analysis/friction/law.h"
 #include "analysis/joint/parameters.h"
 #include "sweep/files/text/toml_input.h"
 

@@ -1,10 +1,10 @@
 // stickslip blind: diagnoses sealed cases, each in a process of its own that sees only its folder, and scores the
 // answers.
-#include "sweep/study/score.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/whole_file.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/study/score.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

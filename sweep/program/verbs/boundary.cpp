@@ -1,15 +1,15 @@
 // stickslip boundary: where exactly the boundaries lie.
 #include "analysis/boundary/kinds/outside.h"
-#include "sweep/files/text/bad_input.h"
 #include "sweep/files/json/boundary_json.h"
+#include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/whole_file.h"
-#include "sweep/program/verbs/exit_code.h"
-#include "sweep/words/verdict_text.h"
-#include "sweep/report/pages/write_report.h"
 #include "sweep/program/verbs/boundary_question.h"
 #include "sweep/program/verbs/disturbance_option.h"
+#include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/report/pages/write_report.h"
+#include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
 

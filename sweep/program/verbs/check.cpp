@@ -3,11 +3,11 @@
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/toml/spec_file.h"
 #include "sweep/program/verbs/exit_code.h"
-#include "sweep/report/pages/check_report.h"
-#include "sweep/report/pages/write_report.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/shell_word.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/report/pages/check_report.h"
+#include "sweep/report/pages/write_report.h"
 
 #include <fmt/format.h>
 

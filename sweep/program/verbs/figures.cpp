@@ -1,9 +1,9 @@
 // stickslip figures: the paper's figures and numbers, computed anew.
 #include "sweep/program/verbs/exit_code.h"
-#include "sweep/report/pages/figures_report.h"
-#include "sweep/words/verdict_text.h"
-#include "sweep/report/pages/write_report.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/report/pages/figures_report.h"
+#include "sweep/report/pages/write_report.h"
+#include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,14 +1,14 @@
 // stickslip margins: how far a design is from its boundaries.
-#include "sweep/files/toml/asked_axes.h"
 #include "sweep/files/text/bad_input.h"
-#include "sweep/files/toml/requirements_file.h"
 #include "sweep/files/text/whole_file.h"
+#include "sweep/files/toml/asked_axes.h"
+#include "sweep/files/toml/requirements_file.h"
 #include "sweep/program/verbs/exit_code.h"
-#include "sweep/report/pages/margins_report.h"
-#include "sweep/words/verdict_text.h"
-#include "sweep/report/pages/write_report.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/report/pages/margins_report.h"
+#include "sweep/report/pages/write_report.h"
+#include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
 

@@ -4,12 +4,12 @@
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/toml/spec_file.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/terminal.h"
+#include "sweep/program/verbs/timestamp.h"
+#include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/compare_report.h"
 #include "sweep/report/pages/summary.h"
-#include "sweep/program/verbs/timestamp.h"
 #include "sweep/report/pages/write_report.h"
-#include "sweep/program/verbs/terminal.h"
-#include "sweep/program/verbs/verbs.h"
 
 #include <fmt/format.h>
 

@@ -5,13 +5,13 @@
 
 #include "sweep/engine/build.h"
 #include "sweep/files/toml/asked_axes.h"
-#include "sweep/program/verbs/exit_code.h"
-#include "sweep/report/pages/trajectory_report.h"
-#include "sweep/words/verdict_text.h"
-#include "sweep/report/pages/write_report.h"
 #include "sweep/program/verbs/disturbance_option.h"
+#include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/surroundings_option.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/report/pages/trajectory_report.h"
+#include "sweep/report/pages/write_report.h"
+#include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
 #include <fmt/os.h>

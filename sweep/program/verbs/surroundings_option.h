@@ -2,8 +2,8 @@
 #pragma once
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/series_file.h"
-#include "sweep/report/figures/disturbance_figure.h"
 #include "sweep/program/verbs/disturbance_option.h"
+#include "sweep/report/figures/disturbance_figure.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,21 +1,21 @@
 // stickslip sweep: from a spec to results.nc and report.html.
 #include "analysis/results/text.h"
 #include "analysis/stability/verdict.h"
-#include "sweep/program/verbs/embedded.h"
 #include "sweep/engine/run_directory.h"
 #include "sweep/engine/run_on_cluster.h"
-#include "sweep/study/evaluate.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/toml/spec_file.h"
+#include "sweep/program/verbs/embedded.h"
 #include "sweep/program/verbs/exit_code.h"
-#include "sweep/report/pages/summary.h"
-#include "sweep/program/verbs/timestamp.h"
-#include "sweep/words/verdict_text.h"
-#include "sweep/report/pages/write_report.h"
 #include "sweep/program/verbs/progress_line.h"
 #include "sweep/program/verbs/shell_word.h"
 #include "sweep/program/verbs/terminal.h"
+#include "sweep/program/verbs/timestamp.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/report/pages/summary.h"
+#include "sweep/report/pages/write_report.h"
+#include "sweep/study/evaluate.h"
+#include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -42,8 +42,7 @@ std::string design_words(const DesignPoint& design)
     if (design.region == Region::bistable)
         return "The design is stable for small disturbances only: a larger one ends in stick-slip.";
     if (design.region == Region::undecided) return "The design is undecided.";
-    if (design.region == Region::neutral)
-        return "The design is neutral: small disturbances neither decay nor grow.";
+    if (design.region == Region::neutral) return "The design is neutral: small disturbances neither decay nor grow.";
     return design.spectral_abscissa < 0 ? "The design slides smoothly." : "The design sticks and slips.";
 }
 

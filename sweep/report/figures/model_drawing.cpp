@@ -2,8 +2,8 @@
 
 #include "analysis/joint/parameters.h"
 #include "analysis/stability/steady.h"
-#include "sweep/words/symbols.h"
 #include "sweep/report/figures/sketch.h"
+#include "sweep/words/symbols.h"
 
 namespace stickslip {
 namespace {

@@ -12,7 +12,7 @@ namespace stickslip {
 namespace {
 
 constexpr std::size_t along_one = 6, along_two = 4, rows_of_two = 3;  // panels
-constexpr std::size_t panel_columns = 81, panel_rows = 61;          // nodes
+constexpr std::size_t panel_columns = 81, panel_rows = 61;            // nodes
 constexpr int panel_mesh = 32;
 
 /// Places spread evenly over an axis, both ends among them; the one nearest to `own` moves there.

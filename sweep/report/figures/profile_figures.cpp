@@ -5,8 +5,8 @@
 #include "analysis/results/text.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/steady.h"
-#include "sweep/words/line_figure.h"
 #include "sweep/report/figures/map_figures.h"
+#include "sweep/words/line_figure.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #include "analysis/results/text.h"
 #include "analysis/stability/reduction_study.h"
 #include "analysis/stability/verdict.h"
-#include "sweep/words/line_figure.h"
 #include "sweep/report/figures/map_figures.h"
+#include "sweep/words/line_figure.h"
 
 #include <tbb/parallel_for.h>
 

@@ -2,9 +2,9 @@
 #pragma once
 #include "analysis/boundary/kinds/boundary.h"
 #include "analysis/results/report.h"
-#include "sweep/words/boundary_text.h"
 #include "sweep/study/boundary_answer.h"
 #include "sweep/study/maps.h"
+#include "sweep/words/boundary_text.h"
 
 #include <string>
 #include <vector>

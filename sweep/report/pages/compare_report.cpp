@@ -5,9 +5,9 @@
 #include "analysis/results/text.h"
 #include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/stability/verdict.h"
-#include "sweep/study/evaluate.h"
 #include "sweep/report/figures/compare_maps.h"
 #include "sweep/report/pages/first_screen.h"
+#include "sweep/study/evaluate.h"
 #include "sweep/words/verdict_text.h"
 
 #include <algorithm>

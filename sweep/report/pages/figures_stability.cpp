@@ -4,10 +4,10 @@
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/resolution.h"
 #include "analysis/stability/steady.h"
-#include "sweep/report/pages/figures_report.h"
-#include "sweep/words/line_figure.h"
 #include "sweep/report/figures/loop_figures.h"
+#include "sweep/report/pages/figures_report.h"
 #include "sweep/study/maps.h"
+#include "sweep/words/line_figure.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,13 +2,13 @@
 
 #include "analysis/boundary/kinds/nearest.h"
 #include "analysis/results/text.h"
-#include "sweep/report/pages/comparison_section.h"
-#include "sweep/report/pages/first_screen.h"
-#include "sweep/words/line_figure.h"
 #include "sweep/report/figures/loop_figures.h"
 #include "sweep/report/figures/model_drawing.h"
-#include "sweep/words/nearest_text.h"
+#include "sweep/report/pages/comparison_section.h"
+#include "sweep/report/pages/first_screen.h"
 #include "sweep/report/pages/reduction_section.h"
+#include "sweep/words/line_figure.h"
+#include "sweep/words/nearest_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <algorithm>

@@ -3,9 +3,9 @@
 #include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
 #include "analysis/stability/verdict.h"
-#include "sweep/words/symbols.h"
-#include "sweep/words/nearest_text.h"
 #include "sweep/report/pages/robust_figure.h"
+#include "sweep/words/nearest_text.h"
+#include "sweep/words/symbols.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>

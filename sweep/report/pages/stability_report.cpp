@@ -1,18 +1,18 @@
 #include "sweep/report/pages/stability_report.h"
 
-#include "analysis/boundary/trace/locate.h"
 #include "analysis/boundary/kinds/nearest.h"
+#include "analysis/boundary/trace/locate.h"
 #include "analysis/results/text.h"
 #include "analysis/stability/verdict.h"
-#include "sweep/study/evaluate.h"
-#include "sweep/report/pages/first_screen.h"
-#include "sweep/report/pages/linear_report.h"
 #include "sweep/report/figures/loop_figures.h"
 #include "sweep/report/figures/map_figures.h"
 #include "sweep/report/figures/model_drawing.h"
-#include "sweep/words/nearest_text.h"
 #include "sweep/report/figures/profile_figures.h"
 #include "sweep/report/figures/reduction_map.h"
+#include "sweep/report/pages/first_screen.h"
+#include "sweep/report/pages/linear_report.h"
+#include "sweep/study/evaluate.h"
+#include "sweep/words/nearest_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <cmath>

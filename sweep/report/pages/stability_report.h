@@ -1,8 +1,8 @@
 // The report of a sweep: verdict first, then the numbers with their limits, alerts, charts, and how to reproduce it.
 #pragma once
 #include "analysis/results/report.h"
-#include "sweep/study/maps.h"
 #include "sweep/report/figures/multiples.h"
+#include "sweep/study/maps.h"
 #include "sweep/study/spec.h"
 
 #include <optional>

@@ -1,8 +1,8 @@
 #include "sweep/report/pages/write_report.h"
 
 #include "render/render.h"
-#include "sweep/files/toml/joint_file.h"
 #include "sweep/files/text/whole_file.h"
+#include "sweep/files/toml/joint_file.h"
 
 #include <tbb/task_group.h>
 

@@ -287,7 +287,7 @@ TEST_CASE("at the edge of an area of neutral sliding no boundary is drawn, throu
     joint.friction.law = KineticStatic{10, 15};
     const Axis x = axis("control.k_p", 1e3, 1e9);
     for (const auto& [kind, theory] : {std::pair(BoundaryKind::velocity_only, Curve::Kind::velocity_only),
-                                      std::pair(BoundaryKind::state_variable, Curve::Kind::state_variable)}) {
+                                       std::pair(BoundaryKind::state_variable, Curve::Kind::state_variable)}) {
         // damping of 1e-16 N·s/m is none within rounding, 10 is some
         const Axis from_rounding = axis("control.k_v", 1e-16, 10);
         CHECK(follow_boundaries(joint, x, from_rounding, of(kind)).pieces.empty());

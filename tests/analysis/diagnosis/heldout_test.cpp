@@ -1,6 +1,6 @@
 #include "analysis/diagnosis/heldout/heldout.h"
-#include "analysis/diagnosis/heldout/ensemble.h"
 #include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/heldout/ensemble.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 
 #include <catch2/catch.hpp>

@@ -218,8 +218,7 @@ TEST_CASE("rows that contradict each other are said to, with their lines", "[gap
 TEST_CASE("rows that go by no law leave every law improbable", "[gap][outcomes]")
 {
     // where a stiffer loop sticks again and again: no friction law does that
-    const auto table =
-        table_by([](double k_p, double, double) { return k_p == 8e3 || k_p == 4e4 || k_p == 1e5; });
+    const auto table = table_by([](double k_p, double, double) { return k_p == 8e3 || k_p == 4e4 || k_p == 1e5; });
     const auto d = answer_of(sliding(CoulombViscous{60, 5}, 2e4, 0, 1e-3), table).diagnosis;
     CHECK(d.verdict == Verdict::unknown);
     CHECK(d.ambiguous_with.empty());

@@ -1,7 +1,7 @@
 #include "analysis/diagnosis/verdict/verdict.h"
-#include "analysis/diagnosis/heldout/ensemble.h"
-#include "analysis/diagnosis/fit/moment.h"
 #include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/fit/moment.h"
+#include "analysis/diagnosis/heldout/ensemble.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 
 #include <catch2/catch.hpp>

@@ -1,9 +1,9 @@
 // Equations of motion: steady sliding is a solution, energy balances, the linear theory is their derivative.
 #include <catch2/catch.hpp>
 
-#include "tests/oracles/motion.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "tests/analysis/joint/sample_joints.h"
+#include "tests/oracles/motion.h"
 
 using namespace stickslip;
 

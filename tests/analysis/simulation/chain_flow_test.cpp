@@ -6,11 +6,11 @@
 #include <cmath>
 #include <random>
 
-#include "tests/oracles/motion.h"
 #include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/simulation/simulate.h"
 #include "analysis/stability/verdict.h"
 #include "tests/analysis/simulation/joints.h"
+#include "tests/oracles/motion.h"
 
 using namespace stickslip;
 

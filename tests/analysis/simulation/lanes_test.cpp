@@ -6,8 +6,8 @@
 #include "analysis/simulation/lanes/batch.h"
 #include "analysis/simulation/lanes/functions.h"
 #include "analysis/simulation/lanes/stribeck_batch.h"
-#include "analysis/stability/verdict.h"
 #include "analysis/simulation/points.h"
+#include "analysis/stability/verdict.h"
 #include "tests/analysis/simulation/lanes_comparison.h"
 
 using namespace stickslip;

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
-#include "analysis/simulation/points.h"
 #include "analysis/simulation/attractor/repeats.h"
+#include "analysis/simulation/points.h"
 #include "analysis/simulation/simulate.h"
 #include "analysis/stability/verdict.h"
 #include "tests/analysis/simulation/joints.h"

@@ -1,7 +1,7 @@
 // What counts as a regression, and what as a refinement.
 #include "sweep/files/json/baseline_file.h"
-#include "sweep/study/check/boundaries.h"
 #include "sweep/files/toml/spec_file.h"
+#include "sweep/study/check/boundaries.h"
 
 #include "tests/example_joint.h"
 

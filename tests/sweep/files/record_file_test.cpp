@@ -49,7 +49,8 @@ std::vector<std::string> errors(const std::string& content, const std::string& l
         [&] { read_record(file(content), joint, read_record_layout_text(layout, "record.toml", joint), limits); });
     for (auto& message : all)
         while (message.find(shared_directory().path().string()) != std::string::npos)
-            message.erase(message.find(shared_directory().path().string()), shared_directory().path().string().size() + 1);
+            message.erase(message.find(shared_directory().path().string()),
+                          shared_directory().path().string().size() + 1);
     return all;
 }
 
@@ -181,9 +182,10 @@ TEST_CASE("rows with the motor off are kept and counted")
 
 TEST_CASE("decimal commas are named as such")
 {
-    CHECK(errors("time;position\n0,5;1\n").at(0) ==
-          "run.csv:2:1: time: is \"0,5\", allowed is a finite number or an empty cell; these seem to be decimal commas, "
-          "write decimal points");
+    CHECK(
+        errors("time;position\n0,5;1\n").at(0) ==
+        "run.csv:2:1: time: is \"0,5\", allowed is a finite number or an empty cell; these seem to be decimal commas, "
+        "write decimal points");
     CHECK(only_error("time,position\n0,5,1,2\n") ==
           "run.csv:2:1: has 4 cells, the header has 2; these seem to be decimal commas, write decimal points");
     CHECK_THAT(errors("time;position\n0;1,x\n").at(0), EndsWith("or an empty cell"));

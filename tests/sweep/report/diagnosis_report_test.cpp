@@ -1,9 +1,9 @@
 #include "sweep/report/pages/diagnosis_report.h"
 
 #include "sweep/files/json/diagnosis_json.h"
-#include "sweep/words/diagnosis_tables.h"
 #include "sweep/report/figures/moved_boundary.h"
 #include "sweep/report/figures/where_drawing.h"
+#include "sweep/words/diagnosis_tables.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,8 +1,8 @@
 // The paper's page: every number met, every joint drawn.
-#include "sweep/report/pages/figures_report.h"
-#include "sweep/report/pages/linear_report.h"
 #include "sweep/report/figures/loop_figures.h"
 #include "sweep/report/figures/model_drawing.h"
+#include "sweep/report/pages/figures_report.h"
+#include "sweep/report/pages/linear_report.h"
 
 #include <catch2/catch.hpp>
 

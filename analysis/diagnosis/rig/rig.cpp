@@ -1,6 +1,6 @@
 #include "analysis/diagnosis/rig/rig.h"
-#include "analysis/diagnosis/fit/effect.h"
 
+#include "analysis/diagnosis/fit/effect.h"
 #include "analysis/diagnosis/rig/rig_experiment.h"
 #include "analysis/diagnosis/rig/rig_laws.h"
 

@@ -222,11 +222,6 @@ GainRange gain_range(const Joint& joint, const Requirements& r)
     return range;
 }
 
-GainChoice judge_gains(const Joint& joint, const Requirements& requirements, double k_p, double k_v)
-{
-    return Judge(joint, requirements, Curve::Kind::state_variable).thorough(k_p, k_v);
-}
-
 GainDesign design_gains(const Joint& joint, const Requirements& r, const ParallelFor& parallel)
 {
     check_sense(joint, r);

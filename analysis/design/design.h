@@ -30,9 +30,6 @@ struct Requirements {
 /// time, empty ranges).
 GainDesign design_gains(const Joint& joint, const Requirements& requirements, const ParallelFor& parallel);
 
-/// One pair of gains against the requirements.
-GainChoice judge_gains(const Joint& joint, const Requirements& requirements, double k_p, double k_v);
-
 /// The range of gains that is searched.
 struct GainRange {
     Interval k_p, k_v;

@@ -59,11 +59,4 @@ struct Stribeck {
     double slope_at_rest() const { return c4 > 1 || c2 == 0 ? 0 : c4 == 1 ? c2 / c3 : infinity; }
 };
 
-/// V_cr of (25) for c4 = 2, generalised: the velocity at which c2 exp(−(V/c3)^c4) falls most steeply,
-/// c3 ((c4−1)/c4)^{1/c4}; 0 where c4 ≤ 1, since the slope is then steepest at rest.
-inline double hardest_velocity(const Stribeck& law)
-{
-    return law.c4 > 1 ? law.c3 * std::pow((law.c4 - 1) / law.c4, 1 / law.c4) : 0;
-}
-
 }  // namespace stickslip

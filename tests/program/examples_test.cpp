@@ -58,7 +58,7 @@ TEST_CASE("the pipeline step passes, and fails where a boundary has moved", "[pr
 TEST_CASE("shards by GNU parallel give the summary of one sweep", "[program][examples]")
 {
     if (program::shell("command -v parallel >/dev/null").exit_code != 0) {
-        WARN("GNU parallel is not installed here");
+        WARN("skipped: GNU parallel is not installed here");
         return;
     }
     Folder folder;

@@ -25,7 +25,7 @@ constexpr const char* coloured = "\033[3";
 TEST_CASE("a terminal gets progress with a rate, and colours unless they are unwanted", "[program]")
 {
     if (shell("command -v script >/dev/null").exit_code != 0) {
-        WARN("script is not installed here");
+        WARN("skipped: script is not installed here");
         return;
     }
     Folder folder;

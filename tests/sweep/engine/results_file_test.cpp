@@ -104,7 +104,7 @@ TEST_CASE("results.nc opens in xarray with names, units and flags in place")
 {
     constexpr char python[] = "/usr/bin/python3";
     if (std::system((std::string(python) + " -c 'import xarray, netCDF4' 2>/dev/null").c_str()) != 0) {
-        WARN("python3-xarray or python3-netcdf4 is not installed: not checked");
+        WARN("skipped: python3-xarray or python3-netcdf4 is not installed");
         return;
     }
     TemporaryDirectory directory;

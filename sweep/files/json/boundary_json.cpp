@@ -1,6 +1,7 @@
 #include "sweep/files/json/boundary_json.h"
 
 #include "analysis/joint/parameters.h"
+#include "sweep/words/boundary_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>

@@ -8,7 +8,9 @@
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/report/pages/boundary_report.h"
 #include "sweep/report/pages/write_report.h"
+#include "sweep/words/boundary_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>

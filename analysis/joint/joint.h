@@ -113,16 +113,26 @@ struct Load {
 
 enum class ControlKind { position, force };
 enum class Feedback { motor, link };
-enum class EstimateForm { backward_difference, exact };
+/// `unstated`: a difference of readings, but nobody said so; a sampled loop with damping wants it said.
+enum class EstimateForm { unstated, backward_difference, exact };
+enum class Structure { pid, cascade };
+enum class AntiWindup { none, clamp, back_calculation, conditional };
 inline constexpr Choice<ControlKind> control_kinds[] = {{"position", ControlKind::position},
                                                         {"force", ControlKind::force}};
 inline constexpr Choice<Feedback> feedbacks[] = {{"motor", Feedback::motor}, {"link", Feedback::link}};
 inline constexpr Choice<EstimateForm> estimate_forms[] = {{"backward-difference", EstimateForm::backward_difference},
                                                           {"exact", EstimateForm::exact}};
+inline constexpr Choice<Structure> structures[] = {{"pid", Structure::pid}, {"cascade", Structure::cascade}};
+inline constexpr Choice<AntiWindup> anti_windups[] = {{"none", AntiWindup::none},
+                                                      {"clamp", AntiWindup::clamp},
+                                                      {"back-calculation", AntiWindup::back_calculation},
+                                                      {"conditional", AntiWindup::conditional}};
+inline constexpr double most_dead_ticks = 1000;            ///< dead time that a sampled loop may remember
+inline constexpr Range sample_times{0, 100, true, false};  ///< s
 
 /// How a sampled controller gets its velocity: difference of an average over samples, then a first-order filter.
 struct VelocityEstimate {
-    EstimateForm form = EstimateForm::backward_difference;
+    EstimateForm form = EstimateForm::unstated;
     double tau = 0, average = 1;
 
     template <class Self, class Visitor>
@@ -138,11 +148,44 @@ struct VelocityEstimate {
     }
 };
 
-/// The controller, continuous in maps, sampled in records.
+/// What the controller adds for the motion it is told to make; it depends on the reference r alone, so that it moves
+/// no root: acceleration · r̈ + coulomb · tanh(ṙ/coulomb_speed) + the effort that holds gravity at r. `velocity` is the
+/// share of ṙ in the velocity error velocity · ṙ − v.
+struct FeedForward {
+    double velocity = 1, acceleration = 0, coulomb = 0, coulomb_speed = 1e-3;
+    bool gravity = false;
+
+    template <class Self, class Visitor>
+    static void fields(Self& self, Visitor& visit)
+    {
+        visit.number({"velocity", Quantity::number, any_finite, Need::optional,
+                      "share of the reference velocity in the velocity error (with reference_velocity)"},
+                     self.velocity);
+        visit.number(
+            {"acceleration", Quantity::inertia, any_finite, Need::optional, "effort per acceleration of the reference"},
+            self.acceleration);
+        visit.number({"coulomb", Quantity::effort, any_finite, Need::optional,
+                      "effort in the direction of the reference velocity"},
+                     self.coulomb);
+        visit.number({"coulomb_speed", Quantity::velocity, positive, Need::optional,
+                      "reference velocity over which that effort changes sign"},
+                     self.coulomb_speed);
+        visit.flag("gravity", "adds the effort that holds the documented gravity at the reference", self.gravity);
+    }
+};
+
+/// The controller: continuous without a period, sampled with one.
 struct Control {
     ControlKind kind = ControlKind::position;
     Feedback feedback = Feedback::motor;
-    double k_p = not_set, k_v = 0;
+    Structure structure = Structure::pid;
+    double k_p = not_set, k_v = 0, k_i = 0;                   ///< pid; gains.h has those that act, of either structure
+    double position_gain = not_set, velocity_gain = not_set;  ///< cascade: K_pos, K_v
+    double velocity_integral_gain = not_set, velocity_reset_time = not_set;  ///< cascade: K_i = K_v/T_n, not both
+    double integral_limit = infinity, tracking_time = not_set, integral_band = infinity;
+    AntiWindup anti_windup = AntiWindup::none;
+    double dead_zone = 0;
+    FeedForward feed_forward;
     double V0 = not_set;           ///< commanded velocity of the maps
     double force_rate = not_set;   ///< force control: rate of the contact force, instead of V0
     double contact_stiffness = 0;  ///< k_c of Fig. 4: between link and surroundings, beside k_p
@@ -158,8 +201,13 @@ struct Control {
     {
         visit.choice("kind", "what the loop controls", self.kind, control_kinds);
         visit.choice("feedback", "which body is measured (two and more inertias)", self.feedback, feedbacks);
-        visit.number({"k_p", Quantity::stiffness, any_finite, Need::required, "position gain"}, self.k_p);
-        visit.number({"k_v", Quantity::damping, any_finite, Need::optional, "velocity gain"}, self.k_v);
+        visit.choice("structure", "one sum of gains, or a velocity loop inside a position loop", self.structure,
+                     structures);
+        if (self.structure == Structure::pid)
+            sum_fields(self, visit);
+        else
+            cascade_fields(self, visit);
+        integral_fields(self, visit);
         visit.number({"V0", Quantity::velocity, any_finite, Need::optional, "commanded velocity (maps need it)"},
                      self.V0);
         visit.number({"force_rate", Quantity::effort_rate, any_finite, Need::optional,
@@ -171,15 +219,76 @@ struct Control {
         visit.number({"force_gain", Quantity::number, not_negative, Need::optional,
                       "force control: share of the contact force that is fed back to the motor"},
                      self.force_gain);
-        visit.number({"period", Quantity::time, positive, Need::optional, "sample time of the loop (records)"},
-                     self.period);
+        visit.number({"period", Quantity::time, sample_times, Need::optional, "sample time of the loop"}, self.period);
         visit.flag("reference_velocity", "velocity feedback acts on the velocity error, not on velocity alone",
                    self.reference_velocity);
         visit.number({"effort_limit", Quantity::effort, positive, Need::optional, "limit of the controller's output"},
                      self.effort_limit);
         visit.number({"delay", Quantity::time, not_negative, Need::optional, "dead time behind the command"},
                      self.delay);
-        visit.table("velocity_estimate", "how the sampled loop estimates velocity", self.velocity_estimate);
+        visit.table("velocity_estimate", "how the loop estimates velocity", self.velocity_estimate);
+        visit.table("feed_forward", "what the controller adds for the motion it is told to make", self.feed_forward);
+    }
+
+    /// What ranges cannot say.
+    std::string problem() const
+    {
+        if (is_set(velocity_integral_gain) && is_set(velocity_reset_time))
+            return "velocity_integral_gain and velocity_reset_time say the same thing, allowed is one of them";
+        const bool integrates = k_i != 0 || is_set(velocity_integral_gain) || is_set(velocity_reset_time);
+        if (anti_windup == AntiWindup::back_calculation && integrates && !is_set(tracking_time))
+            return "anti_windup = \"back-calculation\" needs tracking_time";
+        if (!is_set(period)) return "";
+        const bool damps = structure == Structure::cascade || k_v != 0;
+        if (damps && velocity_estimate.form == EstimateForm::unstated)
+            return "period is set and the loop feeds velocity back, but velocity_estimate.form is missing, allowed are "
+                   "\"backward-difference\", \"exact\"";
+        if (delay > most_dead_ticks * period) return "delay is more than 1000 periods, allowed are at most 1000";
+        return "";
+    }
+
+  private:
+    template <class Self, class Visitor>
+    static void sum_fields(Self& self, Visitor& visit)
+    {
+        visit.number({"k_p", Quantity::stiffness, any_finite, Need::required, "position gain"}, self.k_p);
+        visit.number({"k_v", Quantity::damping, any_finite, Need::optional, "velocity gain"}, self.k_v);
+        visit.number(
+            {"k_i", Quantity::integral_gain, any_finite, Need::optional, "gain on the integral of the position error"},
+            self.k_i);
+    }
+    template <class Self, class Visitor>
+    static void cascade_fields(Self& self, Visitor& visit)
+    {
+        visit.number(
+            {"position_gain", Quantity::rate, any_finite, Need::required, "commanded velocity per position error"},
+            self.position_gain);
+        visit.number({"velocity_gain", Quantity::damping, any_finite, Need::required, "effort per velocity error"},
+                     self.velocity_gain);
+        visit.number({"velocity_integral_gain", Quantity::stiffness, any_finite, Need::optional,
+                      "effort per integral of the velocity error"},
+                     self.velocity_integral_gain);
+        visit.number({"velocity_reset_time", Quantity::time, positive, Need::optional,
+                      "velocity_gain per velocity_integral_gain, instead of it"},
+                     self.velocity_reset_time);
+    }
+    template <class Self, class Visitor>
+    static void integral_fields(Self& self, Visitor& visit)
+    {
+        visit.number({"integral_limit", Quantity::effort, positive, Need::optional,
+                      "limit of the integral's share of the output"},
+                     self.integral_limit);
+        visit.choice("anti_windup", "what the integral does while the output is at its limit", self.anti_windup,
+                     anti_windups);
+        visit.number({"tracking_time", Quantity::time, positive, Need::optional,
+                      "back-calculation: time constant with which the integral follows the limited output"},
+                     self.tracking_time);
+        visit.number({"integral_band", Quantity::position, positive, Need::optional,
+                      "the integral grows only while the position error is within it"},
+                     self.integral_band);
+        visit.number(
+            {"dead_zone", Quantity::position, not_negative, Need::optional, "position errors within it count as none"},
+            self.dead_zone);
     }
 };
 
@@ -270,6 +379,60 @@ struct BodyFrictions {
     }
 };
 
+/// A normal force that moves with the joint: σ' = displacement x + velocity ẋ + acceleration ẍ, of friction μ σ, with
+/// the Linker-Dieterich effect in the state of the law. Dupont & Bapna (1994); PHYSICS of the coupling in
+/// analysis/README.
+struct NormalLoad {
+    double displacement = 0, velocity = 0, acceleration = 0;
+    double mu = not_set;   ///< not set: steady friction per friction.normal_load
+    double alpha = 0;      ///< share of a load step that the state takes away at once
+    double from_load = 0;  ///< several bodies: normal force per effort that the transmission carries
+
+    template <class Self, class Visitor>
+    static void fields(Self& self, Visitor& visit)
+    {
+        visit.number({"displacement", Quantity::stiffness, any_finite, Need::optional,
+                      "normal force per displacement of the link"},
+                     self.displacement);
+        visit.number({"velocity", Quantity::damping, any_finite, Need::optional, "normal force per velocity"},
+                     self.velocity);
+        visit.number({"acceleration", Quantity::inertia, any_finite, Need::optional, "normal force per acceleration"},
+                     self.acceleration);
+        visit.number({"mu", Quantity::number, not_negative, Need::optional,
+                      "friction per normal force in steady sliding; not set: friction per friction.normal_load"},
+                     self.mu);
+        visit.number({"alpha", Quantity::number, not_negative, Need::optional,
+                      "Linker-Dieterich coefficient: friction per normal force that a step takes out of the state"},
+                     self.alpha);
+        visit.number({"from_load", Quantity::number, any_finite, Need::optional,
+                      "normal force on the link per effort that the transmission carries (several inertias)"},
+                     self.from_load);
+    }
+
+    bool moves() const { return displacement != 0 || velocity != 0 || acceleration != 0 || from_load != 0; }
+};
+
+/// Another joint that the mass matrix couples to this one, under a continuous loop of its own, linearised:
+/// inertia ẍ_k + k_v ẋ_k + k_p x_k + coupling ẍ = 0, and coupling ẍ_k acts on this joint's link.
+struct Neighbour {
+    double inertia = not_set, coupling = not_set, k_p = 0, k_v = 0;
+
+    template <class Self, class Visitor>
+    static void fields(Self& self, Visitor& visit)
+    {
+        visit.number({"inertia", Quantity::inertia, positive, Need::required, "its entry on the mass matrix' diagonal"},
+                     self.inertia);
+        visit.number({"coupling", Quantity::inertia, any_finite, Need::required,
+                      "the entry of the mass matrix between it and this joint"},
+                     self.coupling);
+        visit.number({"k_p", Quantity::stiffness, not_negative, Need::optional, "its position gain"}, self.k_p);
+        visit.number(
+            {"k_v", Quantity::damping, not_negative, Need::optional, "its velocity gain and the slope of its friction"},
+            self.k_v);
+    }
+};
+inline constexpr int max_neighbours = 6;
+
 struct Joint {
     Mechanism mechanism;
     Load load;
@@ -278,6 +441,8 @@ struct Joint {
     BodyFrictions frictions;  ///< the other models
     Actuator actuator;
     Sensor sensor;
+    NormalLoad normal;
+    ShortList<Neighbour, max_neighbours> neighbour;
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
@@ -294,6 +459,19 @@ struct Joint {
         }
         visit.table("actuator", "from the command to the effort", self.actuator);
         visit.table("sensor", "what the encoder adds", self.sensor);
+        visit.table("normal", "a normal force that moves with the joint", self.normal);
+        visit.rows("neighbour", "joints that the mass matrix couples to this one", self.neighbour);
+    }
+
+    /// The mass matrix of the link and its neighbours is positive definite: Σ m_jk²/m_kk < m_jj.
+    std::string problem() const
+    {
+        const bool single = mechanism.model == Model::single_mass;
+        double carried = 0;
+        for (const auto& n : neighbour) carried += n.coupling * n.coupling / n.inertia;
+        return carried < (single ? mechanism.inertia : mechanism.link_inertia) || neighbour.size == 0
+                   ? ""
+                   : "neighbour: coupling² / inertia, summed, is not less than the inertia of this joint's link";
     }
 };
 

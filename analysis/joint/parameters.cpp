@@ -114,6 +114,7 @@ LeafCollector collect(Joint& joint)
 {
     LeafCollector collector;
     Joint::fields(joint, collector);
+    if (auto text = joint.problem(); !text.empty()) collector.problems.push_back({"joint", text});
     return collector;
 }
 

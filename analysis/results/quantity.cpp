@@ -26,6 +26,8 @@ std::string_view unit_of(Quantity quantity, Motion motion)
             return turns ? "N·m·s" : "N·s";
         case Quantity::stiffness:
             return turns ? "N·m/rad" : "N/m";
+        case Quantity::integral_gain:
+            return turns ? "N·m/(rad·s)" : "N/(m·s)";
         case Quantity::damping:
             return turns ? "N·m·s/rad" : "N·s/m";
         case Quantity::inertia:

@@ -20,6 +20,7 @@ enum class Quantity {
     effort_rate,        ///< N/s | N·m/s
     impulse,            ///< N·s | N·m·s: effort times time
     stiffness,          ///< N/m | N·m/rad: position gains, kernel weights
+    integral_gain,      ///< N/(m·s) | N·m/(rad·s)
     damping,            ///< N·s/m | N·m·s/rad: velocity gains, friction slopes
     inertia,            ///< kg | kg·m²
     per_position,       ///< 1/m | 1/rad: periods of a position-locked term times 2π

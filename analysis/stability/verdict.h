@@ -4,7 +4,9 @@
 #include <complex>
 #include <vector>
 
+#include "analysis/base/crossing.h"
 #include "analysis/joint/joint.h"
+#include "analysis/loop/loop_use.h"
 #include "analysis/results/point.h"
 
 namespace stickslip {
@@ -17,10 +19,6 @@ struct SteadySliding {
     Reason reason = Reason::none;  ///< why there is none
 };
 
-struct Interval {
-    double low, high;
-};  ///< open
-
 /// (20)-(21): friction replaced by its steady-state curve.
 struct VelocityOnlyVerdict {
     bool stable = false;
@@ -30,31 +28,28 @@ struct VelocityOnlyVerdict {
     double slope = missing;            ///< f_ss'(V_0)
 };
 
-/// A gain at which a pair of roots crosses the imaginary axis; direction +1 where it turns unstable with rising k_p.
-struct Crossing {
-    double k_p = missing;
-    double omega = missing;
-    int direction = 0;
-};
-
 /// (27)-(37): friction with memory.
 struct StateVariableVerdict {
     bool stable = false;
     bool neutral = false;                ///< as above
     double spectral_abscissa = missing;  ///< 0 where only rounding is left of it
     std::vector<std::complex<double>> eigenvalues;
-    bool all_eigenvalues = true;       ///< with delays or a table only some of the rightmost are known
-    double f_v = missing;              ///< direct effect (14)
-    double kernel_integral = missing;  ///< ∫g
+    std::vector<std::complex<double>> multipliers;  ///< of a sampled loop, from sample to sample: z = e^{sT}
+    bool all_eigenvalues = true;                    ///< with delays or a table only some of the rightmost are known
+    double f_v = missing;                           ///< direct effect (14)
+    double kernel_integral = missing;               ///< ∫g
     std::vector<Crossing> crossings;
     std::vector<Interval> stable_intervals;  ///< in k_p, decided by the spectrum
     double k_cr = missing;                   ///< the single critical gain, NaN where there is none
     double searched_to = infinity;           ///< k_p up to which crossings are complete; finite where delays go on
+    double gain_margin_db = missing;         ///< least change of the loop gain, either way, that makes it unstable
+    double phase_margin_deg = missing;       ///< at |L| = 1, broken at the command: negative where it is unstable
     std::vector<Interval> doubtful;          ///< bands of ω in which a touch of the axis could not be excluded
 };
 
 struct LinearVerdict {
     SteadySliding steady;
+    LoopUse loop;  ///< which loop the verdicts are about
     VelocityOnlyVerdict velocity_only;
     StateVariableVerdict state_variable;
 };

@@ -175,6 +175,8 @@ std::string reason_text(Reason reason)
             return "this combination of friction law, joint and disturbance is not computed";
         case Reason::neutral:
             return "neutral: small disturbances neither grow nor decay, as nothing damps them";
+        case Reason::limit_too_low:
+            return "limit-too-low: the effort limit is below what steady sliding needs, so there is none";
         case Reason::diverges:
             return "diverges: the motion runs away from steady sliding, which no spring or damper holds back";
     }

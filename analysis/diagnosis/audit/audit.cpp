@@ -257,7 +257,7 @@ Audit audit(std::vector<Case>& cases)
     result.possible = true;
     const Control documented = cases[0].joint.control;
     const double limit = std::min(documented.effort_limit, observed_limit(cases));
-    const bool filtered = documented.k_v != 0 && documented.velocity_estimate.form == EstimateForm::backward_difference;
+    const bool filtered = documented.k_v != 0 && documented.velocity_estimate.form != EstimateForm::exact;
 
     // one gain pair a record: overrides may give every record its own documented gains
     const auto regress = [&](double tau, int late) {

@@ -97,7 +97,7 @@ void audit_filter(std::vector<Case>& cases, Audit& result)
     const auto all = [&](auto&& holds) { return std::all_of(cases.begin(), cases.end(), holds); };
     const bool one_controller = all([&](const Case& c) {
         const Control& control = c.joint.control;
-        return control.velocity_estimate.form == EstimateForm::backward_difference && control.k_v != 0 &&
+        return control.velocity_estimate.form != EstimateForm::exact && control.k_v != 0 &&
                control.velocity_estimate.tau == tau && control.period == documented.period;
     });
     if (!one_controller || !all([](const Case& c) { return c.ticks.regular && c.ticks.has_velocity; })) return;

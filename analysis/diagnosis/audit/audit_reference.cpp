@@ -122,7 +122,7 @@ void audit_without_reference(std::vector<Case>& cases, double limit, Audit& resu
 {
     const Control documented = cases[0].joint.control;
     const bool damped = documented.k_v != 0;
-    const bool filtered = damped && documented.velocity_estimate.form == EstimateForm::backward_difference;
+    const bool filtered = damped && documented.velocity_estimate.form != EstimateForm::exact;
     double tau = documented.velocity_estimate.tau;
     if (filtered && !result.filter_seen) {
         const double before = misfit_of(cases, tau, limit), found = best_tau(cases, limit);

@@ -1,0 +1,46 @@
+// Which loop a verdict is about, and what of the joint's description it could not use.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "analysis/joint/joint.h"
+
+namespace stickslip {
+
+/// ideal: k_p and k_v act at once and without end, as in the paper. continuous: behind dead time, lag and filter, with
+/// an integral. sampled: read, computed and held tick by tick.
+enum class LoopKind { ideal, continuous, sampled };
+
+/// Why the linear theory of steady sliding has no place for a term that the joint has.
+enum class WhyNot {
+    small_signal,    ///< a limit, a band or a dead zone: small motions about steady sliding do not reach it
+    rounding,        ///< encoder steps and noise: sliding holds only up to a jitter
+    place,           ///< locked to position: steady sliding has no one linear system
+    time,            ///< locked to time: it forces the joint and moves no root
+    play,            ///< backlash: closed while the load has one sign, open it has no linear system
+    needs_period,    ///< of a sampled estimate, in a loop without a period
+    no_feedback,     ///< the loop feeds nothing back that it could act on
+    reference_only,  ///< it acts on the reference alone and moves no root
+    unsupported      ///< this loop has no evaluation with such friction
+};
+
+struct UnusedTerm {
+    std::string key;
+    WhyNot why;
+    bool matters = false;  ///< a verdict without it may be wrong for motions of ordinary size
+};
+
+struct LoopUse {
+    LoopKind kind = LoopKind::ideal;
+    std::vector<std::string> used;  ///< paths beyond those of the ideal loop
+    std::vector<UnusedTerm> not_used;
+};
+
+/// The kind alone, without allocation.
+LoopKind loop_kind(const Joint& joint);
+LoopUse loop_use(const Joint& joint);
+
+/// The joint under the paper's loop: k_p and k_v act at once, nothing else is between them and the motion.
+Joint with_ideal_loop(Joint joint);
+
+}  // namespace stickslip

@@ -40,8 +40,9 @@ enum class Outcome : std::uint8_t {
     solver_failure
 };
 
-/// Which method decided the outcome; `steps` is the method of steps, for friction that answers late.
-enum class DecisionPath : std::uint8_t { none, lanes, cvode, shooting, steps };
+/// Which method decided the outcome; `steps` is the method of steps, for friction that answers late, `ticks` the real
+/// loop, followed tick by tick.
+enum class DecisionPath : std::uint8_t { none, lanes, cvode, shooting, steps, ticks };
 
 inline constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 

@@ -2,35 +2,12 @@
 
 #include "analysis/diagnosis/plant/controller.h"
 #include "analysis/diagnosis/plant/step.h"
+#include "analysis/numerics/seeded_noise.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace stickslip::gap {
 namespace {
-
-/// The same normal numbers on every machine: splitmix64 and Box-Muller.
-class Noise {
-  public:
-    /// The seed is scrambled: neighbours would else be one sequence, shifted, and move a slow loop alike.
-    explicit Noise(std::uint64_t seed) : state_(scrambled(seed * step)) {}
-    double operator()()
-    {
-        const double radius = std::sqrt(-2 * std::log(1 - uniform()));
-        return radius * std::cos(2 * std::numbers::pi * uniform());
-    }
-
-  private:
-    static constexpr std::uint64_t step = 0x9E3779B97F4A7C15ull;
-    static std::uint64_t scrambled(std::uint64_t z)
-    {
-        z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ull;
-        z = (z ^ (z >> 27)) * 0x94D049BB133111EBull;
-        return z ^ (z >> 31);
-    }
-    double uniform() { return static_cast<double>(scrambled(state_ += step) >> 11) * 0x1.0p-53; }
-    std::uint64_t state_;
-};
 
 /// The held command as the actuator sees it after the dead time, averaged over a substep.
 class HeldCommand {
@@ -258,7 +235,7 @@ Trace closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t seed)
          {&out.position, &out.velocity, &out.command, &out.effort, &out.true_position, &out.true_velocity})
         column->resize(n);
     if (n == 0) return out;
-    Noise noise(seed);
+    SeededNoise noise(seed);
     const Sensor& sensor = plant.sensor;
     Mechanics mechanics(plant, ticks, out.command);
     mechanics.start(0, ticks.initial_velocity, rest_at_start(plant, ticks, known_command(plant, ticks)));

@@ -5,6 +5,7 @@
 #include "analysis/simulation/attractor/growth.h"
 #include "analysis/simulation/attractor/large_starts.h"
 #include "analysis/simulation/flows/late_flow.h"
+#include "analysis/simulation/sampled/loop_verdict.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/spectrum.h"
 #include "analysis/stability/steady.h"
@@ -199,10 +200,56 @@ void judge(const Joint& joint, const AnyFlow& flow, const NonlinearOptions& opti
         verdict.fold_missing = followed ? no_branch : no_smooth_branch;
 }
 
+NonlinearRegion region_of(LoopRegion region)
+{
+    switch (region) {
+        case LoopRegion::stable: return NonlinearRegion::stable;
+        case LoopRegion::bistable: return NonlinearRegion::bistable;
+        case LoopRegion::stick_slip: return NonlinearRegion::stick_slip;
+        case LoopRegion::undecided: break;
+    }
+    return NonlinearRegion::undecided;
+}
+
+constexpr std::string_view ideal_only = "folds are followed for the ideal loop";
+
+/// The verdict on the loop that the file describes, followed tick by tick.
+NonlinearVerdict in_real_loop(const Joint& joint, const NonlinearOptions& options)
+{
+    LoopQuestion question;
+    question.disturbance = options.disturbance;
+    question.rtol = options.rtol;
+    question.turn_limit = options.turn_limit;
+    question.region = options.region;
+    const auto found = loop_verdict(joint, question);
+    NonlinearVerdict verdict;
+    verdict.disturbance = options.disturbance;
+    if (std::isfinite(found.size)) verdict.disturbance.size = found.size;
+    verdict.outcome = found.reason == Reason::linear_only ? Outcome::linear_only : found.stated.outcome();
+    verdict.region = region_of(found.region);
+    verdict.growth_rate = found.growth_rate;
+    verdict.amplitude = found.cycle.amplitude;
+    verdict.velocity_min = found.cycle.velocity_min;
+    verdict.velocity_max = found.cycle.velocity_max;
+    verdict.period = found.cycle.period;
+    verdict.stick_fraction = found.cycle.stick_fraction;
+    verdict.repeats = found.cycle.repeats;
+    verdict.overshoot = found.overshoot;
+    verdict.path = DecisionPath::ticks;
+    verdict.reason = found.reason;
+    verdict.explanation = found.explanation;
+    verdict.searched_from = found.searched_from;
+    if (std::isnan(verdict.growth_rate))
+        verdict.growth_missing = found.growth_missing.empty() ? unmeasured : found.growth_missing;
+    if (options.bifurcation && verdict.region == NonlinearRegion::bistable) verdict.fold_missing = ideal_only;
+    return verdict;
+}
+
 }  // namespace
 
 NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& options)
 {
+    if (has_real_loop(joint)) return in_real_loop(joint, options);
     NonlinearVerdict verdict;
     verdict.disturbance = options.disturbance;
     const auto judged = [&](const auto& found) {

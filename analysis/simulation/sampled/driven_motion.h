@@ -1,0 +1,83 @@
+// The motion of a driven joint from one jump of what arrives to the next, through sticking and sliding.
+#pragma once
+#include "analysis/simulation/sampled/rosenbrock.h"
+
+#include <functional>
+
+namespace stickslip {
+
+/// A step as an observer sees it: from `t` to `t + step.h` under the equations that `joint` holds.
+struct DrivenStep {
+    double t;
+    const RosenbrockStep& step;
+    const DrivenJoint& joint;
+};
+
+struct MotionOptions {
+    double rtol = 1e-8;
+    /// Equal steps no longer than this in place of error control: the motion is then a smooth function of its start,
+    /// as differences of neighbouring motions need. 0: error control.
+    double fixed_step = 0;
+};
+
+class DrivenMotion {
+  public:
+    DrivenMotion(const DrivenJoint& driven, const MotionOptions& options) : joint(driven), options_(options) {}
+
+    DrivenJoint joint;  ///< with what arrives and the modes that hold
+    DrivenState y{};
+
+    void set_fixed_step(double step) { options_.fixed_step = step; }
+    /// After y or what arrives has changed.
+    void enter() { joint.enter(y.data()); }
+    /// From t on for a duration; false where steps shrink to nothing or bodies stop and go for ever.
+    template <class Observer>
+    bool advance(double t, double duration, Observer&& observe);
+    bool advance(double t, double duration)
+    {
+        return advance(t, duration, [](const DrivenStep&) {});
+    }
+
+    long steps = 0;  ///< in all
+
+  private:
+    bool step_to(double left);
+    bool keep_launches();
+    int first_switch(double& fraction) const;
+    void land_on(int which, double fraction);
+
+    MotionOptions options_;
+    RosenbrockStep step_;
+    double wish_ = 0;  ///< length that error control would take next
+    std::array<double, 2 * max_bodies> before_{};
+};
+
+template <class Observer>
+bool DrivenMotion::advance(double t, double duration, Observer&& observe)
+{
+    constexpr int most_idle = 50;             // switches without time moving on
+    constexpr double resolved = 1e-14;        // of the duration
+    double done = 0;
+    int idle = 0;
+    while (done < duration) {
+        if (joint.switches() > 0) joint.switch_values(y.data(), before_.data());
+        if (!step_to(duration - done)) return false;
+        if (joint.switches() > 0 && !keep_launches()) return false;
+        double fraction = 1;
+        const int which = joint.switches() > 0 ? first_switch(fraction) : -1;
+        if (which >= 0) land_on(which, fraction);
+        observe(DrivenStep{t + done, step_, joint});
+        y = step_.y1;
+        const bool last = which < 0 && step_.h >= duration - done;
+        done = last ? duration : done + step_.h;
+        idle = step_.h > resolved * duration ? 0 : idle + 1;
+        if (idle > most_idle) return false;
+        if (which >= 0) {
+            if (which < joint.bodies() && joint.modes[which] != DrivenJoint::Mode::stuck) y[joint.bodies() + which] = 0;
+            joint.pass(which, y.data());
+        }
+    }
+    return true;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,305 @@
+#include "analysis/simulation/sampled/loop_follow.h"
+
+#include <cmath>
+#include <optional>
+
+namespace stickslip {
+namespace {
+
+constexpr std::size_t block = 16;          ///< turns whose means are compared
+constexpr std::size_t settling = 4;        ///< turns that a scaled motion gets to find back to its slow manifold
+constexpr double closed = 2e-6;            ///< change of a mean amplitude, what is still to come included, that is none
+constexpr double small_turn = 1e-2;        ///< of V_0: speeds of a turn that the linear theory describes
+constexpr double smallest_turn = 1e-7;     ///< of V_0: what steady sliding cannot be told from
+constexpr double alike = 0.25;             ///< by which a decay may miss the linear rate
+constexpr double slow_growth = 4e-3;       ///< of ln amplitude a turn: slower motions are scaled, not waited for
+constexpr double jump = 0.4;               ///< of ln amplitude
+constexpr double uneven_turns = 0.05;      ///< spread of amplitudes beyond which turns are not alike
+constexpr double same_turn = 1e-3;         ///< to which turns of a period-n motion repeat
+constexpr std::size_t longest_repeat = 8;    ///< turns
+constexpr double runaway = 1e9;            ///< of V_0
+constexpr double patience = 60;            ///< turns without a crossing of V_0
+constexpr long most_ticks = 1'500'000;
+constexpr int rounds_before_uneven = 12;   ///< blocks after which turns that are not alike are irregular
+constexpr int settling_turns = 40, measured_turns = 200;  ///< of a motion that no turn divides
+
+double speed_of(const LoopTurn& turn, double V0)
+{
+    return std::max(std::abs(turn.velocity_max - V0), std::abs(V0 - turn.velocity_min)) / std::abs(V0);
+}
+
+/// Means over the newest turns.
+struct Means {
+    double amplitude = 0, spread = 0;
+};
+Means means(const std::vector<LoopTurn>& turns, std::size_t skip, std::size_t count)
+{
+    Means m;
+    double low = infinity, high = 0;
+    const auto end = turns.end() - static_cast<std::ptrdiff_t>(skip);
+    for (auto t = end - static_cast<std::ptrdiff_t>(count); t != end; ++t) {
+        m.amplitude += t->amplitude() / static_cast<double>(count);
+        low = std::min(low, t->amplitude()), high = std::max(high, t->amplitude());
+    }
+    m.spread = (high - low) / m.amplitude;
+    return m;
+}
+
+/// After how many turns amplitudes come back, for each of the newest turns; 0 if they do not.
+int turns_to_repeat(const std::vector<LoopTurn>& turns)
+{
+    for (std::size_t n = 2; n <= longest_repeat; ++n) {
+        bool repeats = turns.size() >= 4 * n;
+        for (std::size_t i = turns.size() - 3 * n; repeats && i < turns.size(); ++i)
+            repeats = std::abs(turns[i].amplitude() / turns[i - n].amplitude() - 1) < same_turn;
+        if (repeats) return static_cast<int>(n);
+    }
+    return 0;
+}
+
+/// A motion that creeps towards a cycle or away from one: growth per turn over ln amplitude, and where it vanishes.
+class CreepSearch {
+  public:
+    /// The ln amplitude to look at next.
+    double next(double at, double growth)
+    {
+        const bool grows = growth > 0;
+        (grows ? below_ : above_) = {at, growth, true};
+        const bool bracketed = below_.known && above_.known && below_.at < above_.at;
+        if (!bracketed) return at + (grows ? jump : -jump);
+        const double share = below_.growth / (below_.growth - above_.growth);
+        return below_.at + std::clamp(share, 0.05, 0.95) * (above_.at - below_.at);
+    }
+    bool bracketed() const { return below_.known && above_.known && below_.at < above_.at; }
+
+  private:
+    struct Side {
+        double at = 0, growth = 0;
+        bool known = false;
+    };
+    Side below_, above_;
+};
+
+class Follower {
+  public:
+    Follower(SampledLoop& loop, const std::vector<double>& steady, double origin, const LoopFollowOptions& options)
+        : loop_(loop), steady_(steady), options_(options), V0_(loop.frame()), watch_(V0_, origin)
+    {
+    }
+
+    LoopEnd run();
+    LoopEnd run_uneven();
+
+  private:
+    LoopEnd ended(LoopEnd::Kind kind, Reason reason = Reason::none);
+    bool advance();
+    bool decays_linearly() const;
+    std::optional<LoopEnd> decide();
+    void scale_motion(double by);
+    LoopEnd measured(LoopEnd::Kind kind, std::size_t count);
+
+    SampledLoop& loop_;
+    const std::vector<double>& steady_;
+    const LoopFollowOptions& options_;
+    double V0_;
+    TurnWatch watch_;
+    std::vector<LoopTurn> turns_;  ///< since the motion was last scaled
+    CreepSearch creep_;
+    int all_turns_ = 0, blocks_ = 0;
+    double first_peak_ = missing, last_change_ = missing;
+    std::size_t skip_ = 0;
+};
+
+LoopEnd Follower::ended(LoopEnd::Kind kind, Reason reason)
+{
+    LoopEnd end;
+    end.kind = kind, end.reason = reason;
+    end.turns = all_turns_, end.first_peak = first_peak_;
+    return end;
+}
+
+bool Follower::advance()
+{
+    const bool moved = loop_.tick(0, loop_.reference_velocity(), 0, [this](const DrivenStep& s) { watch_(s); });
+    const auto& j = loop_.motion.joint;
+    return moved && std::abs(j.velocity(loop_.motion.y.data(), j.link())) < runaway * std::abs(V0_);
+}
+
+/// The newest turns shrink as small disturbances do.
+bool Follower::decays_linearly() const
+{
+    if (turns_.size() < 4 || !options_.steady_attracts) return false;
+    for (std::size_t i = turns_.size() - 3; i < turns_.size(); ++i) {
+        if (!(speed_of(turns_[i], V0_) < small_turn)) return false;
+        const double growth = std::log(turns_[i].amplitude() / turns_[i - 1].amplitude());
+        const double expected = options_.decay * turns_[i].period();
+        if (!(growth < 0) || !(std::abs(growth - expected) < alike * std::abs(expected))) return false;
+    }
+    return true;
+}
+
+void Follower::scale_motion(double by)
+{
+    auto state = loop_.state();
+    for (std::size_t i = 0; i < state.size(); ++i) state[i] = steady_[i] + by * (state[i] - steady_[i]);
+    loop_.set_state(state);
+    watch_.reset(loop_.time());
+    turns_.clear();
+    skip_ = settling;
+    last_change_ = missing;
+}
+
+LoopEnd Follower::measured(LoopEnd::Kind kind, std::size_t count)
+{
+    LoopEnd end = ended(kind);
+    const auto first = turns_.end() - static_cast<std::ptrdiff_t>(std::min(count, turns_.size()));
+    double time = 0, rest = 0, low = infinity, high = 0;
+    end.amplitude = 0, end.velocity_min = infinity, end.velocity_max = -infinity;
+    for (auto t = first; t != turns_.end(); ++t) {
+        end.amplitude += t->amplitude();
+        low = std::min(low, t->amplitude()), high = std::max(high, t->amplitude());
+        time += t->period(), rest += t->rest_time;
+        end.velocity_min = std::min(end.velocity_min, t->velocity_min);
+        end.velocity_max = std::max(end.velocity_max, t->velocity_max);
+        end.reversed |= t->reversed;
+    }
+    const double n = static_cast<double>(turns_.end() - first);
+    end.amplitude /= n;
+    end.amplitude_spread = (high - low) / end.amplitude;
+    end.period = time / n;
+    end.stick_fraction = rest / time;
+    return end;
+}
+
+std::optional<LoopEnd> Follower::decide()
+{
+    const auto& last = turns_.back();
+    if (speed_of(last, V0_) < smallest_turn) return ended(LoopEnd::Kind::steady);
+    if (decays_linearly()) return ended(LoopEnd::Kind::steady);
+    if (turns_.size() < skip_ + 2 * block || (turns_.size() - skip_) % block != 0) return {};
+    ++blocks_;
+    const Means now = means(turns_, 0, block), before = means(turns_, block, block);
+    const double change = std::log(now.amplitude / before.amplitude), growth = change / static_cast<double>(block);
+    const double ratio = change / last_change_;
+    const double to_come = std::abs(ratio) < 0.95 ? std::abs(change * ratio / (1 - ratio)) : std::abs(change) * 20;
+    // means of turns that the ticks cut differently differ by a share of their spread
+    const double blur = now.spread / static_cast<double>(block);
+    const bool still = std::abs(change) < closed || (to_come < closed && std::abs(change) < 100 * closed);
+    const bool alternates = std::abs(change) < blur && std::abs(last_change_) < blur && now.spread < uneven_turns;
+    last_change_ = change;
+    const bool rests = last.velocity_min < 0.5 * std::abs(V0_);
+    const bool like_steady = speed_of(last, V0_) < small_turn && options_.steady_attracts;
+    if (!like_steady && (still || (alternates && (blocks_ > 4 || rests)))) return measured(LoopEnd::Kind::cycle, 4 * block);
+    if (now.spread > uneven_turns && blocks_ >= rounds_before_uneven && std::abs(change) < now.spread) {
+        const int repeats = turns_to_repeat(turns_);
+        LoopEnd end = measured(repeats > 1 ? LoopEnd::Kind::period_n : LoopEnd::Kind::irregular, 4 * block);
+        end.repeats = std::max(repeats, 1);
+        if (repeats > 1) end.period *= repeats;
+        return end;
+    }
+    if (std::abs(growth) < slow_growth && now.spread < 10 * std::abs(change) && !steady_.empty()) {
+        const double at = std::log(now.amplitude);
+        scale_motion(std::exp(creep_.next(at, growth) - at));
+    }
+    return {};
+}
+
+LoopEnd Follower::run()
+{
+    watch_.reset(loop_.time());
+    double last_crossing = loop_.time();
+    for (long k = 0; k < most_ticks && all_turns_ < options_.turn_limit; ++k) {
+        if (!advance()) {
+            const auto& j = loop_.motion.joint;
+            const bool gone = !(std::abs(j.velocity(loop_.motion.y.data(), j.link())) < runaway * std::abs(V0_));
+            return ended(LoopEnd::Kind::undecided, gone ? Reason::diverges : Reason::solver_failed);
+        }
+        LoopTurn turn;
+        if (watch_.take(turn)) {
+            if (std::isnan(first_peak_)) first_peak_ = turn.position_max;
+            turns_.push_back(turn);
+            ++all_turns_;
+            last_crossing = turn.t1;
+            if (auto end = decide()) return *end;
+        } else if (!(loop_.time() - last_crossing < patience * options_.turn)) {
+            const auto& now = watch_.present();
+            if (std::isnan(first_peak_)) first_peak_ = now.position_max;
+            if (speed_of(now, V0_) < small_turn && options_.steady_attracts) return ended(LoopEnd::Kind::steady);
+            last_crossing = loop_.time();
+            const bool slow = std::max(std::abs(now.velocity_min), std::abs(now.velocity_max)) < 0.01 * std::abs(V0_);
+            if (slow) {
+                LoopEnd held = ended(LoopEnd::Kind::held);
+                held.stick_fraction = 1;
+                return held;
+            }
+            watch_.reset(loop_.time());
+        }
+    }
+    return ended(LoopEnd::Kind::undecided, Reason::not_converged);
+}
+
+/// A coarse encoder or noise: extrema over a long time, and how often the link comes to rest.
+LoopEnd Follower::run_uneven()
+{
+    watch_.reset(loop_.time());
+    const double unit = std::isfinite(options_.turn) ? options_.turn : 100 * loop_.period();
+    const auto ticks = [&](int turns) { return std::clamp(std::lround(turns * unit / loop_.period()), 100L, most_ticks / 4); };
+    LoopTurn turn;
+    LoopEnd end;
+    bool slow = false;
+    int rests = 0;
+    double low_v = infinity, high_v = -infinity, low = infinity, high = -infinity, rest = 0;
+    const long settle = ticks(settling_turns), measure = ticks(measured_turns);
+    for (long k = 0; k < settle + measure; ++k) {
+        if (!advance()) return ended(LoopEnd::Kind::undecided, Reason::solver_failed);
+        const auto now = watch_.present();
+        watch_.take(turn);
+        if (k < settle) {
+            if (k + 1 == settle) first_peak_ = now.position_max;
+            watch_.reset(loop_.time());
+            continue;
+        }
+        low_v = std::min(low_v, now.velocity_min), high_v = std::max(high_v, now.velocity_max);
+        low = std::min(low, now.position_min), high = std::max(high, now.position_max);
+        rest += now.rest_time;
+        end.reversed |= now.reversed;
+        if (now.rest_time > 0 && !slow) ++rests;
+        slow = now.rest_time > 0;
+        watch_.reset(loop_.time());
+    }
+    const double time = static_cast<double>(measure) * loop_.period();
+    const bool smooth = rest == 0 && !end.reversed;
+    end.kind = smooth && options_.steady_attracts ? LoopEnd::Kind::steady : LoopEnd::Kind::cycle;
+    end.first_peak = first_peak_;
+    end.amplitude = 0.5 * (high - low);
+    end.velocity_min = low_v, end.velocity_max = high_v;
+    end.stick_fraction = rest / time;
+    if (rests > 1) end.period = time / rests;
+    return end;
+}
+
+}  // namespace
+
+Outcome LoopEnd::outcome() const
+{
+    switch (kind) {
+        case Kind::steady: return Outcome::stable_sliding;
+        case Kind::undecided: return reason == Reason::solver_failed ? Outcome::solver_failure : Outcome::undecided;
+        case Kind::period_n: return Outcome::period_n;
+        case Kind::held: return Outcome::stick_slip;
+        case Kind::irregular:
+        case Kind::cycle: break;
+    }
+    if (reversed) return Outcome::reversal;
+    if (stick_fraction > 0) return Outcome::stick_slip;
+    return kind == Kind::irregular ? Outcome::irregular : Outcome::limit_cycle;
+}
+
+LoopEnd follow_loop(SampledLoop& loop, const std::vector<double>& steady, double origin,
+                    const LoopFollowOptions& options)
+{
+    Follower follower(loop, steady, origin, options);
+    return options.uneven ? follower.run_uneven() : follower.run();
+}
+
+}  // namespace stickslip

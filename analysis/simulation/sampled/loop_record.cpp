@@ -1,0 +1,139 @@
+#include "analysis/simulation/sampled/loop_record.h"
+
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+constexpr double same_time = 1e-6;       ///< of a tick
+constexpr double even = 1e-3;            ///< by which steps of a reference may differ and count as equal
+constexpr double most_rows = 20'000'000;
+
+/// The reference at any time: straight lines between the rows, and the rows themselves where they meet a tick.
+class Told {
+  public:
+    Told(const ReferenceMotion& reference, double tick) : r_(reference), near_(same_time * tick) {}
+
+    struct Now {
+        double position, velocity, feed_forward;
+    };
+    Now at(double t)
+    {
+        while (i_ + 2 < r_.time.size() && t >= r_.time[i_ + 1] - near_) ++i_;
+        const double span = r_.time[i_ + 1] - r_.time[i_];
+        double part = std::clamp((t - r_.time[i_]) / span, 0.0, 1.0);
+        if (std::abs(part * span) < near_) part = 0;
+        if (std::abs((1 - part) * span) < near_) part = 1;
+        const auto between = [&](const std::vector<double>& column) {
+            return part == 0 ? column[i_] : part == 1 ? column[i_ + 1] : column[i_] + part * (column[i_ + 1] - column[i_]);
+        };
+        // a reference without a velocity moves as it did over its last row
+        const std::size_t k = part > 0 || i_ == 0 ? i_ : i_ - 1;
+        const double velocity = r_.velocity.empty()
+                                    ? (r_.position[k + 1] - r_.position[k]) / (r_.time[k + 1] - r_.time[k])
+                                    : between(r_.velocity);
+        return {between(r_.position), velocity, r_.feed_forward.empty() ? 0 : between(r_.feed_forward)};
+    }
+
+  private:
+    const ReferenceMotion& r_;
+    double near_;
+    std::size_t i_ = 0;
+};
+
+LoopRecord refused(Reason reason, std::string_view why)
+{
+    LoopRecord record;
+    record.reason = reason, record.why = why;
+    return record;
+}
+
+double fastest_of(const ReferenceMotion& r)
+{
+    double fastest = 0;
+    for (std::size_t i = 1; i < r.time.size(); ++i)
+        fastest = std::max(fastest, std::abs((r.position[i] - r.position[i - 1]) / (r.time[i] - r.time[i - 1])));
+    return fastest;
+}
+
+/// The ticks of a continuous loop divide the rows of the reference: so many a row, 0 where rows are not even.
+int ticks_a_row(const Joint& joint, const ReferenceMotion& r)
+{
+    const double row = (r.time.back() - r.time.front()) / static_cast<double>(r.time.size() - 1);
+    for (std::size_t i = 1; i < r.time.size(); ++i)
+        if (std::abs(r.time[i] - r.time[i - 1] - row) > even * row) return 0;
+    return static_cast<int>(std::ceil(row / tick_of(joint)));
+}
+
+bool needs_motion(const Joint& joint)
+{
+    const Chain chain = chain_of(joint);
+    for (int i = 0; i < chain.bodies; ++i)
+        if (info(chain.body[i].friction->law).needs_motion) return true;
+    return false;
+}
+
+}  // namespace
+
+LoopRecord record_along(const Joint& joint, const ReferenceMotion& reference, std::uint64_t seed, double rtol)
+{
+    if (const auto why = why_not_driven(joint); !why.empty()) return refused(Reason::unsupported, why);
+    if (reference.time.size() < 2) return refused(Reason::unsupported, "a reference needs at least two rows");
+    LoopOptions options;
+    options.seed = seed;
+    options.motion.rtol = rtol;
+    const bool sampled = is_set(joint.control.period);
+    int each = 1;
+    if (!sampled) {
+        each = ticks_a_row(joint, reference);
+        if (each == 0)
+            return refused(Reason::unsupported,
+                           "the rows of the reference are not evenly spaced: a continuous loop is logged at them. Set "
+                           "control.period, or space them evenly");
+        options.tick = (reference.time.back() - reference.time.front()) /
+                       static_cast<double>(reference.time.size() - 1) / each;
+    }
+    const double fastest = fastest_of(reference), V0 = joint.control.V0;
+    const double speed = fastest > 0 ? fastest : is_set(V0) && V0 != 0 ? std::abs(V0) : 1e-3;
+    SampledLoop loop(joint, 0, speed / joint.sensor.position_scale, LoopSide::motor, options);
+    const double T = loop.period(), span = reference.time.back() - reference.time.front();
+    if (span / T > most_rows) return refused(Reason::unsupported, "the reference has more than 20 million ticks");
+    Told told(reference, T);
+    const auto start = told.at(reference.time.front());
+    const bool slides = needs_motion(joint);
+    if (slides && !(start.velocity > 0))
+        return refused(Reason::law_needs_motion,
+                       "the law has no meaning at rest: start with a reference that moves forward, or take "
+                       "rate-and-state-regularised");
+    if (!slides)
+        loop.begin_at_rest(start.position);
+    else if (!loop.begin_sliding(start.position, start.velocity))
+        return refused(Reason::no_steady_state, "the limit of the effort is below what steady sliding takes");
+    loop.set_clock(reference.time.front());
+    LoopRecord record;
+    const long ticks = std::lround(std::floor(span / T + same_time));
+    for (long k = 0; k <= ticks; ++k) {
+        const double t = reference.time.front() + static_cast<double>(k) * T;
+        const auto now = told.at(t);
+        const bool moved = loop.tick(now.position, now.velocity, now.feed_forward, [](const DrivenStep&) {});
+        if (k % each == 0) {
+            const auto& r = loop.readings();
+            record.time.push_back(t);
+            record.reference_position.push_back(now.position);
+            record.reference_velocity.push_back(now.velocity);
+            record.position.push_back(r.position);
+            record.velocity.push_back(r.velocity);
+            record.effort_command.push_back(r.command);
+            record.effort_measured.push_back(r.effort);
+            if (!reference.feed_forward.empty()) record.feed_forward.push_back(now.feed_forward);
+        }
+        if (!moved) {
+            record.reason = Reason::solver_failed;
+            record.why = "the motion could not be followed any further";
+            break;
+        }
+    }
+    return record;
+}
+
+}  // namespace stickslip

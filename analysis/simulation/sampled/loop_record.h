@@ -1,0 +1,24 @@
+// A record of a joint along a reference, as its controller would have logged it.
+#pragma once
+#include "analysis/simulation/sampled/sampled_loop.h"
+
+namespace stickslip {
+
+/// What the joint is told to do, row by row [reading units]; `velocity` and `feed_forward` may be empty.
+struct ReferenceMotion {
+    std::vector<double> time, position, velocity, feed_forward;
+};
+
+/// The columns of a record, one row a tick; of a continuous loop, one row a row of the reference.
+struct LoopRecord {
+    std::vector<double> time, reference_position, reference_velocity, position, velocity, effort_command,
+        effort_measured, feed_forward;
+    Reason reason = Reason::none;
+    std::string_view why;  ///< of the reason, in words
+};
+
+/// Starts at rest where the reference starts, or, under a law that cannot rest, sliding as the reference does. `seed` 0
+/// gives a record without noise.
+LoopRecord record_along(const Joint& joint, const ReferenceMotion& reference, std::uint64_t seed, double rtol = 1e-8);
+
+}  // namespace stickslip

@@ -1,0 +1,118 @@
+// A whole joint in its loop, tick by tick: encoder, controller, hold, dead time, actuator, mechanism. A continuous loop
+// has ticks of its own, short beside everything that it does.
+#pragma once
+#include "analysis/simulation/sampled/driven_motion.h"
+#include "analysis/simulation/sampled/loop_controller.h"
+#include "analysis/numerics/seeded_noise.h"
+
+#include <vector>
+
+namespace stickslip {
+
+struct LoopOptions {
+    MotionOptions motion;
+    std::uint64_t seed = 0;  ///< of the noise; 0: none
+    double tick = missing;       ///< s, of a continuous loop; not set: tick_of()
+    bool ideal_encoder = false;  ///< leaves out quantum and noise, which leave no steady state
+};
+
+/// The period of the loop; of a continuous one, ticks short enough beside all that it does.
+double tick_of(const Joint& joint);
+
+/// What one tick read and asked for.
+struct TickReadings {
+    double position = 0, velocity = 0, command = 0, effort = 0;
+};
+
+class SampledLoop {
+  public:
+    /// In a frame that moves at F with the joint [joint side]; `speed` is the scale of its velocities.
+    SampledLoop(const Joint& joint, double frame, double speed, LoopSide side, const LoopOptions& options);
+
+    /// Slides steadily, or false where the loop has no steady sliding.
+    bool begin_steadily();
+    /// Slides at this share of V_0 instead, forces balanced, from where V_0 is commanded; 0: rests where the law can.
+    bool begin_slower(double share);
+    /// Slides steadily with the reference at `reading` and moving at `rate`: for laws that cannot rest. In a frame at
+    /// rest.
+    bool begin_sliding(double reading, double rate);
+    /// Rests at this reading, nothing commanded yet.
+    void begin_at_rest(double reading);
+
+    /// Moves all bodies, and the readings so far, by this much [joint side]: a step of the commanded position.
+    void displace(double x);
+
+    /// One tick under a reference [reading units, in the frame] and its velocity [not in the frame]; the command that it
+    /// gives, and what is added to it, arrives after the dead time. False where the motion could not be followed.
+    template <class Observer>
+    bool tick(double reference, double rate, double added, Observer&& observe);
+    bool tick()
+    {
+        return tick(0, frame_reading_, 0, [](const DrivenStep&) {});
+    }
+
+    /// Everything that the next ticks depend on, as one vector: mechanism, controller, commands on their way.
+    std::vector<double> state() const;
+    void set_state(const std::vector<double>& state);
+
+    /// What time it is for what depends on time.
+    void set_clock(double t)
+    {
+        if (motion.joint.has_clock()) motion.joint.clock(motion.y.data()) = t;
+    }
+
+    double period() const { return period_; }
+    double time() const { return static_cast<double>(ticks_) * period_; }
+    double frame() const { return motion.joint.frame(); }
+    double reference_velocity() const { return frame_reading_; }
+    const TickReadings& readings() const { return readings_; }
+    bool continuous() const { return controller_.continuous(); }
+    std::size_t taps() const { return controller_.state.window.size(); }
+    double stiffness() const { return std::abs(joint_.control.k_p); }
+    double steady_command() const { return steady_command_; }
+    bool within_limits() const;
+
+    DrivenMotion motion;
+
+  private:
+    double read();
+    void ask(double reference, double rate, double added);
+    template <class Observer>
+    bool move(Observer&& observe);
+
+    Joint joint_;
+    LoopSide side_;
+    LoopOptions options_;
+    SeededNoise noise_;
+    double period_, frame_reading_;
+    LoopController controller_;
+    std::vector<double> line_;  ///< commands on their way, oldest first; the last is that of the present tick
+    double late_part_ = 0;      ///< of the tick, in which the command before the oldest still holds
+    long ticks_ = 0;
+    double steady_command_ = missing;
+    TickReadings readings_;
+};
+
+template <class Observer>
+bool SampledLoop::tick(double reference, double rate, double added, Observer&& observe)
+{
+    ask(reference, rate, added);
+    const bool moved = move(observe);
+    ++ticks_;
+    return moved;
+}
+
+template <class Observer>
+bool SampledLoop::move(Observer&& observe)
+{
+    const double t = time(), early = late_part_ * period_;
+    bool moved = true;
+    if (early > 0) moved = motion.advance(t, early, observe);
+    if (early > 0) {
+        motion.joint.arriving = line_[1];
+        motion.enter();
+    }
+    return moved && motion.advance(t + early, period_ - early, observe);
+}
+
+}  // namespace stickslip

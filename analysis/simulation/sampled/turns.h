@@ -1,0 +1,41 @@
+// What a motion in a loop is made of: turns about the commanded velocity, each with its extrema.
+#pragma once
+#include "analysis/simulation/sampled/driven_motion.h"
+
+namespace stickslip {
+
+/// From one downward crossing of V = V_0 by the link to the next. Extrema lie between the ends of steps and are found
+/// there; positions are in excess of the steady path.
+struct LoopTurn {
+    double t0 = 0, t1 = 0;
+    double velocity_min = infinity, velocity_max = -infinity;
+    double position_min = infinity, position_max = -infinity;
+    double rest_time = 0;  ///< at rest or below near_rest · V_0
+    bool reversed = false;
+
+    double period() const { return t1 - t0; }
+    double amplitude() const { return 0.5 * (position_max - position_min); }
+};
+
+/// Watches steps. `V0` is the velocity of the link that turns are counted about, `origin` its steady position.
+class TurnWatch {
+  public:
+    TurnWatch(double V0, double origin) : V0_(V0), origin_(origin) {}
+
+    void operator()(const DrivenStep& step);
+    /// The turn that the last crossing ended, once.
+    bool take(LoopTurn& turn);
+    /// Since the last crossing, or since reset().
+    const LoopTurn& present() const { return now_; }
+    void reset(double t);
+
+  private:
+    void visit(double velocity, double position);
+    double crossing(const DrivenStep& step, double level, double from, double to) const;
+
+    double V0_, origin_;
+    LoopTurn now_, done_;
+    bool begun_ = false, has_done_ = false;
+};
+
+}  // namespace stickslip

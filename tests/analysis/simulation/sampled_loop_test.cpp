@@ -1,0 +1,125 @@
+// The sampled loop as it moves: cycles against told numbers and against an integrator of another kind, growth against a
+// monodromy that is put together here.
+#include <catch2/catch.hpp>
+
+#include "analysis/simulation/attractor/nonlinear.h"
+#include "analysis/simulation/sampled/loop_verdict.h"
+
+#include <Eigen/Dense>
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include <deque>
+
+using namespace stickslip;
+
+namespace {
+
+/// The joint of PHYSICS §3 in a loop of 1 kHz.
+Joint sampled_joint(double k_p, double delay = 0)
+{
+    RateAndState law;
+    law.f0 = 60, law.A = 1, law.V_star = 1e-3;
+    law.B.push_back(1.5), law.L.push_back(1e-5);
+    Joint joint;
+    joint.mechanism.inertia = 1;
+    joint.control.k_p = k_p, joint.control.k_v = 10, joint.control.V0 = 1e-3;
+    joint.control.period = 1e-3, joint.control.delay = delay;
+    joint.control.velocity_estimate.form = EstimateForm::backward_difference;
+    joint.friction.law = law;
+    return joint;
+}
+
+/// ln max|z| / T of that joint with whole ticks of dead time: the matrix exponential of mechanism and hold, then the
+/// difference of readings.
+double growth_of(double k_p, int dead_ticks)
+{
+    const double m = 1, A = 1, B = 1.5, L = 1e-5, V = 1e-3, k_v = 10, T = 1e-3;
+    // x, v, θ and the held force
+    Eigen::Matrix4d F = Eigen::Matrix4d::Zero();
+    F(0, 1) = 1;
+    F(1, 1) = -A / V / m, F(1, 2) = -1 / m, F(1, 3) = 1 / m;
+    F(2, 1) = -B / L, F(2, 2) = -V / L;
+    const Eigen::Matrix4d step = (F * T).exp();
+    // and the last reading, and commands on their way, newest first
+    const int n = 4 + dead_ticks;
+    Eigen::MatrixXd M = Eigen::MatrixXd::Zero(n, n);
+    Eigen::RowVectorXd command = Eigen::RowVectorXd::Zero(n);
+    command(0) = -k_p - k_v / T, command(3) = k_v / T;
+    Eigen::RowVectorXd arriving = command;
+    if (dead_ticks > 0) arriving = Eigen::RowVectorXd::Unit(n, n - 1);
+    M.topLeftCorner(3, 3) = step.topLeftCorner(3, 3);
+    M.topRows(3) += step.topRightCorner(3, 1) * arriving;
+    M(3, 0) = 1;
+    for (int i = 0; i < dead_ticks; ++i) M.row(4 + i) = i == 0 ? command : Eigen::RowVectorXd::Unit(n, 3 + i);
+    return std::log(M.eigenvalues().cwiseAbs().maxCoeff()) / T;
+}
+
+/// Half peak to peak of the joint's motion under Runge and Kutta's method in x, V and θ, 100 steps a tick.
+double amplitude_by_runge_kutta(double k_p, int dead_ticks, double seconds)
+{
+    using State = Eigen::Vector3d;
+    const double V0 = 1e-3, T = 1e-3;
+    double u = 60;
+    const auto rate = [&](const State& y) {
+        const double log = std::log(y[1] / 1e-3);
+        return State(y[1] - V0, u - (60 + log + y[2]), -y[1] / 1e-5 * (y[2] + 1.5 * log));
+    };
+    State y(-60 / k_p, 1.2e-3, 0);
+    std::deque<double> late(static_cast<std::size_t>(dead_ticks), 60.0);
+    double before = y[0], low = 1, high = -1;
+    for (int k = 0; k < static_cast<int>(seconds / T); ++k) {
+        late.push_back(-k_p * y[0] - 10 * (y[0] - before) / T);
+        before = y[0];
+        u = late.front();
+        late.pop_front();
+        for (int i = 0; i < 100; ++i) {
+            const double h = T / 100;
+            const State a = rate(y), b = rate(y + h / 2 * a), c = rate(y + h / 2 * b), d = rate(y + h * c);
+            y += h / 6 * (a + 2 * b + 2 * c + d);
+            if (k * T > 0.6 * seconds) low = std::min(low, y[0]), high = std::max(high, y[0]);
+        }
+    }
+    return 0.5 * (high - low);
+}
+
+}  // namespace
+
+TEST_CASE("sampled loop: the reference design is stick-slip at 1 kHz with one tick of dead time", "[sampled]")
+{
+    const auto late = nonlinear_verdict(sampled_joint(60e3, 1e-3), {});
+    CHECK(late.outcome == Outcome::limit_cycle);
+    CHECK(late.region == NonlinearRegion::stick_slip);
+    CHECK(late.path == DecisionPath::ticks);
+    CHECK(late.amplitude == Approx(18.1688e-6).epsilon(2e-5));
+    CHECK(late.period == Approx(96.615e-3).epsilon(1e-5));
+    CHECK(std::log(late.velocity_min / 1e-3) == Approx(-1.13878).margin(2e-5));
+    CHECK(std::log(late.velocity_max / 1e-3) == Approx(1.27205).margin(2e-5));
+    const auto prompt = nonlinear_verdict(sampled_joint(50e3), {});
+    CHECK(prompt.amplitude == Approx(22.1829e-6).epsilon(1e-5));
+    CHECK(prompt.period == Approx(109.448e-3).epsilon(1e-5));
+    const auto stiff = nonlinear_verdict(sampled_joint(67e3, 1e-3), {});
+    CHECK(stiff.outcome == Outcome::stable_sliding);
+    CHECK(stiff.region == NonlinearRegion::stable);
+    CHECK(stiff.growth_rate < 0);
+}
+
+TEST_CASE("sampled loop: small motions grow at the rate of the multipliers", "[sampled]")
+{
+    for (const int dead_ticks : {0, 1, 3})
+        for (const double k_p : {40e3, 60e3, 90e3}) {
+            const auto verdict = loop_verdict(sampled_joint(k_p, dead_ticks * 1e-3), {.region = false});
+            INFO("k_p " << k_p << ", dead ticks " << dead_ticks);
+            const double told = growth_of(k_p, dead_ticks);
+            CHECK(verdict.growth_rate == Approx(told).epsilon(1e-5));
+            CHECK(std::log(std::abs(verdict.multiplier)) / verdict.tick == Approx(told).epsilon(1e-5));
+        }
+}
+
+TEST_CASE("sampled loop: cycles are those of another integrator", "[sampled]")
+{
+    for (const auto [k_p, dead_ticks] : {std::pair{45e3, 0}, {58e3, 1}, {62e3, 2}}) {
+        const auto verdict = loop_verdict(sampled_joint(k_p, dead_ticks * 1e-3), {.region = false});
+        INFO("k_p " << k_p << ", dead ticks " << dead_ticks);
+        CHECK(verdict.cycle.amplitude == Approx(amplitude_by_runge_kutta(k_p, dead_ticks, 20)).epsilon(1e-4));
+    }
+}

@@ -2,6 +2,8 @@
 
 #include "analysis/simulation/flows/late_flow.h"
 #include "analysis/simulation/flows/mode.h"
+#include "analysis/simulation/sampled/loop_trajectory.h"
+#include "analysis/simulation/sampled/loop_verdict.h"
 #include "analysis/simulation/solvers/motion.h"
 #include "analysis/stability/steady.h"
 
@@ -191,6 +193,13 @@ Trajectory simulate(const Joint& asked, const SimulateOptions& options)
 {
     Trajectory path;
     Joint joint = asked;
+    const bool driven = !options.force.value.empty() || options.force.impulse != 0 || !options.normal_load.value.empty();
+    if (has_real_loop(joint) || has_unsteady_terms(joint)) {
+        if (!driven) return loop_trajectory(joint, {options.disturbance, options.duration, options.cycle_period,
+                                                    options.rtol, options.seed});
+        path.reason = Reason::unsupported;  // forces from outside act on the ideal loop only
+        return path;
+    }
     if (!options.normal_load.value.empty()) link_friction(joint).normal_load = options.normal_load.value.front();
     const auto attempt = [&](auto found) {
         path.reason = found.reason;

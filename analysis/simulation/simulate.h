@@ -21,6 +21,7 @@ struct SimulateOptions {
     SampledForce force;             ///< d(t) of (9) on the link, on top of the disturbance
     SampledLoad normal_load;        ///< σ_n(t) of (1); empty: as the joint says
     double rtol = 1e-8;
+    std::uint64_t seed = 1;      ///< of the noise of a real loop
     bool fallback_only = false;  ///< Rodas5P in place of CVODE
 };
 

@@ -47,6 +47,8 @@ void raise(FrictionLaw& law, double by)
 std::string_view why_not_driven(const Joint& joint)
 {
     if (joint.control.kind == ControlKind::force) return "a force loop is simulated without sampling and dead time only";
+    if (joint.normal.moves()) return "a normal load that moves with the joint is not simulated in a real loop";
+    if (joint.neighbour.size > 0) return "neighbours are not simulated in a real loop";
     const Chain chain = chain_of(joint);
     for (int i = 0; i < chain.bodies; ++i) {
         Friction f = *chain.body[i].friction;

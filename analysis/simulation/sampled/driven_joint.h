@@ -53,6 +53,8 @@ class DrivenJoint {
     double& clock(double* y) const { return y[clock_index_]; }
     bool has_clock() const { return clock_index_ >= 0; }
     bool logarithmic(int i) const { return body_[i].logarithmic; }
+    int states(int i) const { return body_[i].states; }
+    int first_state(int i) const { return body_[i].first_state; }
     bool can_rest(int i) const { return body_[i].rests; }
     bool anything_can_rest() const;
 

@@ -57,8 +57,10 @@ bool DrivenMotion::advance(double t, double duration, Observer&& observe)
 {
     constexpr int most_idle = 50;             // switches without time moving on
     constexpr double resolved = 1e-14;        // of the duration
+    constexpr long most_steps = 100'000;      // of one piece of a tick
     double done = 0;
     int idle = 0;
+    long taken = 0;
     while (done < duration) {
         if (joint.switches() > 0) joint.switch_values(y.data(), before_.data());
         if (!step_to(duration - done)) return false;
@@ -70,8 +72,8 @@ bool DrivenMotion::advance(double t, double duration, Observer&& observe)
         y = step_.y1;
         const bool last = which < 0 && step_.h >= duration - done;
         done = last ? duration : done + step_.h;
-        idle = step_.h > resolved * duration ? 0 : idle + 1;
-        if (idle > most_idle) return false;
+        if (step_.h > resolved * duration) idle = 0;
+        if (++taken > most_steps || (which >= 0 && ++idle > most_idle)) return false;
         if (which >= 0) {
             if (which < joint.bodies() && joint.modes[which] != DrivenJoint::Mode::stuck) y[joint.bodies() + which] = 0;
             joint.pass(which, y.data());

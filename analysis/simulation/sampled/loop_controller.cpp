@@ -2,18 +2,43 @@
 
 namespace stickslip {
 
-LoopController::LoopController(const Control& control, double frame) : control_(control), frame_(frame)
+LoopController::LoopController(const Joint& joint, double frame, double gear)
+    : control_(joint.control),
+      load_(joint.load),
+      gains_(gains_of(joint.control)),
+      gain_of_integral_(control_.structure == Structure::cascade ? velocity_integral_gain(control_) : control_.k_i),
+      frame_(frame),
+      gear_(gear)
 {
-    state.window.resize(static_cast<std::size_t>(std::max(1.0, control.velocity_estimate.average)));
+    state.window.resize(static_cast<std::size_t>(std::max(1.0, control_.velocity_estimate.average)));
 }
 
-void LoopController::begin(double reading, double output)
+double LoopController::begin(double output, double velocity, double step)
 {
-    std::fill(state.window.begin(), state.window.end(), reading);
-    state.reading = reading;
-    state.velocity = state.before = frame_;
+    const auto& c = control_;
+    last_rate_ = frame_ != 0 ? frame_ : velocity;
+    state.velocity = state.before = velocity;
+    const double needed = output - ahead(0, last_rate_, step);
+    const double lost = rate_error(last_rate_);  // what steady sliding leaves of the velocity error
+    double error = 0;
+    if (c.structure == Structure::cascade && integrates()) {
+        error = -lost / c.position_gain;
+        state.integral = needed / gain_of_integral_;
+    } else if (integrates()) {
+        state.integral = (needed - gains_.k_v * lost) / gain_of_integral_;
+    } else {
+        error = (needed - gains_.k_v * lost) / gains_.k_p;
+    }
+    if (std::abs(gain_of_integral_ * state.integral) > c.integral_limit) return not_set;
+    if (error != 0) error += std::copysign(c.dead_zone, error);
+    state.reading = -error;
     state.output = output;
+    state.error = outside_dead_zone(error);
     state.fresh = false;
+    auto& w = state.window;
+    for (std::size_t i = 0; i < w.size(); ++i)  // where it was before, in a frame that may move at another velocity
+        w[i] = state.reading + (frame_ - velocity) * step * static_cast<double>(w.size() - i);
+    return state.reading;
 }
 
 void LoopController::read(double reading, double step, double exact)
@@ -33,30 +58,77 @@ void LoopController::read(double reading, double step, double exact)
         const double share = step / (2 * estimate.tau + step);
         state.velocity = estimate.tau > 0 ? state.velocity + share * (exact + before - 2 * state.velocity) : exact;
         state.before = exact;
-    } else if (estimate.form == EstimateForm::exact)
+    } else if (estimate.form == EstimateForm::exact) {
         state.velocity = exact;
-    else if (!first)
+    } else if (!first) {
         state.velocity += step / (estimate.tau + step) * (frame_ + rise / step - state.velocity);
+    }
 }
 
-double LoopController::command(double reference, double rate, double added)
+double LoopController::rate_error(double rate) const
+{
+    return (control_.reference_velocity ? control_.feed_forward.velocity * rate : 0) - state.velocity;
+}
+
+double LoopController::outside_dead_zone(double error) const
+{
+    return error - std::clamp(error, -control_.dead_zone, control_.dead_zone);
+}
+
+/// What depends on the reference alone.
+double LoopController::ahead(double reference, double rate, double step)
+{
+    const auto& f = control_.feed_forward;
+    double sum = 0;
+    if (f.acceleration != 0 && is_set(last_rate_)) sum += f.acceleration * (rate - last_rate_) / step;
+    last_rate_ = rate;
+    if (f.coulomb != 0) sum += f.coulomb * std::tanh(rate / f.coulomb_speed);
+    if (f.gravity)
+        sum += load_.gravity_amplitude * std::sin((reference + path_) / gear_ + load_.gravity_phase) / gear_;
+    return sum;
+}
+
+/// By the rectangle that ends at this tick; of a continuous loop by the trapezium.
+void LoopController::integrate(double input, double error, double step)
 {
     const auto& c = control_;
-    const double rate_error = (c.reference_velocity ? rate : 0) - state.velocity;
-    double output = c.k_p * (reference - state.reading) + (c.k_v != 0 ? c.k_v * rate_error : 0) + added;
+    const bool drives_on = (saturated_high_ && gain_of_integral_ * input > 0) ||
+                           (saturated_low_ && gain_of_integral_ * input < 0);
+    const bool held = (c.anti_windup == AntiWindup::clamp && (saturated_high_ || saturated_low_)) ||
+                      (c.anti_windup == AntiWindup::conditional && drives_on);
+    const double mean = continuous() ? 0.5 * (input + state.error) : input;
+    state.error = input;
+    if (!held && std::abs(error) <= c.integral_band) state.integral += step * mean;
+    if (c.anti_windup == AntiWindup::back_calculation)
+        state.integral += step / c.tracking_time * cut_ / gain_of_integral_;
+    const double most = c.integral_limit / std::abs(gain_of_integral_);
+    state.integral = std::clamp(state.integral, -most, most);
+}
+
+double LoopController::command(double reference, double rate, double step, double added)
+{
+    const auto& c = control_;
+    const double error = reference - state.reading, seen = outside_dead_zone(error);
+    double output;
+    if (c.structure == Structure::cascade) {
+        const double wanted = c.position_gain * seen + rate_error(rate);
+        if (integrates()) integrate(wanted, error, step);
+        output = c.velocity_gain * wanted;
+    } else {
+        if (integrates()) integrate(seen, error, step);
+        output = c.k_p * seen + (c.k_v != 0 ? c.k_v * rate_error(rate) : 0);
+    }
+    if (integrates()) output += gain_of_integral_ * state.integral;
+    output += ahead(reference, rate, step) + added;
     if (continuous()) {
         const double now = output;
         output += 0.5 * (now - state.output);
         state.output = now;
     }
-    return std::clamp(output, -c.effort_limit, c.effort_limit);
-}
-
-double LoopController::steady_reading(double output) const
-{
-    const auto& c = control_;
-    const double lost = c.reference_velocity ? 0 : c.k_v * frame_;
-    return -(output + lost) / c.k_p;
+    const double limited = std::clamp(output, -c.effort_limit, c.effort_limit);
+    saturated_high_ = output > c.effort_limit, saturated_low_ = output < -c.effort_limit;
+    cut_ = limited - output;
+    return limited;
 }
 
 }  // namespace stickslip

@@ -1,7 +1,7 @@
 // The controller of a loop, tick by tick, as the joint describes it. It counts positions in the frame of the motion, so
 // that a joint that slides steadily is at rest in it.
 #pragma once
-#include "analysis/joint/joint.h"
+#include "analysis/joint/gains.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,36 +14,52 @@ class LoopController {
     /// `frame` is the frame's velocity as the encoder reads it. Without a period the loop is continuous, and ticks are
     /// steps of its integration: the velocity is the true one behind the filter, by the trapezoidal rule, and the
     /// output is that of the middle of the step, extrapolated, so that both are right to second order.
-    LoopController(const Control& control, double frame);
+    /// `gear` is the reading per displacement of the link, for gravity that is fed forward.
+    LoopController(const Joint& joint, double frame, double gear);
 
     /// All that it remembers from tick to tick.
     struct State {
         std::vector<double> window;  ///< the last readings, oldest first
         double velocity = 0, reading = 0;
-        double before = 0, output = 0;  ///< continuous loop: the velocity and the output of the tick before
+        double integral = 0;  ///< of the error; of the velocity error in a cascade
+        double before = 0, output = 0, error = 0;  ///< continuous loop: velocity, output, error of the tick before
         bool fresh = true;  ///< has read nothing yet
     };
     State state;
 
-    /// As after reading this position for ever in the moving frame.
-    void begin(double reading, double output);
+    /// As after reading for ever, in steady sliding at this velocity with the reference at 0 in the frame, what gives
+    /// this output; returns that reading. NaN where the controller cannot give it for ever.
+    double begin(double output, double velocity, double step);
     /// A new reading, `step` after the last. `exact` is the true velocity, used where the estimate is exact.
     void read(double reading, double step, double exact);
-    /// The output for a reference in the frame; `rate` is its velocity, not counted in the frame, `added` a feed-forward.
-    double command(double reference, double rate, double added);
+    /// What the controller makes of a reference in the frame; `rate` is its velocity, not counted in the frame, `added`
+    /// a feed-forward beside its own.
+    double command(double reference, double rate, double step, double added);
+    /// Has read all that it has read this much further on.
+    void shift(double by)
+    {
+        state.reading += by;
+        for (double& reading : state.window) reading += by;
+    }
+    /// The path of the frame, for what feeds the reference's own place forward.
+    void set_path(double path) { path_ = path; }
+
     bool continuous() const { return !is_set(control_.period); }
-    /// The reading in the frame, with the reference at 0, at which it gives this output in steady sliding.
-    double steady_reading(double output) const;
+    bool integrates() const { return gain_of_integral_ != 0; }
 
   private:
-    double mean() const
-    {
-        double sum = 0;
-        for (double x : state.window) sum += x;
-        return sum / static_cast<double>(state.window.size());
-    }
+    double ahead(double reference, double rate, double step);
+    double outside_dead_zone(double error) const;
+    double rate_error(double rate) const;
+    void integrate(double input, double error, double step);
+
     const Control control_;
-    double frame_;
+    const Load load_;
+    const Gains gains_;
+    double gain_of_integral_, frame_, gear_;
+    double path_ = 0, last_rate_ = not_set;
+    bool saturated_high_ = false, saturated_low_ = false;
+    double cut_ = 0;  ///< output lost at the limit at the last tick
 };
 
 }  // namespace stickslip

@@ -221,7 +221,7 @@ LoopEnd Follower::run()
             ++all_turns_;
             last_crossing = turn.t1;
             if (auto end = decide()) return *end;
-        } else if (!(loop_.time() - last_crossing < patience * options_.turn)) {
+        } else if (!(loop_.time() - last_crossing < patience * options_.turn + 2 * options_.held)) {
             const auto& now = watch_.present();
             if (std::isnan(first_peak_)) first_peak_ = now.position_max;
             if (speed_of(now, V0_) < small_turn && options_.steady_attracts) return ended(LoopEnd::Kind::steady);

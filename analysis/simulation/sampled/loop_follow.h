@@ -9,6 +9,7 @@ struct LoopFollowOptions {
     int turn_limit = 3000;
     bool steady_attracts = false;  ///< small disturbances decay
     double turn = missing;         ///< s, of the slow mode: about how long a turn is
+    double held = 0;               ///< s, that a cycle may stand still
     double decay = missing;        ///< 1/s, of small disturbances; negative where they decay
     bool uneven = false;           ///< encoder or noise: no motion repeats, turns are no measure
 };

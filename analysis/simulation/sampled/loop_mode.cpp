@@ -22,8 +22,11 @@ std::vector<double> state_scale(const SampledLoop& loop, std::size_t size)
     const std::size_t taps = loop.taps();
     scale.insert(scale.end(), taps, reading);
     scale.push_back(speed);
-    if (loop.continuous()) scale.push_back(speed);
-    scale.resize(size, reading * loop.stiffness());
+    const double effort = reading * loop.stiffness(), turn = reading / speed;
+    if (loop.continuous()) scale.push_back(speed), scale.push_back(effort);
+    if (loop.integrates()) scale.push_back(reading * turn);
+    if (loop.integrates() && loop.continuous()) scale.push_back(reading);
+    scale.resize(size, effort);
     return scale;
 }
 

@@ -1,5 +1,8 @@
 #include "analysis/simulation/sampled/loop_verdict.h"
 
+#include "analysis/joint/gains.h"
+#include "analysis/simulation/sampled/loop_start.h"
+#include "analysis/simulation/sampled/loop_trajectory.h"
 #include "analysis/stability/steady.h"
 
 #include <cmath>
@@ -21,20 +24,24 @@ constexpr std::string_view place_and_time =
     "a force or friction that changes with position or time leaves no steady sliding to disturb";
 constexpr std::string_view play = "play in a transmission has no steady sliding to disturb";
 
-bool unsteady(const Joint& joint)
-{
-    const Chain chain = chain_of(joint);
-    for (int i = 0; i < chain.bodies; ++i)
-        if (has_unsteady_terms(*chain.body[i].friction, joint.load)) return true;
-    return false;
-}
-
 double total_play(const Joint& joint)
 {
     const auto& m = joint.mechanism;
     if (m.model == Model::single_mass) return 0;
     if (m.model == Model::two_mass) return m.transmission.backlash;
     return m.motor_transmission.backlash + m.transmission_link.backlash;
+}
+
+/// How long a cycle may stand still: the spring winds up by what friction holds, from one side to the other.
+double held_time(const Joint& joint, double V0)
+{
+    const Chain chain = chain_of(joint);
+    double held = 0;
+    for (int i = 0; i < chain.bodies; ++i) {
+        const auto& b = chain.body[i];
+        held += b.ratio * std::max(static_force(*b.friction), std::abs(steady_force(*b.friction, b.velocity(V0))));
+    }
+    return 2 * held / std::abs(joint.control.k_p * V0);
 }
 
 LoopVerdict refused(Reason reason, std::string_view why)
@@ -55,7 +62,7 @@ std::optional<LoopVerdict> obstacle(const Joint& joint)
     for (int i = 0; i < chain.bodies; ++i)
         if (info(chain.body[i].friction->law).linear_only) return refused(Reason::linear_only, {});
     if (const auto why = why_not_driven(joint); !why.empty()) return refused(Reason::unsupported, why);
-    if (unsteady(joint)) return refused(Reason::unsupported, place_and_time);
+    if (has_unsteady_terms(joint)) return refused(Reason::unsupported, place_and_time);
     if (total_play(joint) > 0) return refused(Reason::unsupported, play);
     if (!(joint.control.k_p > 0)) return refused(Reason::diverges, {});
     return {};
@@ -68,69 +75,16 @@ bool has_real_loop(const Joint& joint)
     const auto& c = joint.control;
     const auto& a = joint.actuator;
     const auto& s = joint.sensor;
-    return is_set(c.period) || c.delay > 0 || a.lag > 0 || c.velocity_estimate.tau > 0 || c.effort_limit < infinity ||
+    const bool integrates = c.structure == Structure::cascade || c.k_i != 0;
+    const bool nonlinear = c.dead_zone > 0 || c.feed_forward.coulomb != 0 || c.feed_forward.velocity != 1;
+    return integrates || nonlinear || is_set(c.period) || c.delay > 0 || a.lag > 0 || c.velocity_estimate.tau > 0 || c.effort_limit < infinity ||
            a.limit < infinity || a.kind == ActuatorKind::dc_motor || a.sag_effort < infinity || a.effort_gain != 1 ||
            s.encoder_quantum > 0 || s.position_noise > 0 || s.position_scale != 1;
 }
 
-bool disturb_loop(SampledLoop& loop, const Joint& joint, const Disturbance& disturbance)
+LoopVerdict loop_verdict(const Joint& asked, const LoopQuestion& question)
 {
-    const double size = disturbance.size, V0 = loop.frame();
-    if (disturbance.kind == DisturbanceKind::start) return loop.begin_slower(size);
-    if (!loop.begin_steadily()) return false;
-    auto& j = loop.motion.joint;
-    double* y = loop.motion.y.data();
-    const Chain chain = chain_of(joint);
-    const int link = j.link();
-    const Friction& friction = *chain.body[link].friction;
-    const int first_state = 2 * j.bodies() + [&] {
-        int before = 0;
-        for (int i = 0; i < link; ++i) before += states(*chain.body[i].friction);
-        return before;
-    }();
-    const auto theta = steady_state(friction, V0);
-    const auto r = respond(friction, V0, theta);
-    const bool remembers = states(friction) > 0 && r.by_state[0] != 0;
-    const auto speed_up = [&](int i, double dv) {
-        const double v = j.velocity(y, i) + dv;
-        if (j.logarithmic(i) && !(v > 0)) return false;
-        j.set_velocity(y, i, v);
-        return true;
-    };
-    switch (disturbance.kind) {
-        case DisturbanceKind::position:
-        case DisturbanceKind::offset:
-            loop.displace(size);
-            if (disturbance.kind == DisturbanceKind::position && remembers)
-                y[first_state] -= joint.control.k_p * size / r.by_state[0];
-            break;
-        case DisturbanceKind::velocity: {
-            if (remembers) {
-                auto changed = theta;
-                const double force = respond(friction, V0 + size, theta).force;
-                changed[0] -= (force - r.force) / r.by_state[0];
-                y[first_state] = changed[0];
-            }
-            for (int i = 0; i < j.bodies(); ++i)
-                if (!speed_up(i, size)) return false;
-            break;
-        }
-        case DisturbanceKind::impulse:
-            if (!speed_up(link, size / chain.body[link].inertia)) return false;
-            break;
-        case DisturbanceKind::state:
-            if (!remembers) return false;
-            y[first_state] += size / r.by_state[0];
-            break;
-        case DisturbanceKind::start:
-            break;
-    }
-    loop.motion.enter();
-    return true;
-}
-
-LoopVerdict loop_verdict(const Joint& joint, const LoopQuestion& question)
-{
+    const Joint joint = with_gains(asked);
     if (auto refusal = obstacle(joint)) return *refusal;
     LoopVerdict verdict;
     const double V0 = commanded_velocity(joint);
@@ -138,7 +92,7 @@ LoopVerdict loop_verdict(const Joint& joint, const LoopQuestion& question)
     LoopOptions smooth;
     smooth.ideal_encoder = true;
     smooth.motion.fixed_step = 1;
-    SampledLoop linear(joint, frame, frame, LoopSide::joint, smooth);
+    SampledLoop linear(asked, frame, frame, LoopSide::joint, smooth);
     verdict.tick = linear.period();
     linear.motion.set_fixed_step(fixed_part * linear.period());
     if (!linear.begin_steadily()) return refused(Reason::no_steady_state, no_force);
@@ -156,22 +110,23 @@ LoopVerdict loop_verdict(const Joint& joint, const LoopQuestion& question)
     LoopOptions real;
     real.motion.rtol = question.rtol;
     real.seed = sensor.position_noise > 0 ? question.seed : 0;
-    SampledLoop loop(joint, frame, frame, LoopSide::joint, real);
+    SampledLoop loop(asked, frame, frame, LoopSide::joint, real);
     LoopFollowOptions options;
     options.turn_limit = question.turn_limit;
     options.steady_attracts = decays;
     options.decay = s.real();
     options.turn = 2 * std::numbers::pi / std::abs(s);
+    options.held = held_time(joint, V0);
     options.uneven = sensor.encoder_quantum > 0 || sensor.position_noise > 0;
     loop.begin_steadily();
     const auto steady = loop.state();
     const double origin = loop.motion.y[loop.motion.joint.link()];
 
     const bool stated_small = !is_set(question.disturbance.size);
-    verdict.size = stated_small ? small_disturbance * std::abs(V0) / std::abs(s) : question.disturbance.size;
-    if (stated_small && question.disturbance.kind == DisturbanceKind::velocity) verdict.size *= std::abs(s);
-    if (stated_small && question.disturbance.kind == DisturbanceKind::start) verdict.size = 0.5;
-    if (options.uneven) {
+    verdict.size = stated_small ? small_size(question.disturbance.kind, V0, s) : question.disturbance.size;
+    if (options.uneven && stated_small && decays) {
+        // the smallest disturbance that such a loop sees
+        loop.displace(std::max(sensor.encoder_quantum, sensor.position_noise) / sensor.position_scale);
         verdict.stated = follow_loop(loop, steady, origin, options);
     } else if (stated_small && decays) {
         verdict.stated.kind = LoopEnd::Kind::steady;

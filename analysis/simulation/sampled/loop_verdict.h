@@ -33,7 +33,4 @@ bool has_real_loop(const Joint& joint);
 
 LoopVerdict loop_verdict(const Joint& joint, const LoopQuestion& question);
 
-/// Slides steadily and is then disturbed; false where that has no meaning. `turn` is 2π/|s| of the slow mode.
-bool disturb_loop(SampledLoop& loop, const Joint& joint, const Disturbance& disturbance);
-
 }  // namespace stickslip

@@ -8,7 +8,7 @@ constexpr double whole = 1e-9;  ///< of a tick: dead times nearer to a whole num
 constexpr double slowest = 1e-9;  ///< of V_0, for bodies that rest: their friction is that of the slowest sliding
 
 /// Ticks of a continuous loop: so many a radian of the fastest thing that the loop does, and a part of its filters.
-constexpr double ticks_per_radian = 100, filter_part = 0.05;
+constexpr double ticks_per_radian = 40, filter_part = 0.05;
 
 }  // namespace
 
@@ -31,14 +31,14 @@ double tick_of(const Joint& joint)
 }
 
 SampledLoop::SampledLoop(const Joint& joint, double frame, double speed, LoopSide side, const LoopOptions& options)
-    : motion(DrivenJoint(joint, frame, speed, side), options.motion),
-      joint_(joint),
+    : motion(DrivenJoint(with_gains(joint), frame, speed, side), options.motion),
+      joint_(with_gains(joint)),
       side_(side),
       options_(options),
       noise_(options.seed),
       period_(is_set(options.tick) && !is_set(joint.control.period) ? options.tick : tick_of(joint)),
       frame_reading_(joint.sensor.position_scale * motion.joint.reading_ratio() * frame),
-      controller_(joint.control, frame_reading_)
+      controller_(joint, frame_reading_, motion.joint.reading_ratio())
 {
     const double late = joint.control.delay / period_;
     const double ticks = std::floor(late + whole);
@@ -52,85 +52,53 @@ bool SampledLoop::within_limits() const
     return std::isfinite(steady_command_) && std::abs(steady_command_) < joint_.control.effort_limit;
 }
 
-bool SampledLoop::begin_steadily()
-{
-    const auto steady = motion.joint.steady(motion.joint.frame());
-    steady_command_ = steady.command;
-    if (!within_limits()) return false;
-    std::fill(line_.begin(), line_.end(), steady.command);
-    const double reading = controller_.steady_reading(steady.command);
-    const auto& s = joint_.sensor;
-    const double x = (reading - s.position_offset) / s.position_scale / motion.joint.reading_ratio();
-    motion.y = steady.y;
-    for (int i = 0; i < motion.joint.bodies(); ++i) motion.y[i] += x;
-    motion.joint.arriving = steady.command;
-    motion.enter();
-    controller_.begin(reading, steady.command);
-    ticks_ = 0;
-    return std::isfinite(x);
-}
-
-bool SampledLoop::begin_slower(double share)
-{
-    if (!begin_steadily()) return false;
-    auto& j = motion.joint;
-    const double full = steady_command_, V0 = j.frame();
-    const auto steady = j.steady(std::max(share, slowest) * V0);
-    if (!std::isfinite(steady.command)) return false;
-    const double v = share * frame_reading_;
-    // the controller sees an estimate of this share of V_0
-    const double lag_behind = joint_.control.k_v * (frame_reading_ - v);
-    const double reading = controller_.steady_reading(steady.command - lag_behind);
-    const double was = controller_.state.reading;
-    const double per_reading = 1 / (joint_.sensor.position_scale * j.reading_ratio());
-    const double clock = j.has_clock() ? j.clock(motion.y.data()) : 0, x0 = motion.y[j.measured()];
-    motion.y = steady.y;
-    for (int i = 0; i < j.bodies(); ++i) {
-        motion.y[i] += x0 + (reading - was) * per_reading;
-        if (share == 0) j.set_velocity(motion.y.data(), i, 0);
-    }
-    if (j.has_clock()) j.clock(motion.y.data()) = clock;
-    std::fill(line_.begin(), line_.end(), steady.command);
-    j.arriving = steady.command;
-    controller_.begin(reading, steady.command);
-    controller_.state.velocity = controller_.state.before = v;
-    auto& w = controller_.state.window;
-    for (std::size_t i = 0; i < w.size(); ++i)  // where it was before, in a frame that moves faster
-        w[i] = reading + (frame_reading_ - v) * period_ * static_cast<double>(w.size() - 1 - i);
-    motion.enter();
-    steady_command_ = full;
-    return true;
-}
-
-void SampledLoop::displace(double x)
-{
-    for (int i = 0; i < motion.joint.bodies(); ++i) motion.y[i] += x;
-    for (double& reading : controller_.state.window)
-        reading += joint_.sensor.position_scale * motion.joint.reading_ratio() * x;
-}
-
-bool SampledLoop::begin_sliding(double reading, double rate)
+/// As in steady sliding at this share of the reference's velocity, about the reference at `reference`.
+bool SampledLoop::slide(double rate, double reference)
 {
     auto& j = motion.joint;
     const double per_reading = 1 / (joint_.sensor.position_scale * j.reading_ratio());
     const auto steady = j.steady(rate * per_reading);
     steady_command_ = steady.command;
     if (!within_limits()) return false;
-    // the reference stands at `reading`: the joint hangs behind it by what the controller needs
-    const double lost = joint_.control.reference_velocity ? 0 : joint_.control.k_v * rate;
-    const double now = reading + controller_.steady_reading(steady.command + lost);
+    const double behind = controller_.begin(steady.command, rate, period_);
+    if (!std::isfinite(behind)) return false;
+    controller_.shift(reference);
     std::fill(line_.begin(), line_.end(), steady.command);
+    const double x = (behind + reference - joint_.sensor.position_offset) * per_reading;
     motion.y = steady.y;
-    const double x = (now - joint_.sensor.position_offset) * per_reading;
     for (int i = 0; i < j.bodies(); ++i) motion.y[i] += x;
     j.arriving = steady.command;
     motion.enter();
-    controller_.begin(now, steady.command);
-    controller_.state.velocity = controller_.state.before = rate;
-    auto& w = controller_.state.window;
-    for (std::size_t i = 0; i < w.size(); ++i) w[i] = now - rate * period_ * static_cast<double>(w.size() - i);
     ticks_ = 0;
     return std::isfinite(x);
+}
+
+bool SampledLoop::begin_steadily()
+{
+    return slide(frame_reading_, 0);
+}
+
+bool SampledLoop::begin_slower(double share)
+{
+    if (!slide(frame_reading_, 0)) return false;
+    const double full = steady_command_;
+    if (!slide(std::max(share, slowest) * frame_reading_, 0)) return false;
+    steady_command_ = full;
+    if (share == 0)
+        for (int i = 0; i < motion.joint.bodies(); ++i) motion.joint.set_velocity(motion.y.data(), i, 0);
+    motion.enter();
+    return true;
+}
+
+bool SampledLoop::begin_sliding(double reading, double rate)
+{
+    return slide(rate, reading);
+}
+
+void SampledLoop::displace(double x)
+{
+    for (int i = 0; i < motion.joint.bodies(); ++i) motion.y[i] += x;
+    controller_.shift(joint_.sensor.position_scale * motion.joint.reading_ratio() * x);
 }
 
 void SampledLoop::begin_at_rest(double reading)
@@ -163,8 +131,9 @@ void SampledLoop::ask(double reference, double rate, double added)
     const double exact = joint_.sensor.position_scale * j.reading_ratio() * j.velocity(motion.y.data(), j.measured());
     readings_.position = read();
     controller_.read(readings_.position, period_, exact);
+    controller_.set_path(frame_reading_ * time());
     std::copy(line_.begin() + 1, line_.end(), line_.begin());
-    line_.back() = controller_.command(reference, rate, added);
+    line_.back() = controller_.command(reference, rate, period_, added);
     motion.joint.arriving = line_.front();
     motion.enter();
     readings_.velocity = controller_.state.velocity;
@@ -180,6 +149,8 @@ std::vector<double> SampledLoop::state() const
     all.insert(all.end(), c.window.begin(), c.window.end());
     all.push_back(c.velocity);
     if (controller_.continuous()) all.push_back(c.before), all.push_back(c.output);
+    if (controller_.integrates()) all.push_back(c.integral);
+    if (controller_.integrates() && controller_.continuous()) all.push_back(c.error);
     // the oldest command has done its work when the next tick begins
     all.insert(all.end(), line_.begin() + 1, line_.end());
     return all;
@@ -192,7 +163,10 @@ void SampledLoop::set_state(const std::vector<double>& state)
     take(motion.y.begin(), motion.y.begin() + motion.joint.size());
     take(controller_.state.window.begin(), controller_.state.window.end());
     controller_.state.velocity = *next++;
-    if (controller_.continuous()) controller_.state.before = *next++, controller_.state.output = *next++;
+    auto& c = controller_.state;
+    if (controller_.continuous()) c.before = *next++, c.output = *next++;
+    if (controller_.integrates()) c.integral = *next++;
+    if (controller_.integrates() && controller_.continuous()) c.error = *next++;
     take(line_.begin() + 1, line_.end());
     controller_.state.fresh = false;
 }

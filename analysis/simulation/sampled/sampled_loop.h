@@ -68,6 +68,7 @@ class SampledLoop {
     const TickReadings& readings() const { return readings_; }
     bool continuous() const { return controller_.continuous(); }
     std::size_t taps() const { return controller_.state.window.size(); }
+    bool integrates() const { return controller_.integrates(); }
     double stiffness() const { return std::abs(joint_.control.k_p); }
     double steady_command() const { return steady_command_; }
     bool within_limits() const;
@@ -75,6 +76,7 @@ class SampledLoop {
     DrivenMotion motion;
 
   private:
+    bool slide(double rate, double reference);
     double read();
     void ask(double reference, double rate, double added);
     template <class Observer>

@@ -4,6 +4,7 @@
 #include "analysis/stability/steady.h"
 
 #include "sweep/engine/build.h"
+#include "sweep/files/records/reference_file.h"
 #include "sweep/files/toml/asked_axes.h"
 #include "sweep/program/verbs/disturbance_option.h"
 #include "sweep/program/verbs/exit_code.h"
@@ -29,6 +30,7 @@ struct Options {
     DisturbanceOption disturbance;
     SurroundingsOption surroundings;
     double tolerance = 1e-8;
+    std::string reference;
 };
 
 /// What acts on the joint from outside, as numbers and for the page.
@@ -69,6 +71,19 @@ std::filesystem::path write_trajectory(const Joint& joint, const Trajectory& t, 
     return file;
 }
 
+/// --reference: the record that the joint's controller would have logged.
+int record_joint(const Options& options)
+{
+    const Joint joint = read_spec_or_joint(options.joint, options.settings).design;
+    const auto reference = read_reference(options.reference, joint.mechanism.motion);
+    const auto record = record_along(joint, reference, options.surroundings.force.seed, options.tolerance);
+    if (record.time.empty()) throw BadInput(options.joint + ": cannot follow a reference: " + std::string(record.why));
+    fmt::print("record:     {}\n", write_record(record, options.directory).string());
+    if (record.reason == Reason::none) return exit_done;
+    fmt::print("it ends at {} s: {}\n", record.time.back(), record.why);
+    return exit_undecided;
+}
+
 int simulate_joint(const Options& options, const Invocation& invocation)
 {
     const auto asked = read_spec_or_joint(options.joint, options.settings);
@@ -76,6 +91,7 @@ int simulate_joint(const Options& options, const Invocation& invocation)
     SimulateOptions simulation;
     simulation.disturbance = options.disturbance.disturbance(asked.spec.nonlinear);
     simulation.rtol = options.tolerance;
+    simulation.seed = options.surroundings.force.seed;
     const auto surroundings = surround(joint, options.surroundings, simulation);
     NonlinearOptions outcome;
     outcome.disturbance = simulation.disturbance;
@@ -107,15 +123,23 @@ void add_simulate(CLI::App& app, Invocation& invocation)
     options->surroundings.add_duration_to(*verb,
                                           "fifty turns of the slowest mode, up to 400 where it grows slowly; with a "
                                           "force until the mode has shown itself; a file's own");
+    verb->add_option("--reference", options->reference,
+                     "follow this reference instead and write record.csv, which diagnose reads: CSV with time, "
+                     "reference_position and, where it has them, reference_velocity and feed_forward")
+        ->check(CLI::ExistingFile);
     verb->add_option("--tolerance", options->tolerance, "relative tolerance")
         ->check(CLI::Range(1e-13, 1e-2))
         ->capture_default_str();
     verb->footer(
         "Example: stickslip simulate examples/02-ball-screw/joint-with-memory.toml --set control.k_v=0 --set "
         "control.k_p=5e4 -o out\n"
+        "Example: stickslip simulate joint.toml --reference motion.csv --seed 7 -o out\n"
         "Example: stickslip simulate joint.toml --force sine --force-size 0.1 --omega 60 -o out\n"
         "Example: stickslip simulate joint.toml --normal-load record.csv --nominal-load 250 -o out");
-    verb->callback([options, &invocation] { invocation.exit_code = simulate_joint(*options, invocation); });
+    verb->callback([options, &invocation] { 
+        invocation.exit_code =
+            options->reference.empty() ? simulate_joint(*options, invocation) : record_joint(*options);
+    });
 }
 
 }  // namespace stickslip

@@ -123,3 +123,50 @@ TEST_CASE("sampled loop: cycles are those of another integrator", "[sampled]")
         CHECK(verdict.cycle.amplitude == Approx(amplitude_by_runge_kutta(k_p, dead_ticks, 20)).epsilon(1e-4));
     }
 }
+
+TEST_CASE("sampled loop: a cascade is the sum of gains that it comes to", "[sampled]")
+{
+    Joint sum = sampled_joint(60e3, 1e-3), cascade = sum;
+    sum.control.k_v = 40, sum.control.k_i = 2e5;
+    // K_v K_pos + K_i = 60e3, K_i K_pos = 2e5, K_v = 40
+    auto& c = cascade.control;
+    c.structure = Structure::cascade;
+    c.velocity_gain = 40;
+    c.position_gain = (60e3 - std::sqrt(60e3 * 60e3 - 4 * 40 * 2e5)) / 80;
+    c.velocity_integral_gain = 60e3 - 40 * c.position_gain;
+    c.k_p = c.k_v = not_set;
+    const auto a = loop_verdict(sum, {.region = false}), b = loop_verdict(cascade, {.region = false});
+    CHECK(a.growth_rate == Approx(b.growth_rate).epsilon(1e-6));
+    CHECK(a.cycle.amplitude == Approx(b.cycle.amplitude).epsilon(1e-5));
+}
+
+TEST_CASE("sampled loop: a limit below the friction of steady sliding is said", "[sampled]")
+{
+    Joint joint = sampled_joint(60e3);
+    joint.control.effort_limit = 50;
+    const auto verdict = nonlinear_verdict(joint, {});
+    CHECK(verdict.outcome == Outcome::undecided);
+    CHECK(verdict.reason == Reason::no_steady_state);
+    CHECK(std::string(verdict.explanation).find("limit of the effort") != std::string::npos);
+}
+
+TEST_CASE("sampled loop: ticks that get shorter lead to the continuous loop, and that to the ideal one", "[sampled]")
+{
+    Joint continuous = sampled_joint(50e3);
+    continuous.control.period = not_set;
+    const auto ideal = nonlinear_verdict(continuous, {.region = false});
+    continuous.actuator.lag = 1e-7;
+    const auto nearly = loop_verdict(continuous, {.region = false});
+    CHECK(nearly.cycle.amplitude == Approx(ideal.amplitude).epsilon(1e-3));
+    CHECK(nearly.growth_rate == Approx(ideal.growth_rate).epsilon(1e-3));
+}
+
+TEST_CASE("sampled loop: a coarse encoder leaves a jitter of about its step", "[sampled]")
+{
+    Joint joint = sampled_joint(80e3, 1e-3);
+    joint.sensor.encoder_quantum = 1e-7;
+    const auto verdict = nonlinear_verdict(joint, {});
+    CHECK(verdict.outcome == Outcome::stable_sliding);
+    CHECK(verdict.amplitude > 0.2e-7);
+    CHECK(verdict.amplitude < 5e-7);
+}

@@ -1,0 +1,16 @@
+// Disturbances of a loop that slides steadily.
+#pragma once
+#include "analysis/simulation/flows/disturbance.h"
+#include "analysis/simulation/sampled/sampled_loop.h"
+
+#include <complex>
+
+namespace stickslip {
+
+/// The size that is meant where none is given, about a mode of rate s.
+double small_size(DisturbanceKind kind, double V0, std::complex<double> s);
+
+/// Slides steadily and is then disturbed; false where that has no meaning. `joint` has the gains that act.
+bool disturb_loop(SampledLoop& loop, const Joint& joint, const Disturbance& disturbance);
+
+}  // namespace stickslip

@@ -1,0 +1,98 @@
+#include "analysis/simulation/sampled/loop_trajectory.h"
+
+#include "analysis/joint/gains.h"
+#include "analysis/simulation/sampled/loop_mode.h"
+#include "analysis/simulation/sampled/loop_start.h"
+#include "analysis/stability/steady.h"
+
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+constexpr double turns = 50, most_turns = 400, shown_cycles = 9;
+constexpr double lead = 14;               ///< e-folds from a small disturbance to a cycle
+constexpr std::size_t most_steps = 300'000;  ///< each is a row
+
+/// |s| and Re s of the slow mode, or of the spring and all inertia where nothing slides steadily.
+std::complex<double> rate_of(const Joint& joint, double frame)
+{
+    if (!has_unsteady_terms(joint)) {
+        LoopOptions smooth;
+        smooth.ideal_encoder = true;
+        smooth.motion.fixed_step = tick_of(joint) / 4;
+        SampledLoop loop(joint, frame, frame, LoopSide::joint, smooth);
+        if (loop.begin_steadily())
+            if (const auto mode = loop_mode(loop); mode.known() && std::abs(mode.rate()) > 0) return mode.rate();
+    }
+    const Chain chain = chain_of(joint);
+    double inertia = 0;
+    for (int i = 0; i < chain.bodies; ++i) inertia += chain.body[i].inertia;
+    return {0, std::sqrt(std::abs(gains_of(joint.control).k_p) / inertia)};
+}
+
+}  // namespace
+
+bool has_unsteady_terms(const Joint& joint)
+{
+    const Chain chain = chain_of(joint);
+    for (int i = 0; i < chain.bodies; ++i)
+        if (has_unsteady_terms(*chain.body[i].friction, joint.load)) return true;
+    return false;
+}
+
+Trajectory loop_trajectory(const Joint& joint, const LoopMotionQuestion& question)
+{
+    Trajectory path;
+    const auto refuse = [&path](Reason reason) { return path.reason = reason, path; };
+    const double V0 = commanded_velocity(joint);
+    path.commanded_velocity = V0;
+    if (!is_set(V0)) return refuse(Reason::no_velocity);
+    if (!why_not_driven(joint).empty()) return refuse(Reason::unsupported);
+    const double frame = V0 / joint.sensor.position_scale;
+    const auto s = rate_of(joint, frame);
+    LoopOptions options;
+    options.motion.rtol = question.rtol;
+    options.seed = joint.sensor.position_noise > 0 || joint.sensor.effort_noise > 0 ? question.seed : 0;
+    SampledLoop loop(joint, frame, frame, LoopSide::joint, options);
+    if (!loop.begin_steadily()) return refuse(Reason::no_steady_state);
+    const double origin = loop.motion.y[loop.motion.joint.link()];
+    path.steady_friction = loop.motion.joint.link_friction(loop.motion.y.data());
+    Disturbance disturbance = question.disturbance;
+    if (!is_set(disturbance.size)) disturbance.size = small_size(disturbance.kind, V0, s);
+    if (!disturb_loop(loop, with_gains(joint), disturbance)) return refuse(Reason::law_needs_motion);
+
+    const double turn = 2 * std::numbers::pi / std::abs(s);
+    double duration = question.duration;
+    if (!is_set(duration)) {
+        duration = turns * turn;
+        if (s.real() > 0) duration = std::clamp(lead / s.real() + 30 * turn, duration, most_turns * turn);
+        if (is_set(question.cycle_period)) duration = std::max(duration, shown_cycles * question.cycle_period);
+    }
+    const auto keep = [&](double t, const double* y, const DrivenJoint& j) {
+        const int link = j.link();
+        path.time.push_back(t);
+        path.position.push_back(y[link] - origin);
+        path.velocity.push_back(j.velocity(y, link));
+        path.friction.push_back(j.link_friction(y));
+        path.stuck.push_back(j.modes[link] == DrivenJoint::Mode::stuck);
+        const int states = j.states(link);
+        path.states.resize(static_cast<std::size_t>(states));
+        for (int i = 0; i < states; ++i) path.states[i].push_back(y[j.first_state(link) + i]);
+    };
+    keep(0, loop.motion.y.data(), loop.motion.joint);
+    const long ticks = std::lround(std::ceil(duration / loop.period()));
+    // a long motion in short ticks keeps some of its steps
+    const long each = std::max(1L, 2 * ticks / static_cast<long>(most_steps));
+    for (long k = 0; k < ticks; ++k) {
+        const bool kept = k % each == 0;
+        const bool moved = loop.tick(0, loop.reference_velocity(), 0, [&](const DrivenStep& step) {
+            if (kept) keep(step.t + step.step.h, step.step.y1.data(), step.joint);
+        });
+        if (!moved) return refuse(Reason::solver_failed);
+        if (path.time.size() > most_steps) return refuse(Reason::solver_failed);
+    }
+    return path;
+}
+
+}  // namespace stickslip

@@ -33,7 +33,6 @@ double tick_of(const Joint& joint)
 SampledLoop::SampledLoop(const Joint& joint, double frame, double speed, LoopSide side, const LoopOptions& options)
     : motion(DrivenJoint(with_gains(joint), frame, speed, side), options.motion),
       joint_(with_gains(joint)),
-      side_(side),
       options_(options),
       noise_(options.seed),
       period_(is_set(options.tick) && !is_set(joint.control.period) ? options.tick : tick_of(joint)),

@@ -83,7 +83,6 @@ class SampledLoop {
     bool move(Observer&& observe);
 
     Joint joint_;
-    LoopSide side_;
     LoopOptions options_;
     SeededNoise noise_;
     double period_, frame_reading_;

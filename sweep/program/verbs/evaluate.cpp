@@ -1,9 +1,11 @@
 // stickslip evaluate: everything the theory says about one joint.
 #include "analysis/results/text.h"
 #include "analysis/simulation/attractor/nonlinear.h"
+#include "analysis/simulation/set_point/set_point.h"
 #include "analysis/stability/verdict.h"
 #include "sweep/engine/build.h"
 #include "sweep/files/json/nonlinear_json.h"
+#include "sweep/files/json/set_point_json.h"
 #include "sweep/files/json/study_json.h"
 #include "sweep/files/json/verdict_json.h"
 #include "sweep/files/toml/asked_axes.h"
@@ -15,6 +17,7 @@
 #include "sweep/report/pages/linear_report.h"
 #include "sweep/report/pages/load_section.h"
 #include "sweep/report/pages/write_report.h"
+#include "sweep/words/set_point_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
@@ -78,6 +81,18 @@ nlohmann::ordered_json motion_json(const AskedDisturbance& asked, const Disturbe
             {"final", motion.memory.position.back()}};
 }
 
+/// What it does at a set point: asked of a loop that integrates, and of one whose set point is all that is commanded.
+std::optional<SetPoint> resting(const Joint& joint)
+{
+    if (!integrates(joint) && joint.control.V0 != 0) return std::nullopt;
+    return set_point(joint);
+}
+
+void print_rows(const Table& table)
+{
+    for (const auto& row : table.rows) fmt::print("  {:<40} {}\n", plain_text(row[0]), plain_text(row[1]));
+}
+
 int evaluate(const Options& options, const Invocation& invocation)
 {
     const auto asked = read_spec_or_joint(options.joint, options.settings);
@@ -94,6 +109,9 @@ int evaluate(const Options& options, const Invocation& invocation)
     const auto& force = options.surroundings.force;
     const auto motion = decided ? disturbed(joint, force) : std::nullopt;
     const auto loads = decided ? loaded(joint, options.surroundings) : std::nullopt;
+    const auto rest = resting(joint);
+    const bool only_rest = rest && (joint.control.V0 == 0 || (!is_set(joint.control.V0) && !decided));
+    const Motion units = joint.mechanism.motion;
     std::filesystem::path page;
     if (!options.directory.empty()) {
         auto report = linear_report(joint, verdict, nonlinear, *study);
@@ -101,6 +119,8 @@ int evaluate(const Options& options, const Invocation& invocation)
         if (motion)
             for (auto& section : report.sections)
                 if (section.id == "response") section.figures.push_back(disturbance_figure(joint, force, *motion));
+        if (rest && only_rest) report.verdict = set_point_text(*rest, units);
+        if (rest) report.sections.insert(report.sections.end() - 1, set_point_section(*rest, units));
         if (loads) report.sections.insert(report.sections.end() - 1, load_section(joint, *loads));
         page = write_report(report, options.directory);
     }
@@ -110,22 +130,24 @@ int evaluate(const Options& options, const Invocation& invocation)
         if (motion) json["linear"]["forced"] = motion_json(force, *motion);
         if (loads) json["linear"]["normal_load"] = load_json(*loads);
         json["nonlinear"] = nonlinear_json(nonlinear);
+        if (rest) json["set_point"] = set_point_json(*rest);
         fmt::print("{}\n", json.dump(2));
     } else {
-        fmt::print("{}\n", plain_text(verdict_text(joint, verdict)));
-        for (const auto& row : linear_table(joint, verdict).rows)
-            fmt::print("  {:<40} {}\n", plain_text(row[0]), plain_text(row[1]));
-        for (const auto& row : nonlinear_table(joint, nonlinear).rows)
-            fmt::print("  {:<40} {}\n", plain_text(row[0]), plain_text(row[1]));
+        if (rest) fmt::print("{}\n", plain_text(set_point_text(*rest, units)));
+        if (rest) print_rows(set_point_table(*rest, units));
+        if (!only_rest) {
+            fmt::print("{}\n", plain_text(verdict_text(joint, verdict)));
+            print_rows(linear_table(joint, verdict));
+            print_rows(nonlinear_table(joint, nonlinear));
+        }
         if (motion)
             fmt::print("  {:<40} {} at {}\n", "largest linear answer to the force",
                        with_unit(motion->peak, Quantity::position, joint.mechanism.motion),
                        with_unit(motion->peak_time, Quantity::time, joint.mechanism.motion));
-        if (loads)
-            for (const auto& row : load_table(joint, *loads).rows)
-                fmt::print("  {:<40} {}\n", plain_text(row[0]), plain_text(row[1]));
+        if (loads) print_rows(load_table(joint, *loads));
         if (!page.empty()) fmt::print("report:  {}\n", page.string());
     }
+    if (only_rest) return rest->hunting == Hunting::undecided ? exit_undecided : exit_done;
     const bool half = nonlinear.outcome == Outcome::stable_sliding && nonlinear.region == NonlinearRegion::undecided;
     const bool failed = nonlinear.outcome == Outcome::undecided || nonlinear.outcome == Outcome::solver_failure || half;
     return decided && !failed ? exit_done : exit_undecided;

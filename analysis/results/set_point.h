@@ -1,0 +1,49 @@
+// What a loop with integral action does when it is to stand still: plain data.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "analysis/results/point.h"
+
+namespace stickslip {
+
+enum class Hunting : std::uint8_t { no, yes, undecided };
+
+/// Why a set point is kept, hunted about, or not judged.
+enum class SetPointReason : std::uint8_t {
+    none,
+    static_above_coulomb,  ///< hunts: every stable loop does where F_s > F_c
+    falling_friction,      ///< hunts: friction falls far enough with speed
+    no_integral_action,    ///< rests somewhere within the static friction's band
+    static_is_coulomb,     ///< settles: F_s = F_c
+    slips_shrink,          ///< settles: each slip ends nearer to the set point than the last
+    held,                  ///< rests: limits keep the controller from breaking the static friction
+    dead_zone,             ///< rests: slips end within the dead zone
+    loop_unstable,         ///< without dry friction the loop itself is unstable: it does not hunt, it diverges
+    force_control,         ///< the following are not judged
+    several_bodies,
+    law_needs_motion,
+    law_without_motion,  ///< creep, delayed or linear laws: no simulation at rest
+    friction_term,       ///< a term beside the law
+    not_converged
+};
+
+enum class SetPointMethod : std::uint8_t { none, closed_form, event_driven, presliding };
+
+struct SetPoint {
+    Hunting hunting = Hunting::undecided;
+    SetPointReason reason = SetPointReason::none;
+    SetPointMethod method = SetPointMethod::none;
+    double amplitude = missing;   ///< distance of the stops from the set point
+    double slip_time = missing;   ///< of one slip
+    double stick_time = missing;  ///< of one stop
+    double period = missing;      ///< two of each
+    double multiplier = missing;  ///< by which a small change of the amplitude changes from stop to stop
+    double rest_error = missing;  ///< largest distance at which the mass may rest for ever; 0: it settles
+    bool asymmetric = false;      ///< hunts, but with stops at unequal distances: `amplitude` is the largest
+    bool rests_nearby = false;    ///< hunts from further away, rests from nearby
+    std::vector<std::string> not_used;  ///< keys of the joint that this answer leaves out
+};
+
+}  // namespace stickslip

@@ -1,0 +1,95 @@
+#include "analysis/simulation/set_point/hunting_search.h"
+
+#include "analysis/numerics/root.h"
+
+namespace stickslip {
+namespace {
+
+constexpr int per_decade = 8, decades_below = 6, decades_above = 2;
+constexpr double precision = 1e-10;
+constexpr double jump = 1e-6;  ///< a fixed point left by more than this share is a jump of the map, not a cycle
+
+/// ln of the next stop's distance per that of this one: 0 at a symmetric cycle. NaN where no slip follows, or another
+/// on the same side.
+double growth(const Stop& stop, double a)
+{
+    if (stop.end == Stop::End::settled) return -infinity;
+    return stop.end == Stop::End::stop && stop.x > 0 ? std::log(stop.x / a) : missing;
+}
+
+/// Goes from stop to stop for some time; the largest distance of the last stops where they go on, 0 where they end.
+double followed(const StopToStop& motion, double a)
+{
+    constexpr int transient = 300, watched = 60;
+    double largest = 0;
+    for (int i = 0; i < transient + watched; ++i) {
+        const auto stop = motion.slip_from(a);
+        if (stop.end != Stop::End::stop) return stop.end == Stop::End::runaway ? infinity : 0;
+        a = std::abs(stop.x);
+        if (!(stop.stick_time < infinity)) return 0;
+        if (i >= transient) largest = std::max(largest, a);
+    }
+    return largest;
+}
+
+SetPoint cycle_at(const StopToStop& motion, double a)
+{
+    SetPoint s;
+    const auto stop = motion.slip_from(a);
+    const double step = 1e-4 * a;
+    s.hunting = Hunting::yes;
+    s.reason = SetPointReason::falling_friction;
+    s.amplitude = a;
+    s.slip_time = stop.slip_time;
+    s.stick_time = stop.stick_time;
+    s.period = 2 * (stop.slip_time + stop.stick_time);
+    s.multiplier = (motion.slip_from(a + step).x - motion.slip_from(a - step).x) / (2 * step);
+    return s;
+}
+
+}  // namespace
+
+SetPoint hunting_by_events(const StopToStop& motion, double natural, double dead_zone)
+{
+    SetPoint none;
+    none.method = SetPointMethod::event_driven;
+    none.hunting = Hunting::no;
+    const double least = motion.least_start();
+    if (least == infinity) {
+        none.reason = SetPointReason::held;
+        none.rest_error = infinity;
+        return none;
+    }
+    const double low = std::max(natural * std::pow(10, -decades_below), least * (1 + precision));
+    const double high = std::max(natural, least) * std::pow(10, decades_above);
+    const int n = static_cast<int>(std::ceil(per_decade * std::log10(high / low)));
+    none.reason = dead_zone > 0 && dead_zone >= least ? SetPointReason::dead_zone
+                  : least > dead_zone && least > 0    ? SetPointReason::held
+                                                      : SetPointReason::slips_shrink;
+    none.rest_error = std::max(least, 0.0);
+    double outer = high, f_outer = growth(motion.slip_from(high), high);
+    if (f_outer > 0) return none.reason = SetPointReason::loop_unstable, none;
+    for (int i = n - 1; i >= 0; --i) {
+        const double a = low * std::pow(high / low, static_cast<double>(i) / n);
+        const double f = growth(motion.slip_from(a), a);
+        if (f > 0 && f_outer <= 0) {
+            const auto at = [&](double v) { return growth(motion.slip_from(v), v); };
+            const double found = bracketed_root(at, a, f, outer, std::max(f_outer, -50.0), precision).value;
+            SetPoint s = cycle_at(motion, found);
+            s.method = SetPointMethod::event_driven;
+            s.rests_nearby = none.rest_error > 0;
+            if (std::abs(at(found)) < jump && std::abs(s.multiplier) < 1) return s;
+            if (const double largest = followed(motion, outer); largest > 0 && largest < infinity) {
+                s.asymmetric = true;
+                s.amplitude = largest;
+                s.slip_time = s.stick_time = s.period = s.multiplier = missing;
+                return s;
+            }
+            return none;
+        }
+        outer = a, f_outer = f;
+    }
+    return none;
+}
+
+}  // namespace stickslip

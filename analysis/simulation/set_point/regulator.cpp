@@ -1,0 +1,141 @@
+#include "analysis/simulation/set_point/regulator.h"
+
+#include "analysis/joint/gains.h"
+
+namespace stickslip {
+
+Regulator regulator_of(const Joint& joint)
+{
+    const auto& c = joint.control;
+    const auto& a = joint.actuator;
+    const Gains gains = gains_of(c);
+    double per_signal = a.effort_gain, most_signal = c.effort_limit;
+    Regulator r;
+    if (a.kind == ActuatorKind::dc_motor) {
+        const double per_volt = a.effort_gain * a.k_t / a.resistance;
+        const double volts_per_signal = a.signal == DriveSignal::duty ? a.supply_voltage : 1;
+        per_signal = per_volt * volts_per_signal;
+        r.drag = per_volt * a.k_e;
+        if (is_set(a.supply_voltage)) most_signal = std::min(most_signal, a.supply_voltage / volts_per_signal);
+    }
+    r.inertia = joint.mechanism.inertia;
+    r.k_p = per_signal * gains.k_p;
+    r.k_v = per_signal * gains.k_v;
+    r.k_i = per_signal * gains.k_i;
+    r.dead_zone = c.dead_zone;
+    r.integral_limit = std::abs(per_signal) * c.integral_limit;
+    r.integral_band = c.integral_band;
+    r.effort_limit = std::min(std::abs(per_signal) * most_signal, a.limit);
+    r.anti_windup = c.anti_windup;
+    r.tracking_time = c.tracking_time;
+    return r;
+}
+
+RegulatorFlow::RegulatorFlow(const Regulator& regulator, const Friction& friction, double position, double speed)
+    : regulator_(regulator),
+      friction_(friction),
+      position_(position),
+      speed_(speed),
+      states_(stickslip::states(friction))
+{
+}
+
+FlowVector RegulatorFlow::scale() const
+{
+    FlowVector s(size());
+    s[0] = position_, s[1] = speed_;
+    s[2] = regulator_.k_p * position_;
+    const auto theta = steady_state(friction_, speed_);
+    for (int i = 0; i < states_; ++i) s[3 + i] = std::max(std::abs(theta[i]), 1e-300);
+    return s;
+}
+
+RegulatorFlow::Linearised RegulatorFlow::output(const FlowVector& y, double* asked) const
+{
+    const auto& r = regulator_;
+    const bool dead = std::abs(y[0]) <= r.dead_zone;
+    const double u = r.k_p * r.error(y[0]) - r.k_v * y[1] + y[2];
+    if (asked) *asked = u;
+    if (std::abs(u) > r.effort_limit) return {std::copysign(r.effort_limit, u), 0, 0, 0};
+    return {u, dead ? 0 : -r.k_p, -r.k_v, 1};
+}
+
+/// ẇ. With `clamp` the integral waits while the output is at its limit, with `conditional` only while the error would
+/// drive it further, with back-calculation it follows the output back.
+RegulatorFlow::Linearised RegulatorFlow::winding(const FlowVector& y) const
+{
+    const auto& r = regulator_;
+    const double e = r.error(y[0]);
+    Linearised rate{r.k_i * e, e == 0 ? 0 : -r.k_i, 0, 0};
+    if (std::abs(y[0]) > r.integral_band) rate = {};
+    double asked = 0;
+    const auto given = output(y, &asked);
+    const double excess = asked - given.value;
+    const bool waits = r.anti_windup == AntiWindup::clamp || (r.anti_windup == AntiWindup::conditional && e * asked > 0);
+    if (excess != 0 && waits) rate = {};
+    if (excess != 0 && r.anti_windup == AntiWindup::back_calculation) {
+        rate.value -= excess / r.tracking_time;
+        rate.by_x += e == 0 ? 0 : r.k_p / r.tracking_time;
+        rate.by_v += r.k_v / r.tracking_time;
+        rate.by_w -= 1 / r.tracking_time;
+    }
+    if (std::abs(y[2]) >= r.integral_limit && rate.value * y[2] > 0) return {};
+    return rate;
+}
+
+FrictionResponse RegulatorFlow::response(const FlowVector& y) const
+{
+    States theta{};
+    for (int i = 0; i < states_; ++i) theta[i] = y[3 + i];
+    return can_rest(friction_) ? respond_on(friction_, branch, y[1], speed_, theta) : respond(friction_, y[1], theta);
+}
+
+void RegulatorFlow::rate(const FlowVector& y, FlowVector& out) const
+{
+    const auto f = response(y);
+    out.resize(size());
+    out[0] = y[1];
+    out[1] = (output(y).value + force_ - regulator_.drag * y[1] - f.force) / regulator_.inertia;
+    out[2] = winding(y).value;
+    for (int i = 0; i < states_; ++i) out[3 + i] = f.rate[i];
+}
+
+void RegulatorFlow::jacobian(const FlowVector& y, FlowMatrix& J) const
+{
+    const auto f = response(y);
+    const auto u = output(y), w = winding(y);
+    const double m = regulator_.inertia;
+    J.setZero(size(), size());
+    J(0, 1) = 1;
+    J(1, 0) = u.by_x / m;
+    J(1, 1) = (u.by_v - regulator_.drag - f.by_velocity) / m;
+    J(1, 2) = u.by_w / m;
+    J(2, 0) = w.by_x, J(2, 1) = w.by_v, J(2, 2) = w.by_w;
+    for (int i = 0; i < states_; ++i) {
+        J(1, 3 + i) = -f.by_state[i] / m;
+        J(3 + i, 1) = f.rate_by_velocity[i];
+        J(3 + i, 3 + i) = f.rate_by_state[i];
+    }
+}
+
+FlowVector RegulatorFlow::speed_gradient(const FlowVector&) const
+{
+    FlowVector g = FlowVector::Zero(size());
+    g[1] = 1 / speed_;
+    return g;
+}
+
+void RegulatorFlow::surround(double force, double normal_load)
+{
+    force_ = force;
+    friction_.normal_load = normal_load;
+}
+
+std::unique_ptr<Flow> RegulatorFlow::with_gain(double k_p) const
+{
+    auto copy = std::make_unique<RegulatorFlow>(*this);
+    copy->regulator_.k_p = k_p;
+    return copy;
+}
+
+}  // namespace stickslip

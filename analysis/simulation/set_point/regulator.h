@@ -1,0 +1,76 @@
+// A loop with integral action that holds a set point, and the motion under it between stops.
+#pragma once
+#include "analysis/joint/joint.h"
+#include "analysis/simulation/flows/flow.h"
+
+namespace stickslip {
+
+/// u = k_p e + k_v ė + w, ẇ = k_i e, in units of effort on the mechanism, with what bounds it: errors within the dead
+/// zone count as none, the integral grows only within its band and up to its limit, the output up to its own.
+struct Regulator {
+    double inertia = not_set;
+    double k_p = not_set, k_v = 0, k_i = 0;
+    double drag = 0;  ///< what a motor on a voltage resists by its back-EMF, whatever the controller gives
+    double dead_zone = 0, integral_limit = infinity, integral_band = infinity, effort_limit = infinity;
+    AntiWindup anti_windup = AntiWindup::none;
+    double tracking_time = not_set;
+
+    /// The error −x as the controller counts it.
+    double error(double x) const { return std::abs(x) <= dead_zone ? 0 : -x; }
+    /// Nothing but gains: what slip.h has in closed form.
+    bool linear() const
+    {
+        return dead_zone == 0 && integral_limit == infinity && integral_band == infinity && effort_limit == infinity;
+    }
+};
+
+/// The joint's loop as a regulator. The motion is about the effort, so that the actuator's gain, a motor's constants and
+/// the limits on the way are in it; sampling, dead time, lag, sensor and reference are not.
+Regulator regulator_of(const Joint& joint);
+
+/// m v̇ = u(x, v, w) − drag v − f(v, θ), y = (x, v, w, θ_i), x from the set point.
+class RegulatorFlow final : public Flow {
+  public:
+    /// `position` and `speed` are sizes of the expected motion.
+    RegulatorFlow(const Regulator& regulator, const Friction& friction, double position, double speed);
+
+    Branch branch = Branch::forward;  ///< of a friction that is set-valued at rest
+
+    int size() const override { return 3 + states_; }
+    FlowVector steady() const override { return FlowVector::Zero(size()); }
+    FlowVector scale() const override;
+    void rate(const FlowVector& y, FlowVector& rate) const override;
+    void jacobian(const FlowVector& y, FlowMatrix& jacobian) const override;
+    double velocity(const FlowVector& y) const override { return y[1]; }
+    double position(const FlowVector& y) const override { return y[0]; }
+    double speed_measure(const FlowVector& y) const override { return y[1] / speed_; }
+    FlowVector speed_gradient(const FlowVector&) const override;
+    double commanded_velocity() const override { return 0; }
+    bool logarithmic_speed() const override { return false; }
+    void surround(double force, double normal_load) override;
+    std::unique_ptr<Flow> with_gain(double k_p) const override;
+    double gain() const override { return regulator_.k_p; }
+    std::unique_ptr<Flow> copy() const override { return std::make_unique<RegulatorFlow>(*this); }
+
+    /// What the controller gives at y.
+    double effort(const FlowVector& y) const { return output(y).value; }
+    const Regulator& regulator() const { return regulator_; }
+    const Friction& friction() const { return friction_; }
+    double speed() const { return speed_; }
+
+  private:
+    /// A function of y and its derivatives by x, v and w.
+    struct Linearised {
+        double value = 0, by_x = 0, by_v = 0, by_w = 0;
+    };
+    Linearised output(const FlowVector& y, double* asked = nullptr) const;
+    Linearised winding(const FlowVector& y) const;
+    FrictionResponse response(const FlowVector& y) const;
+
+    Regulator regulator_;
+    Friction friction_;
+    double position_, speed_, force_ = 0;
+    int states_;
+};
+
+}  // namespace stickslip

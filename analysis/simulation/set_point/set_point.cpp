@@ -1,0 +1,178 @@
+#include "analysis/simulation/set_point/set_point.h"
+
+#include "analysis/joint/gains.h"
+#include "analysis/simulation/set_point/hunting_search.h"
+#include "analysis/simulation/set_point/presliding.h"
+#include "analysis/simulation/set_point/slip.h"
+
+namespace stickslip {
+namespace {
+
+/// Coulomb, static and viscous friction of a law that has them; the law's forces are multiplied by the normal load.
+struct RestingFriction {
+    DryFriction dry;
+    double viscous = 0;
+    double presliding = 0;  ///< how far bristles give way up to F_s; 0: true rest
+    bool flat = false;      ///< F_c at every speed: closed form
+};
+
+struct FrictionOrReason {
+    RestingFriction friction;
+    SetPointReason reason = SetPointReason::none;
+};
+
+FrictionOrReason resting_friction(const Friction& friction)
+{
+    const double n = friction.normal_load;
+    const auto bristles = [&](double coulomb, double breakaway, double viscous, double stiffness) {
+        return RestingFriction{{n * coulomb, n * breakaway}, n * viscous, breakaway / stiffness, false};
+    };
+    if (friction.has_bristle() || friction.has_memory() || friction.has_lag() || friction.load_coefficient != 0 ||
+        friction.asymmetry.viscous != 0 || friction.ripple.amplitude != 0)
+        return {{}, SetPointReason::friction_term};
+    if (const auto* law = std::get_if<CoulombViscous>(&friction.law))
+        return {{{n * law->coulomb, n * law->coulomb}, n * law->viscous, 0, true}};
+    if (const auto* law = std::get_if<KineticStatic>(&friction.law))
+        return {{{n * law->kinetic, n * law->breakaway}, 0, 0, true}};
+    if (const auto* law = std::get_if<Stribeck>(&friction.law)) {
+        // below one the curve leaves rest with a vertical tangent, which the solver does not step over
+        if (law->c2 > 0 && law->c4 < 1) return {{}, SetPointReason::law_without_motion};
+        return {{{n * law->c0, n * (law->c0 + law->c2)}, n * law->c1, 0, law->c2 == 0}};
+    }
+    if (const auto* law = std::get_if<LuGre>(&friction.law))
+        return {bristles(law->coulomb, law->breakaway, law->sigma2, law->sigma0)};
+    if (const auto* law = std::get_if<Dahl>(&friction.law))
+        return {bristles(law->coulomb, law->coulomb, 0, law->sigma0)};
+    return {{}, info(friction.law).needs_motion ? SetPointReason::law_needs_motion : SetPointReason::law_without_motion};
+}
+
+SetPoint undecided(SetPointReason reason)
+{
+    SetPoint s;
+    s.reason = reason;
+    return s;
+}
+
+SetPoint rests(SetPointReason reason, double error, SetPointMethod method)
+{
+    SetPoint s;
+    s.hunting = Hunting::no;
+    s.reason = reason;
+    s.rest_error = error;
+    s.method = method;
+    return s;
+}
+
+SetPoint in_closed_form(const PidMass& mass, const DryFriction& dry)
+{
+    if (dry.breakaway == dry.coulomb) {
+        auto s = rests(SetPointReason::static_is_coulomb, 0, SetPointMethod::closed_form);
+        s.multiplier = settling_multiplier(mass);
+        return s;
+    }
+    const auto cycle = hunting_cycle(mass, dry);
+    // no stop at the end of the slip: such a cycle was never met, and has no form here
+    if (!cycle.found || cycle.stick_time < 0) return undecided(SetPointReason::not_converged);
+    SetPoint s;
+    s.hunting = Hunting::yes;
+    s.reason = SetPointReason::static_above_coulomb;
+    s.method = SetPointMethod::closed_form;
+    s.amplitude = cycle.amplitude;
+    s.slip_time = cycle.slip_time;
+    s.stick_time = cycle.stick_time;
+    s.period = cycle.period();
+    s.multiplier = cycle.multiplier;
+    return s;
+}
+
+SetPoint with_bristles(const Regulator& regulator, const Friction& law, const RestingFriction& friction,
+                       double natural)
+{
+    // from beyond the cycle that the same levels would have with true rest
+    const double start = std::max(2 * natural, 10 * friction.presliding);
+    const auto end = follow_presliding(regulator, law, start, friction.dry.breakaway, friction.presliding);
+    SetPoint s;
+    s.method = SetPointMethod::presliding;
+    switch (end.end) {
+        case Presliding::End::settles:
+            return rests(SetPointReason::slips_shrink, regulator.dead_zone, SetPointMethod::presliding);
+        case Presliding::End::runaway:
+            return rests(SetPointReason::loop_unstable, missing, SetPointMethod::presliding);
+        case Presliding::End::failure:
+            s.reason = SetPointReason::not_converged;
+            return s;
+        case Presliding::End::cycle:
+            break;
+    }
+    s.hunting = Hunting::yes;
+    s.reason = SetPointReason::falling_friction;
+    s.amplitude = end.amplitude;
+    s.slip_time = end.slip_time;
+    s.stick_time = end.stick_time;
+    s.period = 2 * (end.slip_time + end.stick_time);
+    s.multiplier = end.multiplier;
+    s.rests_nearby = true;
+    return s;
+}
+
+SetPoint decided(const Joint& joint)
+{
+    if (joint.control.kind == ControlKind::force) return undecided(SetPointReason::force_control);
+    if (joint.mechanism.model != Model::single_mass) return undecided(SetPointReason::several_bodies);
+    const auto [friction, reason] = resting_friction(joint.friction);
+    if (reason != SetPointReason::none) return undecided(reason);
+    const auto regulator = regulator_of(joint);
+    if (!(regulator.k_i > 0)) {
+        if (regulator.k_i < 0 || !(regulator.k_p > 0))
+            return rests(SetPointReason::loop_unstable, missing, SetPointMethod::closed_form);
+        const bool breaks = friction.dry.breakaway <= regulator.effort_limit;
+        const double band = breaks ? std::max(friction.dry.breakaway / regulator.k_p, regulator.dead_zone) : infinity;
+        return rests(SetPointReason::no_integral_action, band, SetPointMethod::closed_form);
+    }
+    const PidMass mass{regulator.inertia, regulator.k_v + regulator.drag + friction.viscous, regulator.k_p,
+                       regulator.k_i};
+    if (!mass.stable()) return rests(SetPointReason::loop_unstable, missing, SetPointMethod::closed_form);
+    if (friction.flat && regulator.linear()) return in_closed_form(mass, friction.dry);
+    const auto cycle = hunting_cycle(mass, friction.dry);
+    const double natural = cycle.found ? cycle.amplitude : friction.dry.breakaway / regulator.k_p;
+    if (friction.presliding > 0) return with_bristles(regulator, joint.friction, friction, natural);
+    auto s = hunting_by_events(StopToStop(regulator, joint.friction), natural, regulator.dead_zone);
+    if (s.hunting == Hunting::yes && friction.flat) s.reason = SetPointReason::static_above_coulomb;
+    return s;
+}
+
+/// Keys that are set and that no answer at rest reads.
+std::vector<std::string> left_out(const Joint& joint)
+{
+    std::vector<std::string> keys;
+    const auto add = [&](bool used, const char* key) {
+        if (used) keys.emplace_back(key);
+    };
+    add(is_set(joint.control.period), "control.period");
+    add(joint.control.delay > 0, "control.delay");
+    add(joint.control.velocity_estimate.tau > 0, "control.velocity_estimate.tau");
+    add(joint.actuator.lag > 0, "actuator.lag");
+    add(joint.sensor.encoder_quantum > 0, "sensor.encoder_quantum");
+    add(joint.load.gravity_amplitude != 0, "load.gravity_amplitude");
+    add(joint.load.cogging.amplitude != 0, "load.cogging.amplitude");
+    add(joint.friction.drift.change != 0, "friction.drift.change");
+    add(joint.control.contact_stiffness != 0, "control.contact_stiffness");
+    add(joint.neighbour.size > 0, "neighbour");
+    return keys;
+}
+
+}  // namespace
+
+bool integrates(const Joint& joint)
+{
+    return gains_of(joint.control).k_i != 0;
+}
+
+SetPoint set_point(const Joint& joint)
+{
+    SetPoint s = decided(joint);
+    s.not_used = left_out(joint);
+    return s;
+}
+
+}  // namespace stickslip

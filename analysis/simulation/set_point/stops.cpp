@@ -1,0 +1,120 @@
+#include "analysis/simulation/set_point/stops.h"
+
+#include "analysis/numerics/polynomial.h"
+#include "analysis/simulation/solvers/stepper.h"
+
+namespace stickslip {
+namespace {
+
+constexpr double rtol = 1e-10;
+constexpr int most_steps = 200'000, most_turns = 10'000;
+constexpr double far = 1e4;        ///< times the start: no loop that settles goes there
+constexpr double nothing = 1e-10;  ///< share of the start and of the speed that counts as none
+constexpr double long_time = 1e3;  ///< times the slowest time constant: whatever creeps has arrived by then
+
+double slowest_time(const Regulator& r, double viscous)
+{
+    const double c = r.k_v + r.drag + viscous;
+    double slowest = 0;
+    for (const auto& s : cubic_roots(c / r.inertia, r.k_p / r.inertia, r.k_i / r.inertia))
+        slowest = std::max(slowest, 1 / std::abs(s));
+    return slowest;
+}
+
+/// The velocity over which the friction falls; infinite where it does not.
+double falling_speed(const Friction& friction)
+{
+    const auto* curve = std::get_if<Stribeck>(&friction.law);
+    return curve && curve->c2 > 0 ? curve->c3 : infinity;
+}
+
+enum SlipEvent { rests = 0, dead_zone_left, dead_zone_right, at_limit, at_lower_limit, slip_events };
+
+Events events_of(const RegulatorFlow& flow)
+{
+    const double zone = flow.regulator().dead_zone, limit = flow.regulator().effort_limit;
+    Events events;
+    events.count = slip_events;
+    events.values = [&flow, zone, limit](const FlowVector& y, double* values) {
+        const auto& r = flow.regulator();
+        const double asked = r.k_p * r.error(y[0]) - r.k_v * y[1] + y[2];
+        values[rests] = flow.speed_measure(y);
+        values[dead_zone_left] = zone > 0 ? y[0] + zone : 1;
+        values[dead_zone_right] = zone > 0 ? y[0] - zone : 1;
+        values[at_limit] = limit < infinity ? asked - limit : 1;
+        values[at_lower_limit] = limit < infinity ? asked + limit : 1;
+    };
+    return events;
+}
+
+}  // namespace
+
+StopToStop::StopToStop(const Regulator& regulator, const Friction& friction)
+    : regulator_(regulator), friction_(friction), static_(stickslip::static_force(friction))
+{
+    const double fast = 1e6 * std::min(falling_speed(friction), 1.0);
+    slowest_ = slowest_time(regulator, respond(friction, fast, {}).by_velocity);
+    speed_limit_ = falling_speed(friction);
+}
+
+double StopToStop::breakaway_integral(double x) const
+{
+    const double e = regulator_.error(x);
+    return std::copysign(static_, e) - regulator_.k_p * e;
+}
+
+double StopToStop::stick_time(double x, double w) const
+{
+    const double e = regulator_.error(x), wanted = breakaway_integral(x);
+    const bool winds = e != 0 && std::abs(x) <= regulator_.integral_band;
+    if (!winds || std::abs(wanted) > regulator_.integral_limit || static_ > regulator_.effort_limit) return infinity;
+    return std::max(0.0, (wanted - w) / (regulator_.k_i * e));
+}
+
+double StopToStop::least_start() const
+{
+    if (static_ > regulator_.effort_limit) return infinity;
+    // further out the proportional part helps; far out w changes sign, and the limit binds again
+    return std::max(regulator_.dead_zone, (static_ - regulator_.integral_limit) / regulator_.k_p);
+}
+
+Stop StopToStop::slip_from(double a) const
+{
+    Stop stop;
+    const double w = breakaway_integral(-a);
+    if (regulator_.error(-a) == 0 || std::abs(w) > regulator_.integral_limit || static_ > regulator_.effort_limit ||
+        a > regulator_.integral_band) {
+        stop.end = Stop::End::held;
+        return stop;
+    }
+    const double speed = std::min(a / slowest_, 1e-3 * speed_limit_);
+    RegulatorFlow flow(regulator_, friction_, a, speed);
+    const Events events = events_of(flow);
+    const auto solver = rodas5p_stepper(rtol);
+    FlowVector y(3);
+    y << -a, 0, w;
+    solver->start(flow, 0, y, events);
+    for (int i = 0; i < most_steps; ++i) {
+        const auto report = solver->step(long_time * slowest_);
+        y = solver->state();
+        if (report.end == StepEnd::failure || !y.allFinite()) return stop;
+        if (std::abs(y[0]) > far * a) return stop.end = Stop::End::runaway, stop;
+        stop.x = y[0], stop.slip_time = solver->time();
+        const bool still = std::abs(y[0]) < nothing * a && std::abs(y[1]) < nothing * speed;
+        if (still || report.end == StepEnd::time) return stop.end = Stop::End::settled, stop;
+        if (report.end != StepEnd::event || report.event != rests) continue;
+        y[1] = 0;
+        const double push = flow.effort(y);
+        if (std::abs(push) <= static_) {
+            stop.end = Stop::End::stop;
+            stop.stick_time = stick_time(y[0], y[2]);
+            return stop;
+        }
+        if (++stop.turns > most_turns) return stop.end = Stop::End::runaway, stop;
+        flow.branch = push > 0 ? Branch::forward : Branch::reverse;
+        solver->start(flow, solver->time(), y, events);
+    }
+    return stop;
+}
+
+}  // namespace stickslip

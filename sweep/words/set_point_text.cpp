@@ -1,0 +1,122 @@
+#include "sweep/words/set_point_text.h"
+
+#include "analysis/results/text.h"
+
+namespace stickslip {
+
+std::string set_point_reason(SetPointReason reason)
+{
+    switch (reason) {
+        case SetPointReason::none:
+            return "";
+        case SetPointReason::static_above_coulomb:
+            return "static friction is higher than Coulomb friction: the integrator breaks it and overshoots";
+        case SetPointReason::falling_friction:
+            return "friction falls enough with speed for each slip to overshoot";
+        case SetPointReason::no_integral_action:
+            return "the loop does not integrate: the joint rests where static friction holds it";
+        case SetPointReason::static_is_coulomb:
+            return "static friction equals Coulomb friction: each slip ends nearer to the set point";
+        case SetPointReason::slips_shrink:
+            return "each slip ends nearer to the set point than the last";
+        case SetPointReason::held:
+            return "a limit of the integral or of the output keeps the loop from breaking the static friction";
+        case SetPointReason::dead_zone:
+            return "slips end within the dead zone";
+        case SetPointReason::loop_unstable:
+            return "the loop is unstable even without dry friction: it diverges instead of hunting";
+        case SetPointReason::force_control:
+            return "a force loop has no position set point";
+        case SetPointReason::several_bodies:
+            return "set points of joints with several inertias are not simulated";
+        case SetPointReason::law_needs_motion:
+            return "the friction law has no meaning at rest";
+        case SetPointReason::law_without_motion:
+            return "this friction law is not simulated at rest";
+        case SetPointReason::friction_term:
+            return "friction has a term beside its law (bristle, memory, load, ripple or viscous asymmetry) that is not "
+                   "simulated at rest";
+        case SetPointReason::not_converged:
+            return "the motion was not followed to its end within the limit of work";
+    }
+    return "";
+}
+
+std::string method_text(SetPointMethod method)
+{
+    switch (method) {
+        case SetPointMethod::none:
+            return "none";
+        case SetPointMethod::closed_form:
+            return "closed-form";
+        case SetPointMethod::event_driven:
+            return "event-driven";
+        case SetPointMethod::presliding:
+            return "presliding";
+    }
+    return "none";
+}
+
+std::string set_point_text(const SetPoint& s, Motion motion)
+{
+    const auto length = [&](double value) { return with_unit(value, Quantity::position, motion); };
+    std::string text;
+    switch (s.hunting) {
+        case Hunting::yes:
+            text = "Hunts at a set point: stops " + length(s.amplitude) + " to either side";
+            if (s.asymmetric) text = "Hunts at a set point: stops up to " + length(s.amplitude) + " away, unequally";
+            if (is_set(s.period)) text += ", one cycle in " + with_unit(s.period, Quantity::time, motion);
+            text += s.rests_nearby ? "; from nearby it comes to rest." : ".";
+            break;
+        case Hunting::no:
+            if (s.reason == SetPointReason::loop_unstable)
+                text = "Does not hold a set point";
+            else if (s.rest_error == infinity)
+                text = "Does not hunt: rests wherever it is";
+            else if (s.rest_error > 0)
+                text = "Does not hunt: rests up to " + length(s.rest_error) + " from the set point";
+            else
+                text = "Does not hunt: settles at the set point";
+            text += ": " + set_point_reason(s.reason) + ".";
+            break;
+        case Hunting::undecided:
+            text = "Hunting at a set point is undecided: " + set_point_reason(s.reason) + ".";
+            break;
+    }
+    return text;
+}
+
+Table set_point_table(const SetPoint& s, Motion motion)
+{
+    Table table;
+    table.title = "At a set point";
+    table.columns = {"quantity", "value"};
+    table.rows.push_back({"at a set point", s.hunting == Hunting::yes  ? "hunts"
+                                            : s.hunting == Hunting::no ? "does not hunt"
+                                                                       : "undecided"});
+    table.rows.push_back({"because", set_point_reason(s.reason)});
+    const auto add = [&](const char* name, double value, Quantity quantity) {
+        if (is_set(value)) table.rows.push_back({name, with_unit(value, quantity, motion, 6)});
+    };
+    add("distance of the stops from the set point", s.amplitude, Quantity::position);
+    add("slip time", s.slip_time, Quantity::time);
+    add("stick time", s.stick_time, Quantity::time);
+    add("hunting period", s.period, Quantity::time);
+    add("multiplier from stop to stop", s.multiplier, Quantity::number);
+    if (s.hunting == Hunting::no) add("largest error at rest", s.rest_error, Quantity::position);
+    std::string keys;
+    for (const auto& key : s.not_used) keys += (keys.empty() ? "" : ", ") + key;
+    if (!keys.empty()) table.rows.push_back({"left out of this answer", keys});
+    return table;
+}
+
+Section set_point_section(const SetPoint& s, Motion motion)
+{
+    return {"set-point",
+            "At a set point",
+            set_point_text(s, motion),
+            {},
+            {set_point_table(s, motion)}};
+}
+
+}  // namespace stickslip

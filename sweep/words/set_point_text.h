@@ -1,0 +1,26 @@
+// What a joint does at a set point, in words, for the terminal and the page.
+#pragma once
+#include "analysis/joint/joint.h"
+#include "analysis/results/report.h"
+#include "analysis/results/set_point.h"
+
+#include <string>
+
+namespace stickslip {
+
+/// The answer in one sentence, in chart mark-up.
+std::string set_point_text(const SetPoint& answer, Motion motion);
+
+/// Every number of it with its unit.
+Table set_point_table(const SetPoint& answer, Motion motion);
+
+/// Why it hunts, rests or is undecided; "" for none.
+std::string set_point_reason(SetPointReason reason);
+
+/// "closed-form", "event-driven", "presliding", "none".
+std::string method_text(SetPointMethod method);
+
+/// The section of a page.
+Section set_point_section(const SetPoint& answer, Motion motion);
+
+}  // namespace stickslip

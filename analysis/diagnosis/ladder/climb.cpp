@@ -1,0 +1,236 @@
+#include "analysis/diagnosis/ladder/climb.h"
+
+#include "analysis/diagnosis/ladder/fit_set.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip::gap {
+namespace {
+
+constexpr std::size_t known_pairs = 3;  // of a search of their own, that are tried as two rungs
+
+/// Whether the second is better in every fold.
+bool in_every_fold(const FittedSet& without, const FittedSet& with)
+{
+    for (std::size_t f = 0; f < HeldOutData::folds; ++f)
+        if (!(mean_log(with.left[f]) < mean_log(without.left[f])) && !with.left[f].empty()) return false;
+    return true;
+}
+
+/// Whether the causes beyond those of `without` earn their place.
+bool earns(const FittedSet& without, const FittedSet& with, const LadderRules& rules)
+{
+    const double left = beyond_noise(without.all_left()), now = beyond_noise(with.all_left());
+    const double beyond = std::max(rules.worth_a_rung, margin_of(with, rules));
+    return in_every_fold(without, with) && without.misfit - with.misfit > beyond &&
+           left - now > rules.of_the_rest * left;
+}
+
+Candidate with(Candidate causes, const Effect* e, const EffectForm* f, std::size_t records)
+{
+    causes.records = records;
+    causes.effects.push_back(e);
+    causes.forms.push_back(f);
+    return causes;
+}
+
+}  // namespace
+
+class Climber {
+  public:
+    Climber(const std::vector<Attribution>& singles, SetFitter& fitter, const LadderRules& rules,
+            const ParallelFor& parallel)
+        : singles_(singles), fitter_(fitter), rules_(rules), parallel_(parallel)
+    {
+    }
+
+    /// Every cause that is not yet in the set on top of it; the best few of a first look, judged, best first.
+    std::vector<FittedSet> next(const FittedSet& below)
+    {
+        std::vector<Start> looks;
+        for (const auto& single : singles_) {
+            const Effect* e = single.candidate.effects[0];
+            const auto& in = below.causes.effects;
+            if (std::find(in.begin(), in.end(), e) != in.end() || (!in.empty() && too_dear(below, single))) continue;
+            looks.push_back({with(below.causes, e, single.candidate.forms[0], single.candidate.records), single.x});
+        }
+        if (looks.size() > rules_.first_look) looks.resize(rules_.first_look);
+        parallel_(looks.size(), [&](std::size_t i) { fitter_.look(looks[i], below); });
+        std::stable_sort(looks.begin(), looks.end(), [](const Start& a, const Start& b) { return a.objective < b.objective; });
+        if (looks.size() > rules_.finalists) looks.resize(rules_.finalists);
+        return judged(looks);
+    }
+
+    std::vector<FittedSet> judged(const std::vector<Start>& starts)
+    {
+        std::vector<FittedSet> sets(starts.size());
+        parallel_(starts.size(), [&](std::size_t i) { sets[i] = fitter_.fit(starts[i].causes, starts[i].x0); });
+        std::stable_sort(sets.begin(), sets.end(), [](const auto& a, const auto& b) { return a.misfit < b.misfit; });
+        return sets;
+    }
+
+    /// The set without one of its causes.
+    FittedSet without(const FittedSet& set, std::size_t member)
+    {
+        Start start{{}, {}};
+        start.causes.records = set.causes.records;
+        const Eigen::VectorXd own = set.of_causes(set.fit.x);
+        std::vector<double> kept;
+        Eigen::Index at = 0;
+        for (std::size_t i = 0; i < set.causes.effects.size(); ++i) {
+            const auto count = static_cast<Eigen::Index>(set.causes.count_of(*set.causes.forms[i]));
+            if (i != member) {
+                start.causes = with(start.causes, set.causes.effects[i], set.causes.forms[i], set.causes.records);
+                kept.insert(kept.end(), own.data() + at, own.data() + at + count);
+            }
+            at += count;
+        }
+        const Eigen::VectorXd x0 = Eigen::Map<Eigen::VectorXd>(kept.data(), static_cast<Eigen::Index>(kept.size()));
+        return fitter_.fit(start.causes, fitter_.start(start.causes, set, x0));
+    }
+
+  private:
+    /// Divided masses cost ten times as much: beside other causes only those that come near alone.
+    static bool too_dear(const FittedSet&, const Attribution& single)
+    {
+        const auto name = single.candidate.effects[0]->name;
+        return (name == "compliance" || name == "backlash") && !single.refined;
+    }
+
+    const std::vector<Attribution>& singles_;
+    SetFitter& fitter_;
+    const LadderRules& rules_;
+    const ParallelFor& parallel_;
+};
+
+namespace {
+
+std::vector<Start> known_sets(const std::vector<Attribution>& pairs, const SetFitter& fitter, const FittedSet& below)
+{
+    std::vector<Start> known;
+    for (std::size_t i = 0; i < std::min(known_pairs, pairs.size()); ++i)
+        known.push_back({pairs[i].candidate, pairs[i].x, 0,
+                         fitter.start(pairs[i].candidate, below, pairs[i].x[ladder_level])});
+    return known;
+}
+
+/// Of the causes of a set the one without which least is lost goes last, and so on down.
+std::vector<FittedSet> in_order(Climber& climber, FittedSet set, const ParallelFor& parallel)
+{
+    std::vector<FittedSet> order{std::move(set)};
+    while (order.back().causes.effects.size() > 1) {
+        std::vector<FittedSet> less(order.back().causes.effects.size());
+        parallel(less.size(), [&](std::size_t i) { less[i] = climber.without(order.back(), i); });
+        order.push_back(*std::min_element(less.begin(), less.end(),
+                                          [](const auto& a, const auto& b) { return a.misfit < b.misfit; }));
+    }
+    std::reverse(order.begin(), order.end());
+    return order;
+}
+
+}  // namespace
+
+double margin_of(const FittedSet& better, const LadderRules& rules)
+{
+    double rows = 0, beyond = 0, all = 0;
+    for (const auto& w : better.all_left()) {
+        rows += w.rows(), beyond += w.beyond_noise();
+        all += w.rows() * (w.position + (is_set(w.effort) ? w.effort : 0));
+    }
+    return rules.margin * std::clamp(beyond / std::max(all, 1e-300), 0.0, 1.0) + rules.rows_of_margin / std::max(rows, 1.0);
+}
+
+LadderSearch::LadderSearch(const std::vector<Case>& cases, const Scales& scales,
+                           const std::vector<Attribution>& singles, const LadderRules& rules,
+                           const ParallelFor& parallel)
+    : scales_(scales),
+      rules_(rules),
+      parallel_(parallel),
+      corrections_(std::make_shared<Corrections>(cases, scales, rules.prior)),
+      data_(cases),
+      fitter_(std::make_unique<SetFitter>(data_, scales, *corrections_, rules.ranges)),
+      climber_(std::make_unique<Climber>(singles, *fitter_, rules, parallel))
+{
+    for (std::size_t f = 0; f < HeldOutData::folds; ++f)
+        for (const auto& w : data_.judge(f, {}, {})) documented_.push_back(w);
+    data_.raise_floor({}, {});
+    fitter_->renew();
+    corrected_ = fitter_->fit({}, fitter_->start({}, {}, {}));
+    settle(corrected_);
+    corrected_ = fitter_->fit({}, corrected_.fit.x);
+    if (!singles.empty()) first_ = climber_->next(corrected_);
+}
+
+LadderSearch::~LadderSearch() = default;
+
+void LadderSearch::settle(const FittedSet& set)
+{
+    data_.raise_floor(set.model.candidate, in_si(set.model.candidate, set.fit.x, scales_));
+    fitter_->renew();
+}
+
+Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t most_rungs)
+{
+    FittedSet set = corrected_;
+    const auto best_first = [](const auto& a, const auto& b) { return a.misfit < b.misfit; };
+    const std::size_t most_rounds = 2 * most_rungs;  // an exchange may come back to where it was
+    for (std::size_t round = 0; round < most_rounds && set.causes.effects.size() < most_rungs; ++round) {
+        const bool at_start = set.causes.effects.empty();
+        auto tried = at_start ? first_ : climber_->next(set);
+        // what a search of pairs has found may be more than its parts
+        if (set.causes.effects.size() == 1 || (at_start && (tried.empty() || !earns(set, tried[0], rules_)))) {
+            for (auto& s : climber_->judged(known_sets(pairs, *fitter_, set))) tried.push_back(std::move(s));
+            std::stable_sort(tried.begin(), tried.end(), best_first);
+        }
+        const auto next = std::find_if(tried.begin(), tried.end(), [](const auto& t) { return t.plausible; });
+        if (next == tried.end() || !earns(set, *next, rules_)) break;
+        set = *next;
+        settle(set);
+        // exchange: a cause that only stood in for what came later goes, and makes room
+        for (std::size_t i = 0; i < set.causes.effects.size() && set.causes.effects.size() > 1;) {
+            FittedSet less = climber_->without(set, i);
+            if (earns(less, set, rules_))
+                ++i;
+            else
+                set = std::move(less), i = 0;
+        }
+    }
+    return finished(std::move(set));
+}
+
+Ladder LadderSearch::of(const Attribution& known)
+{
+    return finished(fitter_->fit(known.candidate, fitter_->start(known.candidate, {}, known.x[ladder_level])));
+}
+
+Ladder LadderSearch::finished(FittedSet set)
+{
+    Ladder ladder;
+    ladder.corrections = corrections_;
+    ladder.documented = documented_;
+    ladder.corrected = corrected_;
+    if (set.causes.effects.empty()) {
+        ladder.corrected_as_last = corrected_.all_left();
+        ladder.rivals.push_back(first_);
+        return ladder;
+    }
+    ladder.rungs = in_order(*climber_, std::move(set), parallel_);
+    for (std::size_t i = 0; i < ladder.rungs.size(); ++i) {
+        std::vector<FittedSet> rivals;
+        for (const auto& other : i == 0 ? first_ : climber_->next(ladder.rungs[i - 1]))
+            if (other.causes.effects != ladder.rungs[i].causes.effects) rivals.push_back(other);
+        ladder.rivals.push_back(std::move(rivals));
+    }
+    // the corrections that belong to the whole set, alone
+    const FittedSet& last = ladder.rungs.back();
+    const auto alone = corrections_->beside({});
+    for (std::size_t f = 0; f < HeldOutData::folds; ++f) {
+        const auto x = Corrections::start(alone, last.model, last.x[f], {});
+        for (const auto& w : data_.judge(f, alone.candidate, in_si(alone.candidate, x, scales_)))
+            ladder.corrected_as_last.push_back(w);
+    }
+    return ladder;
+}
+
+}  // namespace stickslip::gap

@@ -7,12 +7,12 @@
 #include "analysis/diagnosis/heldout/heldout.h"
 #include "analysis/diagnosis/records/pieces.h"
 #include "analysis/diagnosis/rig/rig.h"
-#include "analysis/diagnosis/verdict/policy.h"
-#include "analysis/diagnosis/verdict/tell_ladder.h"
 #include "analysis/diagnosis/verdict/causes.h"
 #include "analysis/diagnosis/verdict/experiment.h"
 #include "analysis/diagnosis/verdict/find_causes.h"
 #include "analysis/diagnosis/verdict/locate.h"
+#include "analysis/diagnosis/verdict/policy.h"
+#include "analysis/diagnosis/verdict/tell_ladder.h"
 #include "analysis/diagnosis/verdict/withdraw.h"
 
 #include <algorithm>
@@ -170,7 +170,8 @@ void tell_rivals(const Prepared& p, const Findings& f, const std::vector<Ranked>
         d.next_experiment = design_experiment(p.cases[0], p.scales, winner, rival);
         // the refitted numbers are no part of what is told apart
         if (!d.next_experiment.separates.empty())
-            d.next_experiment.separates = {{names_of(f.judged.ladder.rungs[0].causes)[0], names_of(rivals[0].causes)[0]}};
+            d.next_experiment.separates = {
+                {names_of(f.judged.ladder.rungs[0].causes)[0], names_of(rivals[0].causes)[0]}};
         return;
     }
     for (const auto* rival : f.decision.ambiguous) d.ambiguous_with.push_back(names_of(rival->candidate));
@@ -201,12 +202,9 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
     const bool shown = d.verdict == Verdict::gap;
 
     // the named set first, then everything that was fitted, by probability
-    const auto ranked = f.quiet || f.by_ladder
-                            ? std::vector<Ranked>{}
-                            : rank(f.singles, f.pairs, f.decision, rows_of(p.cases));
-    const Attribution& winner = !f.named()    ? f.none
-                                : f.by_ladder ? f.judged.winner
-                                              : *ranked.front().attribution;
+    const auto ranked =
+        f.quiet || f.by_ladder ? std::vector<Ranked>{} : rank(f.singles, f.pairs, f.decision, rows_of(p.cases));
+    const Attribution& winner = !f.named() ? f.none : f.by_ladder ? f.judged.winner : *ranked.front().attribution;
     const bool audit_alone = winner.candidate.effects.empty();
     const auto held = hold_out(p.cases, p.documented, p.scales, shown ? winner : f.none, runs, parallel);
     d.gap = held.signals;

@@ -58,33 +58,45 @@ Corrections::Corrections(const std::vector<Case>& cases, const Scales& scales, c
     weight_ = 1 / std::max(1.0, seconds / reading);
     const Joint& j = cases[0].joint;
     const bool single = is_single_mass(j);
-    const double coulomb = single ? coulomb_level(j.friction)
-                                  : coulomb_level(j.frictions.motor) + coulomb_level(j.frictions.link);
-    const double viscous = single ? viscous_of(j.friction) : viscous_of(j.frictions.motor) + viscous_of(j.frictions.link);
+    const double coulomb =
+        single ? coulomb_level(j.friction) : coulomb_level(j.frictions.motor) + coulomb_level(j.frictions.link);
+    const double viscous =
+        single ? viscous_of(j.friction) : viscous_of(j.frictions.motor) + viscous_of(j.frictions.link);
     const double level = std::max(coulomb / scales.effort, prior.least);
     const auto number = [&](Quantity quantity, Scale scale, bool logarithmic, double sd, std::string_view help) {
-        EffectParameter p{logarithmic ? "factor" : "change", quantity, scale, logarithmic, -prior.widest * sd,
-                          prior.widest * sd,                 sd,       help};
+        EffectParameter p{logarithmic ? "factor" : "change",
+                          quantity,
+                          scale,
+                          logarithmic,
+                          -prior.widest * sd,
+                          prior.widest * sd,
+                          sd,
+                          help};
         if (logarithmic) p.low = std::exp(p.low), p.high = std::exp(p.high);
         p.sd = sd;
         return p;
     };
-    add("inertia", number(Quantity::number, Scale::one, true, prior.inertia, "true inertia per documented"),
+    add(
+        "inertia", number(Quantity::number, Scale::one, true, prior.inertia, "true inertia per documented"),
         [](Joint& to, const double* p) {
             to.mechanism.inertia *= p[0], to.mechanism.motor_inertia *= p[0], to.mechanism.link_inertia *= p[0];
         },
         false);
-    add("coulomb-level",
+    add(
+        "coulomb-level",
         number(Quantity::effort, Scale::effort, false, prior.coulomb * level, "change of the Coulomb level"),
         [](Joint& to, const double* p) { for_all_frictions(to, p[0], shift_coulomb); }, false);
     const double drag = std::max(viscous * scales.velocity / scales.effort, prior.least);
-    add("viscous",
+    add(
+        "viscous",
         number(Quantity::damping, Scale::damping, false, prior.viscous * drag, "change of the viscous slope"),
         [](Joint& to, const double* p) { for_all_frictions(to, p[0], shift_viscous); }, false);
-    add("constant-load", number(Quantity::effort, Scale::effort, false, prior.load * level, "constant load"),
+    add(
+        "constant-load", number(Quantity::effort, Scale::effort, false, prior.load * level, "constant load"),
         [](Joint& to, const double* p) { to.load.constant += p[0]; }, false);
     if (records_ > 1)
-        add(of_record,
+        add(
+            of_record,
             number(Quantity::effort, Scale::effort, false, prior.coulomb_of_record * level,
                    "change of the Coulomb level in this record"),
             [](Joint& to, const double* p) { for_all_frictions(to, p[0], shift_coulomb); }, true);

@@ -166,8 +166,7 @@ std::size_t record_of(const Candidate& candidate, std::size_t parameter)
 {
     for (const auto* f : candidate.forms) {
         const std::size_t shared = f->parameters.size() - f->own;
-        if (parameter < candidate.count_of(*f))
-            return parameter < shared ? no_record : (parameter - shared) / f->own;
+        if (parameter < candidate.count_of(*f)) return parameter < shared ? no_record : (parameter - shared) / f->own;
         parameter -= candidate.count_of(*f);
     }
     return no_record;
@@ -253,8 +252,8 @@ LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidat
             if (candidate.parameter(static_cast<std::size_t>(i)).logarithmic) step = 1e-4;
             shifted[i] += step;
             if (bounded(candidate, shifted)[i] != shifted[i]) shifted[i] -= 2 * step, step = -step;
-            moved_residuals(cases, candidate, in_si(candidate, shifted, scales), omega, static_cast<std::size_t>(i), here,
-                            there);
+            moved_residuals(cases, candidate, in_si(candidate, shifted, scales), omega, static_cast<std::size_t>(i),
+                            here, there);
             ++fit.evaluations;
             return (Eigen::Map<const Eigen::VectorXd>(there.data(), r.size()) - r) / step;
         };
@@ -311,6 +310,7 @@ LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidat
             best.x = fit.x, best.evaluation = fit.evaluation, best.information = fit.information;
         const bool done = !better || before - fit.evaluation.objective < 2e-4 * before;
         if (done && age == 0) break;
+        if (!better) damping = 1e-3;  // worn slopes failed, not the step
         age = done || age + 1 == worn_after ? 0 : candidate.prior_weight > 0 ? age + 1 : 0;
     }
     best.evaluations = fit.evaluations;

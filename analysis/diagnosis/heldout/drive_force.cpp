@@ -96,21 +96,20 @@ double drive_force_corner(const std::vector<Case>& cases)
 }
 
 std::vector<DriveForce> hold_out_drive_force(const std::vector<Case>& documented, const Scales& scales,
-                                             const std::vector<const Attribution*>& models,
-                                             const ParallelFor& parallel)
+                                             const std::vector<const Attribution*>& models, const ParallelFor& parallel)
 {
     const double corner = drive_force_corner(documented);
     std::vector<Case> cases = documented;
     const auto folds = folds_of(cases);
     const auto si = in_si(models[0]->candidate, models[0]->x[level], scales);
     const auto now = evaluate(cases, models[0]->candidate, si, observer);
-    for (std::size_t i = 0; i < cases.size(); ++i) {  // what the first model leaves is the noise: no record drowns others
+    for (std::size_t i = 0; i < cases.size();
+         ++i) {  // what the first model leaves is the noise: no record drowns others
         cases[i].sigma *= std::sqrt(std::max(now.records[i].position, 1e-12));
         if (cases[i].effort_sigma > 0) cases[i].effort_sigma *= std::sqrt(std::max(now.records[i].effort, 1e-12));
     }
     std::vector<std::vector<double>> squares(models.size());
-    parallel(squares.size(),
-             [&](std::size_t i) { squares[i] = squares_of(cases, folds, scales, *models[i], corner); });
+    parallel(squares.size(), [&](std::size_t i) { squares[i] = squares_of(cases, folds, scales, *models[i], corner); });
     std::vector<DriveForce> result;
     for (const auto& own : squares) {
         DriveForce force{rms(own), 1 - rms(own) / rms(squares[0]), {1, -infinity}};

@@ -27,14 +27,6 @@ bool earns(const FittedSet& without, const FittedSet& with, const LadderRules& r
            left - now > rules.of_the_rest * left;
 }
 
-Candidate with(Candidate causes, const Effect* e, const EffectForm* f, std::size_t records)
-{
-    causes.records = records;
-    causes.effects.push_back(e);
-    causes.forms.push_back(f);
-    return causes;
-}
-
 }  // namespace
 
 class Climber {
@@ -53,11 +45,14 @@ class Climber {
             const Effect* e = single.candidate.effects[0];
             const auto& in = below.causes.effects;
             if (std::find(in.begin(), in.end(), e) != in.end() || (!in.empty() && too_dear(below, single))) continue;
-            looks.push_back({with(below.causes, e, single.candidate.forms[0], single.candidate.records), single.x});
+            looks.push_back({below.causes, e, single.candidate.forms[0], single.x});
+            looks.back().causes.records = single.candidate.records;
         }
         if (looks.size() > rules_.first_look) looks.resize(rules_.first_look);
-        parallel_(looks.size(), [&](std::size_t i) { fitter_.look(looks[i], below); });
-        std::stable_sort(looks.begin(), looks.end(), [](const Start& a, const Start& b) { return a.objective < b.objective; });
+        parallel_(looks.size(), [&](std::size_t i) { fitter_.look(looks[i], below); });  // adds the cause
+        std::stable_sort(looks.begin(), looks.end(),
+                         [](const Start& a, const Start& b) { return a.objective < b.objective; });
+        std::erase_if(looks, [](const Start& s) { return s.x0.size() == 0; });
         if (looks.size() > rules_.finalists) looks.resize(rules_.finalists);
         return judged(looks);
     }
@@ -67,27 +62,41 @@ class Climber {
         std::vector<FittedSet> sets(starts.size());
         parallel_(starts.size(), [&](std::size_t i) { sets[i] = fitter_.fit(starts[i].causes, starts[i].x0); });
         std::stable_sort(sets.begin(), sets.end(), [](const auto& a, const auto& b) { return a.misfit < b.misfit; });
+        pool_.insert(pool_.end(), sets.begin(), sets.end());
         return sets;
     }
 
     /// The set without one of its causes.
-    FittedSet without(const FittedSet& set, std::size_t member)
+    FittedSet without(const FittedSet& set, std::size_t member) const
     {
-        Start start{{}, {}};
-        start.causes.records = set.causes.records;
+        Candidate causes;
+        causes.records = set.causes.records;
         const Eigen::VectorXd own = set.of_causes(set.fit.x);
-        std::vector<double> kept;
+        Eigen::VectorXd x;
         Eigen::Index at = 0;
         for (std::size_t i = 0; i < set.causes.effects.size(); ++i) {
             const auto count = static_cast<Eigen::Index>(set.causes.count_of(*set.causes.forms[i]));
-            if (i != member) {
-                start.causes = with(start.causes, set.causes.effects[i], set.causes.forms[i], set.causes.records);
-                kept.insert(kept.end(), own.data() + at, own.data() + at + count);
-            }
+            if (i != member) x = insert(causes, set.causes.effects[i], set.causes.forms[i], x, own.segment(at, count));
             at += count;
         }
-        const Eigen::VectorXd x0 = Eigen::Map<Eigen::VectorXd>(kept.data(), static_cast<Eigen::Index>(kept.size()));
-        return fitter_.fit(start.causes, fitter_.start(start.causes, set, x0));
+        return fitter_.fit(causes, fitter_.start(causes, set, x));
+    }
+
+    /// Other sets of as many causes as this one that hold all causes of the one below it, best first.
+    std::vector<FittedSet> in_place_of(const FittedSet& set, const Candidate& below) const
+    {
+        std::vector<FittedSet> others;
+        for (const auto& other : pool_) {
+            const auto& in = other.causes.effects;
+            const bool same_size = in.size() == set.causes.effects.size() && in != set.causes.effects;
+            const bool holds =
+                std::ranges::all_of(below.effects, [&](const auto* e) { return std::ranges::count(in, e) > 0; });
+            const bool again = std::ranges::any_of(others, [&](const auto& o) { return o.causes.effects == in; });
+            if (same_size && holds && !again) others.push_back(other);
+        }
+        std::stable_sort(others.begin(), others.end(),
+                         [](const auto& a, const auto& b) { return a.misfit < b.misfit; });
+        return others;
     }
 
   private:
@@ -98,6 +107,7 @@ class Climber {
         return (name == "compliance" || name == "backlash") && !single.refined;
     }
 
+    std::vector<FittedSet> pool_;  ///< all sets that were judged
     const std::vector<Attribution>& singles_;
     SetFitter& fitter_;
     const LadderRules& rules_;
@@ -110,7 +120,11 @@ std::vector<Start> known_sets(const std::vector<Attribution>& pairs, const SetFi
 {
     std::vector<Start> known;
     for (std::size_t i = 0; i < std::min(known_pairs, pairs.size()); ++i)
-        known.push_back({pairs[i].candidate, pairs[i].x, 0,
+        known.push_back({pairs[i].candidate,
+                         nullptr,
+                         nullptr,
+                         {},
+                         0,
                          fitter.start(pairs[i].candidate, below, pairs[i].x[ladder_level])});
     return known;
 }
@@ -138,7 +152,8 @@ double margin_of(const FittedSet& better, const LadderRules& rules)
         rows += w.rows(), beyond += w.beyond_noise();
         all += w.rows() * (w.position + (is_set(w.effort) ? w.effort : 0));
     }
-    return rules.margin * std::clamp(beyond / std::max(all, 1e-300), 0.0, 1.0) + rules.rows_of_margin / std::max(rows, 1.0);
+    return rules.margin * std::clamp(beyond / std::max(all, 1e-300), 0.0, 1.0) +
+           rules.rows_of_margin / std::max(rows, 1.0);
 }
 
 LadderSearch::LadderSearch(const std::vector<Case>& cases, const Scales& scales,
@@ -216,12 +231,9 @@ Ladder LadderSearch::finished(FittedSet set)
         return ladder;
     }
     ladder.rungs = in_order(*climber_, std::move(set), parallel_);
-    for (std::size_t i = 0; i < ladder.rungs.size(); ++i) {
-        std::vector<FittedSet> rivals;
-        for (const auto& other : i == 0 ? first_ : climber_->next(ladder.rungs[i - 1]))
-            if (other.causes.effects != ladder.rungs[i].causes.effects) rivals.push_back(other);
-        ladder.rivals.push_back(std::move(rivals));
-    }
+    for (std::size_t i = 0; i < ladder.rungs.size(); ++i)
+        ladder.rivals.push_back(
+            climber_->in_place_of(ladder.rungs[i], i > 0 ? ladder.rungs[i - 1].causes : Candidate{}));
     // the corrections that belong to the whole set, alone
     const FittedSet& last = ladder.rungs.back();
     const auto alone = corrections_->beside({});

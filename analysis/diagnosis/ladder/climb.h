@@ -13,8 +13,8 @@ namespace stickslip::gap {
 struct FittedSet {
     Candidate causes;
     Corrected model;
-    LevelFit fit;                                        ///< to all rows
-    std::array<Eigen::VectorXd, HeldOutData::folds> x;   ///< without each fold
+    LevelFit fit;                                       ///< to all rows
+    std::array<Eigen::VectorXd, HeldOutData::folds> x;  ///< without each fold
     std::array<std::vector<Window>, HeldOutData::folds> left;
     bool plausible = true;
     double misfit = infinity;  ///< held-out mean log square, with what the priors and the number of parameters cost

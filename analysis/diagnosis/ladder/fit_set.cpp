@@ -11,17 +11,26 @@ namespace stickslip::gap {
 namespace {
 
 constexpr double omega = levels[ladder_level];
-constexpr int first_steps = 3, steps = 6, steps_of_fold = 3;        // of descents
-constexpr int first_effort = 6, effort = 15, effort_of_fold = 4;    // evaluations a parameter of searches
-
-Eigen::VectorXd joined(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
-{
-    Eigen::VectorXd x(a.size() + b.size());
-    x << a, b;
-    return x;
-}
+constexpr int first_steps = 3, steps = 6, steps_of_fold = 3;      // of descents
+constexpr int first_effort = 6, effort = 15, effort_of_fold = 4;  // evaluations a parameter of searches
 
 }  // namespace
+
+Eigen::VectorXd insert(Candidate& causes, const Effect* effect, const EffectForm* form, const Eigen::VectorXd& numbers,
+                       const Eigen::VectorXd& of_effect)
+{
+    std::size_t place = 0;
+    Eigen::Index at = 0;
+    while (place < causes.effects.size() && causes.effects[place] < effect)
+        at += static_cast<Eigen::Index>(causes.count_of(*causes.forms[place++]));
+    causes.effects.insert(causes.effects.begin() + static_cast<std::ptrdiff_t>(place), effect);
+    causes.forms.insert(causes.forms.begin() + static_cast<std::ptrdiff_t>(place), form);
+    Eigen::VectorXd x(numbers.size() + of_effect.size());
+    x.head(at) = numbers.head(at);
+    x.segment(at, of_effect.size()) = of_effect;
+    x.tail(numbers.size() - at) = numbers.tail(numbers.size() - at);
+    return x;
+}
 
 std::vector<Window> FittedSet::all_left() const
 {
@@ -43,23 +52,27 @@ Eigen::VectorXd SetFitter::start(const Candidate& causes, const FittedSet& like,
 
 void SetFitter::look(Start& s, const FittedSet& below) const
 {
+    const Candidate added{{s.effect}, {s.form}, s.causes.records};
+    std::vector<Eigen::VectorXd> from(s.alone.begin(), s.alone.end());
+    if (!two_mass_edit(added)) {
+        const auto si = in_si(below.model.candidate, below.fit.x, scales_);
+        for (auto& seed : starts(data_.fitted(), scales_, added, below.model.candidate, si))
+            from.push_back(std::move(seed));
+    }
+    const Candidate others = s.causes;
+    const Eigen::VectorXd of_others = others.effects.empty() ? Eigen::VectorXd{} : below.of_causes(below.fit.x);
+    insert(s.causes, s.effect, s.form, of_others, from[0]);
     const auto model = corrections_.beside(s.causes);
     const auto& part = needs_history(model.candidate) ? whole_ : brief_;
-    const Candidate last{{s.causes.effects.back()}, {s.causes.forms.back()}, s.causes.records};
-    std::vector<Eigen::VectorXd> from(s.alone.begin(), s.alone.end());
-    if (!two_mass_edit(last)) {
-        const auto si = in_si(below.model.candidate, below.fit.x, scales_);
-        for (auto& seed : starts(data_.fitted(), scales_, last, below.model.candidate, si)) from.push_back(std::move(seed));
-    }
-    const Eigen::VectorXd causes_below =
-        below.causes.effects.empty() ? Eigen::VectorXd{} : below.of_causes(below.fit.x);
     double least = infinity;
     for (const auto& own : from) {
-        if (own.size() != static_cast<Eigen::Index>(last.parameter_count())) continue;
-        const auto x = start(s.causes, below, joined(causes_below, own));
+        if (own.size() != static_cast<Eigen::Index>(added.parameter_count())) continue;
+        Candidate all = others;
+        const auto x = start(s.causes, below, insert(all, s.effect, s.form, of_others, own));
         const double o = evaluate(part, model.candidate, in_si(model.candidate, x, scales_), omega).objective;
         if (o < least) least = o, s.x0 = x;
     }
+    if (s.x0.size() == 0) return;
     const auto found = improve(part, model.candidate, scales_, s.x0, omega, first_effort, first_steps);
     s.x0 = found.x;
     s.objective = found.evaluation.objective;

@@ -60,7 +60,8 @@ double left_by(const std::vector<Task>& tasks, const std::vector<Eigen::Index>& 
             }
             const Vector c = solve(task.seen, columns, ridge);
             for (const auto& g : task.held)
-                sum += beyond(g.rr - 2 * c.dot(Vector(g.fr(columns))) + c.dot(Matrix(g.ff(columns, columns)) * c), g.rows);
+                sum +=
+                    beyond(g.rr - 2 * c.dot(Vector(g.fr(columns))) + c.dot(Matrix(g.ff(columns, columns)) * c), g.rows);
         }
         best = std::min(best, sum);
     }
@@ -81,7 +82,8 @@ void gather(const HeldOutData& data, const FunctionsOfSignals& functions, std::s
 {
     for (const auto& c : data.cases()) {
         const auto s = functions.signals(c, candidate, si);
-        const Matrix of_motion = functions.of_motion(s), of_drive = c.effort_sigma > 0 ? functions.of_drive(s) : Matrix();
+        const Matrix of_motion = functions.of_motion(s),
+                     of_drive = c.effort_sigma > 0 ? functions.of_drive(s) : Matrix();
         std::vector<Window> held;
         for (const auto& w : data.windows(fold))
             if (w.record == c.number) held.push_back(w);
@@ -125,7 +127,8 @@ Flexible regress(const HeldOutData& data, const Scales& scales, const Candidate&
     result.before = before_motion + before_drive;
     result.after = std::min(before_motion, left_by(motion, columns_of(functions.kinds_of_motion(), ""))) +
                    std::min(before_drive, left_by(drive, columns_of(functions.kinds_of_drive(), "")));
-    for (const std::string_view kind : {"position", "direction", "velocity", "history", "acceleration", "effort", "time"}) {
+    for (const std::string_view kind :
+         {"position", "direction", "velocity", "history", "acceleration", "effort", "time"}) {
         double taken = before_motion - left_by(motion, columns_of(functions.kinds_of_motion(), kind));
         if (kind == "effort") taken += before_drive - left_by(drive, columns_of(functions.kinds_of_drive(), kind));
         result.alone.emplace_back(kind, result.before > 0 ? std::max(0.0, taken) / result.before : 0);

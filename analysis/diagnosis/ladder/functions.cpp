@@ -11,11 +11,11 @@ namespace {
 constexpr double omega = levels[ladder_level];
 constexpr std::size_t hats_of_position = 12, hats_of_direction = 6, hats_of_velocity = 14, hats_of_time = 8;
 constexpr std::size_t waves = 2;
-constexpr double creeping = 0.02;                                          // of the usual speed: next to standing still
-constexpr std::array<double, 4> plays{0.003, 0.01, 0.03, 0.1};             // of the travel
-constexpr std::array<double, 4> relaxations{0.005, 0.02, 0.08, 0.32};      // s
-constexpr std::array<double, 2> lags{0.01, 0.05};                          // s
-constexpr double smoothed = 0.015;                                         // s, on each side
+constexpr double creeping = 0.02;                                      // of the usual speed: next to standing still
+constexpr std::array<double, 4> plays{0.003, 0.01, 0.03, 0.1};         // of the travel
+constexpr std::array<double, 4> relaxations{0.005, 0.02, 0.08, 0.32};  // s
+constexpr std::array<double, 2> lags{0.01, 0.05};                      // s
+constexpr double smoothed = 0.015;                                     // s, on each side
 
 /// A hat function over `count` equally spaced places of [0, 1].
 double hat(double x, std::size_t i, std::size_t count)
@@ -52,7 +52,8 @@ std::vector<double> slope(const std::vector<double>& x, double step)
     for (std::ptrdiff_t j = -side; j <= side; ++j) weight += static_cast<double>(j * j);
     for (std::ptrdiff_t k = side; k + side < n; ++k) {
         double sum = 0;
-        for (std::ptrdiff_t j = -side; j <= side; ++j) sum += static_cast<double>(j) * x[static_cast<std::size_t>(k + j)];
+        for (std::ptrdiff_t j = -side; j <= side; ++j)
+            sum += static_cast<double>(j) * x[static_cast<std::size_t>(k + j)];
         y[static_cast<std::size_t>(k)] = sum / weight / step;
     }
     return y;
@@ -76,12 +77,17 @@ void as_error(const std::vector<double>& force, double step, Eigen::Ref<Eigen::V
 
 FunctionsOfSignals::FunctionsOfSignals(const std::vector<Case>& cases, const Scales& scales, const Candidate& candidate,
                                        const std::vector<double>& si)
-    : low_(infinity), high_(-infinity), speed_(scales.velocity), effort_(scales.effort), duration_(scales.duration),
+    : low_(infinity),
+      high_(-infinity),
+      speed_(scales.velocity),
+      effort_(scales.effort),
+      duration_(scales.duration),
       records_(cases.size())
 {
     for (const auto& c : cases)
         for (std::size_t k = 0; k < c.ticks.size(); ++k)
-            if (c.ticks.logged[k]) low_ = std::min(low_, c.ticks.position[k]), high_ = std::max(high_, c.ticks.position[k]);
+            if (c.ticks.logged[k])
+                low_ = std::min(low_, c.ticks.position[k]), high_ = std::max(high_, c.ticks.position[k]);
     high_ = std::max(high_, low_ + 1e-12);
     in_time_ = comb_peaks(cases, scales, candidate, si, Comb::time, omega, waves);
     in_position_ = comb_peaks(cases, scales, candidate, si, Comb::position, omega, waves);

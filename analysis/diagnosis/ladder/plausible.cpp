@@ -11,7 +11,8 @@ bool at_bound(const EffectParameter& p, double scaled)
     constexpr double next_to = 1e-3;  // of the bound
     // an additive number may well be nothing; a factor or a size at its least is not what the name means
     const bool above = scaled > p.high * (p.high > 0 ? 1 - next_to : 1 + next_to);
-    return above || (p.logarithmic && scaled < p.low * (1 + next_to)) || (!p.logarithmic && p.low < 0 && scaled < p.low * (1 - next_to));
+    return above || (p.logarithmic && scaled < p.low * (1 + next_to)) ||
+           (!p.logarithmic && p.low < 0 && scaled < p.low * (1 - next_to));
 }
 
 double in_units_of(const PhysicalRange& range, double scaled, double si, const Scales& scales, const Joint& joint)
@@ -19,7 +20,7 @@ double in_units_of(const PhysicalRange& range, double scaled, double si, const S
     switch (range.per) {
         case Per::winding:
             return is_set(joint.actuator.resistance) && joint.actuator.resistance > 0 ? si / joint.actuator.resistance
-                                                                                    : range.low;
+                                                                                      : range.low;
         case Per::period_of_record:
             return si * scales.duration / (2 * std::numbers::pi);
         case Per::period_of_travel:

@@ -32,7 +32,7 @@ struct LadderRules {
     double margin;                      ///< of held-out mean log square, where all that is left is model error
     double rows_of_margin;              ///< the same where all is noise, times rows
     std::span<const PhysicalRange> ranges;
-    double worth_telling;               ///< share of the squares from which on a dependence is told
+    double worth_telling;  ///< share of the squares from which on a dependence is told
 };
 
 }  // namespace stickslip::gap

@@ -14,8 +14,8 @@ HeldOutData::HeldOutData(std::vector<Case> documented) : documented_(std::move(d
             const Ticks& t = documented_[i].ticks;
             const std::size_t part = (fold + i) % folds, rows = t.rows();
             const double length = t.duration() / folds;
-            const double from = part == 0 ? std::numeric_limits<double>::lowest()
-                                          : t.time.front() + static_cast<double>(part) * length;
+            const double from =
+                part == 0 ? std::numeric_limits<double>::lowest() : t.time.front() + static_cast<double>(part) * length;
             const double to = part + 1 == folds ? infinity : t.time.front() + static_cast<double>(part + 1) * length;
             rest_[fold][i].skip_from = from, rest_[fold][i].skip_to = to;
             Window w{i, rows, rows};

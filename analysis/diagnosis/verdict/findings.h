@@ -37,8 +37,8 @@ struct Findings {
     std::vector<FreeFit> free;
     Decision decision;
     JudgedLadder judged;
-    bool climbed = false;    ///< there is a ladder
-    bool by_ladder = false;  ///< and the answer is the ladder's: no single cause, nor a pair, comes down to the noise
+    bool climbed = false;      ///< there is a ladder
+    bool by_ladder = false;    ///< and the answer is the ladder's: no single cause, nor a pair, comes down to the noise
     std::string only_nearest;  ///< why the best cause is only the nearest in shape; empty where it is not
 
     bool named() const { return by_ladder ? judged.answers() : decision.named; }

@@ -129,11 +129,13 @@ void judge(JudgedLadder& j, const HeldOutData& data, const Scales& scales, const
     const FittedSet& base = ladder.corrected;
     const FittedSet& last = ladder.last();
     j.of_corrected = regress(data, scales, base.model.candidate, base.x, base.fit.x);
-    j.of_last = ladder.rungs.empty() ? j.of_corrected
-                                     : regress(data, scales, last.model.candidate, last.x, last.fit.x);
+    j.of_last = ladder.rungs.empty() ? j.of_corrected : regress(data, scales, last.model.candidate, last.x, last.fit.x);
     j.shares = shares_of(ladder, j.of_corrected, j.of_last);
     j.winner = at_all_levels(data.cases(), scales, nominal, last);
     j.winner.refined = true;
+    // its fit weighed by what it leaves: errors are those of the documented noise
+    j.winner.information =
+        descend(data.cases(), j.winner.candidate, scales, last.fit.x, levels[ladder_level], 1).information;
     j.corrections = last.model.corrections;
     j.noise_left = j.winner.accepted && at_floor(data.cases(), j.winner, nominal, scales, parallel);
     const double whole = std::max(1e-300, j.shares.documented);
@@ -143,8 +145,9 @@ void judge(JudgedLadder& j, const HeldOutData& data, const Scales& scales, const
         j.only_corrections =
             j.noise_left || taken >= policy::least_of_explainable * (j.shares.documented - j.shares.explainable_to);
         if (!j.only_corrections)
-            j.why_not = "no cause takes a part of the gap on data that its fit has not seen, with inertia, friction and "
-                        "load refitted beside it";
+            j.why_not =
+                "no cause takes a part of the gap on data that its fit has not seen, with inertia, friction and "
+                "load refitted beside it";
         return;
     }
     j.chances = chances_of(j);

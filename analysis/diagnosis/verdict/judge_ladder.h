@@ -20,13 +20,13 @@ struct JudgedLadder {
     Ladder ladder;
     Shares shares;
     Flexible of_corrected, of_last;
-    Attribution winner;            ///< the last rung, or the corrections alone, at all levels; corrections come first
-    std::size_t corrections = 0;   ///< effects at the head of the winner that are corrections
-    bool noise_left = false;       ///< all that the winner leaves is noise
-    bool named = false;            ///< causes are named
-    bool only_corrections = false; ///< the document's own numbers are all that is wrong
-    std::string why_not;           ///< in words, where nothing is named
-    std::vector<double> chances;   ///< of every rung
+    Attribution winner;             ///< the last rung, or the corrections alone, at all levels; corrections come first
+    std::size_t corrections = 0;    ///< effects at the head of the winner that are corrections
+    bool noise_left = false;        ///< all that the winner leaves is noise
+    bool named = false;             ///< causes are named
+    bool only_corrections = false;  ///< the document's own numbers are all that is wrong
+    std::string why_not;            ///< in words, where nothing is named
+    std::vector<double> chances;    ///< of every rung
 
     bool answers() const { return named || only_corrections; }
 };

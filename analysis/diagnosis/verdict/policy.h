@@ -9,15 +9,16 @@ namespace stickslip::gap::policy {
 
 /// Parts of each number. Reason: catalogues, CAD masses and single-run identifications of machines miss by so much;
 /// identified friction is the least certain, and differs from day to day. Evidence: in the blind cases that look like
-/// machines files are 2-10 % off in all three numbers, and records of one joint differ by 3-10 % in their Coulomb level.
+/// machines files are 2-10 % off in all three numbers, and records of one joint differ by 3-10 % in their Coulomb
+/// level.
 inline constexpr CorrectionPrior correction_prior{
     .inertia = 0.04,
     .coulomb = 0.05,
     .viscous = 0.08,
     .coulomb_of_record = 0.03,
-    .load = 0.05,    // of the Coulomb level
-    .least = 0.02,   // of the usual effort
-    .widest = 3,     // standard deviations: beyond that a number is a cause, not a correction
+    .load = 0.05,   // of the Coulomb level
+    .least = 0.02,  // of the usual effort
+    .widest = 3,    // standard deviations: beyond that a number is a cause, not a correction
 };
 
 /// Physical ranges. Outside, a cause has no rung.
@@ -36,13 +37,13 @@ inline constexpr std::array physical_ranges{
 
 inline constexpr LadderRules ladder{
     .prior = correction_prior,
-    .most_rungs = 4,   // more causes than that no record of one joint has told apart
-    .first_look = 40,  // causes
-    .finalists = 5,    // causes; in 33 of 37 imperfect cases the right one led all others even without corrections
-    .worth_a_rung = 0.02,    // of held-out mean log square: a hundredth of the RMS
-    .of_the_rest = 0.15,     // of the squares that are left: less is what an imperfect form of another cause leaves
-    .margin = 0.14,          // of held-out mean log square, i.e. 7 % of the RMS: rivals that near are model error apart
-    .rows_of_margin = 60,    // four readings of 15 rows each, see rows_per_reading of verdict.cpp
+    .most_rungs = 4,       // more causes than that no record of one joint has told apart
+    .first_look = 40,      // causes
+    .finalists = 5,        // causes; in 33 of 37 imperfect cases the right one led all others even without corrections
+    .worth_a_rung = 0.02,  // of held-out mean log square: a hundredth of the RMS
+    .of_the_rest = 0.15,   // of the squares that are left: less is what an imperfect form of another cause leaves
+    .margin = 0.14,        // of held-out mean log square, i.e. 7 % of the RMS: rivals that near are model error apart
+    .rows_of_margin = 60,  // four readings of 15 rows each, see rows_per_reading of verdict.cpp
     .ranges = physical_ranges,
     .worth_telling = 0.1,
 };

@@ -66,7 +66,8 @@ LadderRung rung_of(const JudgedLadder& j, const Cause& whole, std::size_t i)
     LadderRung rung;
     // the cause that the rung below does not have
     for (const auto* e : set.causes.effects)
-        if (i == 0 || std::ranges::count(j.ladder.rungs[i - 1].causes.effects, e) == 0) rung.names.emplace_back(e->name);
+        if (i == 0 || std::ranges::count(j.ladder.rungs[i - 1].causes.effects, e) == 0)
+            rung.names.emplace_back(e->name);
     const bool worse = j.shares.corrected >= j.shares.documented;
     const auto above = i > 0   ? j.ladder.rungs[i - 1].all_left()
                        : worse ? j.ladder.documented
@@ -110,9 +111,15 @@ void tell_ladder(const Prepared& p, const Findings& f, double audited, Diagnosis
     }
     const JudgedLadder& j = f.judged;
     const Cause whole = cause_of(p, j.winner, 1, j.corrections);
-    if (!f.by_ladder || j.named)
+    const bool told = f.named();
+    if (told)
         for (std::size_t i = 0; i < j.ladder.rungs.size(); ++i) {
             auto rung = rung_of(j, whole, i);
+            if (!f.by_ladder) {
+                rung.probability = d.effects.empty() ? 0 : d.effects[0].probability;
+                for (const auto* rival : f.decision.ambiguous)
+                    if (i == 0) rung.ambiguous_with.push_back(names_of(rival->candidate));
+            }
             rung.share *= rest, rung.interval.low *= rest, rung.interval.high *= rest;
             d.ladder.push_back(std::move(rung));
         }
@@ -125,7 +132,6 @@ void tell_ladder(const Prepared& p, const Findings& f, double audited, Diagnosis
     d.ceiling.interval = {audited + rest * std::clamp(explainable.low + more, 0.0, 1.0),
                           audited + rest * std::clamp(explainable.high + more, 0.0, 1.0)};
     d.ceiling.depends_on = signals_in(j.of_corrected);
-    const bool told = !f.by_ladder || j.answers();
     d.remainder.share = rest * std::clamp((told ? beyond_noise(j.ladder.last().all_left()) : gap) / gap, 0.0, 1.0);
     if (!j.noise_left) d.remainder.structure = signals_in(j.of_last);
 }
@@ -136,6 +142,7 @@ std::vector<Cause> causes_of(const Prepared& p, const JudgedLadder& j)
     std::vector<Cause> causes;
     if (j.ladder.rungs.empty()) {
         if (!j.only_corrections) return causes;
+        // no cause, but numbers that the document has wrong
         Cause c = cause_of(p, j.winner, j.noise_left ? nothing_more : something_more);
         c.names = that_matter(p, j);
         std::erase_if(c.parameters, [&](const auto& parameter) {
@@ -173,8 +180,9 @@ std::vector<Cause> causes_of(const Prepared& p, const JudgedLadder& j)
         const auto si = in_si(rival.causes, rival.of_causes(rival.fit.x), p.scales);
         for (std::size_t n = 0; n < rival.causes.effects.size(); ++n)
             for (std::size_t k = 0; k < rival.causes.count_of(*rival.causes.forms[n]); ++k, ++i)
-                c.parameters.push_back({c.names[n] + "." + std::string(rival.causes.parameter(i).name), si[i], not_set,
-                                        std::string(unit_of(rival.causes.parameter(i).quantity, p.documented[0].mechanism.motion))});
+                c.parameters.push_back(
+                    {c.names[n] + "." + std::string(rival.causes.parameter(i).name), si[i], not_set,
+                     std::string(unit_of(rival.causes.parameter(i).quantity, p.documented[0].mechanism.motion))});
         causes.push_back(std::move(c));
     }
     return causes;

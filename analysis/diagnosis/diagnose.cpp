@@ -219,6 +219,12 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
                 "the controller differs from its document, and something that the catalogue does not explain remains");
     } else if (f.by_ladder) {
         tell_named(p, parallel, f, d);
+        // what the controller's regression is sure of stands first by itself, what the mechanism adds comes after it
+        if (wrong_controller && shown && !f.judged.noise_left) {
+            constexpr double half = 0.5;
+            for (auto& c : d.effects) c.probability *= half;
+            d.effects.insert(d.effects.begin(), cause_of(p, f.none, half));
+        }
     } else {
         list_effects(p, ranked, d);
         if (!d.effects.empty() && shown)
@@ -240,6 +246,16 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
         result.after = edited(result.after, winner.candidate, in_si(winner.candidate, winner.x[1], p.scales), 0);
 }
 
+/// A rig's one cause as a ladder of one rung.
+DiagnosisResult with_one_rung(DiagnosisResult result)
+{
+    Diagnosis& d = result.diagnosis;
+    if (d.verdict != Verdict::gap || d.effects.empty()) return result;
+    d.ladder.push_back({d.effects[0].names, std::clamp(d.overall.explained, 0.0, 1.0), d.overall.interval,
+                        d.effects[0].parameters, d.ambiguous_with, d.effects[0].probability});
+    return result;
+}
+
 }  // namespace
 
 DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records, const ParallelFor& parallel,
@@ -249,7 +265,7 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
     Diagnosis& d = result.diagnosis;
     d.motion = joint.mechanism.motion;
     if (records.empty()) throw std::invalid_argument("no record was given");
-    if (records.size() == 1 && is_rig(records[0])) return diagnose_rig(joint, records[0], parallel);
+    if (records.size() == 1 && is_rig(records[0])) return with_one_rung(diagnose_rig(joint, records[0], parallel));
     const auto progress = [&](const char* stage, double done) {
         if (options.progress) options.progress(stage, done);
     };

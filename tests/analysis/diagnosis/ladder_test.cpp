@@ -15,10 +15,9 @@ using stickslip::test::Machine;
 
 namespace {
 
-void in_order(std::size_t n, const std::function<void(std::size_t)>& task)
-{
+const ParallelFor in_order = [](std::size_t n, const std::function<void(std::size_t)>& task) {
     for (std::size_t i = 0; i < n; ++i) task(i);
-}
+};
 
 /// A ladder climbed on two records of a machine whose document says something else.
 struct Climbed {

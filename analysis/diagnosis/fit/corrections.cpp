@@ -73,7 +73,7 @@ Corrections::Corrections(const std::vector<Case>& cases, const Scales& scales, c
                           sd,
                           help};
         if (logarithmic) p.low = std::exp(p.low), p.high = std::exp(p.high);
-        p.sd = sd;
+        sds_.push_back(sd);
         return p;
     };
     add(
@@ -110,11 +110,13 @@ Corrected Corrections::beside(const Candidate& causes) const
     const auto is_cause = [&](std::string_view name) {
         return std::ranges::any_of(causes.effects, [&](const auto* e) { return e->name == name; });
     };
-    for (const auto& e : effects_) {
+    for (std::size_t i = 0; i < effects_.size(); ++i) {
+        const Effect& e = effects_[i];
         if (is_cause(e.name)) continue;
         all.candidate.effects.push_back(&e);
         all.candidate.forms.push_back(&e.forms[0]);
         all.numbers += all.candidate.count_of(e.forms[0]);
+        all.candidate.prior_sd.resize(all.numbers, sds_[i]);
     }
     all.corrections = all.candidate.effects.size();
     all.candidate.effects.insert(all.candidate.effects.end(), causes.effects.begin(), causes.effects.end());

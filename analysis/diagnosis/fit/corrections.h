@@ -39,6 +39,7 @@ class Corrections {
     void add(std::string_view name, const EffectParameter& parameter, void (*apply)(Joint&, const double*), bool own);
 
     std::deque<Effect> effects_;  // candidates point at them
+    std::vector<double> sds_;     // of each one's number
     std::size_t records_;
     double weight_;
 };

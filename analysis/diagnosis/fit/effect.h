@@ -60,7 +60,6 @@ struct EffectParameter {
     std::string_view help;
     Comb comb = Comb::none;
     bool vanishes = false;  ///< a change from 0; beyond some value nothing is left of what it changes
-    double sd = 0;          ///< standard deviation of a prior around "as documented", as fitted; 0: none
 };
 
 /// One way to write the effect down; an effect may have several (Dahl or LuGre bristles).

@@ -129,7 +129,7 @@ double prior_cost(const Candidate& candidate, const Eigen::VectorXd& x)
 {
     double cost = 0;
     for (Eigen::Index i = 0; i < x.size() && candidate.prior_weight > 0; ++i)
-        if (const double sd = candidate.parameter(static_cast<std::size_t>(i)).sd; sd > 0)
+        if (const double sd = candidate.sd_of(static_cast<std::size_t>(i)); sd > 0)
             cost += candidate.prior_weight * (x[i] / sd) * (x[i] / sd);
     return cost;
 }
@@ -259,7 +259,7 @@ LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidat
         };
         for (Eigen::Index i = 0; i < n; ++i) {
             if (!kept.empty() && kept[static_cast<std::size_t>(i)]) continue;
-            if (age > 0 && candidate.parameter(static_cast<std::size_t>(i)).sd > 0) continue;
+            if (age > 0 && candidate.sd_of(static_cast<std::size_t>(i)) > 0) continue;
             jacobian.col(i) = slope(i);
             const bool lost = candidate.parameter(static_cast<std::size_t>(i)).vanishes && last[i] != fit.x[i] &&
                               jacobian.col(i).isZero(0);
@@ -276,7 +276,7 @@ LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidat
         Eigen::MatrixXd normal = jacobian.transpose() * weighted;
         Eigen::VectorXd gradient = weighted.transpose() * r;
         for (Eigen::Index i = 0; i < n && candidate.prior_weight > 0; ++i)
-            if (const double sd = candidate.parameter(static_cast<std::size_t>(i)).sd; sd > 0) {
+            if (const double sd = candidate.sd_of(static_cast<std::size_t>(i)); sd > 0) {
                 const double row = candidate.prior_weight * static_cast<double>(cases.size()) / (sd * sd);
                 normal(i, i) += row, gradient[i] += row * fit.x[i];
             }

@@ -25,7 +25,7 @@ std::vector<Correction> corrections_of(const Prepared& p, const JudgedLadder& j)
             const auto& parameter = c.parameter(i);
             std::string name = std::string(c.effects[n]->name) + "." + std::string(parameter.name);
             if (c.forms[n]->own > 0) name = "coulomb-level.change in " + p.cases[k].ticks.name;
-            const double sd = parameter.sd * (parameter.logarithmic ? 1 : unit_of(parameter.scale, p.scales));
+            const double sd = c.sd_of(i) * (parameter.logarithmic ? 1 : unit_of(parameter.scale, p.scales));
             all.push_back({c.forms[n]->own > 0 ? "coulomb-level" : std::string(c.effects[n]->name),
                            {name, si[i], quality.standard_error[i], std::string(unit_of(parameter.quantity, motion))},
                            sd});

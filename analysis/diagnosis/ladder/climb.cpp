@@ -1,6 +1,7 @@
 #include "analysis/diagnosis/ladder/climb.h"
 
 #include "analysis/diagnosis/ladder/fit_set.h"
+#include "analysis/diagnosis/search/search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +9,8 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr std::size_t known_pairs = 3;  // of a search of their own, that are tried as two rungs
+constexpr std::size_t known_pairs = 3;           // of a search of their own, that are tried as two rungs
+constexpr std::size_t near = 3, dear_looks = 6;  // singles, best first
 
 /// Whether the second is better in every fold.
 bool in_every_fold(const FittedSet& without, const FittedSet& with)
@@ -41,14 +43,16 @@ class Climber {
     std::vector<FittedSet> next(const FittedSet& below)
     {
         std::vector<Start> looks;
-        for (const auto& single : singles_) {
-            const Effect* e = single.candidate.effects[0];
+        // divided masses cost ten times as much: only those that come near alone, and beside them only what does
+        const std::size_t most = two_mass_edit(below.causes) ? dear_looks : rules_.first_look;
+        for (std::size_t i = 0; i < singles_.size() && looks.size() < most; ++i) {
+            const Candidate& single = singles_[i].candidate;
             const auto& in = below.causes.effects;
-            if (std::find(in.begin(), in.end(), e) != in.end() || (!in.empty() && too_dear(below, single))) continue;
-            looks.push_back({below.causes, e, single.candidate.forms[0], single.x});
-            looks.back().causes.records = single.candidate.records;
+            const bool too_dear = two_mass_edit(single) && i >= near;
+            if (std::find(in.begin(), in.end(), single.effects[0]) != in.end() || too_dear) continue;
+            looks.push_back({below.causes, single.effects[0], single.forms[0], singles_[i].x});
+            looks.back().causes.records = single.records;
         }
-        if (looks.size() > rules_.first_look) looks.resize(rules_.first_look);
         parallel_(looks.size(), [&](std::size_t i) { fitter_.look(looks[i], below); });  // adds the cause
         std::stable_sort(looks.begin(), looks.end(),
                          [](const Start& a, const Start& b) { return a.objective < b.objective; });
@@ -100,13 +104,6 @@ class Climber {
     }
 
   private:
-    /// Divided masses cost ten times as much: beside other causes only those that come near alone.
-    static bool too_dear(const FittedSet&, const Attribution& single)
-    {
-        const auto name = single.candidate.effects[0]->name;
-        return (name == "compliance" || name == "backlash") && !single.refined;
-    }
-
     std::vector<FittedSet> pool_;  ///< all sets that were judged
     const std::vector<Attribution>& singles_;
     SetFitter& fitter_;
@@ -120,12 +117,13 @@ std::vector<Start> known_sets(const std::vector<Attribution>& pairs, const SetFi
 {
     std::vector<Start> known;
     for (std::size_t i = 0; i < std::min(known_pairs, pairs.size()); ++i)
-        known.push_back({pairs[i].candidate,
-                         nullptr,
-                         nullptr,
-                         {},
-                         0,
-                         fitter.start(pairs[i].candidate, below, pairs[i].x[ladder_level])});
+        if (known.empty() || !two_mass_edit(pairs[i].candidate))
+            known.push_back({pairs[i].candidate,
+                             nullptr,
+                             nullptr,
+                             {},
+                             0,
+                             fitter.start(pairs[i].candidate, below, pairs[i].x[ladder_level])});
     return known;
 }
 

@@ -33,6 +33,23 @@ std::vector<Correction> corrections_of(const Prepared& p, const JudgedLadder& j)
     return all;
 }
 
+/// The correction that is largest against its prior.
+std::vector<std::string> furthest_off(const JudgedLadder& j)
+{
+    const Candidate& c = j.winner.candidate;
+    const Eigen::VectorXd& x = j.winner.x[ladder_level];
+    std::size_t i = 0;
+    double largest = 0;
+    std::vector<std::string> name;
+    for (std::size_t n = 0; n < j.corrections; ++n)
+        for (std::size_t k = 0; k < c.count_of(*c.forms[n]); ++k, ++i)
+            if (const double off = std::abs(x[static_cast<Eigen::Index>(i)]) / c.sd_of(i); off > largest) {
+                largest = off;
+                name = {c.forms[n]->own > 0 ? "coulomb-level" : std::string(c.effects[n]->name)};
+            }
+    return name;
+}
+
 /// Which corrections, left out, cost a part of what all of them take.
 std::vector<std::string> that_matter(const Prepared& p, const JudgedLadder& j)
 {
@@ -57,7 +74,7 @@ std::vector<std::string> that_matter(const Prepared& p, const JudgedLadder& j)
             std::find(names.begin(), names.end(), name) == names.end())
             names.push_back(name);
     }
-    return names;
+    return names.empty() ? furthest_off(j) : names;
 }
 
 LadderRung rung_of(const JudgedLadder& j, const Cause& whole, std::size_t i)
@@ -145,6 +162,7 @@ std::vector<Cause> causes_of(const Prepared& p, const JudgedLadder& j)
         // no cause, but numbers that the document has wrong
         Cause c = cause_of(p, j.winner, j.noise_left ? nothing_more : something_more);
         c.names = that_matter(p, j);
+        c.tell_tale = "in proportion to the numbers that are off";
         std::erase_if(c.parameters, [&](const auto& parameter) {
             return std::ranges::none_of(c.names, [&](const auto& n) { return parameter.name.starts_with(n + "."); });
         });

@@ -11,6 +11,8 @@
 #include "analysis/diagnosis/verdict/experiment.h"
 #include "analysis/diagnosis/verdict/find_causes.h"
 #include "analysis/diagnosis/verdict/locate.h"
+#include "analysis/diagnosis/verdict/policy.h"
+#include "analysis/diagnosis/verdict/tell_ladder.h"
 #include "analysis/diagnosis/verdict/withdraw.h"
 
 #include <algorithm>
@@ -108,19 +110,39 @@ void judge_quiet(const Prepared& p, const ParallelFor& parallel, Diagnosis& d)
             : "no effect of usual size would have shown itself at five times the noise under this excitation");
 }
 
-/// The contest's answer, the drive force that it leaves included.
-void tell_contest(const Prepared& p, const ParallelFor& parallel, Findings& f, Diagnosis& d)
+/// The ladder's answer, the drive force that it leaves included.
+void tell_named(const Prepared& p, const ParallelFor& parallel, const Findings& f, Diagnosis& d)
 {
-    if (const double corner = drive_force_corner(p.cases); corner > 0) {
-        const double before = hold_out_drive_force(p.cases, p.scales, f.contest, parallel);
-        d.drive_force = {std::string(unit_of(Quantity::effort, d.motion)), corner, before,
-                         f.contest.ranked[0].force_rms};
+    const JudgedLadder& j = f.judged;
+    d.effects = causes_of(p, j);
+    if (!j.answers()) return;
+    std::string names;
+    for (const auto& name : d.effects[0].names) names += (names.empty() ? "" : " with ") + name;
+    if (j.only_corrections) {
+        d.reasons.push_back("numbers of the document are off: " + names + "; " +
+                            (j.noise_left ? "corrected, the joint predicts every record to the noise"
+                                          : "no effect takes a good part of what their correction leaves"));
+        return;
     }
-    const auto causes = causes_of(p, f.contest);
-    d.effects.insert(d.effects.end(), causes.begin(), causes.end());
-    d.reasons.push_back(
-        "no cause brings the misfit down to the noise; with inertia, friction and load refitted for all, " +
-        d.effects[0].names[0] + " predicts held-out data best");
+    d.reasons.push_back(j.noise_left ? "with the document's numbers corrected by a few per cent, " + names +
+                                           " explains the records to the noise"
+                                     : "no cause brings the misfit down to the noise; with inertia, friction and load "
+                                       "corrected within their uncertainty on both sides of every comparison, " +
+                                           names + " predicts held-out data best");
+    if (const double corner = drive_force_corner(p.cases); corner > 0) {
+        const auto base = at_all_levels(p.cases, p.scales, p.nominal, j.ladder.corrected);
+        std::vector<Attribution> rivals;
+        for (const auto& rival : j.ladder.rivals[0])
+            rivals.push_back(at_all_levels(p.cases, p.scales, p.nominal, rival));
+        std::vector<const Attribution*> models{&base, &j.winner};
+        for (const auto& rival : rivals) models.push_back(&rival);
+        const auto forces = hold_out_drive_force(p.cases, p.scales, models, parallel);
+        d.drive_force = {std::string(unit_of(Quantity::effort, d.motion)), corner, forces[0].rms, forces[1].rms};
+        for (std::size_t i = 1; i < forces.size() && i <= d.effects.size(); ++i) {
+            d.effects[i - 1].force_gain = forces[i].gain;
+            d.effects[i - 1].force_gain_interval = forces[i].spread;
+        }
+    }
 }
 
 void tell_unexplained(const Findings& f, Diagnosis& d)
@@ -137,25 +159,40 @@ void tell_unexplained(const Findings& f, Diagnosis& d)
 void tell_rivals(const Prepared& p, const Findings& f, const std::vector<Ranked>& ranked, const Attribution& winner,
                  Diagnosis& d)
 {
-    const bool contest = f.contest.decided;
+    if (f.by_ladder) {
+        if (!f.judged.named) return;
+        const auto& rivals = f.judged.ladder.rivals[0];
+        for (const auto& rival : rivals)
+            if (rival.misfit - f.judged.ladder.rungs[0].misfit < margin_of(f.judged.ladder.rungs[0], policy::ladder))
+                d.ambiguous_with.push_back(names_of(rival.causes));
+        if (rivals.empty()) return;
+        const auto rival = at_all_levels(p.cases, p.scales, p.nominal, rivals[0]);
+        d.next_experiment = design_experiment(p.cases[0], p.scales, winner, rival);
+        // the refitted numbers are no part of what is told apart
+        if (!d.next_experiment.separates.empty())
+            d.next_experiment.separates = {
+                {names_of(f.judged.ladder.rungs[0].causes)[0], names_of(rivals[0].causes)[0]}};
+        return;
+    }
     for (const auto* rival : f.decision.ambiguous) d.ambiguous_with.push_back(names_of(rival->candidate));
-    for (const auto* rival : contest ? f.contest.ambiguous : std::vector<const Contestant*>{})
-        d.ambiguous_with.push_back({std::string(rival->fit.candidate.effects.back()->name)});
-    const Attribution* rival = contest && f.contest.ranked.size() > 1 ? &f.contest.ranked[1].fit
-                               : !f.decision.ambiguous.empty()        ? f.decision.ambiguous.front()
-                               : ranked.size() > 1                    ? ranked[1].attribution
-                                                                      : nullptr;
+    const Attribution* rival = !f.decision.ambiguous.empty() ? f.decision.ambiguous.front()
+                               : ranked.size() > 1           ? ranked[1].attribution
+                                                             : nullptr;
     if (rival && !winner.candidate.effects.empty())
         d.next_experiment = design_experiment(p.cases[0], p.scales, winner, *rival);
-    // the refitted numbers of a contest are no part of what is told apart
-    if (contest && !d.next_experiment.separates.empty())
-        d.next_experiment.separates = {{d.effects[0].names[0], d.effects[1].names[0]}};
+}
+
+/// The causes beside the ladder's, which names none: everything that was fitted, by probability.
+void list_effects(const Prepared& p, const std::vector<Ranked>& ranked, Diagnosis& d)
+{
+    constexpr std::size_t most_listed = 8;
+    for (const auto& r : ranked)
+        if (d.effects.size() < most_listed) d.effects.push_back(cause_of(p, *r.attribution, r.probability));
 }
 
 /// Writes down what was found, held against data that no fit has seen.
 void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& parallel, DiagnosisResult& result)
 {
-    constexpr std::size_t most_listed = 8;
     Diagnosis& d = result.diagnosis;
     const bool wrong_controller = !p.audit.findings.empty();
     if (f.quiet && !wrong_controller)
@@ -165,10 +202,9 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
     const bool shown = d.verdict == Verdict::gap;
 
     // the named set first, then everything that was fitted, by probability
-    const auto ranked = f.quiet ? std::vector<Ranked>{} : rank(f.singles, f.pairs, f.decision, rows_of(p.cases));
-    const Attribution& winner = f.contest.decided   ? f.contest.ranked[0].fit
-                                : !f.decision.named ? f.none
-                                                    : *ranked.front().attribution;
+    const auto ranked =
+        f.quiet || f.by_ladder ? std::vector<Ranked>{} : rank(f.singles, f.pairs, f.decision, rows_of(p.cases));
+    const Attribution& winner = !f.named() ? f.none : f.by_ladder ? f.judged.winner : *ranked.front().attribution;
     const bool audit_alone = winner.candidate.effects.empty();
     const auto held = hold_out(p.cases, p.documented, p.scales, shown ? winner : f.none, runs, parallel);
     d.gap = held.signals;
@@ -181,27 +217,43 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
         if (!f.quiet)
             d.reasons.push_back(
                 "the controller differs from its document, and something that the catalogue does not explain remains");
-    }
-    if (f.contest.decided) {
-        tell_contest(p, parallel, f, d);
+    } else if (f.by_ladder) {
+        tell_named(p, parallel, f, d);
+        // what the controller's regression is sure of stands first by itself, what the mechanism adds comes after it
+        if (wrong_controller && shown && !f.judged.noise_left) {
+            constexpr double half = 0.5;
+            for (auto& c : d.effects) c.probability *= half;
+            d.effects.insert(d.effects.begin(), cause_of(p, f.none, half));
+        }
     } else {
-        for (const auto& r : ranked)
-            if (d.effects.size() < most_listed) d.effects.push_back(cause_of(p, *r.attribution, r.probability));
+        list_effects(p, ranked, d);
         if (!d.effects.empty() && shown)
             d.effects[0].heldout_gain = held.gain, d.effects[0].heldout_gain_interval = held.gain_interval;
     }
     if (d.verdict == Verdict::unknown && !f.quiet && f.only_nearest.empty()) tell_unexplained(f, d);
-    if (shown) {
-        d.remainder = !audit_alone ? std::max(0.0, 1 - winner.explained)
-                      : f.quiet    ? 0
-                                   : std::clamp(1 - held.overall.explained, 0.0, 1.0);
-        tell_rivals(p, f, ranked, winner, d);
+    double audited = 0;
+    if (wrong_controller) {
+        const auto alone = audit_alone ? held : hold_out(p.cases, p.documented, p.scales, f.none, runs, parallel);
+        audited = std::clamp(alone.overall.explained, 0.0, 1.0);
     }
-    const bool settled = f.quiet || f.contest.decided || winner.accepted || wrong_controller;
+    tell_ladder(p, f, audited, d);
+    if (!f.climbed && shown) d.remainder.share = f.quiet ? 0 : std::clamp(1 - held.overall.explained, 0.0, 1.0);
+    if (shown) tell_rivals(p, f, ranked, winner, d);
+    const bool settled = f.quiet || f.by_ladder || winner.accepted || wrong_controller;
     if (!shown || withdraw_if_no_better(d, {settled, p.noise_documented()})) return;
     result.after = p.cases[0].joint;
     if (!audit_alone)
         result.after = edited(result.after, winner.candidate, in_si(winner.candidate, winner.x[1], p.scales), 0);
+}
+
+/// A rig's one cause as a ladder of one rung.
+DiagnosisResult with_one_rung(DiagnosisResult result)
+{
+    Diagnosis& d = result.diagnosis;
+    if (d.verdict != Verdict::gap || d.effects.empty()) return result;
+    d.ladder.push_back({d.effects[0].names, std::clamp(d.overall.explained, 0.0, 1.0), d.overall.interval,
+                        d.effects[0].parameters, d.ambiguous_with, d.effects[0].probability});
+    return result;
 }
 
 }  // namespace
@@ -213,7 +265,7 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
     Diagnosis& d = result.diagnosis;
     d.motion = joint.mechanism.motion;
     if (records.empty()) throw std::invalid_argument("no record was given");
-    if (records.size() == 1 && is_rig(records[0])) return diagnose_rig(joint, records[0], parallel);
+    if (records.size() == 1 && is_rig(records[0])) return with_one_rung(diagnose_rig(joint, records[0], parallel));
     const auto progress = [&](const char* stage, double done) {
         if (options.progress) options.progress(stage, done);
     };

@@ -62,6 +62,36 @@ struct Cause {
     double misfit = 0;       ///< score of the fit; 0 is noise
 };
 
+/// One cause of the ladder, given those above it and with the joint's own numbers refitted on both sides.
+struct LadderRung {
+    std::vector<std::string> names;  ///< one, or the audit's findings together
+    double share = 0;                ///< of the gap's held-out squares beyond the noise
+    ConfidenceInterval interval;     ///< bootstrap over the held-out windows
+    std::vector<FittedParameter> parameters;
+    std::vector<std::vector<std::string>> ambiguous_with;
+    double probability = 0;
+};
+
+/// A number of the document that was refitted beside the causes: no cause, but worth correcting.
+struct Correction {
+    std::string name;  ///< "viscous"
+    FittedParameter number;
+    double prior = 0;  ///< standard deviation of what documents usually say, in the number's unit
+};
+
+/// What any model of the joint's own signals could explain of the gap on unseen data.
+struct ExplainableShare {
+    double share = 0;
+    ConfidenceInterval interval;
+    std::vector<std::string> depends_on;  ///< signals on which what the corrected joint lacks depends, strongest first
+};
+
+/// What the ladder leaves, and the signals that it still depends on, strongest first.
+struct Remainder {
+    double share = 0;
+    std::vector<std::string> structure;
+};
+
 /// RMS difference between measured and simulated signals over held-out records.
 struct SignalGap {
     std::string signal, unit;
@@ -124,7 +154,11 @@ struct Diagnosis {
     std::vector<SignalGap> gap;
     OverallGap overall;
     DriveForceGap drive_force;
-    double remainder = 0;  ///< part of the gap that the best cause leaves
+    std::vector<LadderRung> ladder;
+    std::vector<Correction> corrections;
+    double corrected_share = 0;  ///< of the gap, that the corrections take
+    ExplainableShare ceiling;
+    Remainder remainder;  ///< what the best cause leaves of the gap
     std::vector<std::string> notes;
     std::vector<DiagnosedTrace> traces;
     Motion motion = Motion::prismatic;

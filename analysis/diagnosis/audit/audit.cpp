@@ -98,6 +98,34 @@ double best_tau(const std::vector<Case>& cases, double limit)
     return misfit(refined) < least ? refined : best;
 }
 
+/// A controller that is documented without a derivative part may have one: it is a term then, and no factor names it.
+bool find_missing_k_v(std::vector<Case>& cases, double limit, double misfit_without, Audit& result)
+{
+    constexpr double most = 0.5;  // of what the proportional part alone leaves
+    double k_v = 0, misfit = 0;
+    std::vector<double> each;
+    for (const auto& c : cases) {
+        if (c.joint.control.k_v != 0) return false;
+        Sums s;
+        add_rows(c, c.joint.control.velocity_estimate.tau, 0, limit, s);
+        const auto answer = s.solve(true);
+        each.push_back(answer.kv);
+        k_v += answer.kv / static_cast<double>(cases.size()),
+            misfit += answer.misfit / static_cast<double>(cases.size());
+    }
+    const bool agree = std::all_of(each.begin(), each.end(), [&](double x) { return x > 0.5 * k_v && x < 2 * k_v; });
+    if (!(k_v > 0) || !agree || !(misfit < most * misfit_without)) return false;
+    double square = 0;
+    for (const double x : each) square += (x - k_v) * (x - k_v);
+    const double n = static_cast<double>(each.size());
+    result.findings.push_back({"gain-k_v", "gain-k_v.value", k_v,
+                               n > 1 ? std::sqrt(square / (n - 1) / n) : misfit * k_v, Quantity::damping,
+                               1 - std::pow(misfit / misfit_without, 2)});
+    result.notes.push_back("the document has no k_v; the command has a part that is proportional to the velocity");
+    for (auto& c : cases) c.joint.control.k_v = k_v;
+    return true;
+}
+
 void audit_grid(std::vector<Case>& cases, Audit& result)
 {
     double quantum = infinity;
@@ -276,6 +304,7 @@ Audit audit(std::vector<Case>& cases)
     };
     double tau = documented.velocity_estimate.tau;
     auto answers = regress(tau, 0);
+    if (documented.k_v == 0 && find_missing_k_v(cases, limit, mean_misfit(answers), result)) answers = regress(tau, 0);
     if (filtered && !result.filter_seen && mean_misfit(answers) > exact_command) {
         const double found = best_tau(cases, limit);
         const auto with = regress(found, 0);

@@ -125,6 +125,72 @@ double effort_floor(const Case& c, double omega)
     return std::hypot(c.effort_sigma, drag * c.sigma * std::sqrt(velocity_noise_amplification(omega, c.row_step)));
 }
 
+double prior_cost(const Candidate& candidate, const Eigen::VectorXd& x)
+{
+    double cost = 0;
+    for (Eigen::Index i = 0; i < x.size() && candidate.prior_weight > 0; ++i)
+        if (const double sd = candidate.sd_of(static_cast<std::size_t>(i)); sd > 0)
+            cost += candidate.prior_weight * (x[i] / sd) * (x[i] / sd);
+    return cost;
+}
+
+namespace {
+
+/// Appends the scaled residuals of one record: position rows, then effort rows.
+void append_residuals(const Case& c, const Candidate& candidate, const std::vector<double>& si, double omega,
+                      std::vector<double>& scaled)
+{
+    Innovation innovation;
+    Plant plant = edited_plant(c.joint, candidate, si, c.number);
+    plant.step_factor = c.step_factor;
+    predict(plant, c.ticks, known_command(plant, c.ticks), omega, innovation);
+    const double per_floor = 1 / (c.sigma * std::sqrt(noise_amplification(omega, c.row_step)));
+    constexpr double far = 1e6;  // a diverged prediction is bad, not infinitely bad
+    for (std::size_t k = 0; k < c.ticks.size(); ++k)
+        if (c.ticks.logged[k]) {
+            const double e = innovation.position[k] * per_floor;
+            scaled.push_back(!c.judged(k) ? 0 : std::isfinite(e) ? std::clamp(e, -far, far) : far);
+        }
+    if (!(c.effort_sigma > 0)) return;
+    const double per_effort = 1 / effort_floor(c, omega);
+    for (std::size_t k = 0; k < c.ticks.size(); ++k)
+        if (c.ticks.logged[k]) {
+            const double e = innovation.effort[k] * per_effort;
+            scaled.push_back(c.judged(k) && std::isfinite(e) ? std::clamp(e, -far, far) : 0);
+        }
+}
+
+/// Whose value this parameter is: the number of a record, or no_record where all share it.
+constexpr std::size_t no_record = static_cast<std::size_t>(-1);
+std::size_t record_of(const Candidate& candidate, std::size_t parameter)
+{
+    for (const auto* f : candidate.forms) {
+        const std::size_t shared = f->parameters.size() - f->own;
+        if (parameter < candidate.count_of(*f)) return parameter < shared ? no_record : (parameter - shared) / f->own;
+        parameter -= candidate.count_of(*f);
+    }
+    return no_record;
+}
+
+/// The residuals once a parameter has moved: a record's own one changes no other record, which is not simulated again.
+void moved_residuals(const std::vector<Case>& cases, const Candidate& candidate, const std::vector<double>& si,
+                     double omega, std::size_t parameter, const std::vector<double>& here, std::vector<double>& there)
+{
+    const std::size_t own = record_of(candidate, parameter);
+    there.clear();
+    for (const auto& c : cases) {
+        if (own == no_record || own == std::min(c.number, candidate.records - 1)) {
+            append_residuals(c, candidate, si, omega, there);
+            continue;
+        }
+        const std::size_t rows = c.ticks.rows() * (c.effort_sigma > 0 ? 2 : 1);
+        const auto from = here.begin() + static_cast<std::ptrdiff_t>(there.size());
+        there.insert(there.end(), from, from + static_cast<std::ptrdiff_t>(rows));
+    }
+}
+
+}  // namespace
+
 Evaluation evaluate(const std::vector<Case>& cases, const Candidate& candidate, const std::vector<double>& si,
                     double omega, std::vector<double>* residuals)
 {
@@ -132,32 +198,14 @@ Evaluation evaluate(const std::vector<Case>& cases, const Candidate& candidate, 
     std::vector<double> own;
     std::vector<double>& scaled = residuals ? *residuals : own;
     scaled.clear();
-    Innovation innovation;
     for (const auto& c : cases) {
-        Plant plant = edited_plant(c.joint, candidate, si, c.number);
-        plant.step_factor = c.step_factor;
-        const auto command = known_command(plant, c.ticks);
-        predict(plant, c.ticks, command, omega, innovation);
-        const double per_floor = 1 / (c.sigma * std::sqrt(noise_amplification(omega, c.row_step)));
         const std::size_t block = block_rows(c), begin = scaled.size();
-        constexpr double far = 1e6;  // a diverged prediction is bad, not infinitely bad
-        for (std::size_t k = 0; k < c.ticks.size(); ++k)
-            if (c.ticks.logged[k]) {
-                const double e = innovation.position[k] * per_floor;
-                scaled.push_back(!c.judged(k) ? 0 : std::isfinite(e) ? std::clamp(e, -far, far) : far);
-            }
-        const std::size_t rows = scaled.size() - begin;
+        append_residuals(c, candidate, si, omega, scaled);
+        const std::size_t rows = (scaled.size() - begin) / (c.effort_sigma > 0 ? 2 : 1);
         Misfit misfit;
         misfit.position = add_blocks(scaled, begin, rows, block, result.objective, misfit.position_blocks);
-        if (c.effort_sigma > 0) {
-            const double per_effort = 1 / effort_floor(c, omega);
-            for (std::size_t k = 0; k < c.ticks.size(); ++k)
-                if (c.ticks.logged[k]) {
-                    const double e = innovation.effort[k] * per_effort;
-                    scaled.push_back(c.judged(k) && std::isfinite(e) ? std::clamp(e, -far, far) : 0);
-                }
+        if (c.effort_sigma > 0)
             misfit.effort = add_blocks(scaled, begin + rows, rows, block, result.objective, misfit.effort_blocks);
-        }
         result.records.push_back(misfit);
     }
     result.objective /= static_cast<double>(cases.size());
@@ -178,8 +226,13 @@ LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidat
     fit.x = bounded(candidate, std::move(x));
     fit.information = Eigen::MatrixXd::Zero(n, n);
     std::vector<double> here, there, weights;
-    fit.evaluation = evaluate(cases, candidate, in_si(candidate, fit.x, scales), omega, &here);
-    ++fit.evaluations;
+    const auto evaluated = [&](const Eigen::VectorXd& at, std::vector<double>& residuals) {
+        auto found = evaluate(cases, candidate, in_si(candidate, at, scales), omega, &residuals);
+        found.objective += prior_cost(candidate, at);
+        ++fit.evaluations;
+        return found;
+    };
+    fit.evaluation = evaluated(fit.x, here);
     double damping = 1e-3;
     Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(here.size()), n);
     LevelFit best = fit;
@@ -188,6 +241,9 @@ LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidat
         if (candidate.parameter(static_cast<std::size_t>(i)).vanishes) last[i] = 0;
     constexpr int most_halvings = 10;
     int halvings = 0;
+    // numbers with a prior hardly move: their slopes are found anew every few steps, and where a step fails
+    constexpr int worn_after = 3;
+    int age = 0;
     for (int iteration = 0; iteration < iterations && n > 0; ++iteration) {
         const Eigen::Map<const Eigen::VectorXd> r(here.data(), static_cast<Eigen::Index>(here.size()));
         const auto slope = [&](Eigen::Index i) -> Eigen::VectorXd {
@@ -196,27 +252,34 @@ LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidat
             if (candidate.parameter(static_cast<std::size_t>(i)).logarithmic) step = 1e-4;
             shifted[i] += step;
             if (bounded(candidate, shifted)[i] != shifted[i]) shifted[i] -= 2 * step, step = -step;
-            evaluate(cases, candidate, in_si(candidate, shifted, scales), omega, &there);
+            moved_residuals(cases, candidate, in_si(candidate, shifted, scales), omega, static_cast<std::size_t>(i),
+                            here, there);
             ++fit.evaluations;
             return (Eigen::Map<const Eigen::VectorXd>(there.data(), r.size()) - r) / step;
         };
         for (Eigen::Index i = 0; i < n; ++i) {
             if (!kept.empty() && kept[static_cast<std::size_t>(i)]) continue;
+            if (age > 0 && candidate.sd_of(static_cast<std::size_t>(i)) > 0) continue;
             jacobian.col(i) = slope(i);
             const bool lost = candidate.parameter(static_cast<std::size_t>(i)).vanishes && last[i] != fit.x[i] &&
                               jacobian.col(i).isZero(0);
             if (!lost || halvings == most_halvings) continue;
             // friction that has been taken away altogether has no slope that leads back: half way, and all slopes anew
             fit.x[i] = 0.5 * (fit.x[i] + last[i]);
-            fit.evaluation = evaluate(cases, candidate, in_si(candidate, fit.x, scales), omega, &here);
-            ++fit.evaluations, ++halvings;
+            fit.evaluation = evaluated(fit.x, here);
+            ++halvings;
             i = -1;
         }
         block_weights(cases, here, weights);
         const Eigen::Map<const Eigen::VectorXd> w(weights.data(), r.size());
         const Eigen::MatrixXd weighted = w.asDiagonal() * jacobian;
-        const Eigen::MatrixXd normal = jacobian.transpose() * weighted;
-        const Eigen::VectorXd gradient = weighted.transpose() * r;
+        Eigen::MatrixXd normal = jacobian.transpose() * weighted;
+        Eigen::VectorXd gradient = weighted.transpose() * r;
+        for (Eigen::Index i = 0; i < n && candidate.prior_weight > 0; ++i)
+            if (const double sd = candidate.sd_of(static_cast<std::size_t>(i)); sd > 0) {
+                const double row = candidate.prior_weight * static_cast<double>(cases.size()) / (sd * sd);
+                normal(i, i) += row, gradient[i] += row * fit.x[i];
+            }
         fit.information = normal;
         bool better = false;
         const double before = fit.evaluation.objective;
@@ -231,8 +294,7 @@ LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidat
                 step[i] = std::isfinite(step[i]) ? std::clamp(step[i], -longest, longest) : 0;
             }
             const Eigen::VectorXd next = bounded(candidate, fit.x + step);
-            const auto trial = evaluate(cases, candidate, in_si(candidate, next, scales), omega, &there);
-            ++fit.evaluations;
+            const auto trial = evaluated(next, there);
             if (trial.objective < fit.evaluation.objective) {
                 better = true;
                 last = fit.x;
@@ -246,7 +308,10 @@ LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidat
         }
         if (fit.evaluation.objective <= best.evaluation.objective)
             best.x = fit.x, best.evaluation = fit.evaluation, best.information = fit.information;
-        if (!better || before - fit.evaluation.objective < 2e-4 * before) break;
+        const bool done = !better || before - fit.evaluation.objective < 2e-4 * before;
+        if (done && age == 0) break;
+        if (!better) damping = 1e-3;  // worn slopes failed, not the step
+        age = done || age + 1 == worn_after ? 0 : candidate.prior_weight > 0 ? age + 1 : 0;
     }
     best.evaluations = fit.evaluations;
     return best;
@@ -272,7 +337,7 @@ LevelFit search_block(const std::vector<Case>& cases, const Candidate& candidate
     const auto objective = [&](const std::vector<double>& values) {
         ++count;
         for (std::size_t k = 0; k < free.size(); ++k) at[free[k]] = values[k];
-        return evaluate(cases, candidate, in_si(candidate, at, scales), omega).objective;
+        return evaluate(cases, candidate, in_si(candidate, at, scales), omega).objective + prior_cost(candidate, at);
     };
     Minimisation rough{SearchMethod::simplex, {}, {}, evaluations};
     rough.ftol_rel = 1e-4;
@@ -287,6 +352,7 @@ LevelFit search_block(const std::vector<Case>& cases, const Candidate& candidate
     start = minimum(rough, objective, std::move(start));
     for (std::size_t k = 0; k < free.size(); ++k) fit.x[free[k]] = start[k];
     fit.evaluation = evaluate(cases, candidate, in_si(candidate, fit.x, scales), omega);
+    fit.evaluation.objective += prior_cost(candidate, fit.x);
     fit.information = Eigen::MatrixXd::Zero(n, n);
     fit.evaluations = count + 1;
     return fit;

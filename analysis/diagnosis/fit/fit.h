@@ -45,6 +45,10 @@ struct Candidate {
     std::vector<const Effect*> effects;
     std::vector<const EffectForm*> forms;
     std::size_t records = 1;  ///< how many records have parameters of their own
+    /// Standard deviations of a prior around "as documented", as fitted; of the first parameters, 0: none.
+    std::vector<double> prior_sd = {};
+    double prior_weight = 0;  ///< of a squared standard deviation against the objective; 0: priors are not looked at
+    double sd_of(std::size_t i) const { return i < prior_sd.size() ? prior_sd[i] : 0; }
     /// Parameters of one form: shared ones, own ones of record 0, of record 1, …
     std::size_t count_of(const EffectForm& f) const { return f.parameters.size() + f.own * (records - 1); }
     std::size_t parameter_count() const
@@ -105,6 +109,9 @@ struct Evaluation {
     double objective = 0;
     std::vector<Misfit> records;
 };
+
+/// What the priors of a candidate's parameters add to the objective of its fits.
+double prior_cost(const Candidate& candidate, const Eigen::VectorXd& x);
 
 /// `residuals`, when given, receives every scaled residual of every record: position rows, then effort rows.
 Evaluation evaluate(const std::vector<Case>& cases, const Candidate& candidate, const std::vector<double>& si,

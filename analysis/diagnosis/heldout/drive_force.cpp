@@ -8,7 +8,7 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr std::size_t level = 1;        // where contestants were fitted
+constexpr std::size_t level = 1;        // where models were fitted
 constexpr double observer = levels[0];  // rad/s
 constexpr int iterations = 4;
 constexpr double settling = 5;  // periods of the corner that are left away at both ends of a record
@@ -95,26 +95,31 @@ double drive_force_corner(const std::vector<Case>& cases)
     return corner;
 }
 
-double hold_out_drive_force(const std::vector<Case>& documented, const Scales& scales, Contest& contest,
-                            const ParallelFor& parallel)
+std::vector<DriveForce> hold_out_drive_force(const std::vector<Case>& documented, const Scales& scales,
+                                             const std::vector<const Attribution*>& models, const ParallelFor& parallel)
 {
     const double corner = drive_force_corner(documented);
     std::vector<Case> cases = documented;
     const auto folds = folds_of(cases);
-    const auto si = in_si(contest.base.candidate, contest.base.x[level], scales);
-    raise_floor(cases, evaluate(cases, contest.base.candidate, si, observer));
-    std::vector<std::vector<double>> squares(contest.ranked.size() + 1);
-    parallel(squares.size(), [&](std::size_t i) {
-        squares[i] = squares_of(cases, folds, scales, i == 0 ? contest.base : contest.ranked[i - 1].fit, corner);
-    });
-    const double before = rms(squares[0]);
-    for (std::size_t i = 0; i < contest.ranked.size(); ++i) {
-        Contestant& one = contest.ranked[i];
-        one.force_rms = rms(squares[i + 1]);
-        one.force_gain = 1 - one.force_rms / before;
-        one.force_spread = spread_of(squares[0], squares[i + 1]);
+    const auto si = in_si(models[0]->candidate, models[0]->x[level], scales);
+    const auto now = evaluate(cases, models[0]->candidate, si, observer);
+    for (std::size_t i = 0; i < cases.size();
+         ++i) {  // what the first model leaves is the noise: no record drowns others
+        cases[i].sigma *= std::sqrt(std::max(now.records[i].position, 1e-12));
+        if (cases[i].effort_sigma > 0) cases[i].effort_sigma *= std::sqrt(std::max(now.records[i].effort, 1e-12));
     }
-    return before;
+    std::vector<std::vector<double>> squares(models.size());
+    parallel(squares.size(), [&](std::size_t i) { squares[i] = squares_of(cases, folds, scales, *models[i], corner); });
+    std::vector<DriveForce> result;
+    for (const auto& own : squares) {
+        DriveForce force{rms(own), 1 - rms(own) / rms(squares[0]), {1, -infinity}};
+        for (std::size_t f = 0; f < own.size(); ++f) {
+            const double gain = 1 - std::sqrt(own[f] / squares[0][f]);
+            force.spread.low = std::min(force.spread.low, gain), force.spread.high = std::max(force.spread.high, gain);
+        }
+        result.push_back(force);
+    }
+    return result;
 }
 
 }  // namespace stickslip::gap

@@ -1,6 +1,6 @@
 // How far the drive force that a model asks for is from the one that was applied, on data that the fit has not seen.
 #pragma once
-#include "analysis/diagnosis/heldout/contest.h"
+#include "analysis/diagnosis/heldout/heldout.h"
 
 namespace stickslip::gap {
 
@@ -14,10 +14,17 @@ std::vector<double> missing_force(const Case& c, const Joint& joint, double corn
 /// 100 Hz, or a tenth of the sampling rate where that is less; 0 where rows are not equally spaced.
 double drive_force_corner(const std::vector<Case>& cases);
 
+/// The RMS of what is left of the missing force on held-out data, and the gain over the first model, over the folds.
+struct DriveForce {
+    double rms = 0, gain = 0;
+    ConfidenceInterval spread;
+};
+
 /// A stiff loop hides every model error in the position; what is wrong shows in the force that drives the joint. Refits
-/// the joint's own numbers, and each contestant on top of them, without each fold, and writes what they leave of the
-/// missing force there into the contestants' `force_…`. Gives the RMS that the own numbers alone leave.
-double hold_out_drive_force(const std::vector<Case>& cases, const Scales& scales, Contest& contest,
-                            const ParallelFor& parallel);
+/// each model without each fold, from the numbers that it has, and compares what they leave there with what the first
+/// one leaves.
+std::vector<DriveForce> hold_out_drive_force(const std::vector<Case>& cases, const Scales& scales,
+                                             const std::vector<const Attribution*>& models,
+                                             const ParallelFor& parallel);
 
 }  // namespace stickslip::gap

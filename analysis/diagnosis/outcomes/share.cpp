@@ -136,7 +136,7 @@ void locate(OutcomeAnswer& a)
         for (std::size_t i : rows) b += row_wrong(o, a.nominal, i), w += row_wrong(o, winner, i);
         return explained(b / n, w / n, floor);
     });
-    d.remainder = before > 0 ? std::min(1.0, after / before) : 0;
+    d.remainder.share = before > 0 ? std::min(1.0, after / before) : 0;
 }
 
 }  // namespace stickslip::gap

@@ -195,7 +195,7 @@ DiagnosisResult diagnose_rig(const Joint& joint, const Record& record, const Par
     d.signals.push_back(share);
     if (gap) {
         name_causes(rig, entries, order, noise, d);
-        d.remainder = std::clamp(1 - d.gap[0].explained, 0.0, 1.0);
+        d.remainder.share = std::clamp(1 - d.gap[0].explained, 0.0, 1.0);
         const std::size_t rival = order[1] == 0 ? order[2] : order[1];
         d.next_experiment = design_rig_experiment(rig, noise, best.law, entries[order[0]].fit.p, rivals[rival].law,
                                                   entries[rival].fit.p);

@@ -5,11 +5,9 @@
 
 namespace stickslip::gap {
 
-/// A fitted candidate, with what the controller's audit found beside it.
-Cause cause_of(const Prepared& prepared, const Attribution& attribution, double probability);
-
-/// What a contest has ranked, best first: held-out log RMS against each other, and a chance that it is none of them.
-/// The refitted numbers of the joint are no part of a cause.
-std::vector<Cause> causes_of(const Prepared& prepared, const Contest& contest);
+/// A fitted candidate, with what the controller's audit found beside it. The first `corrections` effects are numbers of
+/// the document that were refitted, and no part of the cause.
+Cause cause_of(const Prepared& prepared, const Attribution& attribution, double probability,
+               std::size_t corrections = 0);
 
 }  // namespace stickslip::gap

@@ -1,8 +1,8 @@
 // What a diagnosis gathers on its way: records made ready, then the causes that were found in them.
 #pragma once
 #include "analysis/diagnosis/audit/audit.h"
-#include "analysis/diagnosis/heldout/contest.h"
 #include "analysis/diagnosis/search/free_force.h"
+#include "analysis/diagnosis/verdict/judge_ladder.h"
 #include "analysis/diagnosis/verdict/verdict.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ struct Prepared {
     }
 };
 
-/// Candidates and what became of them. Decision and contest point into the lists, so findings are moved, not copied.
+/// Candidates and what became of them. The decision points into the lists, so findings are moved, not copied.
 struct Findings {
     Findings() = default;
     Findings(Findings&&) = default;
@@ -36,10 +36,12 @@ struct Findings {
     std::vector<Attribution> singles, pairs;
     std::vector<FreeFit> free;
     Decision decision;
-    Contest contest;
+    JudgedLadder judged;
+    bool climbed = false;      ///< there is a ladder
+    bool by_ladder = false;    ///< and the answer is the ladder's: no single cause, nor a pair, comes down to the noise
     std::string only_nearest;  ///< why the best cause is only the nearest in shape; empty where it is not
 
-    bool named() const { return decision.named || contest.decided; }
+    bool named() const { return by_ladder ? judged.answers() : decision.named; }
 };
 
 }  // namespace stickslip::gap

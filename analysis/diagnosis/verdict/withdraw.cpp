@@ -59,6 +59,8 @@ bool withdraw_if_no_better(Diagnosis& d, const Standing& standing)
     if (!d.effects.empty())
         for (const auto& name : d.effects[0].names) names += (names.empty() ? "" : " with ") + name;
     d.reasons.insert(d.reasons.begin(), names + " fits best, but " + why + ": it is not named as the cause");
+    d.ladder.clear();
+    d.remainder.share = 1;
     d.ambiguous_with.clear();
     d.next_experiment = {};
     return true;

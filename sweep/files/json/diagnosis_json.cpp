@@ -14,16 +14,24 @@ Json interval(const ConfidenceInterval& i)
     return Json::array({json_number(i.low), json_number(i.high)});
 }
 
-Json cause_json(const Cause& cause)
+Json number_json(const FittedParameter& p)
+{
+    return {{"value", json_number(p.value)}, {"stderr", json_number(p.standard_error)}, {"unit", p.unit}};
+}
+
+Json parameters_json(const std::vector<FittedParameter>& all)
 {
     Json parameters = Json::object();
-    for (const auto& p : cause.parameters)
-        parameters[p.name] = {
-            {"value", json_number(p.value)}, {"stderr", json_number(p.standard_error)}, {"unit", p.unit}};
+    for (const auto& p : all) parameters[p.name] = number_json(p);
+    return parameters;
+}
+
+Json cause_json(const Cause& cause)
+{
     Json json = {{"names", cause.names},
                  {"form", cause.form},
                  {"probability", json_number(cause.probability)},
-                 {"parameters", parameters},
+                 {"parameters", parameters_json(cause.parameters)},
                  {"heldout_gain", json_number(cause.heldout_gain)},
                  {"heldout_gain_interval", interval(cause.heldout_gain_interval)},
                  {"signature", cause.signature},
@@ -50,6 +58,32 @@ Json shares_json(const std::vector<Share>& shares)
     return all;
 }
 
+/// The second method: rungs, corrections, what is explainable and what remains.
+void add_ladder(const Diagnosis& d, Json& json)
+{
+    json["ladder"] = Json::array();
+    for (const auto& rung : d.ladder)
+        json["ladder"].push_back({{"names", rung.names},
+                                  {"share", json_number(rung.share)},
+                                  {"interval", interval(rung.interval)},
+                                  {"parameters", parameters_json(rung.parameters)},
+                                  {"ambiguous_with", rung.ambiguous_with},
+                                  {"probability", json_number(rung.probability)}});
+    json["corrections"] = Json::array();
+    for (const auto& c : d.corrections) {
+        Json correction = number_json(c.number);
+        correction["name"] = c.name;
+        correction["parameter"] = c.number.name;
+        correction["prior"] = json_number(c.prior);
+        json["corrections"].push_back(std::move(correction));
+    }
+    json["corrected_share"] = json_number(d.corrected_share);
+    json["ceiling"] = {{"share", json_number(d.ceiling.share)},
+                       {"interval", interval(d.ceiling.interval)},
+                       {"depends_on", d.ceiling.depends_on}};
+    json["remainder"] = {{"share", json_number(d.remainder.share)}, {"structure", d.remainder.structure}};
+}
+
 }  // namespace
 
 Json boundary_json(const Joint& given, double speed)
@@ -73,6 +107,7 @@ Json diagnosis_json(const Diagnosis& d, const Joint& before, const Joint& after)
     if (d.verdict == Verdict::gap && d.overall.worse())
         throw std::logic_error("a diagnosis names a cause that makes held-out data worse");
     Json json;
+    json["format"] = "stickslip-diagnosis/2";
     json["verdict"] = name_of(d.verdict);
     json["reasons"] = d.reasons;
     json["records"] = Json::array();
@@ -105,7 +140,7 @@ Json diagnosis_json(const Diagnosis& d, const Joint& before, const Joint& after)
                                {"below_hz", json_number(d.drive_force.corner)},
                                {"before", json_number(d.drive_force.before)},
                                {"after", json_number(d.drive_force.after)}};
-    json["remainder"] = json_number(d.remainder);
+    add_ladder(d, json);
     json["boundary"] = {{"before", boundary_json(before, d.usual_speed)},
                         {"after", boundary_json(after, d.usual_speed)}};
     json["notes"] = d.notes;

@@ -1,6 +1,7 @@
 #include "sweep/report/pages/diagnosis_report.h"
 
 #include "sweep/report/figures/diagnosis_figures.h"
+#include "sweep/report/figures/ladder_drawing.h"
 #include "sweep/report/figures/moved_boundary.h"
 #include "sweep/report/figures/where_drawing.h"
 #include "sweep/words/diagnosis_tables.h"
@@ -218,6 +219,7 @@ Report diagnosis_report(const Diagnosis& d, const Joint& before, const Joint& af
     if (d.verdict != Verdict::no_gap) r.sections.push_back(std::move(where));
     if (!d.effects.empty()) {
         Section what{"what", "What causes it", "", {}, {causes_table(d), parameters_table(d)}};
+        if (!d.ladder.empty()) what.figures.push_back(ladder_figure(d));
         what.text = d.verdict == Verdict::gap ? "Tell-tale of the first: " + d.effects[0].tell_tale + "."
                                               : "Nothing here is named as the cause; this is how far each one came.";
         r.sections.push_back(std::move(what));

@@ -1,0 +1,148 @@
+#include "analysis/diagnosis/fit/corrections.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip::gap {
+namespace {
+
+/// Errors of a model hang together for about as long as a block of the objective: so many seconds are one reading.
+constexpr double reading = 0.2;
+
+constexpr std::string_view of_record = "coulomb-level of the record";
+
+void for_all_frictions(Joint& j, const double part, void (*change)(Friction&, double))
+{
+    if (is_single_mass(j)) return change(j.friction, part);
+    // what is shared out between two bodies changes in proportion
+    const double all = coulomb_level(j.frictions.motor) + coulomb_level(j.frictions.link);
+    const double motor = all > 0 ? coulomb_level(j.frictions.motor) / all : 0.5;
+    change(j.frictions.motor, motor * part);
+    change(j.frictions.link, (1 - motor) * part);
+}
+
+double viscous_of(const Friction& friction)
+{
+    return std::visit(
+        [](const auto& law) -> double {
+            if constexpr (requires { law.viscous; })
+                return law.viscous;
+            else if constexpr (requires { law.c1; })
+                return law.c1;
+            else
+                return 0;
+        },
+        friction.law);
+}
+
+}  // namespace
+
+void Corrections::add(std::string_view name, const EffectParameter& parameter, void (*apply)(Joint&, const double*),
+                      bool own)
+{
+    EffectForm form;
+    form.parameters = {parameter};
+    form.apply = apply;
+    form.own = own;
+    Effect& e = effects_.emplace_back();
+    e.name = name;
+    e.stage = "correction";
+    e.forms.push_back(std::move(form));
+}
+
+Corrections::Corrections(const std::vector<Case>& cases, const Scales& scales, const CorrectionPrior& prior)
+    : records_(cases.size())
+{
+    double seconds = 0;
+    for (const auto& c : cases) seconds += c.ticks.duration();
+    weight_ = 1 / std::max(1.0, seconds / reading);
+    const Joint& j = cases[0].joint;
+    const bool single = is_single_mass(j);
+    const double coulomb =
+        single ? coulomb_level(j.friction) : coulomb_level(j.frictions.motor) + coulomb_level(j.frictions.link);
+    const double viscous =
+        single ? viscous_of(j.friction) : viscous_of(j.frictions.motor) + viscous_of(j.frictions.link);
+    const double level = std::max(coulomb / scales.effort, prior.least);
+    const auto number = [&](Quantity quantity, Scale scale, bool logarithmic, double sd, std::string_view help) {
+        EffectParameter p{logarithmic ? "factor" : "change",
+                          quantity,
+                          scale,
+                          logarithmic,
+                          -prior.widest * sd,
+                          prior.widest * sd,
+                          sd,
+                          help};
+        if (logarithmic) p.low = std::exp(p.low), p.high = std::exp(p.high);
+        sds_.push_back(sd);
+        return p;
+    };
+    add(
+        "inertia", number(Quantity::number, Scale::one, true, prior.inertia, "true inertia per documented"),
+        [](Joint& to, const double* p) {
+            to.mechanism.inertia *= p[0], to.mechanism.motor_inertia *= p[0], to.mechanism.link_inertia *= p[0];
+        },
+        false);
+    add(
+        "coulomb-level",
+        number(Quantity::effort, Scale::effort, false, prior.coulomb * level, "change of the Coulomb level"),
+        [](Joint& to, const double* p) { for_all_frictions(to, p[0], shift_coulomb); }, false);
+    const double drag = std::max(viscous * scales.velocity / scales.effort, prior.least);
+    add(
+        "viscous",
+        number(Quantity::damping, Scale::damping, false, prior.viscous * drag, "change of the viscous slope"),
+        [](Joint& to, const double* p) { for_all_frictions(to, p[0], shift_viscous); }, false);
+    add(
+        "constant-load", number(Quantity::effort, Scale::effort, false, prior.load * level, "constant load"),
+        [](Joint& to, const double* p) { to.load.constant += p[0]; }, false);
+    if (records_ > 1)
+        add(
+            of_record,
+            number(Quantity::effort, Scale::effort, false, prior.coulomb_of_record * level,
+                   "change of the Coulomb level in this record"),
+            [](Joint& to, const double* p) { for_all_frictions(to, p[0], shift_coulomb); }, true);
+}
+
+Corrected Corrections::beside(const Candidate& causes) const
+{
+    Corrected all;
+    all.candidate.records = records_;
+    all.candidate.prior_weight = weight_;
+    const auto is_cause = [&](std::string_view name) {
+        return std::ranges::any_of(causes.effects, [&](const auto* e) { return e->name == name; });
+    };
+    for (std::size_t i = 0; i < effects_.size(); ++i) {
+        const Effect& e = effects_[i];
+        if (is_cause(e.name)) continue;
+        all.candidate.effects.push_back(&e);
+        all.candidate.forms.push_back(&e.forms[0]);
+        all.numbers += all.candidate.count_of(e.forms[0]);
+        all.candidate.prior_sd.resize(all.numbers, sds_[i]);
+    }
+    all.corrections = all.candidate.effects.size();
+    all.candidate.effects.insert(all.candidate.effects.end(), causes.effects.begin(), causes.effects.end());
+    all.candidate.forms.insert(all.candidate.forms.end(), causes.forms.begin(), causes.forms.end());
+    return all;
+}
+
+Eigen::VectorXd Corrections::start(const Corrected& to, const Corrected& from, const Eigen::VectorXd& corrections,
+                                   const Eigen::VectorXd& causes)
+{
+    // factors are logarithms, so zero leaves every number as it is
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(to.candidate.parameter_count()));
+    Eigen::Index at = 0;
+    for (std::size_t i = 0; i < to.corrections; ++i) {
+        const auto count = static_cast<Eigen::Index>(to.candidate.count_of(*to.candidate.forms[i]));
+        Eigen::Index there = 0;
+        for (std::size_t k = 0; k < from.corrections && corrections.size() > 0; ++k) {
+            const auto length = static_cast<Eigen::Index>(from.candidate.count_of(*from.candidate.forms[k]));
+            if (from.candidate.effects[k] == to.candidate.effects[i])
+                x.segment(at, count) = corrections.segment(there, count);
+            there += length;
+        }
+        at += count;
+    }
+    x.tail(causes.size()) = causes;
+    return x;
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,47 @@
+// The numbers of a joint file are a few per cent off: inertia, Coulomb and viscous friction and load enter every
+// comparison as numbers with a prior, refitted on both sides. They are corrections of the document, no causes.
+#pragma once
+#include "analysis/diagnosis/fit/fit.h"
+
+#include <deque>
+
+namespace stickslip::gap {
+
+/// Standard deviations of what a joint file says, as parts of each number.
+struct CorrectionPrior {
+    double inertia, coulomb, viscous;
+    double coulomb_of_record;  ///< from record to record
+    double load;               ///< of the Coulomb level
+    double least;              ///< of the usual effort: a number that is documented as less counts as that
+    double widest;             ///< standard deviations at which the prior is cut off
+};
+
+/// A cause, or several, with the corrections in front.
+struct Corrected {
+    Candidate candidate;
+    std::size_t corrections = 0;  ///< effects at the head that are corrections
+    std::size_t numbers = 0;      ///< how many parameters these have
+};
+
+/// The corrections that a joint can have. They are named as the effects of the catalogue that change the same number:
+/// where such an effect is a cause, its prior must not hold it back, and its correction is left out.
+class Corrections {
+  public:
+    Corrections(const std::vector<Case>& cases, const Scales& scales, const CorrectionPrior& prior);
+
+    /// The causes behind the corrections.
+    Corrected beside(const Candidate& causes) const;
+    /// Numbers for that: corrections from `corrections` (empty: as documented) of `from`, causes from `causes`.
+    static Eigen::VectorXd start(const Corrected& to, const Corrected& from, const Eigen::VectorXd& corrections,
+                                 const Eigen::VectorXd& causes);
+
+  private:
+    void add(std::string_view name, const EffectParameter& parameter, void (*apply)(Joint&, const double*), bool own);
+
+    std::deque<Effect> effects_;  // candidates point at them
+    std::vector<double> sds_;     // of each one's number
+    std::size_t records_;
+    double weight_;
+};
+
+}  // namespace stickslip::gap

@@ -1,0 +1,246 @@
+#include "analysis/diagnosis/ladder/climb.h"
+
+#include "analysis/diagnosis/ladder/fit_set.h"
+#include "analysis/diagnosis/search/search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip::gap {
+namespace {
+
+constexpr std::size_t known_pairs = 3;           // of a search of their own, that are tried as two rungs
+constexpr std::size_t near = 3, dear_looks = 6;  // singles, best first
+
+/// Whether the second is better in every fold.
+bool in_every_fold(const FittedSet& without, const FittedSet& with)
+{
+    for (std::size_t f = 0; f < HeldOutData::folds; ++f)
+        if (!(mean_log(with.left[f]) < mean_log(without.left[f])) && !with.left[f].empty()) return false;
+    return true;
+}
+
+/// Whether the causes beyond those of `without` earn their place.
+bool earns(const FittedSet& without, const FittedSet& with, const LadderRules& rules)
+{
+    const double left = beyond_noise(without.all_left()), now = beyond_noise(with.all_left());
+    const double beyond = std::max(rules.worth_a_rung, margin_of(with, rules));
+    return in_every_fold(without, with) && without.misfit - with.misfit > beyond &&
+           left - now > rules.of_the_rest * left;
+}
+
+}  // namespace
+
+class Climber {
+  public:
+    Climber(const std::vector<Attribution>& singles, SetFitter& fitter, const LadderRules& rules,
+            const ParallelFor& parallel)
+        : singles_(singles), fitter_(fitter), rules_(rules), parallel_(parallel)
+    {
+    }
+
+    /// Every cause that is not yet in the set on top of it; the best few of a first look, judged, best first.
+    std::vector<FittedSet> next(const FittedSet& below)
+    {
+        std::vector<Start> looks;
+        // divided masses cost ten times as much: only those that come near alone, and beside them only what does
+        const std::size_t most = two_mass_edit(below.causes) ? dear_looks : rules_.first_look;
+        for (std::size_t i = 0; i < singles_.size() && looks.size() < most; ++i) {
+            const Candidate& single = singles_[i].candidate;
+            const auto& in = below.causes.effects;
+            const bool too_dear = two_mass_edit(single) && i >= near;
+            if (std::find(in.begin(), in.end(), single.effects[0]) != in.end() || too_dear) continue;
+            looks.push_back({below.causes, single.effects[0], single.forms[0], singles_[i].x});
+            looks.back().causes.records = single.records;
+        }
+        parallel_(looks.size(), [&](std::size_t i) { fitter_.look(looks[i], below); });  // adds the cause
+        std::stable_sort(looks.begin(), looks.end(),
+                         [](const Start& a, const Start& b) { return a.objective < b.objective; });
+        std::erase_if(looks, [](const Start& s) { return s.x0.size() == 0; });
+        if (looks.size() > rules_.finalists) looks.resize(rules_.finalists);
+        return judged(looks);
+    }
+
+    std::vector<FittedSet> judged(const std::vector<Start>& starts)
+    {
+        std::vector<FittedSet> sets(starts.size());
+        parallel_(starts.size(), [&](std::size_t i) { sets[i] = fitter_.fit(starts[i].causes, starts[i].x0); });
+        std::stable_sort(sets.begin(), sets.end(), [](const auto& a, const auto& b) { return a.misfit < b.misfit; });
+        pool_.insert(pool_.end(), sets.begin(), sets.end());
+        return sets;
+    }
+
+    /// The set without one of its causes.
+    FittedSet without(const FittedSet& set, std::size_t member) const
+    {
+        Candidate causes;
+        causes.records = set.causes.records;
+        const Eigen::VectorXd own = set.of_causes(set.fit.x);
+        Eigen::VectorXd x;
+        Eigen::Index at = 0;
+        for (std::size_t i = 0; i < set.causes.effects.size(); ++i) {
+            const auto count = static_cast<Eigen::Index>(set.causes.count_of(*set.causes.forms[i]));
+            if (i != member) x = insert(causes, set.causes.effects[i], set.causes.forms[i], x, own.segment(at, count));
+            at += count;
+        }
+        return fitter_.fit(causes, fitter_.start(causes, set, x));
+    }
+
+    /// Other sets of as many causes as this one that hold all causes of the one below it, best first.
+    std::vector<FittedSet> in_place_of(const FittedSet& set, const Candidate& below) const
+    {
+        std::vector<FittedSet> others;
+        for (const auto& other : pool_) {
+            const auto& in = other.causes.effects;
+            const bool same_size = in.size() == set.causes.effects.size() && in != set.causes.effects;
+            const bool holds =
+                std::ranges::all_of(below.effects, [&](const auto* e) { return std::ranges::count(in, e) > 0; });
+            const bool again = std::ranges::any_of(others, [&](const auto& o) { return o.causes.effects == in; });
+            if (same_size && holds && !again) others.push_back(other);
+        }
+        std::stable_sort(others.begin(), others.end(),
+                         [](const auto& a, const auto& b) { return a.misfit < b.misfit; });
+        return others;
+    }
+
+  private:
+    std::vector<FittedSet> pool_;  ///< all sets that were judged
+    const std::vector<Attribution>& singles_;
+    SetFitter& fitter_;
+    const LadderRules& rules_;
+    const ParallelFor& parallel_;
+};
+
+namespace {
+
+std::vector<Start> known_sets(const std::vector<Attribution>& pairs, const SetFitter& fitter, const FittedSet& below)
+{
+    std::vector<Start> known;
+    for (std::size_t i = 0; i < std::min(known_pairs, pairs.size()); ++i)
+        if (known.empty() || !two_mass_edit(pairs[i].candidate))
+            known.push_back({pairs[i].candidate,
+                             nullptr,
+                             nullptr,
+                             {},
+                             0,
+                             fitter.start(pairs[i].candidate, below, pairs[i].x[ladder_level])});
+    return known;
+}
+
+/// Of the causes of a set the one without which least is lost goes last, and so on down.
+std::vector<FittedSet> in_order(Climber& climber, FittedSet set, const ParallelFor& parallel)
+{
+    std::vector<FittedSet> order{std::move(set)};
+    while (order.back().causes.effects.size() > 1) {
+        std::vector<FittedSet> less(order.back().causes.effects.size());
+        parallel(less.size(), [&](std::size_t i) { less[i] = climber.without(order.back(), i); });
+        order.push_back(*std::min_element(less.begin(), less.end(),
+                                          [](const auto& a, const auto& b) { return a.misfit < b.misfit; }));
+    }
+    std::reverse(order.begin(), order.end());
+    return order;
+}
+
+}  // namespace
+
+double margin_of(const FittedSet& better, const LadderRules& rules)
+{
+    double rows = 0, beyond = 0, all = 0;
+    for (const auto& w : better.all_left()) {
+        rows += w.rows(), beyond += w.beyond_noise();
+        all += w.rows() * (w.position + (is_set(w.effort) ? w.effort : 0));
+    }
+    return rules.margin * std::clamp(beyond / std::max(all, 1e-300), 0.0, 1.0) +
+           rules.rows_of_margin / std::max(rows, 1.0);
+}
+
+LadderSearch::LadderSearch(const std::vector<Case>& cases, const Scales& scales,
+                           const std::vector<Attribution>& singles, const LadderRules& rules,
+                           const ParallelFor& parallel)
+    : scales_(scales),
+      rules_(rules),
+      parallel_(parallel),
+      corrections_(std::make_shared<Corrections>(cases, scales, rules.prior)),
+      data_(cases),
+      fitter_(std::make_unique<SetFitter>(data_, scales, *corrections_, rules.ranges)),
+      climber_(std::make_unique<Climber>(singles, *fitter_, rules, parallel))
+{
+    for (std::size_t f = 0; f < HeldOutData::folds; ++f)
+        for (const auto& w : data_.judge(f, {}, {})) documented_.push_back(w);
+    data_.raise_floor({}, {});
+    fitter_->renew();
+    corrected_ = fitter_->fit({}, fitter_->start({}, {}, {}));
+    settle(corrected_);
+    corrected_ = fitter_->fit({}, corrected_.fit.x);
+    if (!singles.empty()) first_ = climber_->next(corrected_);
+}
+
+LadderSearch::~LadderSearch() = default;
+
+void LadderSearch::settle(const FittedSet& set)
+{
+    data_.raise_floor(set.model.candidate, in_si(set.model.candidate, set.fit.x, scales_));
+    fitter_->renew();
+}
+
+Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t most_rungs)
+{
+    FittedSet set = corrected_;
+    const auto best_first = [](const auto& a, const auto& b) { return a.misfit < b.misfit; };
+    const std::size_t most_rounds = 2 * most_rungs;  // an exchange may come back to where it was
+    for (std::size_t round = 0; round < most_rounds && set.causes.effects.size() < most_rungs; ++round) {
+        const bool at_start = set.causes.effects.empty();
+        auto tried = at_start ? first_ : climber_->next(set);
+        // what a search of pairs has found may be more than its parts
+        if (set.causes.effects.size() == 1 || (at_start && (tried.empty() || !earns(set, tried[0], rules_)))) {
+            for (auto& s : climber_->judged(known_sets(pairs, *fitter_, set))) tried.push_back(std::move(s));
+            std::stable_sort(tried.begin(), tried.end(), best_first);
+        }
+        const auto next = std::find_if(tried.begin(), tried.end(), [](const auto& t) { return t.plausible; });
+        if (next == tried.end() || !earns(set, *next, rules_)) break;
+        set = *next;
+        settle(set);
+        // exchange: a cause that only stood in for what came later goes, and makes room
+        for (std::size_t i = 0; i < set.causes.effects.size() && set.causes.effects.size() > 1;) {
+            FittedSet less = climber_->without(set, i);
+            if (earns(less, set, rules_))
+                ++i;
+            else
+                set = std::move(less), i = 0;
+        }
+    }
+    return finished(std::move(set));
+}
+
+Ladder LadderSearch::of(const Attribution& known)
+{
+    return finished(fitter_->fit(known.candidate, fitter_->start(known.candidate, {}, known.x[ladder_level])));
+}
+
+Ladder LadderSearch::finished(FittedSet set)
+{
+    Ladder ladder;
+    ladder.corrections = corrections_;
+    ladder.documented = documented_;
+    ladder.corrected = corrected_;
+    if (set.causes.effects.empty()) {
+        ladder.corrected_as_last = corrected_.all_left();
+        ladder.rivals.push_back(first_);
+        return ladder;
+    }
+    ladder.rungs = in_order(*climber_, std::move(set), parallel_);
+    for (std::size_t i = 0; i < ladder.rungs.size(); ++i)
+        ladder.rivals.push_back(
+            climber_->in_place_of(ladder.rungs[i], i > 0 ? ladder.rungs[i - 1].causes : Candidate{}));
+    // the corrections that belong to the whole set, alone
+    const FittedSet& last = ladder.rungs.back();
+    const auto alone = corrections_->beside({});
+    for (std::size_t f = 0; f < HeldOutData::folds; ++f) {
+        const auto x = Corrections::start(alone, last.model, last.x[f], {});
+        for (const auto& w : data_.judge(f, alone.candidate, in_si(alone.candidate, x, scales_)))
+            ladder.corrected_as_last.push_back(w);
+    }
+    return ladder;
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,83 @@
+// The ladder of causes: in the order in which they pay on data that no fit has seen, each given those above it, with
+// the corrections of the joint's own numbers refitted on both sides of every comparison.
+#pragma once
+#include "analysis/diagnosis/ladder/rules.h"
+#include "analysis/diagnosis/ladder/windows.h"
+#include "analysis/diagnosis/search/attribute.h"
+
+#include <memory>
+
+namespace stickslip::gap {
+
+/// Causes beside the corrections, fitted to all rows and, in turn, to those that a fold leaves.
+struct FittedSet {
+    Candidate causes;
+    Corrected model;
+    LevelFit fit;                                       ///< to all rows
+    std::array<Eigen::VectorXd, HeldOutData::folds> x;  ///< without each fold
+    std::array<std::vector<Window>, HeldOutData::folds> left;
+    bool plausible = true;
+    double misfit = infinity;  ///< held-out mean log square, with what the priors and the number of parameters cost
+
+    std::vector<Window> all_left() const;
+    /// Numbers of the causes alone.
+    Eigen::VectorXd of_causes(const Eigen::VectorXd& of_all) const
+    {
+        return of_all.tail(of_all.size() - static_cast<Eigen::Index>(model.numbers));
+    }
+};
+
+struct Ladder {
+    std::shared_ptr<const Corrections> corrections;  ///< the models point at its effects
+    std::vector<Window> documented;                  ///< what the joint leaves as the document describes it
+    FittedSet corrected;                             ///< the corrections alone
+    std::vector<FittedSet> rungs;                    ///< the first cause, the first two, …
+    /// Of every rung the other causes that were tried in its place, best first.
+    std::vector<std::vector<FittedSet>> rivals;
+    /// The corrections that go with the last rung, alone.
+    std::vector<Window> corrected_as_last;
+
+    const FittedSet& last() const { return rungs.empty() ? corrected : rungs.back(); }
+};
+
+/// By how much of held-out mean log square one set has to beat another so that it is told from it: model error is as
+/// large as what the better one leaves beyond the noise, noise itself as the rows allow.
+double margin_of(const FittedSet& better, const LadderRules& rules);
+
+class Climber;
+class SetFitter;
+
+/// Climbs from singles, each in its best form and with the numbers that its fit came to, best first.
+class LadderSearch {
+  public:
+    LadderSearch(const std::vector<Case>& cases, const Scales& scales, const std::vector<Attribution>& singles,
+                 const LadderRules& rules, const ParallelFor& parallel);
+    ~LadderSearch();
+    LadderSearch(const LadderSearch&) = delete;
+
+    /// The best cause alone, worth a rung or not; null where there is none to try.
+    const FittedSet* first() const { return first_.empty() ? nullptr : &first_[0]; }
+    /// At most so many rungs; pairs that a search of their own has found are tried as the first two.
+    Ladder climb(const std::vector<Attribution>& pairs, std::size_t most_rungs);
+    /// The ladder of causes that are known.
+    Ladder of(const Attribution& known);
+
+    const HeldOutData& data() const { return data_; }
+
+  private:
+    void settle(const FittedSet& set);
+    Ladder finished(FittedSet set);
+
+    const Scales& scales_;
+    const LadderRules& rules_;
+    const ParallelFor& parallel_;
+    std::shared_ptr<const Corrections> corrections_;
+    HeldOutData data_;
+    std::vector<Window> documented_;
+    FittedSet corrected_;
+    std::unique_ptr<SetFitter> fitter_;
+    std::unique_ptr<Climber> climber_;
+    std::vector<FittedSet> first_;  ///< causes in place of the first rung, best first
+};
+
+}  // namespace stickslip::gap

@@ -1,0 +1,98 @@
+#include "analysis/diagnosis/ladder/fit_set.h"
+
+#include "analysis/diagnosis/fit/excerpt.h"
+#include "analysis/diagnosis/fit/seeds.h"
+#include "analysis/diagnosis/ladder/plausible.h"
+#include "analysis/diagnosis/search/search.h"
+
+#include <algorithm>
+
+namespace stickslip::gap {
+namespace {
+
+constexpr double omega = levels[ladder_level];
+constexpr int first_steps = 3, steps = 6, steps_of_fold = 3;      // of descents
+constexpr int first_effort = 6, effort = 15, effort_of_fold = 4;  // evaluations a parameter of searches
+
+}  // namespace
+
+Eigen::VectorXd insert(Candidate& causes, const Effect* effect, const EffectForm* form, const Eigen::VectorXd& numbers,
+                       const Eigen::VectorXd& of_effect)
+{
+    std::size_t place = 0;
+    Eigen::Index at = 0;
+    while (place < causes.effects.size() && causes.effects[place] < effect)
+        at += static_cast<Eigen::Index>(causes.count_of(*causes.forms[place++]));
+    causes.effects.insert(causes.effects.begin() + static_cast<std::ptrdiff_t>(place), effect);
+    causes.forms.insert(causes.forms.begin() + static_cast<std::ptrdiff_t>(place), form);
+    Eigen::VectorXd x(numbers.size() + of_effect.size());
+    x.head(at) = numbers.head(at);
+    x.segment(at, of_effect.size()) = of_effect;
+    x.tail(numbers.size() - at) = numbers.tail(numbers.size() - at);
+    return x;
+}
+
+std::vector<Window> FittedSet::all_left() const
+{
+    std::vector<Window> all;
+    for (const auto& fold : left) all.insert(all.end(), fold.begin(), fold.end());
+    return all;
+}
+
+void SetFitter::renew()
+{
+    brief_ = excerpts(data_.fitted(), omega, brief_ticks, coarse);
+    whole_ = uncut(data_.fitted(), coarse);
+}
+
+Eigen::VectorXd SetFitter::start(const Candidate& causes, const FittedSet& like, const Eigen::VectorXd& of_causes) const
+{
+    return Corrections::start(corrections_.beside(causes), like.model, like.fit.x, of_causes);
+}
+
+void SetFitter::look(Start& s, const FittedSet& below) const
+{
+    const Candidate added{{s.effect}, {s.form}, s.causes.records};
+    std::vector<Eigen::VectorXd> from(s.alone.begin(), s.alone.end());
+    if (!two_mass_edit(added)) {
+        const auto si = in_si(below.model.candidate, below.fit.x, scales_);
+        for (auto& seed : starts(data_.fitted(), scales_, added, below.model.candidate, si))
+            from.push_back(std::move(seed));
+    }
+    const Candidate others = s.causes;
+    const Eigen::VectorXd of_others = others.effects.empty() ? Eigen::VectorXd{} : below.of_causes(below.fit.x);
+    insert(s.causes, s.effect, s.form, of_others, from[0]);
+    const auto model = corrections_.beside(s.causes);
+    const auto& part = needs_history(model.candidate) ? whole_ : brief_;
+    double least = infinity;
+    for (const auto& own : from) {
+        if (own.size() != static_cast<Eigen::Index>(added.parameter_count())) continue;
+        Candidate all = others;
+        const auto x = start(s.causes, below, insert(all, s.effect, s.form, of_others, own));
+        const double o = evaluate(part, model.candidate, in_si(model.candidate, x, scales_), omega).objective;
+        if (o < least) least = o, s.x0 = x;
+    }
+    if (s.x0.size() == 0) return;
+    const auto found = improve(part, model.candidate, scales_, s.x0, omega, first_effort, first_steps);
+    s.x0 = found.x;
+    s.objective = found.evaluation.objective;
+}
+
+FittedSet SetFitter::fit(const Candidate& causes, const Eigen::VectorXd& x0) const
+{
+    FittedSet set;
+    set.causes = causes;
+    set.model = corrections_.beside(causes);
+    const Candidate& c = set.model.candidate;
+    set.fit = improve(data_.fitted(), c, scales_, x0, omega, effort, steps);
+    for (std::size_t f = 0; f < HeldOutData::folds; ++f) {
+        set.x[f] = improve(data_.without(f), c, scales_, set.fit.x, omega, effort_of_fold, steps_of_fold).x;
+        set.left[f] = data_.judge(f, c, in_si(c, set.x[f], scales_));
+    }
+    set.plausible = plausible(causes, set.of_causes(set.fit.x), scales_, data_.cases()[0].joint, ranges_);
+    set.misfit = mean_log(set.all_left()) + prior_cost(c, set.fit.x) +
+                 price_of_parameter * static_cast<double>(causes.effects.empty() ? 0 : causes.parameter_count());
+    return set;
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,45 @@
+// Fits one set of causes beside the corrections: a first look on excerpts, then all rows and every fold.
+#pragma once
+#include "analysis/diagnosis/ladder/climb.h"
+
+namespace stickslip::gap {
+
+/// Adds a cause to a set and its numbers to theirs, in the order of the catalogue: edits that change the model of the
+/// joint come last.
+Eigen::VectorXd insert(Candidate& causes, const Effect* effect, const EffectForm* form, const Eigen::VectorXd& numbers,
+                       const Eigen::VectorXd& of_effect);
+
+/// A set of causes that is to be looked at, and where its fit may start.
+struct Start {
+    Candidate causes;                ///< those below, until the first look adds the other
+    const Effect* effect = nullptr;  ///< the cause that is added
+    const EffectForm* form = nullptr;
+    std::array<Eigen::VectorXd, levels.size()> alone{};  ///< its numbers, as fitted alone
+    double objective = infinity;                         ///< after a first look
+    Eigen::VectorXd x0 = {};                             ///< with the corrections
+};
+
+class SetFitter {
+  public:
+    SetFitter(const HeldOutData& data, const Scales& scales, const Corrections& corrections,
+              std::span<const PhysicalRange> ranges)
+        : data_(data), scales_(scales), corrections_(corrections), ranges_(ranges)
+    {
+    }
+    /// Excerpts anew, after the floors have moved.
+    void renew();
+    /// Numbers of a set: corrections as in `like`, causes as given.
+    Eigen::VectorXd start(const Candidate& causes, const FittedSet& like, const Eigen::VectorXd& of_causes) const;
+    /// Adds the cause: a few steps on excerpts from the best of its starts, the others as in `below`.
+    void look(Start& start, const FittedSet& below) const;
+    FittedSet fit(const Candidate& causes, const Eigen::VectorXd& x0) const;
+
+  private:
+    const HeldOutData& data_;
+    const Scales& scales_;
+    const Corrections& corrections_;
+    std::span<const PhysicalRange> ranges_;
+    std::vector<Case> brief_, whole_;
+};
+
+}  // namespace stickslip::gap

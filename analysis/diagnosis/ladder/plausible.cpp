@@ -1,0 +1,55 @@
+#include "analysis/diagnosis/ladder/plausible.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace stickslip::gap {
+namespace {
+
+bool at_bound(const EffectParameter& p, double scaled)
+{
+    constexpr double next_to = 1e-3;  // of the bound
+    // an additive number may well be nothing; a factor or a size at its least is not what the name means
+    const bool above = scaled > p.high * (p.high > 0 ? 1 - next_to : 1 + next_to);
+    return above || (p.logarithmic && scaled < p.low * (1 + next_to)) ||
+           (!p.logarithmic && p.low < 0 && scaled < p.low * (1 - next_to));
+}
+
+double in_units_of(const PhysicalRange& range, double scaled, double si, const Scales& scales, const Joint& joint)
+{
+    switch (range.per) {
+        case Per::winding:
+            return is_set(joint.actuator.resistance) && joint.actuator.resistance > 0 ? si / joint.actuator.resistance
+                                                                                      : range.low;
+        case Per::period_of_record:
+            return si * scales.duration / (2 * std::numbers::pi);
+        case Per::period_of_travel:
+            return si * scales.position / (2 * std::numbers::pi);
+        default:
+            return scaled;
+    }
+}
+
+}  // namespace
+
+bool plausible(const Candidate& causes, const Eigen::VectorXd& x, const Scales& scales, const Joint& joint,
+               std::span<const PhysicalRange> ranges)
+{
+    if (causes.effects.empty()) return true;
+    const auto si = in_si(causes, x, scales);
+    std::size_t i = 0;
+    for (std::size_t n = 0; n < causes.effects.size(); ++n)
+        for (std::size_t k = 0; k < causes.count_of(*causes.forms[n]); ++k, ++i) {
+            const auto& p = causes.parameter(i);
+            const double scaled = si[i] / unit_of(p.scale, scales);
+            if (at_bound(p, scaled)) return false;
+            for (const auto& range : ranges) {
+                if (range.effect != causes.effects[n]->name || range.parameter != p.name) continue;
+                const double value = in_units_of(range, scaled, si[i], scales, joint);
+                if (!(value >= range.low && value <= range.high)) return false;
+            }
+        }
+    return true;
+}
+
+}  // namespace stickslip::gap

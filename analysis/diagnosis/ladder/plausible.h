@@ -1,0 +1,11 @@
+// Whether the numbers of a fitted cause can be those of a joint.
+#pragma once
+#include "analysis/diagnosis/ladder/rules.h"
+
+namespace stickslip::gap {
+
+/// No number at a bound of its fit, none outside its physical range. `x` are numbers of these causes alone.
+bool plausible(const Candidate& causes, const Eigen::VectorXd& x, const Scales& scales, const Joint& joint,
+               std::span<const PhysicalRange> ranges);
+
+}  // namespace stickslip::gap

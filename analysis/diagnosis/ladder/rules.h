@@ -1,0 +1,38 @@
+// The numbers that a ladder of causes goes by. Their values, with reasons and evidence, stand in verdict/policy.h.
+#pragma once
+#include "analysis/diagnosis/fit/corrections.h"
+
+#include <span>
+#include <string_view>
+
+namespace stickslip::gap {
+
+/// What a physical range is counted in.
+enum class Per {
+    scale,             ///< the unit in which the parameter is fitted
+    winding,           ///< resistance of the motor's winding
+    period_of_record,  ///< an angular frequency, in periods over the longest record
+    period_of_travel   ///< a wave number, in periods over the travel
+};
+
+/// Numbers outside are no property of a joint: a cause that needs them only soaks up what something else leaves.
+struct PhysicalRange {
+    std::string_view effect, parameter;
+    double low, high;
+    Per per;
+    std::string_view reason;
+};
+
+struct LadderRules {
+    CorrectionPrior prior;
+    std::size_t most_rungs;
+    std::size_t first_look, finalists;  ///< causes that get a first look beside the corrections, and that go on
+    double worth_a_rung;                ///< least fall of the held-out mean log square
+    double of_the_rest;                 ///< least part of the held-out squares that are left, which a rung takes
+    double margin;                      ///< of held-out mean log square, where all that is left is model error
+    double rows_of_margin;              ///< the same where all is noise, times rows
+    std::span<const PhysicalRange> ranges;
+    double worth_telling;  ///< share of the squares from which on a dependence is told
+};
+
+}  // namespace stickslip::gap

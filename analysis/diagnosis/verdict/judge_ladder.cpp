@@ -1,0 +1,166 @@
+#include "analysis/diagnosis/verdict/judge_ladder.h"
+
+#include "analysis/diagnosis/search/search.h"
+#include "analysis/diagnosis/verdict/experiment.h"
+#include "analysis/diagnosis/verdict/policy.h"
+#include "analysis/diagnosis/verdict/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace stickslip::gap {
+namespace {
+
+std::string percent(double part)
+{
+    return std::to_string(static_cast<int>(std::lround(100 * part))) + " %";
+}
+
+std::string together(const std::vector<std::string>& names)
+{
+    std::string text;
+    for (const auto& name : names) text += (text.empty() ? "" : " with ") + name;
+    return text;
+}
+
+Shares shares_of(const Ladder& ladder, const Flexible& of_corrected, const Flexible& of_last)
+{
+    Shares s;
+    s.documented = beyond_noise(ladder.documented);
+    s.base = beyond_noise(ladder.corrected.all_left());
+    s.corrected = std::min(s.documented, beyond_noise(ladder.corrected_as_last));
+    for (const auto& rung : ladder.rungs) s.rungs.push_back(beyond_noise(rung.all_left()));
+    s.explainable_to = std::min(of_corrected.after, of_last.after);
+    if (!s.rungs.empty()) s.explainable_to = std::min(s.explainable_to, s.rungs.back());
+    return s;
+}
+
+/// Whether the rungs take most of what is explainable beyond the corrections.
+bool takes_most(const Shares& s)
+{
+    const double explainable = s.base - s.explainable_to;
+    if (s.rungs.empty() || !(explainable > 0)) return false;
+    return s.base - s.rungs[0] >= policy::least_of_explainable * explainable ||
+           (s.rungs.size() > 1 && s.base - s.rungs.back() >= policy::least_of_explainable_together * explainable);
+}
+
+/// Whether a free force of the signal that the first cause is a function of takes most of a rest that matters.
+bool only_nearest(const JudgedLadder& j)
+{
+    const Effect& first = *j.ladder.rungs[0].causes.effects[0];
+    return j.shares.rungs.back() > policy::nearest_in_shape * j.shares.base &&
+           j.of_last.share_of(signal_of(first)) > policy::taken_by_free_force;
+}
+
+/// How sure every rung is: against its rivals, and against what is left of the explainable.
+std::vector<double> chances_of(const JudgedLadder& j)
+{
+    std::vector<double> chances;
+    constexpr double doubt_of_noise = 0.03;
+    const double whole = std::max(1e-300, j.shares.base - j.shares.explainable_to);
+    const double left = std::clamp((j.shares.rungs.back() - j.shares.explainable_to) / whole, 0.0, 1.0);
+    const double doubt = j.noise_left ? doubt_of_noise : std::min(1.0, policy::doubt_of_rung + left);
+    for (std::size_t i = 0; i < j.ladder.rungs.size(); ++i) {
+        const FittedSet& rung = j.ladder.rungs[i];
+        double sum = 1;
+        for (const auto& rival : j.ladder.rivals[i])
+            sum += std::exp(std::min(0.0, rung.misfit - rival.misfit) / margin_of(rung, policy::ladder));
+        chances.push_back((1 - doubt) / sum);
+    }
+    return chances;
+}
+
+}  // namespace
+
+std::string_view signal_of(const Effect& effect)
+{
+    const auto is = [&](std::initializer_list<std::string_view> names) {
+        return std::find(names.begin(), names.end(), effect.name) != names.end();
+    };
+    if (is({"gravity", "cogging", "constant-load", "sensor-offset"})) return "position";
+    if (is({"position-dependent-friction"})) return "direction";
+    if (is({"stribeck", "viscous", "asymmetric-friction", "coulomb-level"})) return "velocity";
+    if (is({"presliding", "frictional-memory", "backlash", "compliance"})) return "history";
+    if (is({"friction-drift", "periodic-disturbance"})) return "time";
+    if (is({"inertia"})) return "acceleration";
+    return "effort";
+}
+
+Attribution at_all_levels(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
+                          const FittedSet& set)
+{
+    return as_screened(cases, scales, nominal, set.model.candidate, set.fit);
+}
+
+SharesWithInterval share_between(const std::vector<Window>& documented, const std::vector<Window>& above,
+                                 const std::vector<Window>& below)
+{
+    constexpr int resamples = 200;
+    SharesWithInterval result;
+    const std::size_t n = std::min({documented.size(), above.size(), below.size()});
+    if (n == 0) return result;
+    const auto of = [&](auto&& pick) {
+        double whole = 0, taken = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            const std::size_t w = pick(i);
+            whole += documented[w].beyond_noise();
+            taken += above[w].beyond_noise() - below[w].beyond_noise();
+        }
+        return whole > 0 ? std::clamp(taken / whole, -1.0, 1.0) : 0;
+    };
+    result.share = of([](std::size_t i) { return i; });
+    std::uint64_t state = 1;
+    std::vector<double> drawn;
+    for (int r = 0; r < resamples; ++r)
+        drawn.push_back(of([&](std::size_t) {
+            state = state * 6364136223846793005ull + 1442695040888963407ull;
+            return static_cast<std::size_t>((state >> 33) % n);
+        }));
+    std::sort(drawn.begin(), drawn.end());
+    result.low = drawn[resamples / 40], result.high = drawn[resamples - 1 - resamples / 40];
+    return result;
+}
+
+void judge(JudgedLadder& j, const HeldOutData& data, const Scales& scales, const Nominal& nominal,
+           const ParallelFor& parallel)
+{
+    const Ladder& ladder = j.ladder;
+    const FittedSet& base = ladder.corrected;
+    const FittedSet& last = ladder.last();
+    j.of_corrected = regress(data, scales, base.model.candidate, base.x, base.fit.x);
+    j.of_last = ladder.rungs.empty() ? j.of_corrected : regress(data, scales, last.model.candidate, last.x, last.fit.x);
+    j.shares = shares_of(ladder, j.of_corrected, j.of_last);
+    j.winner = at_all_levels(data.cases(), scales, nominal, last);
+    j.winner.refined = true;
+    // its fit weighed by what it leaves: errors are those of the documented noise
+    j.winner.information =
+        descend(data.cases(), j.winner.candidate, scales, last.fit.x, levels[ladder_level], 1).information;
+    j.corrections = last.model.corrections;
+    j.noise_left = j.winner.accepted && at_floor(data.cases(), j.winner, nominal, scales, parallel);
+    const double whole = std::max(1e-300, j.shares.documented);
+    if (ladder.rungs.empty()) {
+        // nothing but the document's numbers: if they take most of what is explainable, that is the answer
+        const double taken = j.shares.documented - j.shares.base;
+        j.only_corrections =
+            j.noise_left || taken >= policy::least_of_explainable * (j.shares.documented - j.shares.explainable_to);
+        if (!j.only_corrections)
+            j.why_not =
+                "no cause takes a part of the gap on data that its fit has not seen, with inertia, friction and "
+                "load refitted beside it";
+        return;
+    }
+    j.chances = chances_of(j);
+    const auto names = names_of(ladder.rungs[0].causes);
+    if (!j.noise_left && !takes_most(j.shares))
+        j.why_not = together(names) + " comes nearest, but takes only " +
+                    percent((j.shares.base - j.shares.rungs[0]) / whole) + " of a gap of which " +
+                    percent((j.shares.base - j.shares.explainable_to) / whole) + " are explainable";
+    else if (!j.noise_left && only_nearest(j))
+        j.why_not = together(names_of(last.causes)) + " comes nearest, but a force that depends on the " +
+                    std::string(signal_of(*ladder.rungs[0].causes.effects[0])) +
+                    " alone, in the shape of no effect of the catalogue, explains what it leaves";
+    j.named = j.why_not.empty();
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,53 @@
+// From a ladder to a name: against what is explainable at all, not against the encoder's noise.
+#pragma once
+#include "analysis/diagnosis/ladder/climb.h"
+#include "analysis/diagnosis/ladder/flexible.h"
+
+#include <string>
+
+namespace stickslip::gap {
+
+/// Squares beyond the noise on held-out rows: how far each step comes.
+struct Shares {
+    double documented = 0;  ///< as the document describes the joint: the whole gap
+    double corrected = 0;   ///< with the corrections of the last rung
+    double base = 0;        ///< with corrections refitted without any cause: what rungs are judged against
+    std::vector<double> rungs;
+    double explainable_to = 0;  ///< what a flexible force leaves
+};
+
+struct JudgedLadder {
+    Ladder ladder;
+    Shares shares;
+    Flexible of_corrected, of_last;
+    Attribution winner;             ///< the last rung, or the corrections alone, at all levels; corrections come first
+    std::size_t corrections = 0;    ///< effects at the head of the winner that are corrections
+    bool noise_left = false;        ///< all that the winner leaves is noise
+    bool named = false;             ///< causes are named
+    bool only_corrections = false;  ///< the document's own numbers are all that is wrong
+    std::string why_not;            ///< in words, where nothing is named
+    std::vector<double> chances;    ///< of every rung
+
+    bool answers() const { return named || only_corrections; }
+};
+
+/// Judges what was climbed.
+void judge(JudgedLadder& judged, const HeldOutData& data, const Scales& scales, const Nominal& nominal,
+           const ParallelFor& parallel);
+
+/// A fitted set at all levels.
+Attribution at_all_levels(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
+                          const FittedSet& set);
+
+/// The signal that a force of this effect is a function of, in the words of Flexible.
+std::string_view signal_of(const Effect& effect);
+
+/// Parts of the whole gap, with a bootstrap over windows.
+struct SharesWithInterval {
+    double share = 0;
+    double low = 0, high = 0;
+};
+SharesWithInterval share_between(const std::vector<Window>& documented, const std::vector<Window>& above,
+                                 const std::vector<Window>& below);
+
+}  // namespace stickslip::gap

@@ -1,0 +1,68 @@
+// What the verdict of a ladder goes by: every threshold with its unit, its reason and the evidence for it. Rooms below
+// take these numbers as arguments.
+#pragma once
+#include "analysis/diagnosis/ladder/rules.h"
+
+#include <array>
+
+namespace stickslip::gap::policy {
+
+/// Parts of each number. Reason: catalogues, CAD masses and single-run identifications of machines miss by so much;
+/// identified friction is the least certain, and differs from day to day. Evidence: in the blind cases that look like
+/// machines files are 2-10 % off in all three numbers, and records of one joint differ by 3-10 % in their Coulomb
+/// level.
+inline constexpr CorrectionPrior correction_prior{
+    .inertia = 0.04,
+    .coulomb = 0.05,
+    .viscous = 0.08,
+    .coulomb_of_record = 0.03,
+    .load = 0.05,   // of the Coulomb level
+    .least = 0.02,  // of the usual effort
+    .widest = 3,    // standard deviations: beyond that a number is a cause, not a correction
+};
+
+/// Physical ranges. Outside, a cause has no rung.
+inline constexpr std::array physical_ranges{
+    PhysicalRange{"sensor-offset", "scale", 0.8, 1.25, Per::scale,
+                  "lines and gear teeth are counted: a scale is off by a slipping wheel or a unit, not by a half"},
+    PhysicalRange{"supply-sag", "resistance", 0, 3, Per::winding,
+                  "a source weaker than a third of the motor could not run it (maximum power at equal resistances)"},
+    PhysicalRange{"periodic-disturbance", "frequency", 2, 1e9, Per::period_of_record,
+                  "less than two periods are a drift, not a period"},
+    PhysicalRange{"cogging", "periods", 1.5, 1e9, Per::period_of_travel,
+                  "a wave that does not come back within the travel is a slope or gravity"},
+    PhysicalRange{"position-dependent-friction", "periods", 1, 1e9, Per::period_of_travel,
+                  "a wave that does not come back within the travel is a trend"},
+};
+
+inline constexpr LadderRules ladder{
+    .prior = correction_prior,
+    .most_rungs = 4,       // more causes than that no record of one joint has told apart
+    .first_look = 40,      // causes
+    .finalists = 5,        // causes; in 33 of 37 imperfect cases the right one led all others even without corrections
+    .worth_a_rung = 0.02,  // of held-out mean log square: a hundredth of the RMS
+    .of_the_rest = 0.15,   // of the squares that are left: less is what an imperfect form of another cause leaves
+    .margin = 0.14,        // of held-out mean log square, i.e. 7 % of the RMS: rivals that near are model error apart
+    .rows_of_margin = 60,  // four readings of 15 rows each, see rows_per_reading of verdict.cpp
+    .ranges = physical_ranges,
+    .worth_telling = 0.1,
+};
+
+/// Of what is explainable beyond the corrections. Reason: a first rung that takes less is not "the effect".
+inline constexpr double least_of_explainable = 0.5;
+/// The same for several causes together where the first alone takes less: effects can be more than their sum.
+inline constexpr double least_of_explainable_together = 0.8;
+/// Part of the gap beyond the corrections that a ladder leaves, from which on a free force of the same signal as its
+/// first rung, which takes more than half of that, means that the cause is only the nearest in shape. Evidence: a
+/// cubic spring leaves more than a tenth behind gravity; other shapes of Stribeck curves and bristles leave less.
+inline constexpr double nearest_in_shape = 0.12, taken_by_free_force = 0.5;
+/// Of the gap beyond the corrections: where one cause leaves more of what is explainable, pairs get a search of their
+/// own, since effects can be more than their sum. Less than that, climbing on finds the second.
+inline constexpr double worth_a_search_of_pairs = 0.1;
+/// Chance that a rung is not the cause although it leads, where more than noise is left; grows to certainty with what
+/// is left of the explainable. Where all that is left is noise, verdict.cpp's doubt of what is accepted counts.
+inline constexpr double doubt_of_rung = 0.22;
+/// A correction is told as what is wrong with the document where leaving it out costs so much of what all of them take.
+inline constexpr double worth_correcting = 0.05;
+
+}  // namespace stickslip::gap::policy

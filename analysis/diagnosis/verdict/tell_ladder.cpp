@@ -1,0 +1,209 @@
+#include "analysis/diagnosis/verdict/tell_ladder.h"
+
+#include "analysis/diagnosis/verdict/causes.h"
+#include "analysis/diagnosis/verdict/experiment.h"
+#include "analysis/diagnosis/verdict/policy.h"
+#include "analysis/diagnosis/verdict/withdraw.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip::gap {
+namespace {
+
+/// The corrections of a fit as numbers of the document.
+std::vector<Correction> corrections_of(const Prepared& p, const JudgedLadder& j)
+{
+    std::vector<Correction> all;
+    const Candidate& c = j.winner.candidate;
+    const auto quality = quality_of(p.cases, j.winner, p.scales);
+    const auto si = in_si(c, j.winner.x[ladder_level], p.scales);
+    const Motion motion = p.documented[0].mechanism.motion;
+    std::size_t i = 0;
+    for (std::size_t n = 0; n < j.corrections; ++n)
+        for (std::size_t k = 0; k < c.count_of(*c.forms[n]); ++k, ++i) {
+            const auto& parameter = c.parameter(i);
+            std::string name = std::string(c.effects[n]->name) + "." + std::string(parameter.name);
+            if (c.forms[n]->own > 0) name = "coulomb-level.change in " + p.cases[k].ticks.name;
+            const double sd = c.sd_of(i) * (parameter.logarithmic ? 1 : unit_of(parameter.scale, p.scales));
+            all.push_back({c.forms[n]->own > 0 ? "coulomb-level" : std::string(c.effects[n]->name),
+                           {name, si[i], quality.standard_error[i], std::string(unit_of(parameter.quantity, motion))},
+                           sd});
+        }
+    return all;
+}
+
+/// The correction that is largest against its prior.
+std::vector<std::string> furthest_off(const JudgedLadder& j)
+{
+    const Candidate& c = j.winner.candidate;
+    const Eigen::VectorXd& x = j.winner.x[ladder_level];
+    std::size_t i = 0;
+    double largest = 0;
+    std::vector<std::string> name;
+    for (std::size_t n = 0; n < j.corrections; ++n)
+        for (std::size_t k = 0; k < c.count_of(*c.forms[n]); ++k, ++i)
+            if (const double off = std::abs(x[static_cast<Eigen::Index>(i)]) / c.sd_of(i); off > largest) {
+                largest = off;
+                name = {c.forms[n]->own > 0 ? "coulomb-level" : std::string(c.effects[n]->name)};
+            }
+    return name;
+}
+
+/// Which corrections, left out, cost a part of what all of them take.
+std::vector<std::string> that_matter(const Prepared& p, const JudgedLadder& j)
+{
+    std::vector<std::string> names;
+    const Candidate& c = j.winner.candidate;
+    const auto squares = [&](const Eigen::VectorXd& x) {
+        double sum = 0;
+        for (const auto& m : evaluate(p.cases, c, in_si(c, x, p.scales), levels[ladder_level]).records)
+            sum += m.position + m.effort;
+        return sum;
+    };
+    const Eigen::VectorXd& x = j.winner.x[ladder_level];
+    const double all = squares(x), none = squares(Eigen::VectorXd::Zero(x.size()));
+    Eigen::Index at = 0;
+    for (std::size_t n = 0; n < c.effects.size(); ++n) {
+        const auto count = static_cast<Eigen::Index>(c.count_of(*c.forms[n]));
+        Eigen::VectorXd less = x;
+        less.segment(at, count).setZero();
+        at += count;
+        const std::string name = c.forms[n]->own > 0 ? "coulomb-level" : std::string(c.effects[n]->name);
+        if (squares(less) - all > policy::worth_correcting * (none - all) &&
+            std::find(names.begin(), names.end(), name) == names.end())
+            names.push_back(name);
+    }
+    return names.empty() ? furthest_off(j) : names;
+}
+
+LadderRung rung_of(const JudgedLadder& j, const Cause& whole, std::size_t i)
+{
+    const FittedSet& set = j.ladder.rungs[i];
+    LadderRung rung;
+    // the cause that the rung below does not have
+    for (const auto* e : set.causes.effects)
+        if (i == 0 || std::ranges::count(j.ladder.rungs[i - 1].causes.effects, e) == 0)
+            rung.names.emplace_back(e->name);
+    const bool worse = j.shares.corrected >= j.shares.documented;
+    const auto above = i > 0   ? j.ladder.rungs[i - 1].all_left()
+                       : worse ? j.ladder.documented
+                               : j.ladder.corrected_as_last;
+    const auto share = share_between(j.ladder.documented, above, set.all_left());
+    rung.share = share.share, rung.interval = {share.low, share.high};
+    for (const auto& parameter : whole.parameters)
+        for (const auto& name : rung.names)
+            if (parameter.name.starts_with(name + ".")) rung.parameters.push_back(parameter);
+    for (const auto& rival : j.ladder.rivals[i]) {
+        if (rival.misfit - set.misfit > margin_of(set, policy::ladder)) continue;
+        std::vector<std::string> names;
+        for (const auto* e : rival.causes.effects)
+            if (i == 0 || std::ranges::count(j.ladder.rungs[i - 1].causes.effects, e) == 0) names.emplace_back(e->name);
+        rung.ambiguous_with.push_back(std::move(names));
+    }
+    rung.probability = j.chances[i];
+    return rung;
+}
+
+std::vector<std::string> signals_in(const Flexible& flexible)
+{
+    std::vector<std::string> signals;
+    for (const auto& [signal, share] : flexible.alone)
+        if (share > policy::ladder.worth_telling) signals.emplace_back(signal);
+    return signals;
+}
+
+}  // namespace
+
+void tell_ladder(const Prepared& p, const Findings& f, double audited, Diagnosis& d)
+{
+    const double rest = 1 - audited;
+    if (!p.audit.findings.empty()) {
+        const Cause found = cause_of(p, f.none, 1);
+        d.ladder.push_back({found.names, audited, {}, found.parameters, {}, 0.99});
+    }
+    if (!f.climbed) {
+        d.ceiling.share = audited;
+        return;
+    }
+    const JudgedLadder& j = f.judged;
+    const Cause whole = cause_of(p, j.winner, 1, j.corrections);
+    const bool told = f.named();
+    if (told)
+        for (std::size_t i = 0; i < j.ladder.rungs.size(); ++i) {
+            auto rung = rung_of(j, whole, i);
+            if (!f.by_ladder) {
+                rung.probability = d.effects.empty() ? 0 : d.effects[0].probability;
+                for (const auto* rival : f.decision.ambiguous)
+                    if (i == 0) rung.ambiguous_with.push_back(names_of(rival->candidate));
+            }
+            rung.share *= rest, rung.interval.low *= rest, rung.interval.high *= rest;
+            d.ladder.push_back(std::move(rung));
+        }
+    d.corrections = corrections_of(p, j);
+    const double gap = std::max(1e-300, j.shares.documented);
+    d.corrected_share = rest * std::max(0.0, 1 - j.shares.corrected / gap);
+    const auto explainable = share_between(j.ladder.documented, j.ladder.documented, j.ladder.last().all_left());
+    const double more = (beyond_noise(j.ladder.last().all_left()) - j.shares.explainable_to) / gap;
+    d.ceiling.share = audited + rest * std::clamp(explainable.share + more, 0.0, 1.0);
+    d.ceiling.interval = {audited + rest * std::clamp(explainable.low + more, 0.0, 1.0),
+                          audited + rest * std::clamp(explainable.high + more, 0.0, 1.0)};
+    d.ceiling.depends_on = signals_in(j.of_corrected);
+    d.remainder.share = rest * std::clamp((told ? beyond_noise(j.ladder.last().all_left()) : gap) / gap, 0.0, 1.0);
+    if (!j.noise_left) d.remainder.structure = signals_in(j.of_last);
+}
+
+std::vector<Cause> causes_of(const Prepared& p, const JudgedLadder& j)
+{
+    constexpr double nothing_more = 0.9, something_more = 0.6;  // chances that a document's numbers are all
+    std::vector<Cause> causes;
+    if (j.ladder.rungs.empty()) {
+        if (!j.only_corrections) return causes;
+        // no cause, but numbers that the document has wrong
+        Cause c = cause_of(p, j.winner, j.noise_left ? nothing_more : something_more);
+        c.names = that_matter(p, j);
+        c.tell_tale = "in proportion to the numbers that are off";
+        std::erase_if(c.parameters, [&](const auto& parameter) {
+            return std::ranges::none_of(c.names, [&](const auto& n) { return parameter.name.starts_with(n + "."); });
+        });
+        c.heldout_gain = 1 - std::sqrt(j.shares.base / std::max(1e-300, j.shares.documented));
+        causes.push_back(std::move(c));
+        return causes;
+    }
+    double all = 1;
+    for (const double chance : j.chances) all *= chance;
+    Cause first = cause_of(p, j.winner, j.named ? all : believed_unnamed * all, j.corrections);
+    const auto gain = [&](const FittedSet& set) {
+        return 1 - std::sqrt(beyond_noise(set.all_left()) / std::max(1e-300, j.shares.base));
+    };
+    first.heldout_gain = gain(j.ladder.last());
+    first.heldout_gain_interval = {1, -infinity};
+    for (std::size_t f = 0; f < HeldOutData::folds; ++f) {
+        const double before = beyond_noise(j.ladder.corrected.left[f]), after = beyond_noise(j.ladder.last().left[f]);
+        const double in_fold = before > 0 ? 1 - std::sqrt(after / before) : 0;
+        first.heldout_gain_interval.low = std::min(first.heldout_gain_interval.low, in_fold);
+        first.heldout_gain_interval.high = std::max(first.heldout_gain_interval.high, in_fold);
+    }
+    causes.push_back(std::move(first));
+    const FittedSet& rung = j.ladder.rungs[0];
+    for (const auto& rival : j.ladder.rivals[0]) {
+        Cause c;
+        c.names = names_of(rival.causes);
+        c.plausible = rival.plausible;
+        c.heldout_gain = gain(rival);
+        c.misfit = rival.misfit;
+        c.probability = (j.named ? 1 : believed_unnamed) * j.chances[0] *
+                        std::exp(std::min(0.0, rung.misfit - rival.misfit) / margin_of(rung, policy::ladder));
+        std::size_t i = 0;
+        const auto si = in_si(rival.causes, rival.of_causes(rival.fit.x), p.scales);
+        for (std::size_t n = 0; n < rival.causes.effects.size(); ++n)
+            for (std::size_t k = 0; k < rival.causes.count_of(*rival.causes.forms[n]); ++k, ++i)
+                c.parameters.push_back(
+                    {c.names[n] + "." + std::string(rival.causes.parameter(i).name), si[i], not_set,
+                     std::string(unit_of(rival.causes.parameter(i).quantity, p.documented[0].mechanism.motion))});
+        causes.push_back(std::move(c));
+    }
+    return causes;
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,16 @@
+// A judged ladder in the words of an answer.
+#pragma once
+#include "analysis/diagnosis/verdict/findings.h"
+#include "analysis/results/diagnosis.h"
+
+namespace stickslip::gap {
+
+/// Rungs, corrections, what is explainable and what remains. `audited` is the share of the gap that correcting the
+/// controller and the encoder takes: it is the first rung where the audit found something, and the others share the
+/// rest.
+void tell_ladder(const Prepared& prepared, const Findings& findings, double audited, Diagnosis& d);
+
+/// The ladder's causes and their rivals, best first.
+std::vector<Cause> causes_of(const Prepared& prepared, const JudgedLadder& judged);
+
+}  // namespace stickslip::gap

@@ -1,0 +1,134 @@
+#include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/ladder/climb.h"
+#include "analysis/diagnosis/ladder/flexible.h"
+#include "analysis/diagnosis/ladder/plausible.h"
+#include "analysis/diagnosis/verdict/policy.h"
+#include "tests/analysis/diagnosis/small_machine.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace stickslip;
+using namespace stickslip::gap;
+using stickslip::test::Machine;
+
+namespace {
+
+const ParallelFor in_order = [](std::size_t n, const std::function<void(std::size_t)>& task) {
+    for (std::size_t i = 0; i < n; ++i) task(i);
+};
+
+/// A ladder climbed on two records of a machine whose document says something else.
+struct Climbed {
+    std::vector<Case> cases;
+    Scales scales;
+    std::vector<Attribution> singles;
+    std::unique_ptr<LadderSearch> search;
+    Ladder ladder;
+
+    explicit Climbed(const Machine& m)
+    {
+        std::vector<std::string> notes;
+        for (unsigned seed : {1u, 2u}) {
+            cases.push_back(prepare(test::record_of(m, seed, 5), test::nominal_joint(), notes));
+            cases.back().number = cases.size() - 1;
+        }
+        scales = scales_of(cases);
+        for (const char* name :
+             {"viscous", "stribeck", "asymmetric-friction", "load-dependent-friction", "gravity", "friction-drift"}) {
+            Attribution a;
+            const Effect* e = effect_named(name);
+            a.candidate = {{e}, {&e->forms[0]}, cases.size()};
+            a.x.fill(to_fit(a.candidate, e->forms[0].seeds[0]));
+            singles.push_back(a);
+        }
+        search = std::make_unique<LadderSearch>(cases, scales, singles, policy::ladder, in_order);
+        ladder = search->climb({}, policy::ladder.most_rungs);
+    }
+    /// The refitted number of that name, SI; a factor for an inertia.
+    double corrected(std::string_view name) const
+    {
+        const FittedSet& set = ladder.last();
+        const auto si = in_si(set.model.candidate, set.fit.x, scales);
+        std::size_t at = 0;
+        for (std::size_t i = 0; i < set.model.corrections; ++i) {
+            if (set.model.candidate.effects[i]->name == name) return si[at];
+            at += set.model.candidate.count_of(*set.model.candidate.forms[i]);
+        }
+        return not_set;
+    }
+};
+
+double share(const std::vector<Window>& left, const std::vector<Window>& of)
+{
+    return beyond_noise(left) / beyond_noise(of);
+}
+
+}  // namespace
+
+TEST_CASE("numbers of the document that are a few per cent off are corrected to the true ones, and are no cause",
+          "[gap][ladder]")
+{
+    Machine m;
+    m.inertia = 1.2 * 1.05, m.coulomb = 2 * 0.95, m.viscous = 1.5 * 1.1;
+    const Climbed c(m);
+    CHECK(c.ladder.rungs.empty());
+    CHECK(share(c.ladder.corrected.all_left(), c.ladder.documented) < 0.05);
+    CHECK(c.corrected("inertia") == Approx(1.05).margin(0.01));
+    CHECK(c.corrected("coulomb-level") == Approx(-0.1).margin(0.03));
+    CHECK(c.corrected("viscous") == Approx(0.15).margin(0.06));
+}
+
+TEST_CASE("a number that is far off against its prior is a cause", "[gap][ladder]")
+{
+    Machine m;
+    m.viscous = 3;  // documented: 1.5
+    const Climbed c(m);
+    REQUIRE(c.ladder.rungs.size() >= 1);
+    CHECK(c.ladder.rungs[0].causes.effects[0]->name == "viscous");
+}
+
+TEST_CASE(
+    "a cause is named by what it takes on unseen rows although numbers are off and a drag of no catalogue remains",
+    "[gap][ladder]")
+{
+    Machine m;
+    m.inertia = 1.2 * 1.04, m.coulomb = 2 * 1.05;
+    m.drag = 1;
+    m.one_way = 1.2;
+    const Climbed c(m);
+    REQUIRE(c.ladder.rungs.size() >= 1);
+    CHECK(c.ladder.rungs[0].causes.effects[0]->name == "asymmetric-friction");
+    CHECK(share(c.ladder.rungs[0].all_left(), c.ladder.documented) < 0.3);
+    for (const auto& rival : c.ladder.rivals[0])
+        CHECK(rival.misfit > c.ladder.rungs[0].misfit + margin_of(c.ladder.rungs[0], policy::ladder));
+}
+
+TEST_CASE("what remains is told by the signal that it depends on", "[gap][ladder]")
+{
+    Machine m;
+    m.cubic = 4000;  // a spring of no catalogue
+    const Climbed c(m);
+    const auto& base = c.ladder.corrected;
+    const auto flexible = regress(c.search->data(), c.scales, base.model.candidate, base.x, base.fit.x);
+    REQUIRE(flexible.before > 0);
+    CHECK(flexible.after < 0.2 * flexible.before);
+    CHECK(flexible.alone[0].first == "position");
+    CHECK(flexible.share_of("position") > 0.8);
+    CHECK(flexible.share_of("time") < 0.5);
+}
+
+TEST_CASE("numbers outside their physical range are no cause", "[gap][ladder]")
+{
+    const Effect* e = effect_named("periodic-disturbance");
+    const Candidate slow{{e}, {&e->forms[0]}, 1};
+    Scales scales;
+    scales.duration = 6;
+    const Joint joint = test::nominal_joint();
+    CHECK_FALSE(plausible(slow, to_fit(slow, {0.1, 0.1, 0.5}), scales, joint, policy::ladder.ranges));
+    CHECK(plausible(slow, to_fit(slow, {0.1, 0.1, 20}), scales, joint, policy::ladder.ranges));
+    const Effect* memory = effect_named("frictional-memory");
+    const Candidate lag{{memory}, {&memory->forms[0]}, 1};
+    CHECK_FALSE(plausible(lag, to_fit(lag, {0.02, 0.04, 0.5, 0.1}), scales, joint, policy::ladder.ranges));
+}

@@ -36,9 +36,13 @@ std::string asked_by_velocity(const Joint& joint, const VelocityOnlyVerdict& vel
 }
 
 /// The first sentence: what becomes of a small disturbance.
-std::string first_words(const Joint& joint, const LinearVerdict& v)
+std::string first_words(const Joint& joint, const LinearVerdict& v, bool bistable)
 {
     const auto speed = with_unit(v.steady.velocity, Quantity::velocity, joint.mechanism.motion);
+    if (v.state_variable.stable && bistable)
+        return "Bistable: the design slides, but a large enough disturbance ends in stick-slip for good. Small "
+               "disturbances of sliding at " +
+               speed + " decay.";
     if (v.state_variable.stable) return "Stable: small disturbances of sliding at " + speed + " decay.";
     if (v.state_variable.neutral)
         return "Neutral: small disturbances of sliding at " + speed + " neither decay nor grow.";
@@ -71,14 +75,14 @@ std::string other_theory(const Joint& joint, const LinearVerdict& v)
 
 }  // namespace
 
-std::string verdict_text(const Joint& joint, const LinearVerdict& v)
+std::string verdict_text(const Joint& joint, const LinearVerdict& v, bool bistable)
 {
     const auto motion = joint.mechanism.motion;
     if (v.steady.reason == Reason::no_steady_state) return "Undecided: the design point has no steady sliding.";
     if (v.steady.reason != Reason::none) return "Undecided at the design point: " + reason_text(v.steady.reason) + ".";
     const auto& memory = v.state_variable;
     const double k_p = joint.control.k_p;
-    std::string text = first_words(joint, v);
+    std::string text = first_words(joint, v, bistable);
     if (memory.neutral)
         text += neutral_words(joint, memory);
     else if (std::isfinite(memory.k_cr) && k_p > 0)

@@ -96,7 +96,7 @@ int evaluate(const Options& options, const Invocation& invocation)
     const auto loads = decided ? loaded(joint, options.surroundings) : std::nullopt;
     std::filesystem::path page;
     if (!options.directory.empty()) {
-        auto report = linear_report(joint, verdict, nonlinear, *study);
+        auto report = linear_report(joint, answer_joint(joint, verdict, nonlinear, *study));
         report.provenance = {{"version", program_version()}, {"command", invocation.command}};
         if (motion)
             for (auto& section : report.sections)

@@ -105,7 +105,8 @@ int evaluate(const Options& options, const Invocation& invocation)
         page = write_report(report, options.directory);
     }
     if (options.json) {
-        auto json = verdict_json(verdict);
+        nlohmann::ordered_json json = {{"format", "stickslip-evaluate/1"}};
+        json.update(verdict_json(verdict));
         if (decided) json["linear"].update(study_json(joint, *study));
         if (motion) json["linear"]["forced"] = motion_json(force, *motion);
         if (loads) json["linear"]["normal_load"] = load_json(*loads);

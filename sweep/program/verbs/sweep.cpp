@@ -114,7 +114,8 @@ int sweep(const Options& options, Invocation& invocation)
         page = write_sweep_report(report, spec, options.directory);
     }
     if (options.json) {
-        nlohmann::ordered_json json{{"points", summary.points},
+        nlohmann::ordered_json json{{"format", "stickslip-sweep-run/1"},
+                                    {"points", summary.points},
                                     {"computed", run.computed.points},
                                     {"undecided", summary.undecided},
                                     {"results", absolute(run.results).string()},

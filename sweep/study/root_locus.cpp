@@ -75,6 +75,7 @@ std::optional<RootLocus> sampled_root_locus(const Joint& joint, double low, doub
     locus.rational = linear.rational();
     locus.gains = log_steps(low, high, locus.rational ? locus_gains : late_gains);
     if (!sample(locus, linear)) return std::nullopt;
+    locus.own_gain = joint.control.k_p;
     locus.own = root_locus(linear, {joint.control.k_p}).front();
     locus.crossings = locate_on_ray(joint, "control.k_p", low, high, true, Curve::Kind::state_variable);
     return locus;

@@ -12,7 +12,8 @@ namespace stickslip {
 struct RootLocus {
     std::vector<double> gains;                             ///< k_p, ascending
     std::vector<std::vector<std::complex<double>>> roots;  ///< one row a gain; column n is one branch
-    std::vector<std::complex<double>> own;                 ///< at the joint's own k_p
+    double own_gain = 0;                                   ///< the joint's k_p
+    std::vector<std::complex<double>> own;                 ///< its roots
     double limit = 0;                                      ///< |s| of what is worth drawing
     bool rational = true;                  ///< false: roots have no end, those furthest to the right are here
     std::vector<BoundaryPoint> crossings;  ///< k_p at which stability changes

@@ -223,7 +223,8 @@ void fields(A& a, Like<LinearDetails> auto& v)
 template <class A>
 void fields(A& a, Like<RootLocus> auto& v)
 {
-    a("gains", v.gains), a("roots", v.roots), a("own", v.own), a("limit", v.limit), a("rational", v.rational);
+    a("gains", v.gains), a("roots", v.roots), a("own_gain", v.own_gain), a("own", v.own), a("limit", v.limit),
+        a("rational", v.rational);
     a("crossings", v.crossings);
 }
 

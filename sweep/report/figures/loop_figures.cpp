@@ -60,6 +60,29 @@ class LocusLines {
         unstable_{"k_{p} at which it is not", {}, {}, true};
 };
 
+/// A cross at each root of the design's own gain.
+void add_own_roots(LineChart& chart, const RootLocus& locus, Motion motion)
+{
+    constexpr double half = 0.012;  // of the drawn span
+    double left = infinity, right = -infinity, low = infinity, high = -infinity;
+    for (const auto& line : chart.lines)
+        for (std::size_t i = 0; i < line.x.size(); ++i) {
+            if (std::isnan(line.x[i])) continue;
+            left = std::min(left, line.x[i]), right = std::max(right, line.x[i]);
+            low = std::min(low, line.y[i]), high = std::max(high, line.y[i]);
+        }
+    const double dx = half * (right - left), dy = half * (high - low);
+    LineChart::Line own{"the design, k_{p} = " + stiffness(locus.own_gain, motion), {}, {}};
+    for (const auto s : locus.own) {
+        if (s.real() < left || s.real() > right || s.imag() < low || s.imag() > high) continue;
+        for (const double slope : {-1.0, 1.0}) {
+            own.x.insert(own.x.end(), {s.real() - dx, s.real() + dx, missing});
+            own.y.insert(own.y.end(), {s.imag() - slope * dy, s.imag() + slope * dy, missing});
+        }
+    }
+    if (!own.x.empty()) chart.lines.push_back(std::move(own));
+}
+
 Figure root_locus_figure(const RootLocus& locus, Motion motion)
 {
     const double low = locus.gains.front(), high = locus.gains.back(), limit = locus.limit;
@@ -70,6 +93,7 @@ Figure root_locus_figure(const RootLocus& locus, Motion motion)
     chart.x_label = "Re s [1/s]";
     chart.y_label = "Im s [rad/s]";
     chart.lines = LocusLines(locus).drawn();
+    if (!chart.lines.empty()) add_own_roots(chart, locus, motion);
     chart.x_marks.emplace_back("boundary Re s = 0", 0);
     std::string crossing;
     for (const auto& p : locus.crossings)
@@ -81,7 +105,8 @@ Figure root_locus_figure(const RootLocus& locus, Motion motion)
                                                                   : "Stability changes at k_{p} = " + crossing + ".");
     figure.caption =
         "How to read it: the lines follow the roots of the design's characteristic equation while k_{p} alone "
-        "changes; left of the mark a root decays, and where all of them do, sliding is stable. " +
+        "changes; crosses are those of its own k_{p}. Left of the mark a root decays, and where all of them do, "
+        "sliding is stable. " +
         std::string(locus.rational ? "" : "A delay has roots without end; those furthest to the right are drawn. ") +
         figure.finding;
     figure.picture = std::move(chart);

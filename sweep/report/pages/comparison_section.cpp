@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace stickslip {
 namespace {
@@ -15,8 +16,19 @@ struct Words {
     std::string damping(double v) const { return with_unit(v, Quantity::damping, motion, 4); }
     std::string stiffness(double v) const { return with_unit(v, Quantity::stiffness, motion, 4); }
     std::string velocity(double v) const { return with_unit(v, Quantity::velocity, motion, 4); }
+    /// Both ways: engineers read data sheets in Hz.
+    std::string frequency(double omega) const
+    {
+        const auto text = with_unit(omega, Quantity::angular_frequency, motion, 4);
+        return std::isnan(omega) ? text : text + " (" + plain_number(omega / (2 * std::numbers::pi), 3) + "\u00a0Hz)";
+    }
     std::string gains(const std::vector<Interval>& set, Quantity q) const { return intervals_text(set, q, motion); }
 };
+
+std::string degrees(double angle)
+{
+    return std::isnan(angle) ? "–" : plain_number(angle * 180 / std::numbers::pi, 3) + "°";
+}
 
 /// The least k_v at the joint's own k_p over its searched velocities, by both theories.
 Figure demand_figure(const Joint& joint, const LinearDetails& d)
@@ -139,7 +151,7 @@ Section response_section(const Joint& joint, const LinearDetails& details)
                                    study.peak.omega);
     const std::string finding =
         stable
-            ? "The joint yields most at " + with_unit(study.peak.omega, Quantity::angular_frequency, words.motion) +
+            ? "The joint yields most at " + words.frequency(study.peak.omega) +
                   ": a sine of force there meets a stiffness of " + compliance(study.peak.magnitude) +
                   " only, against " + compliance(study.compliance) + " for a lasting force."
             : "Sliding is unstable here: the curve is the response of the linear joint, which no steady sine reaches.";
@@ -154,8 +166,8 @@ Section response_section(const Joint& joint, const LinearDetails& details)
     table.columns = {"quantity", "value"};
     table.rows = {{"k_{p} may shrink to this part of itself", plain_number(m.gain_below, 4)},
                   {"k_{p} may grow by this factor", plain_number(m.gain_above, 4)},
-                  {"phase margin", with_unit(m.phase, Quantity::angle, words.motion, 4)},
-                  {"at the crossover frequency", with_unit(m.crossover, Quantity::angular_frequency, words.motion, 4)}};
+                  {"phase margin", degrees(m.phase)},
+                  {"at the crossover frequency", words.frequency(m.crossover)}};
     section.tables.push_back(std::move(table));
     return section;
 }

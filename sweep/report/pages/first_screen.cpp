@@ -82,9 +82,15 @@ std::vector<Headline> velocity_headlines(const VelocitySearch& search, bool stab
     const std::string searched = ", with these gains; searched from " + text(low) + " to " + text(high);
     if (stable_set.intervals.empty()) return {{Tone::bad, "none", "velocity slides smoothly" + searched}};
     std::vector<Headline> headlines;
-    const double least = stable_set.least;
-    headlines.push_back({Tone::neutral, (least <= low * (1 + 1e-9) ? "≤ " : "") + text(least),
-                         "least velocity of smooth sliding V_{min}" + searched});
+    // one V_min everywhere: from here upwards every velocity slides, as in the figure over the gains
+    const double from = stable_set.all_above;
+    const bool windows = stable_set.least < from || std::isnan(from);
+    headlines.push_back(
+        {Tone::neutral,
+         std::isnan(from) ? "no V_{min}" : (from <= low * (1 + 1e-9) ? "V_{min} ≤ " : "V_{min} = ") + text(from),
+         (std::isnan(from) ? std::string("the highest velocity stick-slips")
+                           : "every faster velocity slides smoothly") +
+             searched + (windows ? "; a window of smooth sliding begins at " + text(stable_set.least) : "")});
     for (const auto& i : stable_set.intervals) {
         if (!stable || V < i.low || V > i.high || (i.low <= low * (1 + 1e-9) && i.high >= high * (1 - 1e-9))) continue;
         const bool open = i.high >= high * (1 - 1e-9);

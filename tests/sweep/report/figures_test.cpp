@@ -133,7 +133,7 @@ TEST_CASE("the root locus of a lag crosses the axis at the ends of its windows",
     REQUIRE(figures.size() == 1);
     CHECK(figures[0].finding.find("130.1 kN/m, 794 kN/m") != std::string::npos);
     const auto& lines = std::get<LineChart>(figures[0].picture).lines;
-    REQUIRE(lines.size() == 2);
+    REQUIRE(lines.size() >= 2);
     CHECK(lines[0].name.find("sliding is stable") != std::string::npos);
     // no root to the right among those of the stable gains, but the last step from the boundary
     CHECK(std::none_of(lines[0].x.begin(), lines[0].x.end(), [](double x) { return x > 20; }));

@@ -78,6 +78,12 @@ Headline nearest_headline(const NearestBoundary& n, Motion motion)
     return h;
 }
 
+std::string all_at_once(double distance, std::size_t parameters)
+{
+    const double each = distance / std::sqrt(static_cast<double>(std::max<std::size_t>(1, parameters)));
+    return "±" + plain_number(100 * -std::expm1(-each), 2) + "\u00a0%";
+}
+
 nlohmann::ordered_json nearest_json(const NearestBoundary& n)
 {
     nlohmann::ordered_json json = {{"decided", n.decided}, {"stable", n.stable}, {"found", n.found}};

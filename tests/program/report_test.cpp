@@ -156,7 +156,7 @@ TEST_CASE("piped output has no colours and no progress", "[program]")
     const auto run = stickslip("sweep '" + folder.write("spec.toml", spec("1e-5")) + "' -o '" + (folder / "out") + "'");
     CHECK(run.output.find('\033') == std::string::npos);
     CHECK(run.output.find('\r') == std::string::npos);
-    CHECK_THAT(run.output, Contains("nearest way into stick-slip"));
+    CHECK_THAT(run.output, Contains("k_p: stick-slip below "));
     // several numbers at once come nearer than any alone
     CHECK_THAT(run.output, Contains("Stick-slip appears if L falls by"));
 }

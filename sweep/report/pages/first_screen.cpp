@@ -61,15 +61,16 @@ Headline nearest_boundary(const std::vector<Margin>& margins, bool stable, Motio
     Headline h;
     if (nearest == margins.end() || !std::isfinite(factor(*nearest))) {
         h.value = "none found";
-        h.meaning = "boundary of stability when one swept parameter changes alone, up to ten times beyond its axis";
+        h.meaning = "boundary when one swept parameter changes alone, up to ten times beyond its axis";
         return h;
     }
     const auto& m = *nearest;
     h.value = change_words(m);
-    h.meaning = std::string("of ") + m.axis.name + " " + m.axis.symbol +
-                (stable ? " is the nearest way into stick-slip" : " is the nearest way out of stick-slip") + ": " +
-                number_with_unit(m.value, m.axis, motion) + ", boundary at " +
-                number_with_unit(m.boundary, m.axis, motion, 4);
+    const bool below = m.boundary < m.value;
+    h.meaning = m.axis.symbol + ": " + (stable ? "stick-slip " : "smooth sliding ") + (below ? "below " : "above ") +
+                number_with_unit(m.boundary, m.axis, motion, 4) +
+                " (design: " + number_with_unit(m.value, m.axis, motion) +
+                "); nearest change of one swept parameter alone, " + m.axis.name;
     h.tone = !stable ? Tone::bad : factor(m) < near_factor ? Tone::warning : Tone::good;
     return h;
 }

@@ -50,8 +50,7 @@ std::string subtitle(const Spec& spec, const Joint& joint, std::uint64_t points)
 Headline disagreement_headline(const StabilityMap& map)
 {
     return {Tone::neutral, percent(map.disagreement),
-            "of the first chart, over " + map.x.symbol + " and " + map.y.symbol +
-                ", is judged wrongly by friction that depends on velocity alone"};
+            "of the first map, over " + map.x.symbol + " and " + map.y.symbol + ": the velocity-only model is wrong"};
 }
 
 Headline undecided_headline(const SweepSummary& summary)

@@ -74,6 +74,8 @@ Figure outcome_figure(Motion motion, const Slice& slice, const MapAnswer& answer
     for (const auto& curve : answer.curves)
         if (curve.kind == Curve::Kind::state_variable)
             map.lines.push_back({"linear boundary, with memory", curve.x, curve.y, false});
+    // where limit cycles end, located: the steps of the field beside it are those of the grid
+    for (const auto& fold : answer.large.folds) map.lines.push_back({"fold of limit cycles", fold.x, fold.y, true});
     map.design = answer.design;
     map.has_design = true;
     map.command = reproducing_command(slice);

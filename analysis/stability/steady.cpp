@@ -14,13 +14,6 @@ Reason obstacle(const Friction& friction, double V)
 
 }  // namespace
 
-double commanded_velocity(const Joint& joint)
-{
-    const auto& c = joint.control;
-    const bool ramp = c.kind == ControlKind::force && is_set(c.force_rate);
-    return ramp ? c.force_rate / (c.k_p + c.contact_stiffness) : c.V0;
-}
-
 SteadySliding steady_sliding(const Joint& joint)
 {
     SteadySliding s;

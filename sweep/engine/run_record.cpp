@@ -40,6 +40,7 @@ void write_run_record(const std::filesystem::path& path, const Plan& plan, RunEn
                       const std::optional<MergeReport>& merged)
 {
     nlohmann::ordered_json json = {
+        {"format", "stickslip-run/1"},
         {"plan_id", to_text(plan.id)},
         {"end", name_of(end)},
         {"ended_at", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()))},

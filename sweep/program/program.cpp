@@ -115,7 +115,9 @@ int run_program(int argc, char** argv, Cluster* cluster)
         keep_to_instructions();
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
-        if (e.get_exit_code() == 0) {  // help or version, on standard output
+        // help or version, on standard output; what follows a verb that there is not asks for nothing
+        const bool of_no_verb = argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty();
+        if (e.get_exit_code() == 0 && !of_no_verb) {
             const int code = app.exit(e);
             return answer_written() ? code : exit_interrupted;
         }

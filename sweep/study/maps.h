@@ -10,9 +10,6 @@
 
 namespace stickslip {
 
-/// Lines of the mesh along each axis on which boundaries of a map are looked for.
-inline constexpr int map_mesh = 96;
-
 /// A parameter held at a value.
 struct Held {
     Axis axis;  ///< its name and unit; values empty
@@ -41,24 +38,11 @@ struct Profile {
 /// "k_{v} = 10 N·s/m, V_{0} = 1 mm/s"
 std::string held_text(const std::vector<Held>& held, Motion motion);
 
+/// The number at a path of the joint. Throws std::invalid_argument for a path that it lacks.
+double& number_at(Joint& joint, const std::string& path);
+
 /// The joint with each held parameter at its value. Throws std::invalid_argument for a path that it lacks.
 Joint joint_at(Joint joint, const std::vector<Held>& held);
-
-/// The chart of a slice: the field as swept, both boundaries located anew, the design point marked, and the share of
-/// the chart's area (axes as drawn) in which the theories differ.
-StabilityMap stability_map(const Joint& design, const Slice& slice);
-
-/// Both theories' boundaries over two axes, those that are met; `mesh` as in locate_over_chart.
-std::vector<Curve> chart_boundaries(const Joint& joint, const Axis& x, const Axis& y, int mesh);
-
-/// The design as a slice shows it: the slice's axes at their design values, the others as held.
-DesignPoint design_point(const Joint& design, const Slice& slice);
-
-/// k_cr over two parameters, the others as in the design.
-CriticalGainSurface critical_gain_surface(const Joint& design, const Axis& x, const Axis& y);
-
-/// What the surface's missing places mean, in a sentence: no single critical gain has three causes.
-std::string where_no_critical_gain(Joint joint, const CriticalGainSurface& surface);
 
 /// The share of a chart that each node stands for, axes as drawn; sums to 1. Row-major like a slice.
 std::vector<double> area_shares(const Axis& x, const Axis& y);

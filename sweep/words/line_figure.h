@@ -2,8 +2,8 @@
 #pragma once
 #include "analysis/results/report.h"
 #include "analysis/stability/verdict.h"
+#include "sweep/study/samples.h"
 
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,12 +13,8 @@ namespace stickslip {
 /// "velocity V_{0} [m/s]"
 std::string axis_label(std::string_view name, Quantity quantity, Motion motion);
 
-/// Adds samples of y(x) to a line over a logarithmic axis where neighbours lie so far apart that it would show corners,
-/// and where it begins, ends or falls to zero. `most`: what ln y may change by from sample to sample.
+/// smooth() of sweep/study/samples.h for a line of a chart.
 void smooth(LineChart::Line& line, const std::function<double(double)>& y, double most = 0.15, int rounds = 6);
-
-/// `count` values from low to high, evenly in the logarithm.
-std::vector<double> log_steps(double low, double high, int count);
 
 /// A chart with its words; the finding is what a screen reader says and stands first in the caption.
 Figure line_figure(std::string id, LineChart chart, std::string finding, std::string reading);

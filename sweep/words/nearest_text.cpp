@@ -55,7 +55,9 @@ std::string nearest_text(const NearestBoundary& n, Motion motion)
 {
     if (!n.decided) return "The joint has no linear verdict, hence no margin.";
     const std::string event = n.stable ? "Stick-slip appears" : "Sliding becomes stable";
-    if (!n.found) return event + " for no change of the uncertain numbers by up to a factor of ten.";
+    if (!n.found)
+        return std::string("No change of these parameters by up to ×10 ") +
+               (n.stable ? "causes stick-slip." : "makes sliding stable.");
     const auto moves = leading_moves(n);
     std::string text = event + " if ";
     for (std::size_t i = 0; i < moves.size(); ++i)
@@ -69,13 +71,20 @@ std::string nearest_text(const NearestBoundary& n, Motion motion)
 
 Headline nearest_headline(const NearestBoundary& n, Motion motion)
 {
-    Headline h{Headline::Tone::neutral, "none near", nearest_text(n, motion)};
+    Headline h{Headline::Tone::neutral, "none near",
+               nearest_text(n, motion) + " Nearest change of all uncertain parameters together."};
     if (!n.found) return h;
     const auto move = leading_moves(n).front();
     const double change = move.to / move.from - 1;
     h.value = symbol(move, motion) + (change < 0 ? " −" : " +") + plain_number(100 * std::abs(change), 2) + " %";
     h.tone = !n.stable ? Headline::Tone::bad : n.distance < near ? Headline::Tone::warning : Headline::Tone::good;
     return h;
+}
+
+std::string all_at_once(double distance, std::size_t parameters)
+{
+    const double each = distance / std::sqrt(static_cast<double>(std::max<std::size_t>(1, parameters)));
+    return "±" + plain_number(100 * -std::expm1(-each), 2) + "\u00a0%";
 }
 
 nlohmann::ordered_json nearest_json(const NearestBoundary& n)

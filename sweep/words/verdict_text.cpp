@@ -19,10 +19,10 @@ std::string stable_gains(const Joint& joint, const StateVariableVerdict& memory)
     const auto motion = joint.mechanism.motion;
     const auto& stable = memory.stable_intervals;
     const bool limited = std::isfinite(memory.searched_to);
-    if (stable.empty()) return limited ? "" : " No k_{p} makes it stable.";
+    if (stable.empty()) return limited ? "." : ". No k_{p} makes it stable.";
     const bool all = stable.size() == 1 && stable[0].low == 0 && stable[0].high == infinity;
-    if (all && memory.stable) return " So they do at every k_{p} > 0.";
-    return " k_{p} = " + stiffness(joint.control.k_p, motion) +
+    if (all && memory.stable) return " for every k_{p} > 0.";
+    return ". k_{p} = " + stiffness(joint.control.k_p, motion) +
            (memory.stable ? " is one of the stable gains: " : " is none of the stable gains: ") +
            intervals_text(stable, Quantity::stiffness, motion) +
            (limited ? ", searched up to " + stiffness(memory.searched_to, motion) + "." : ".");
@@ -32,29 +32,31 @@ std::string stable_gains(const Joint& joint, const StateVariableVerdict& memory)
 std::string asked_by_velocity(const Joint& joint, const VelocityOnlyVerdict& velocity_only)
 {
     if (velocity_only.stable_k_v.empty()) return " at every k_{v}.";
-    return " and ask for " + demanded_text(velocity_only.stable_k_v, joint.mechanism.motion) + ".";
+    return " and asks for " + demanded_text(velocity_only.stable_k_v, joint.mechanism.motion) + ".";
 }
 
-/// The first sentence: what becomes of a small disturbance.
-std::string first_words(const Joint& joint, const LinearVerdict& v)
+/// The first words: what the joint does, and how fast.
+std::string first_words(const Joint& joint, const LinearVerdict& v, bool bistable)
 {
     const auto speed = with_unit(v.steady.velocity, Quantity::velocity, joint.mechanism.motion);
-    if (v.state_variable.stable) return "Stable: small disturbances of sliding at " + speed + " decay.";
+    if (v.state_variable.stable && bistable)
+        return "Bistable: slides smoothly at " + speed + ", but a large enough disturbance ends in stick-slip for good";
+    if (v.state_variable.stable) return "Slides smoothly at " + speed;
     if (v.state_variable.neutral)
-        return "Neutral: small disturbances of sliding at " + speed + " neither decay nor grow.";
+        return "Neutral: small disturbances of sliding at " + speed + " neither decay nor grow";
     if (joint.control.k_p < 0)
         return "Unstable: with k_{p} < 0 the loop pushes away from the commanded motion, sliding at " + speed +
-               " does not last.";
-    return "Stick-slip: sliding at " + speed + " is unstable.";
+               " does not last";
+    return "Stick-slip: sliding at " + speed + " is unstable";
 }
 
 /// What holds the joint on the imaginary axis, and what would not.
 std::string neutral_words(const Joint& joint, const StateVariableVerdict& memory)
 {
-    if (joint.control.k_p == 0) return " Nothing brings the position back: k_{p} = 0.";
+    if (joint.control.k_p == 0) return ". Nothing brings the position back: k_{p} = 0.";
     if (!memory.stable_intervals.empty() || !memory.crossings.empty())
-        return " The design lies on the boundary of stability." + stable_gains(joint, memory);
-    return " Friction and k_{v} together neither feed nor damp the oscillation, and no k_{p} changes that.";
+        return ". The design lies on the boundary of stability" + stable_gains(joint, memory);
+    return ". Friction and k_{v} together neither feed nor damp the oscillation, and no k_{p} changes that.";
 }
 
 /// The other theory's word, where it differs.
@@ -63,7 +65,7 @@ std::string other_theory(const Joint& joint, const LinearVerdict& v)
     const auto& simple = v.velocity_only;
     const auto& memory = v.state_variable;
     if (simple.stable == memory.stable && simple.neutral == memory.neutral) return "";
-    const std::string says = " Friction that depends on velocity alone would call it ";
+    const std::string says = " The velocity-only model calls it ";
     return says + (simple.stable    ? "stable."
                    : simple.neutral ? "neutral."
                                     : "stick-slip" + asked_by_velocity(joint, simple));
@@ -71,19 +73,19 @@ std::string other_theory(const Joint& joint, const LinearVerdict& v)
 
 }  // namespace
 
-std::string verdict_text(const Joint& joint, const LinearVerdict& v)
+std::string verdict_text(const Joint& joint, const LinearVerdict& v, bool bistable)
 {
     const auto motion = joint.mechanism.motion;
     if (v.steady.reason == Reason::no_steady_state) return "Undecided: the design point has no steady sliding.";
     if (v.steady.reason != Reason::none) return "Undecided at the design point: " + reason_text(v.steady.reason) + ".";
     const auto& memory = v.state_variable;
     const double k_p = joint.control.k_p;
-    std::string text = first_words(joint, v);
+    std::string text = first_words(joint, v, bistable);
     if (memory.neutral)
         text += neutral_words(joint, memory);
     else if (std::isfinite(memory.k_cr) && k_p > 0)
-        text += " k_{p} = " + stiffness(k_p, motion) + " is " + plain_number(k_p / memory.k_cr) +
-                " times the critical gain k_{cr} = " + stiffness(memory.k_cr, motion) + ".";
+        text += ": k_{p} = " + stiffness(k_p, motion) + " is " + plain_number(k_p / memory.k_cr) +
+                " × the critical gain k_{cr} = " + stiffness(memory.k_cr, motion) + ".";
     else
         text += stable_gains(joint, memory);
     return text + other_theory(joint, v);

@@ -8,8 +8,9 @@
 
 namespace stickslip {
 
-/// The answer in one sentence, in chart mark-up.
-std::string verdict_text(const Joint& joint, const LinearVerdict& verdict);
+/// The answer in one sentence, in chart mark-up. `bistable`: what the linear theory calls stable is half of the answer,
+/// a large enough disturbance ends in stick-slip.
+std::string verdict_text(const Joint& joint, const LinearVerdict& verdict, bool bistable = false);
 
 /// Every number of the verdict with its unit.
 Table linear_table(const Joint& joint, const LinearVerdict& verdict);

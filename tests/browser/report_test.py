@@ -172,6 +172,22 @@ class Report(unittest.TestCase):
         left, top, width, height = self.area("#map-k-p-k-v")
         self.browser.move(left + width / 2, top + height / 2)
         self.assertIn("V0 = 100 mm/s", self.tip("#map-k-p-k-v"))
+        # what is said beside the map is said of this layer, from the file, axes as drawn
+        k_p, k_v, V0 = (self.results[name][:] for name in ("k_p", "k_v", "V0"))
+        weights = lambda v: (lambda u: (numpy.append(u[1:], u[-1]) - numpy.insert(u[:-1], 0, u[0])) / 2 / (u[-1] - u[0]))(numpy.log(v))
+        region = self.results["region"][:, :, -1]
+        shares = numpy.outer(weights(k_p), weights(k_v))
+        said = self.browser.run("return document.querySelector('#map-k-p-k-v .layer-words').textContent")
+        for codes, words in (((0, 1), "smooth on"), ((1, 2), "theories differ on")):
+            share = 100 * shares[numpy.isin(region, codes)].sum()
+            self.assertAlmostEqual(float(said.split(words + " ")[1].split(" ")[0]), share, delta=0.006 * share + 0.1, msg=said)
+        # a place that was chosen before the slider moves is told anew
+        self.browser.run("document.querySelector('#map-k-p-k-v .reader').focus({focusVisible: true})")
+        self.browser.key("Enter")
+        panel = "return document.querySelector('#map-k-p-k-v .place').innerText"
+        self.assertIn("control.V0=0.1 ", self.browser.run(panel))
+        self.browser.run("const s = document.querySelector('#map-k-p-k-v input'); s.value = 0; s.dispatchEvent(new Event('input'))")
+        self.assertIn("control.V0=0.00001 ", self.browser.run(panel).replace("1e-5", "0.00001").replace("1e-05", "0.00001"))
         self.assertEqual(self.browser.complaints(), [])
 
     def test_a_time_series_can_be_looked_into(self):

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
 using program::Folder;
 using program::stickslip;
 
@@ -113,13 +114,49 @@ TEST_CASE("a page carries a date only when asked, and is the same every time", "
     CHECK(stickslip(again + " --timestamp yesterday").exit_code == 2);
 }
 
+TEST_CASE("a finished sweep is drawn from its stored answers, byte for byte, and nothing is computed", "[program]")
+{
+    Folder folder;
+    sweep(folder, "a", "1e-5");
+    const auto page = folder / "a/report.html", stored = folder / "a/answer.json";
+    const auto first = program::read(page), answer = program::read(stored);
+    CHECK_THAT(answer, StartsWith("{\"format\":\"stickslip-sweep/1\""));
+    const std::string again = "report '" + (folder / "a") + "'";
+    REQUIRE(stickslip(again).exit_code == 0);
+    CHECK(program::read(page) == first);
+    CHECK(program::read(stored) == answer);
+
+    // what the file says stands on the page, true or not
+    auto told = answer;
+    const std::string found = "\"nearest\":{\"decided\":true,\"stable\":true,\"found\":true";
+    const auto at = told.find(found);
+    REQUIRE(at != std::string::npos);
+    told.replace(at, found.size(), "\"nearest\":{\"decided\":true,\"stable\":true,\"found\":false");
+    folder.write("a/answer.json", told);
+    CHECK_THAT(stickslip(again).output, Contains("none near"));
+
+    // without it, or with that of another sweep, it is made again
+    for (const std::string other :
+         {std::string(), std::string("{\"format\":\"stickslip-sweep/1\",\"plan_id\":\"x\"}")}) {
+        std::filesystem::remove(stored);
+        if (!other.empty()) folder.write("a/answer.json", other);
+        REQUIRE(stickslip(again).exit_code == 0);
+        CHECK(program::read(stored) == answer);
+        CHECK(program::read(page) == first);
+    }
+    folder.write("a/answer.json", "not ours");
+    const auto foreign = stickslip(again);
+    CHECK(foreign.exit_code == 2);
+    CHECK_THAT(foreign.output, Contains("answer.json: is no answer of a sweep"));
+}
+
 TEST_CASE("piped output has no colours and no progress", "[program]")
 {
     Folder folder;
     const auto run = stickslip("sweep '" + folder.write("spec.toml", spec("1e-5")) + "' -o '" + (folder / "out") + "'");
     CHECK(run.output.find('\033') == std::string::npos);
     CHECK(run.output.find('\r') == std::string::npos);
-    CHECK_THAT(run.output, Contains("nearest way into stick-slip"));
+    CHECK_THAT(run.output, Contains("k_p: stick-slip below "));
     // several numbers at once come nearer than any alone
     CHECK_THAT(run.output, Contains("Stick-slip appears if L falls by"));
 }

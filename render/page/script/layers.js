@@ -106,12 +106,30 @@ const paintLayer = (chart, canvas, layer) => {
   }
 };
 
+// The share of the chart, axes as drawn, that each class of a layer covers: a node stands for half the way to its
+// neighbours.
+const sharesOf = (chart, classes) => {
+  const lengths = (at) => at.map((v, i) => ((at[i + 1] ?? v) - (at[i - 1] ?? v)) / 2);
+  const across = lengths(chart.xs), up = lengths(chart.ys), shares = {};
+  classes.forEach((code, k) => {
+    const { name } = chart.data.classes[code];
+    shares[name] = (shares[name] || 0) + across[k % across.length] * up[Math.floor(k / across.length)];
+  });
+  return shares;
+};
+
+const layerWords = (chart, classes) => {
+  const shares = sharesOf(chart, classes), percent = (...names) => `${Number((100 * names.reduce((sum, name) => sum + (shares[name] || 0), 0)).toPrecision(3))} %`;
+  return `smooth on ${percent("stable", "memory-only")} of the chart, the two theories differ on ${percent("memory-only", "velocity-only")}`;
+};
+
 const addSlider = (chart) => {
   const { data, figure } = chart, { depth } = data, sheet = figure.querySelector(".sheet");
   const id = figure.id + "-depth", last = depth.axis.values.length - 1, value = element("output", { for: id });
   const input = element("input", { type: "range", id, min: "0", max: String(last), step: "1" });
   const label = element("label", { for: id }, depth.axis.name + " ", ...marked(depth.axis.symbol));
-  figure.querySelector(".stage").before(element("div", { class: "slider" }, label, input, value));
+  const words = element("output", { for: id, class: "layer-words" });
+  figure.querySelector(".stage").before(element("div", { class: "slider" }, label, input, value, words));
   const canvas = element("canvas", { class: "layer", "aria-hidden": "true", hidden: "" });
   placeOver(canvas, data.area);
   sheet.insertBefore(canvas, sheet.querySelector(".reader"));
@@ -126,6 +144,9 @@ const addSlider = (chart) => {
     chart.layer = own ? null : { held: [[depth.axis, depth.axis.values[n]]], field: depth.field.subarray(n * points, (n + 1) * points),
       class: depth.class.subarray(n * points, (n + 1) * points), curves: depth.curves[n] };
     if (chart.layer) paintLayer(chart, canvas, chart.layer);
+    // what is printed beside the map belongs to the printed layer
+    words.textContent = own ? "" : `Here: ${layerWords(chart, chart.layer.class)}. Text printed in the picture is that of ${withUnit(depth.axis.values[depth.at], depth.axis)}.`;
+    chart.changed();
   };
   input.value = String(depth.at);
   input.addEventListener("input", show);

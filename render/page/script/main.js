@@ -10,7 +10,7 @@ const pngOf = (picture) => new Promise((resolve, reject) => {
   image.src = "data:image/svg+xml;charset=utf-8," + encodeURIComponent(new XMLSerializer().serializeToString(picture));
 });
 
-const newChart = (figure, data, layer) => ({ figure, data, layer, column: data.start[0], row: data.start[1], choose: () => {},
+const newChart = (figure, data, layer) => ({ figure, data, layer, column: data.start[0], row: data.start[1], choose: () => {}, changed: () => {},
   xs: data.x.values.map((v) => position(data.x, v)), ys: data.y.values.map((v) => position(data.y, v)) });
 
 const preparePanels = (figure, data) => data.areas.forEach((area, n) => {

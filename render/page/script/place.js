@@ -72,6 +72,8 @@ const addMotion = (chart, panel) => {
 const addPlace = (chart) => {
   const { figure } = chart, panel = figure.querySelector(".place") || element("div", { class: "place", "aria-live": "polite", hidden: "" });
   figure.querySelector("figcaption").before(panel);
+  // another layer: a place that was chosen is told anew
+  chart.changed = () => { if (!panel.hidden) chart.choose(); };
   chart.choose = () => {
     if (!chart.data.command) return;
     const command = commandFor(chart), code = element("code", { tabindex: "0" }, command);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <fstream>
+#include <iostream>
 #include <tuple>
 
 namespace stickslip::files {
@@ -81,8 +82,37 @@ void Complaints::throw_if_any() const
     if (!empty()) throw BadInput(messages());
 }
 
+namespace {
+
+/// Standard input, which can be read once, for every question about the same file.
+const std::string& standard_input()
+{
+    static const std::string text = [] {
+        std::string all(max_bytes + 1, '\0');
+        std::cin.read(all.data(), static_cast<std::streamsize>(all.size()));
+        all.resize(static_cast<std::size_t>(std::cin.gcount()));
+        return all;
+    }();
+    return text;
+}
+
+/// Text as Windows programs save it under the name Unicode.
+void refuse_utf16(std::string_view text, const std::string& name)
+{
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+        throw BadInput(name + ": is written in UTF-16, expected is UTF-8; save it again with that encoding");
+}
+
+}  // namespace
+
 std::string read_text(const std::filesystem::path& file)
 {
+    if (file == "-" || file == "/dev/stdin") {
+        const auto& text = standard_input();
+        if (text.size() > max_bytes) throw BadInput("standard input: is larger than 16 MiB, expected is a TOML file");
+        refuse_utf16(text, "standard input");
+        return text;
+    }
     std::error_code error;
     if (!std::filesystem::exists(file, error)) throw BadInput(file.string() + ": there is no such file");
     if (std::filesystem::is_directory(file, error))
@@ -95,6 +125,7 @@ std::string read_text(const std::filesystem::path& file)
     if (static_cast<std::uintmax_t>(stream.gcount()) > max_bytes)
         throw BadInput(file.string() + ": is larger than 16 MiB, expected is a TOML file");
     text.resize(static_cast<std::size_t>(stream.gcount()));
+    refuse_utf16(text, file.string());
     return text;
 }
 

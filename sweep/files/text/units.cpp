@@ -70,6 +70,11 @@ const Symbol symbols[] = {
     {"%", false, {none_d, 1, -2}},
 };
 
+/// Moments of inertia as data sheets print them, without a sign between the units: the square is the length's alone.
+constexpr Dimension inertia_d{{2, 1, 0, 0, 0, 0}};
+constexpr std::pair<std::string_view, int> printed_inertias[] = {
+    {"kgm", 0}, {"kgcm", -4}, {"kgmm", -6}, {"gcm", -7}, {"gmm", -9}};
+
 struct Prefix {
     std::string_view name;
     int decimals;
@@ -142,9 +147,22 @@ class UnitParser {
         return unit;
     }
 
+    /// "kgcm2", "gcm²": taken whole.
+    std::optional<Unit> printed_inertia()
+    {
+        for (const auto& [name, decimals] : printed_inertias)
+            for (const std::string_view square : {"2", "²", "^2"})
+                if (rest_.starts_with(name) && rest_.substr(name.size()).starts_with(square)) {
+                    rest_.remove_prefix(name.size() + square.size());
+                    return Unit{inertia_d, 1, decimals};
+                }
+        return {};
+    }
+
     Unit power(int depth)
     {
         skip_spaces();
+        if (const auto inertia = printed_inertia()) return *inertia;
         Unit base;
         if (take("(")) {
             if (depth >= max_depth) fail("too many brackets in the unit");
@@ -196,6 +214,9 @@ class UnitParser {
         const bool negative = take("⁻") || (caret && take("-"));
         for (auto [text, value] : {std::pair{"¹", 1}, {"²", 2}, {"³", 3}, {"⁴", 4}})
             if (take(text)) return negative ? -value : value;
+        if (!caret && !negative)
+            for (auto [text, value] : {std::pair{"2", 2}, {"3", 3}, {"4", 4}})  // "m/s2", as data sheets print it
+                if (take(text)) return value;
         if (!caret && !negative) return 1;
         int value = 0;
         const auto [end, status] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);

@@ -58,6 +58,7 @@ int design(const Options& options, const Invocation& invocation)
     answer.requirements = read_requirements(options.input, asked.design, options.requirements);
     const ThreadLimit limit(options.threads);
     try {
+        answer.range = gain_range(answer.joint, answer.requirements);
         answer.design = design_gains(answer.joint, answer.requirements, parallel_for_each);
     } catch (const std::invalid_argument& e) {
         throw BadInput(fmt::format("{}: requirements.{}", options.input, e.what()));

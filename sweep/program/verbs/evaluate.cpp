@@ -114,7 +114,7 @@ int evaluate(const Options& options, const Invocation& invocation)
     const Motion units = joint.mechanism.motion;
     std::filesystem::path page;
     if (!options.directory.empty()) {
-        auto report = linear_report(joint, verdict, nonlinear, *study);
+        auto report = linear_report(joint, answer_joint(joint, verdict, nonlinear, *study));
         report.provenance = {{"version", program_version()}, {"command", invocation.command}};
         if (motion)
             for (auto& section : report.sections)
@@ -125,7 +125,8 @@ int evaluate(const Options& options, const Invocation& invocation)
         page = write_report(report, options.directory);
     }
     if (options.json) {
-        auto json = verdict_json(verdict);
+        nlohmann::ordered_json json = {{"format", "stickslip-evaluate/1"}};
+        json.update(verdict_json(verdict));
         if (decided) json["linear"].update(study_json(joint, *study));
         if (motion) json["linear"]["forced"] = motion_json(force, *motion);
         if (loads) json["linear"]["normal_load"] = load_json(*loads);

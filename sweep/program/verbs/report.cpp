@@ -1,6 +1,7 @@
 // stickslip report: draw the page of a finished sweep again, or of what changed between two.
 #include "sweep/engine/results_file.h"
 #include "sweep/engine/run_directory.h"
+#include "sweep/files/json/sweep_answer_file.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/toml/spec_file.h"
 #include "sweep/program/verbs/exit_code.h"
@@ -8,7 +9,7 @@
 #include "sweep/program/verbs/timestamp.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/compare_report.h"
-#include "sweep/report/pages/summary.h"
+#include "sweep/report/pages/stability_report.h"
 #include "sweep/report/pages/write_report.h"
 
 #include <fmt/format.h>
@@ -23,15 +24,20 @@ struct Options {
     std::string output = "comparison", timestamp;
 };
 
-/// A finished sweep. The spec travels with its results, with its joint written out, so that no other file is needed.
-/// `charts` are those to show; empty: the sweep's own.
-ComparedRun read_run(const std::string& directory, const ReportSpec* charts, const std::string& date)
+ResultsFile finished_sweep(const std::string& directory)
 {
     const auto file = std::filesystem::path(directory) / run_files::results;
     if (!std::filesystem::exists(file))
         throw BadInput(directory + ": holds no finished sweep (results.nc); make one with: stickslip sweep -o " +
                        directory);
-    const ResultsFile results(file);
+    return ResultsFile(file);
+}
+
+/// A finished sweep. The spec travels with its results, with its joint written out, so that no other file is needed.
+/// `charts` are those to show; empty: the sweep's own.
+ComparedRun read_run(const std::string& directory, const ReportSpec* charts, const std::string& date)
+{
+    const auto results = finished_sweep(directory);
     ComparedRun run{directory, read_spec_text(results.attribute("spec"), directory + " (spec of results.nc)"), {}};
     choose_charts(run.spec);
     if (charts) {
@@ -49,12 +55,23 @@ ComparedRun read_run(const std::string& directory, const ReportSpec* charts, con
     return run;
 }
 
+/// From what is stored beside the results; where nothing is, as after a merge, it is computed and stored first.
 int draw_again(const std::string& directory, const std::string& date)
 {
-    const auto run = read_run(directory, nullptr, date);
-    const auto report = stability_report(run.spec, run.summary);
+    const auto results = finished_sweep(directory);
+    auto answer = read_sweep_answer(directory, results.attribute("plan_id"));
+    auto spec = read_spec_text(answer ? answer->spec : results.attribute("spec"), directory + " (spec of the sweep)");
+    choose_charts(spec);
+    auto summary = summarise(spec, results);
+    if (!answer || !fits(*answer, summary)) {
+        answer = answer_sweep(spec, summary);
+        answer->spec = results.attribute("spec");
+        write_sweep_answer(*answer, directory);
+    }
+    if (!date.empty()) summary.provenance.emplace_back("drawn", date);
+    const auto report = stability_report(spec, summary, *answer);
     fmt::print("{}", terminal_summary(report));
-    fmt::print("report:  {}\n", write_sweep_report(report, run.spec, directory).string());
+    fmt::print("report:  {}\n", write_sweep_report(report, spec, directory).string());
     return exit_done;
 }
 

@@ -3,6 +3,7 @@
 #include "analysis/stability/verdict.h"
 #include "sweep/engine/run_directory.h"
 #include "sweep/engine/run_on_cluster.h"
+#include "sweep/files/json/sweep_answer_file.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/toml/spec_file.h"
 #include "sweep/program/verbs/embedded.h"
@@ -12,7 +13,7 @@
 #include "sweep/program/verbs/terminal.h"
 #include "sweep/program/verbs/timestamp.h"
 #include "sweep/program/verbs/verbs.h"
-#include "sweep/report/pages/summary.h"
+#include "sweep/report/pages/stability_report.h"
 #include "sweep/report/pages/write_report.h"
 #include "sweep/study/evaluate.h"
 #include "sweep/words/verdict_text.h"
@@ -105,12 +106,16 @@ int sweep(const Options& options, Invocation& invocation)
     std::filesystem::path page;
     std::string answer = plain_text(verdict_text(design, verdict)) + "\n";
     if (!options.no_report) {
-        const auto report = stability_report(spec, summary);
+        auto stored = answer_sweep(spec, summary);
+        stored.spec = plan_options.spec;
+        write_sweep_answer(stored, options.directory);
+        const auto report = stability_report(spec, summary, stored);
         answer = terminal_summary(report);
         page = write_sweep_report(report, spec, options.directory);
     }
     if (options.json) {
-        nlohmann::ordered_json json{{"points", summary.points},
+        nlohmann::ordered_json json{{"format", "stickslip-sweep-run/1"},
+                                    {"points", summary.points},
                                     {"computed", run.computed.points},
                                     {"undecided", summary.undecided},
                                     {"results", absolute(run.results).string()},
@@ -121,7 +126,8 @@ int sweep(const Options& options, Invocation& invocation)
         fmt::print("{}", answer);
         fmt::print("{}, {} of them computed now in {:.2f} s, {} undecided\n", counted(summary.points, "point"),
                    run.computed.points, run.computed.seconds, summary.undecided);
-        for (const auto& [reason, count] : summary.reasons) fmt::print("  {}: {}\n", counted(count, "point"), reason);
+        for (const auto& [reason, count] : summary.reasons)
+            fmt::print("  {}: {}\n", counted(count, "point"), reason_text(reason));
         fmt::print("results: {}\n", (std::filesystem::path(options.directory) / run_files::results).string());
         if (!page.empty()) fmt::print("report:  {}\n", page.string());
     }

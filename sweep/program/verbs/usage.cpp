@@ -94,7 +94,7 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error, const
     if (chosen.empty()) {
         const auto verbs = verb_names(app);
         if (arguments.empty())
-            return "stickslip: what is to be done? Verbs are " + listed(verbs) +
+            return "stickslip: no command given. Commands: " + listed(verbs) +
                    ".\nExample: stickslip sweep -o out\nstickslip --help says what each verb does.\n";
         const auto& given = arguments.front();
         const bool option = given.starts_with("-");

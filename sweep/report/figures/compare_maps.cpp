@@ -3,7 +3,7 @@
 #include "analysis/boundary/trace/locate.h"
 #include "analysis/results/text.h"
 #include "sweep/report/figures/map_figures.h"
-#include "sweep/report/figures/nonlinear_findings.h"
+#include "sweep/study/map_answer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +37,7 @@ FieldMap field_over(const Joint& before, const Slice& a, const Joint& after, con
     add(before, a, "boundary before", true);
     add(after, b, "boundary after", false);
     const auto add_folds = [&](const Joint& joint, const Slice& slice, const char* name, bool dashed) {
-        for (auto& fold : nonlinear_findings(joint, slice).folds)
+        for (auto& fold : large_disturbances(joint, slice).folds)
             map.lines.push_back({name, std::move(fold.x), std::move(fold.y), dashed});
     };
     add_folds(before, a, "fold of limit cycles before", true);

@@ -1,9 +1,6 @@
 #include "sweep/report/figures/map_figures.h"
 
-#include "analysis/boundary/trace/locate.h"
 #include "analysis/results/text.h"
-#include "analysis/stability/verdict.h"
-#include "sweep/report/figures/map_motions.h"
 #include "sweep/report/figures/nonlinear_findings.h"
 #include "sweep/words/verdict_text.h"
 
@@ -51,10 +48,9 @@ std::string held_words(const Slice& slice, Motion motion)
     return slice.held.empty() ? "" : " Held: " + held_text(slice.held, motion) + ".";
 }
 
-Figure outcome_figure(const Joint& joint, const Slice& slice, const MapReading& reading, const char* id,
-                      std::string title, std::string how_to_read)
+Figure outcome_figure(Motion motion, const Slice& slice, const MapAnswer& answer, const MapReading& reading,
+                      const char* id, std::string title, std::string how_to_read)
 {
-    const auto motion = joint.mechanism.motion;
     FieldMap map;
     map.title = std::move(title);
     map.fixed = held_text(slice.held, motion);
@@ -75,12 +71,12 @@ Figure outcome_figure(const Joint& joint, const Slice& slice, const MapReading& 
                                     with_unit(high, reading.quantity, motion)
                               : "nowhere";
     map.statement = share + " of the points end in a limit cycle.";
-    const Joint held = joint_at(joint, slice.held);
-    auto boundary = locate_over_chart(held, slice.x, slice.y, Curve::Kind::state_variable);
-    if (!boundary.x.empty())
-        map.lines.push_back({"linear boundary, with memory", std::move(boundary.x), std::move(boundary.y), false});
-    const auto design = design_point(joint, slice);
-    map.design = design;
+    for (const auto& curve : answer.curves)
+        if (curve.kind == Curve::Kind::state_variable)
+            map.lines.push_back({"linear boundary, with memory", curve.x, curve.y, false});
+    // where limit cycles end, located: the steps of the field beside it are those of the grid
+    for (const auto& fold : answer.large.folds) map.lines.push_back({"fold of limit cycles", fold.x, fold.y, true});
+    map.design = answer.design;
     map.has_design = true;
     map.command = reproducing_command(slice);
     Figure figure;
@@ -119,11 +115,37 @@ std::string reproducing_command(const Slice& slice, const std::string& depth, co
     return command + " -o motion";
 }
 
-Figure map_figure(const Joint& joint, const Slice& slice)
+StabilityMap stability_map(Motion motion, const Slice& slice, const MapAnswer& answer)
+{
+    StabilityMap map;
+    map.motion = motion;
+    map.title = "Stability of sliding over (" + slice.x.symbol + ", " + slice.y.symbol + ")";
+    map.fixed = held_text(slice.held, map.motion);
+    map.x = slice.x;
+    map.y = slice.y;
+    map.abscissa = slice.abscissa;
+    map.region = slice.region;
+    map.disagreement = share_of(slice, {Region::memory_only, Region::velocity_only});
+    map.undecided = share_of(slice, {Region::undecided});
+    map.curves = answer.curves;
+    map.curves.insert(map.curves.end(), answer.large.folds.begin(), answer.large.folds.end());
+    map.readings = slice.readings;
+    map.depth = slice.depth;
+    map.layers = slice.layers;
+    for (const auto& h : slice.held)
+        if (h.axis.path == slice.depth.path) map.depth_value = h.value;
+    for (std::size_t i = 0; i < map.layers.size(); ++i) map.layers[i].curves = answer.layer_curves[i];
+    map.has_design = true;
+    map.design = answer.design;
+    map.command = reproducing_command(slice, slice.depth.path);
+    map.motions = answer.motions;
+    return map;
+}
+
+Figure map_figure(Motion motion, const Slice& slice, const MapAnswer& answer)
 {
     Figure figure;
-    auto map = stability_map(joint, slice);
-    const auto motion = joint.mechanism.motion;
+    auto map = stability_map(motion, slice, answer);
     const auto needless = percent(share_of(slice, {Region::memory_only}));
     const auto missed = percent(share_of(slice, {Region::velocity_only}));
     const auto bistable = share_of(slice, {Region::bistable});
@@ -138,20 +160,16 @@ Figure map_figure(const Joint& joint, const Slice& slice)
         "theories of the same friction. Solid: boundary with memory (state-variable friction). Dashed: boundary if "
         "friction depended on velocity alone. Hatched in gold: smooth, though velocity-only theory forbids it, " +
         needless + " of the chart as drawn; the opposite error covers " + missed +
-        ". Both curves are located to a relative bracket of " + power_of_ten(linear_precision) +
-        ", not contoured from the grid; a closed piece smaller than 1/" + std::to_string(map_mesh) +
+        ". Both curves are located to a relative bracket of " + power_of_ten(answer.precision) +
+        ", not contoured from the grid; a closed piece smaller than 1/" + std::to_string(answer.mesh) +
         " of an axis could be missed." + held_words(slice, motion);
-    if (auto found = nonlinear_findings(joint, slice); !found.text.empty()) {
-        figure.caption += " " + found.text;
-        for (auto& fold : found.folds) map.curves.push_back(std::move(fold));
-    }
-    map.command = reproducing_command(slice, slice.depth.path);
-    map.motions = map_motions(joint, slice);
+    if (const auto text = large_disturbances_text(slice, answer.large, motion); !text.empty())
+        figure.caption += " " + text;
     figure.picture = std::move(map);
     return figure;
 }
 
-std::vector<Figure> outcome_figures(const Joint& joint, const Slice& slice)
+std::vector<Figure> outcome_figures(Motion motion, const Slice& slice, const MapAnswer& answer)
 {
     std::vector<Figure> figures;
     for (const auto& reading : slice.readings) {
@@ -159,31 +177,54 @@ std::vector<Figure> outcome_figures(const Joint& joint, const Slice& slice)
             std::any_of(reading.values.begin(), reading.values.end(), [](double v) { return std::isfinite(v); });
         if (!any) continue;
         if (reading.column == "amplitude")
-            figures.push_back(outcome_figure(joint, slice, reading, "amplitude", "Amplitude of the limit cycle",
+            figures.push_back(outcome_figure(motion, slice, answer, reading, "amplitude",
+                                             "Amplitude of the limit cycle",
                                              "How far the position swings to either side, half peak to peak."));
         else if (reading.column == "period")
-            figures.push_back(outcome_figure(joint, slice, reading, "period", "Period of the limit cycle",
+            figures.push_back(outcome_figure(motion, slice, answer, reading, "period", "Period of the limit cycle",
                                              "How long one turn of the limit cycle takes."));
         else if (reading.column == "stick_fraction")
-            figures.push_back(outcome_figure(joint, slice, reading, "rest", "Share of the period spent sticking",
+            figures.push_back(outcome_figure(motion, slice, answer, reading, "rest",
+                                             "Share of the period spent sticking",
                                              "Share of each turn at rest or below a hundredth of V_{0}."));
     }
     return figures;
 }
 
-Figure surface_figure(const Joint& joint, const Axis& x, const Axis& y)
+namespace {
+
+/// What the surface's missing places mean, in a sentence: no single critical gain has three causes.
+std::string where_no_critical_gain(const GainSurface& surface)
 {
-    Figure figure;
-    auto surface = critical_gain_surface(joint, x, y);
+    std::string text;
+    if (surface.always > 0) text += " Every positive gain is stable at " + percent(surface.always) + " of the places.";
+    if (surface.never > 0) text += " No gain is stable at " + percent(surface.never) + ".";
+    if (surface.windows > 0) text += " Windows of gains are stable at " + percent(surface.windows) + ".";
+    return text.empty() ? text : " Where the surface is missing:" + text;
+}
+
+}  // namespace
+
+Figure surface_figure(const GainSurface& found, Motion motion)
+{
+    CriticalGainSurface surface;
+    surface.title = "Critical position gain k_{cr}(" + found.x.symbol + ", " + found.y.symbol + ")";
+    surface.motion = motion;
+    surface.x = found.x;
+    surface.y = found.y;
+    surface.z_name = "critical position gain";
+    surface.z_symbol = "k_{cr}";
+    surface.z = found.k_cr;
     double low = infinity, high = -infinity;
     for (const double z : surface.z)
         if (std::isfinite(z)) low = std::min(low, z), high = std::max(high, z);
-    const auto motion = joint.mechanism.motion;
-    figure.id = chart_id("surface", x, y);
     const std::string range =
         low <= high ? "from " + stiffness(low, motion) + " to " + stiffness(high, motion) : "nowhere on this range";
-    figure.finding = "Surface of the critical position gain over " + x.name + " and " + y.name + ", " + range;
-    figure.caption = "Least position gain for stable sliding, " + range + "." + where_no_critical_gain(joint, surface);
+    Figure figure;
+    figure.id = chart_id("surface", found.x, found.y);
+    figure.finding =
+        "Surface of the critical position gain over " + found.x.name + " and " + found.y.name + ", " + range;
+    figure.caption = "Least position gain for stable sliding, " + range + "." + where_no_critical_gain(found);
     figure.picture = std::move(surface);
     return figure;
 }

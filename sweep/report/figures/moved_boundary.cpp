@@ -31,12 +31,17 @@ Guarded verdict_at(Joint joint, double velocity)
     return g;
 }
 
+/// What small disturbances do where no gain is critical.
+std::string always_text(const Guarded& g)
+{
+    return g.verdict.state_variable.stable ? "small disturbances always decay" : "they always grow";
+}
+
 std::string gain_text(const Guarded& g, Motion motion)
 {
     if (!g.known()) return "no verdict: " + g.reason;
     const auto& v = g.verdict.state_variable;
-    if (std::isfinite(v.k_cr)) return with_unit(v.k_cr, Quantity::stiffness, motion);
-    return v.stable ? "none: small disturbances always decay" : "none: they always grow";
+    return std::isfinite(v.k_cr) ? with_unit(v.k_cr, Quantity::stiffness, motion) : "none: " + always_text(g);
 }
 
 LineChart::Line critical_gains(const Joint& joint, const std::vector<double>& velocities, std::string name, bool dashed)
@@ -100,7 +105,7 @@ MovedBoundary moved_boundary(const Joint& before, const Joint& after, double spe
                          with_unit(k_after, Quantity::stiffness, motion) + ".";
     else if (std::isfinite(k))
         moved.sentence = "The critical gain of the nominal joint, " + with_unit(k, Quantity::stiffness, motion) +
-                         ", is no longer one " + with + ": " + gain_text(two, motion).substr(6) + ".";
+                         ", is no longer one " + with + ": " + always_text(two) + ".";
     else
         moved.sentence = "No position gain is critical at this velocity, neither before nor after.";
     if (!drawn) return moved;

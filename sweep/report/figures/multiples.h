@@ -2,31 +2,10 @@
 // fourth.
 #pragma once
 #include "analysis/results/report.h"
-#include "sweep/engine/results_file.h"
-#include "sweep/study/maps.h"
-
-#include <optional>
-#include <span>
+#include "sweep/study/panels.h"
 
 namespace stickslip {
 
-/// The verdicts of the panels as swept, and what the remaining axes are held at.
-struct Multiples {
-    std::vector<Held> held;
-    StabilityPanels panels;  ///< without boundaries, design and words
-};
-
-/// At most six values of a third axis, or four of it and three of a fourth: evenly spread, both ends among them, and
-/// the one at `at` (indices of the design's grid point). A fine plane is thinned to what a panel can show; what is left
-/// are nodes of the sweep. None without a third axis. `x` and `y` are places in the results' axes.
-std::optional<Multiples> read_multiples(const ResultsFile& results, std::size_t x, std::size_t y,
-                                        std::span<const std::size_t> at);
-
-/// The figure, with both boundaries located in each panel.
-Figure multiples_figure(const Joint& joint, const Multiples& multiples);
-
-/// The further axis that a chart moves along: any but the velocity first, as that one has charts of its own.
-/// axes.size() where none is left.
-std::size_t further_axis(const std::vector<Axis>& axes, std::initializer_list<std::size_t> taken);
+Figure multiples_figure(const Multiples& multiples, const PanelsAnswer& answer, Motion motion);
 
 }  // namespace stickslip

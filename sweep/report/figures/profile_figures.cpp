@@ -1,10 +1,7 @@
 #include "sweep/report/figures/profile_figures.h"
 
-#include "analysis/boundary/trace/locate.h"
 #include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
-#include "analysis/stability/joint_spectrum.h"
-#include "analysis/stability/steady.h"
 #include "sweep/report/figures/map_figures.h"
 #include "sweep/words/line_figure.h"
 
@@ -13,20 +10,6 @@
 
 namespace stickslip {
 namespace {
-
-/// max Re s along an axis with friction replaced by its steady-state curve.
-std::vector<double> velocity_only_abscissa(Joint joint, const Axis& axis)
-{
-    double* number = find_parameter(joint, axis.path);
-    std::vector<double> abscissa;
-    for (const double value : axis.values) {
-        *number = value;
-        const bool slides = steady_sliding(joint).reason == Reason::none;
-        abscissa.push_back(slides ? spectral_abscissa(velocity_only(linear_joint(joint, commanded_velocity(joint))))
-                                  : missing);
-    }
-    return abscissa;
-}
 
 struct OutcomeKind {
     const char *column, *id, *title, *meaning;
@@ -41,7 +24,7 @@ constexpr OutcomeKind outcome_kinds[] = {
 
 }  // namespace
 
-Figure profile_figure(const Joint& joint, const Profile& profile)
+Figure profile_figure(const Joint& joint, const Profile& profile, const ProfileAnswer& answer)
 {
     const auto motion = joint.mechanism.motion;
     const auto& axis = profile.axis;
@@ -50,21 +33,17 @@ Figure profile_figure(const Joint& joint, const Profile& profile)
     chart.x_label = axis.name + " " + axis.symbol + " [" + std::string(unit_of(axis.quantity, motion)) + "]";
     chart.y_label = "max Re s [1/s]";
     chart.x_log = axis.log;
-    const Joint held = joint_at(joint, profile.held);
     chart.lines.push_back({"with memory", axis.values, profile.abscissa});
-    chart.lines.push_back({"velocity alone", axis.values, velocity_only_abscissa(held, axis), true});
-    const auto located = [&](Curve::Kind theory) {
-        return locate_on_ray(held, axis.path, axis.values.front(), axis.values.back(), axis.log, theory);
-    };
+    chart.lines.push_back({"velocity alone", axis.values, answer.velocity_only_abscissa, true});
     Joint design = joint;
     if (const double own = *find_parameter(design, axis.path); own >= axis.values.front() && own <= axis.values.back())
         chart.x_marks.emplace_back("design", own);
     std::string crossings, simple;
-    for (const auto& point : located(Curve::Kind::state_variable)) {
+    for (const auto& point : answer.memory) {
         chart.x_marks.emplace_back(with_unit(point.value, axis.quantity, motion, 4), point.value);
         crossings += (crossings.empty() ? "" : ", ") + with_unit(point.value, axis.quantity, motion, 6);
     }
-    for (const auto& point : located(Curve::Kind::velocity_only))
+    for (const auto& point : answer.velocity_only)
         simple += (simple.empty() ? "" : ", ") + with_unit(point.value, axis.quantity, motion, 6);
     Figure figure;
     figure.id = chart_id("profile", axis, axis);

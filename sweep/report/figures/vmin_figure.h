@@ -2,12 +2,12 @@
 #pragma once
 #include "analysis/joint/joint.h"
 #include "analysis/results/report.h"
-#include "analysis/stability/study.h"
+#include "sweep/study/linear_details.h"
 
 namespace stickslip {
 
 /// V_min over k_p for several k_v, with memory, and by velocity alone, which knows no k_p: the velocity from which on
 /// sliding is stable, within the velocities that the study searched. The joint slides steadily.
-Figure vmin_figure(const Joint& joint, const LinearStudy& study);
+Figure vmin_figure(const Joint& joint, const LinearDetails& details);
 
 }  // namespace stickslip

@@ -1,7 +1,8 @@
 // What changed from one sweep to another: verdict, numbers of the design, boundaries, regions, with maps of the
 // difference.
 #pragma once
-#include "sweep/report/pages/stability_report.h"
+#include "analysis/results/report.h"
+#include "sweep/study/sweep_summary.h"
 
 #include <string>
 

@@ -1,13 +1,12 @@
 #include "sweep/report/pages/comparison_section.h"
 
 #include "analysis/results/text.h"
-#include "analysis/stability/joint_spectrum.h"
-#include "analysis/stability/steady.h"
 #include "sweep/report/figures/vmin_figure.h"
 #include "sweep/words/line_figure.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace stickslip {
 namespace {
@@ -17,11 +16,22 @@ struct Words {
     std::string damping(double v) const { return with_unit(v, Quantity::damping, motion, 4); }
     std::string stiffness(double v) const { return with_unit(v, Quantity::stiffness, motion, 4); }
     std::string velocity(double v) const { return with_unit(v, Quantity::velocity, motion, 4); }
+    /// Both ways: engineers read data sheets in Hz.
+    std::string frequency(double omega) const
+    {
+        const auto text = with_unit(omega, Quantity::angular_frequency, motion, 4);
+        return std::isnan(omega) ? text : text + " (" + plain_number(omega / (2 * std::numbers::pi), 3) + "\u00a0Hz)";
+    }
     std::string gains(const std::vector<Interval>& set, Quantity q) const { return intervals_text(set, q, motion); }
 };
 
+std::string degrees(double angle)
+{
+    return std::isnan(angle) ? "–" : plain_number(angle * 180 / std::numbers::pi, 3) + "°";
+}
+
 /// The least k_v at the joint's own k_p over its searched velocities, by both theories.
-Figure demand_figure(Joint joint, const LinearStudy& study, bool rational)
+Figure demand_figure(const Joint& joint, const LinearDetails& d)
 {
     const Words words{joint.mechanism.motion};
     LineChart chart;
@@ -30,33 +40,13 @@ Figure demand_figure(Joint joint, const LinearStudy& study, bool rational)
     chart.x_label = axis_label("commanded velocity V_{0}", Quantity::velocity, words.motion);
     chart.y_label = axis_label("least k_{v}", Quantity::damping, words.motion);
     chart.x_log = true;
-    LineChart::Line simple{"velocity alone", {}, {}, true}, memory{"with memory", {}, {}};
-    const double own = commanded_velocity(joint);
-    joint.control.force_rate = not_set;
-    const auto at = [&](double V) {
-        joint.control.V0 = std::copysign(V, own);
-        return compare_theories(joint);
-    };
-    for (const double V : log_steps(study.velocities.low, study.velocities.high, rational ? 121 : 25)) {
-        const auto both = at(V);
-        simple.x.push_back(V), simple.y.push_back(both.k_v_demanded_velocity_only());
-        memory.x.push_back(V), memory.y.push_back(both.k_v_demanded_memory());
-    }
-    if (rational) {
-        // one set of samples, so that both can be read at one place
-        smooth(simple, [&](double V) { return at(V).k_v_demanded_velocity_only(); });
-        memory = {memory.name, simple.x, {}};
-        for (const double V : memory.x) memory.y.push_back(at(V).k_v_demanded_memory());
-        smooth(memory, [&](double V) { return at(V).k_v_demanded_memory(); });
-        simple = {simple.name, memory.x, {}, true};
-        for (const double V : simple.x) simple.y.push_back(at(V).k_v_demanded_velocity_only());
-    }
     // demands span decades; none, which is zero, lies on the lower edge
-    for (const auto* line : {&memory, &simple})
+    for (const auto* line : {&d.demanded_memory, &d.demanded_simple})
         chart.y_log = chart.y_log || std::any_of(line->y.begin(), line->y.end(), [](double y) { return y > 0; });
-    chart.lines = {std::move(memory), std::move(simple)};
-    chart.x_marks.emplace_back("here", std::abs(own));
-    const auto& here = study.comparison;
+    chart.lines = {{"with memory", d.demanded_memory.x, d.demanded_memory.y},
+                   {"velocity alone", d.demanded_simple.x, d.demanded_simple.y, true}};
+    chart.x_marks.emplace_back("here", std::abs(d.velocity));
+    const auto& here = d.study.comparison;
     return line_figure(
         "k-v-demanded", std::move(chart),
         "At the joint's own velocity, velocity alone demands: " + demanded_text(here.k_v_velocity_only, words.motion) +
@@ -124,54 +114,44 @@ std::string comparison_words(const Comparison& c, const Words& words)
 
 }  // namespace
 
-Section comparison_section(const Joint& joint, const LinearStudy& study)
+Section comparison_section(const Joint& joint, const LinearDetails& details)
 {
+    const auto& study = details.study;
     const Words words{joint.mechanism.motion};
     Section section{"comparison", "Velocity alone against memory", comparison_words(study.comparison, words), {}, {}};
-    const bool rational = linear_joint(joint, commanded_velocity(joint)).rational();
     if (!std::isnan(study.velocities.low)) {
-        section.figures.push_back(demand_figure(joint, study, rational));
-        auto slowest = vmin_figure(joint, study);
+        section.figures.push_back(demand_figure(joint, details));
+        auto slowest = vmin_figure(joint, details);
         if (!std::get<LineChart>(slowest.picture).lines.empty()) section.figures.push_back(std::move(slowest));
     }
     section.tables.push_back(comparison_table(joint, study));
     return section;
 }
 
-Section response_section(const Joint& joint, const LinearStudy& study)
+Section response_section(const Joint& joint, const LinearDetails& details)
 {
+    const auto& study = details.study;
     const Words words{joint.mechanism.motion};
     const auto compliance = [&](double x_per_d) {
         const bool none = std::isnan(x_per_d);
         return none ? std::string("–") : with_unit(1 / x_per_d, Quantity::stiffness, words.motion, 4);
     };
-    const auto memory = linear_joint(joint, commanded_velocity(joint));
-    const auto simple = velocity_only(memory);
     Section section{"response", "Disturbances and margins", "", {}, {}};
 
-    double low = infinity, high = 0;
-    for (const auto& s : spectrum(memory))
-        if (std::abs(s) > 0) low = std::min(low, std::abs(s)), high = std::max(high, std::abs(s));
     LineChart chart;
     chart.title = "Displacement per disturbing force";
     chart.x_label = axis_label("frequency ω", Quantity::angular_frequency, words.motion);
     chart.y_label = words.motion == Motion::prismatic ? "|X/D| [m/N]" : "|X/D| [rad/(N·m)]";
     chart.x_log = chart.y_log = true;
-    for (const auto* j : {&memory, &simple}) {
-        LineChart::Line line{j == &memory ? "with memory" : "velocity alone", {}, {}, j == &simple};
-        for (const double omega : log_steps(low / 30, high * 3, 801)) {
-            line.x.push_back(omega);
-            line.y.push_back(std::abs(disturbance_response(*j, {0, omega})));
-        }
-        chart.lines.push_back(std::move(line));
-    }
+    chart.lines = {{"with memory", details.response_memory.x, details.response_memory.y},
+                   {"velocity alone", details.response_simple.x, details.response_simple.y, true}};
     const bool stable = !std::isnan(study.peak.magnitude);
     if (stable && study.peak.omega > 0)
         chart.x_marks.emplace_back("peak at " + with_unit(study.peak.omega, Quantity::angular_frequency, words.motion),
                                    study.peak.omega);
     const std::string finding =
         stable
-            ? "The joint yields most at " + with_unit(study.peak.omega, Quantity::angular_frequency, words.motion) +
+            ? "The joint yields most at " + words.frequency(study.peak.omega) +
                   ": a sine of force there meets a stiffness of " + compliance(study.peak.magnitude) +
                   " only, against " + compliance(study.compliance) + " for a lasting force."
             : "Sliding is unstable here: the curve is the response of the linear joint, which no steady sine reaches.";
@@ -186,13 +166,13 @@ Section response_section(const Joint& joint, const LinearStudy& study)
     table.columns = {"quantity", "value"};
     table.rows = {{"k_{p} may shrink to this part of itself", plain_number(m.gain_below, 4)},
                   {"k_{p} may grow by this factor", plain_number(m.gain_above, 4)},
-                  {"phase margin", with_unit(m.phase, Quantity::angle, words.motion, 4)},
-                  {"at the crossover frequency", with_unit(m.crossover, Quantity::angular_frequency, words.motion, 4)}};
+                  {"phase margin", degrees(m.phase)},
+                  {"at the crossover frequency", words.frequency(m.crossover)}};
     section.tables.push_back(std::move(table));
     return section;
 }
 
-Section ramp_section(const Joint& joint)
+Section ramp_section(const Joint& joint, const LinearDetails& details)
 {
     const Words words{joint.mechanism.motion};
     Section section{"ramps",
@@ -202,40 +182,29 @@ Section ramp_section(const Joint& joint)
                     "stiffness a stable one.",
                     {},
                     {}};
-    const double stiffness = joint.control.k_p + joint.control.contact_stiffness;
-    const double rate = std::abs(stiffness * commanded_velocity(joint));
-    const bool rational = linear_joint(joint, commanded_velocity(joint)).rational();
+    const double rate = details.ramp_rate;
     LineChart chart;
     chart.title = "Stiffness that a ramp needs";
     chart.fixed = "k_{v} = " + words.damping(joint.control.k_v);
     chart.x_label = axis_label("rate of force r", Quantity::effort_rate, words.motion);
     chart.y_label = axis_label("k_{p} at the boundary", Quantity::stiffness, words.motion);
     chart.x_log = chart.y_log = true;
-    const double k_low = joint.control.k_p / 1e3, k_high = joint.control.k_p * 1e3;
     std::string finding;
-    for (const auto theory : {Theory::state_variable, Theory::velocity_only}) {
-        const bool memory = theory == Theory::state_variable;
-        LineChart::Line lower{memory ? "with memory, stable above" : "velocity alone, stable above", {}, {}, !memory},
-            upper{memory ? "with memory, stable below" : "velocity alone, stable below", {}, {}, !memory};
-        for (const double r : log_steps(rate / 100, rate * 100, rational ? 61 : 13)) {
-            double above = missing, below = missing;
-            for (const auto& i : stable_springs(joint, r, k_low, k_high, theory, rational ? 120 : 30)) {
-                if (i.low > k_low && std::isnan(above)) above = i.low;
-                if (i.high < k_high) below = i.high;
-            }
-            lower.x.push_back(r), lower.y.push_back(above);
-            upper.x.push_back(r), upper.y.push_back(below);
-        }
+    for (const bool memory : {true, false}) {
+        const auto& springs = (*details.ramps)[!memory];
+        LineChart::Line lower{memory ? "with memory, stable above" : "velocity alone, stable above", springs.above.x,
+                              springs.above.y, !memory},
+            upper{memory ? "with memory, stable below" : "velocity alone, stable below", springs.below.x,
+                  springs.below.y, !memory};
         const auto drawn = [](const LineChart::Line& l) {
             return std::any_of(l.y.begin(), l.y.end(), [](double y) { return !std::isnan(y); });
         };
         for (auto* line : {&lower, &upper})
             if (drawn(*line)) chart.lines.push_back(std::move(*line));
-        const auto here = stable_springs(joint, rate, k_low, k_high, theory);
         finding += (finding.empty() ? "At this ramp of " + with_unit(rate, Quantity::effort_rate, words.motion) +
                                           ", springs slide smoothly with memory for k_{p} "
                                     : "; by velocity alone ") +
-                   words.gains(here, Quantity::stiffness);
+                   words.gains(springs.here, Quantity::stiffness);
     }
     if (chart.lines.empty()) {
         section.text += " " + finding + ".";

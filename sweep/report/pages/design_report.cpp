@@ -81,6 +81,25 @@ std::string cost_of_simple_thinking(const DesignAnswer& a, const Units& u)
     return text + ": " + plain_number(ratio) + " times the " + (motion ? "motion" : "effort") + " noise.";
 }
 
+/// An optimum at the end of what was searched is one of the search.
+std::vector<std::string> ends_of_range(const DesignAnswer& a, const Units& u)
+{
+    constexpr double touching = 1e-3;  // relative
+    std::vector<std::string> texts;
+    const auto at = [](double value, double end) { return std::abs(value - end) <= touching * std::abs(end); };
+    const auto check = [&](const char* symbol, double best, const Interval& range, auto words) {
+        if (range.low > 0 && at(best, range.low))
+            texts.push_back(std::string("The best ") + symbol + " is the least that was searched, " + words(range.low) +
+                            ": a smaller one may be better. Lower the range.");
+        if (at(best, range.high))
+            texts.push_back(std::string("The best ") + symbol + " is the greatest that was searched, " +
+                            words(range.high) + ": a greater one may be better. Raise the range.");
+    };
+    check("k_{p}", a.design.best.k_p, a.range.k_p, [&](double v) { return u.stiffness(v); });
+    check("k_{v}", a.design.best.k_v, a.range.k_v, [&](double v) { return u.damping(v); });
+    return texts;
+}
+
 std::vector<std::string> row_of(const char* name, const GainChoice& c, const GainDesign& d, const Units& u)
 {
     return {name,
@@ -162,11 +181,13 @@ Report design_report(const DesignAnswer& a)
             report.headlines.push_back(
                 {r.met ? Tone::good : Tone::bad, demand_value(r, r.reached, a, u),
                  (r.name == "margin"
-                      ? "margin: distance to the nearest boundary in logarithms of the uncertain numbers; "
-                        "asked: at least "
-                      : demand_name(r.name) + "; asked: at most ") +
+                      ? "margin: the " + std::to_string(a.nearest.direction.size()) +
+                            " uncertain parameters may be off by " +
+                            all_at_once(r.reached, a.nearest.direction.size()) + " at once; required: at least "
+                      : demand_name(r.name) + "; required: at most ") +
                      demand_value(r, r.demanded, a, u)});
     }
+    for (const auto& text : ends_of_range(a, u)) report.alerts.push_back({Tone::warning, text});
     Section front{"pareto", "Noise against margin", "", {}, {}};
     if (d.front.size() > 1) {
         const bool motion = a.requirements.objective == DesignObjective::motion;

@@ -17,7 +17,8 @@ struct DesignAnswer {
     Joint joint;  ///< as given
     Requirements requirements;
     GainDesign design;
-    NearestBoundary nearest;  ///< of the best gains
+    GainRange range{{missing, missing}, {missing, missing}};  ///< that was searched
+    NearestBoundary nearest;                                  ///< of the best gains
 };
 
 /// The answer in a few sentences, mark-up: the optimum, or why there is none and what would be feasible.

@@ -32,7 +32,10 @@ Figure regions()
             slice.abscissa.push_back(point.spectral_abscissa);
             slice.region.push_back(point.region);
         }
-    auto map = stability_map(paper_joint(), slice);
+    MapAnswer answer;
+    constexpr int mesh = 96;
+    answer.curves = chart_boundaries(paper_joint(), slice.x, slice.y, mesh);
+    auto map = stability_map(prismatic, slice, answer);
     map.title = "Regions of stability (§4)";
     map.has_design = false;
     Figure figure;
@@ -76,7 +79,7 @@ Figure crossing_condition()
 
 Figure locus()
 {
-    Figure figure = loop_figures(paper_joint(), 1e3, 1e7).front();
+    Figure figure = loop_figures(sampled_root_locus(paper_joint(), 1e3, 1e7), Motion::prismatic).front();
     std::get<LineChart>(figure.picture).title = "Root locus over k_{p} at k_{v} = 0 (§4)";
     figure.finding =
         "As k_{p} grows, two real growing roots meet, turn into a pair and cross the imaginary axis at "

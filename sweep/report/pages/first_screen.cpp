@@ -1,8 +1,6 @@
 #include "sweep/report/pages/first_screen.h"
 
 #include "analysis/results/text.h"
-#include "analysis/stability/resolution.h"
-#include "analysis/stability/study.h"
 #include "sweep/words/verdict_text.h"
 
 #include <algorithm>
@@ -13,7 +11,7 @@ namespace {
 
 using Tone = Headline::Tone;
 
-constexpr double near_boundary = 1.2;  // a factor: closer than this, an alert
+constexpr double near_factor = 1.2;  // a factor: closer than this, an alert
 
 std::string number_with_unit(double value, const Axis& axis, Motion motion, int digits = 3)
 {
@@ -38,7 +36,7 @@ std::string change_words(const Margin& m)
 
 DesignVerdict design_verdict(const Joint& joint, const LinearVerdict& linear, Region region)
 {
-    DesignVerdict verdict{region, verdict_text(joint, linear), Tone::good};
+    DesignVerdict verdict{region, verdict_text(joint, linear, region == Region::bistable), Tone::good};
     if (linear.steady.reason != Reason::none) {
         verdict.tone = Tone::warning;
     } else if (linear.state_variable.neutral) {
@@ -47,13 +45,13 @@ DesignVerdict design_verdict(const Joint& joint, const LinearVerdict& linear, Re
         verdict.tone = Tone::bad;
     } else if (region == Region::bistable) {
         verdict.tone = Tone::warning;
-        // one verdict, not two: what the linear theory calls stable is half of the answer
-        constexpr std::string_view half = "Stable: s";
-        if (verdict.text.starts_with(half)) verdict.text.replace(0, half.size(), "S");
-        verdict.text =
-            "Bistable: the design slides, but a large enough disturbance ends in stick-slip for good. " + verdict.text;
     }
     return verdict;
+}
+
+bool near_boundary(const std::vector<Margin>& margins)
+{
+    return std::any_of(margins.begin(), margins.end(), [](const Margin& m) { return factor(m) < near_factor; });
 }
 
 Headline nearest_boundary(const std::vector<Margin>& margins, bool stable, Motion motion)
@@ -63,37 +61,41 @@ Headline nearest_boundary(const std::vector<Margin>& margins, bool stable, Motio
     Headline h;
     if (nearest == margins.end() || !std::isfinite(factor(*nearest))) {
         h.value = "none found";
-        h.meaning = "boundary of stability when one swept parameter changes alone, up to ten times beyond its axis";
+        h.meaning = "boundary when one swept parameter changes alone, up to ten times beyond its axis";
         return h;
     }
     const auto& m = *nearest;
     h.value = change_words(m);
-    h.meaning = std::string("of ") + m.axis.name + " " + m.axis.symbol +
-                (stable ? " is the nearest way into stick-slip" : " is the nearest way out of stick-slip") + ": " +
-                number_with_unit(m.value, m.axis, motion) + ", boundary at " +
-                number_with_unit(m.boundary, m.axis, motion, 4);
-    h.tone = !stable ? Tone::bad : factor(m) < near_boundary ? Tone::warning : Tone::good;
+    const bool below = m.boundary < m.value;
+    h.meaning = m.axis.symbol + ": " + (stable ? "stick-slip " : "smooth sliding ") + (below ? "below " : "above ") +
+                number_with_unit(m.boundary, m.axis, motion, 4) +
+                " (design: " + number_with_unit(m.value, m.axis, motion) +
+                "); nearest change of one swept parameter alone, " + m.axis.name;
+    h.tone = !stable ? Tone::bad : factor(m) < near_factor ? Tone::warning : Tone::good;
     return h;
 }
 
-std::vector<Headline> velocity_headlines(const Joint& joint, bool stable)
+std::vector<Headline> velocity_headlines(const VelocitySearch& search, bool stable, Motion motion)
 {
-    const auto motion = joint.mechanism.motion;
     const auto text = [&](double v) { return with_unit(v, Quantity::velocity, motion); };
-    const double V = joint.control.V0;
-    if (!(V > 0)) return {};
-    const double reach = std::pow(10, study_decades), low = V / reach, high = V * reach;
-    const auto stable_set = stable_velocities(joint, low, high, Theory::state_variable);
+    const double V = search.velocity, low = search.low, high = search.high;
+    const auto& stable_set = search.found;
     const std::string searched = ", with these gains; searched from " + text(low) + " to " + text(high);
     if (stable_set.intervals.empty()) return {{Tone::bad, "none", "velocity slides smoothly" + searched}};
     std::vector<Headline> headlines;
-    const double least = stable_set.least;
-    headlines.push_back({Tone::neutral, (least <= low * (1 + 1e-9) ? "≤ " : "") + text(least),
-                         "least velocity of smooth sliding V_{min}" + searched});
+    // one V_min everywhere: from here upwards every velocity slides, as in the figure over the gains
+    const double from = stable_set.all_above;
+    const bool windows = stable_set.least < from || std::isnan(from);
+    headlines.push_back(
+        {Tone::neutral,
+         std::isnan(from) ? "no V_{min}" : (from <= low * (1 + 1e-9) ? "V_{min} ≤ " : "V_{min} = ") + text(from),
+         (std::isnan(from) ? std::string("the highest velocity stick-slips")
+                           : "every faster velocity slides smoothly") +
+             searched + (windows ? "; a window of smooth sliding begins at " + text(stable_set.least) : "")});
     for (const auto& i : stable_set.intervals) {
         if (!stable || V < i.low || V > i.high || (i.low <= low * (1 + 1e-9) && i.high >= high * (1 - 1e-9))) continue;
         const bool open = i.high >= high * (1 - 1e-9);
-        headlines.push_back({!open && i.high < near_boundary * V ? Tone::warning : Tone::neutral,
+        headlines.push_back({!open && i.high < near_factor * V ? Tone::warning : Tone::neutral,
                              (open ? "≥ " : "") + text(i.high),
                              "up to here sliding stays smooth when the design's " + text(V) + " is raised"});
     }

@@ -4,7 +4,7 @@
 #include "analysis/results/boundary.h"
 #include "analysis/results/report.h"
 #include "analysis/stability/verdict.h"
-#include "sweep/report/pages/stability_report.h"
+#include "sweep/study/joint_answer.h"
 
 namespace stickslip {
 
@@ -18,11 +18,14 @@ struct DesignVerdict {
 /// `region` is that of the results at the design where the sweep simulated its points.
 DesignVerdict design_verdict(const Joint& joint, const LinearVerdict& linear, Region region);
 
+/// Whether a boundary lies within a factor of 1.2 of the design along one parameter.
+bool near_boundary(const std::vector<Margin>& margins);
+
 /// The nearest boundary of all parameters, by factor.
 Headline nearest_boundary(const std::vector<Margin>& margins, bool stable, Motion motion);
 
 /// The stable velocities around the design, and the least stable one.
-std::vector<Headline> velocity_headlines(const Joint& joint, bool stable);
+std::vector<Headline> velocity_headlines(const VelocitySearch& search, bool stable, Motion motion);
 
 /// Every margin as a row.
 Table margin_table(const std::vector<Margin>& margins, Motion motion);

@@ -1,6 +1,5 @@
 #include "sweep/report/pages/linear_report.h"
 
-#include "analysis/boundary/kinds/nearest.h"
 #include "analysis/results/text.h"
 #include "sweep/report/figures/loop_figures.h"
 #include "sweep/report/figures/model_drawing.h"
@@ -19,8 +18,6 @@ namespace stickslip {
 namespace {
 
 using Tone = Headline::Tone;
-
-constexpr double locus_span = 100;  // k_p to either side of its own value
 
 std::string model_name(Model model)
 {
@@ -61,54 +58,52 @@ void reduction_alerts(Report& report, const std::vector<ReductionStudy>& studies
 
 }  // namespace
 
-std::vector<Section> linear_sections(const Joint& joint, const LinearStudy& study)
+std::vector<Section> linear_sections(const Joint& joint, const LinearDetails& details)
 {
     std::vector<Section> sections;
-    if (std::isnan(study.compliance)) return sections;
-    sections.push_back(comparison_section(joint, study));
-    sections.push_back(response_section(joint, study));
-    if (study.ramp) sections.push_back(ramp_section(joint));
-    if (!study.reductions.empty()) sections.push_back(reduction_section(joint, study.reductions));
+    if (std::isnan(details.study.compliance)) return sections;
+    sections.push_back(comparison_section(joint, details));
+    sections.push_back(response_section(joint, details));
+    if (details.ramps) sections.push_back(ramp_section(joint, details));
+    if (!details.study.reductions.empty()) sections.push_back(reduction_section(joint, details.study.reductions));
     return sections;
 }
 
-Report linear_report(const Joint& joint, const LinearVerdict& linear, const NonlinearVerdict& nonlinear,
-                     const LinearStudy& study)
+Report linear_report(const Joint& joint, const JointAnswer& answer)
 {
+    const auto& linear = answer.linear;
+    const auto& study = answer.details.study;
     const auto motion = joint.mechanism.motion;
-    const bool decided = linear.steady.reason == Reason::none;
+    const bool decided = answer.slides;
     Report report;
     report.title = "One joint, both theories";
     report.subtitle = std::string(joint.control.kind == ControlKind::position ? "position control" : "force control") +
                       " · " + (motion == Motion::prismatic ? "prismatic" : "revolute") + " joint · " +
                       model_name(joint.mechanism.model);
-    const auto region = nonlinear.region == NonlinearRegion::bistable ? Region::bistable : Region::undecided;
-    const auto verdict = design_verdict(joint, linear, region);
+    const auto verdict = design_verdict(joint, linear, answer.region);
     report.verdict = verdict.text;
     report.tone = verdict.tone;
     if (decided) {
         const auto& c = study.comparison;
         const bool stable = linear.state_variable.stable;
-        report.headlines = {
-            nearest_headline(nearest_boundary(joint, natural_coordinates(joint), affordable_search(joint)), motion),
-            demand("by velocity alone", c.k_v_velocity_only, joint.control.k_v, motion),
-            demand("with memory", c.k_v_memory, joint.control.k_v, motion)};
+        report.headlines = {nearest_headline(*answer.nearest, motion),
+                            demand("by velocity alone", c.k_v_velocity_only, joint.control.k_v, motion),
+                            demand("with memory", c.k_v_memory, joint.control.k_v, motion)};
         if (std::isfinite(linear.state_variable.k_cr))
             report.headlines.push_back({Tone::neutral,
                                         with_unit(linear.state_variable.k_cr, Quantity::stiffness, motion),
                                         "critical position gain k_{cr}, at this k_{v} and velocity"});
-        if (auto slowest = velocity_headlines(joint, stable); !slowest.empty())
-            report.headlines.push_back(std::move(slowest.front()));
+        if (answer.velocities)
+            report.headlines.push_back(velocity_headlines(*answer.velocities, stable, motion).front());
         reduction_alerts(report, study.reductions);
-        report.sections = linear_sections(joint, study);
+        report.sections = linear_sections(joint, answer.details);
         for (auto& section : report.sections)
             if (section.id == "response")
-                for (auto& figure : loop_figures(joint, joint.control.k_p / locus_span, joint.control.k_p * locus_span))
-                    section.figures.push_back(std::move(figure));
+                for (auto& figure : loop_figures(answer.locus, motion)) section.figures.push_back(std::move(figure));
     }
     Section design{"numbers", "Numbers", "", {}, {}};
     if (decided) design.tables.push_back(linear_table(joint, linear));
-    design.tables.push_back(nonlinear_table(joint, nonlinear));
+    design.tables.push_back(nonlinear_table(joint, answer.nonlinear));
     report.sections.insert(report.sections.begin(), model_section(joint));
     report.sections.push_back(std::move(design));
     report.not_checked = {

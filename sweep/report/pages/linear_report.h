@@ -2,9 +2,7 @@
 #pragma once
 #include "analysis/joint/joint.h"
 #include "analysis/results/report.h"
-#include "analysis/simulation/attractor/nonlinear.h"
-#include "analysis/stability/study.h"
-#include "analysis/stability/verdict.h"
+#include "sweep/study/joint_answer.h"
 
 #include <vector>
 
@@ -12,10 +10,9 @@ namespace stickslip {
 
 /// Comparison of the theories, disturbances and margins, force ramps, reductions: the sections that the joint has.
 /// Empty without steady sliding.
-std::vector<Section> linear_sections(const Joint& joint, const LinearStudy& study);
+std::vector<Section> linear_sections(const Joint& joint, const LinearDetails& details);
 
 /// Verdict, sections and tables of one joint.
-Report linear_report(const Joint& joint, const LinearVerdict& linear, const NonlinearVerdict& nonlinear,
-                     const LinearStudy& study);
+Report linear_report(const Joint& joint, const JointAnswer& answer);
 
 }  // namespace stickslip

@@ -135,9 +135,10 @@ void add_headlines(Report& report, const MarginsAnswer& a)
                  with_unit(move->from, quantity, motion, 4) + " to " + with_unit(move->to, quantity, motion, 4)});
     }
     if (a.nearest.found)
-        report.headlines.push_back({Tone::neutral, plain_number(a.nearest.distance),
-                                    "distance to the nearest boundary: the root of the summed squares of the "
-                                    "logarithms of all changes"});
+        report.headlines.push_back({Tone::neutral, all_at_once(a.nearest.distance, a.nearest.direction.size()),
+                                    "in all " + std::to_string(a.nearest.direction.size()) +
+                                        " parameters at once cannot reach the boundary (distance " +
+                                        plain_number(a.nearest.distance) + ")"});
     if (a.worst) {
         const double growth = a.worst->instability;
         report.headlines.push_back({growth < 0 ? Tone::good : Tone::bad, with_unit(growth, Quantity::rate, motion),
@@ -183,7 +184,9 @@ std::string margins_text(const MarginsAnswer& a)
 {
     std::string text = nearest_text(a.nearest, a.joint.mechanism.motion);
     if (a.nearest.found)
-        text += " That is a distance of " + plain_number(a.nearest.distance) + " in logarithms of the parameters.";
+        text += " All " + std::to_string(a.nearest.direction.size()) + " parameters may be off by " +
+                all_at_once(a.nearest.distance, a.nearest.direction.size()) +
+                " at once without reaching it (distance " + plain_number(a.nearest.distance) + ").";
     return text + worst_text(a);
 }
 

@@ -1,17 +1,14 @@
 #include "sweep/report/pages/stability_report.h"
 
-#include "analysis/boundary/kinds/nearest.h"
-#include "analysis/boundary/trace/locate.h"
 #include "analysis/results/text.h"
-#include "analysis/stability/verdict.h"
 #include "sweep/report/figures/loop_figures.h"
 #include "sweep/report/figures/map_figures.h"
 #include "sweep/report/figures/model_drawing.h"
+#include "sweep/report/figures/multiples.h"
 #include "sweep/report/figures/profile_figures.h"
 #include "sweep/report/figures/reduction_map.h"
 #include "sweep/report/pages/first_screen.h"
 #include "sweep/report/pages/linear_report.h"
-#include "sweep/study/evaluate.h"
 #include "sweep/words/nearest_text.h"
 #include "sweep/words/verdict_text.h"
 
@@ -53,8 +50,7 @@ std::string subtitle(const Spec& spec, const Joint& joint, std::uint64_t points)
 Headline disagreement_headline(const StabilityMap& map)
 {
     return {Tone::neutral, percent(map.disagreement),
-            "of the first chart, over " + map.x.symbol + " and " + map.y.symbol +
-                ", is judged wrongly by friction that depends on velocity alone"};
+            "of the first map, over " + map.x.symbol + " and " + map.y.symbol + ": the velocity-only model is wrong"};
 }
 
 Headline undecided_headline(const SweepSummary& summary)
@@ -65,18 +61,16 @@ Headline undecided_headline(const SweepSummary& summary)
             "of the " + grouped(summary.points) + " points are undecided"};
 }
 
-void add_alerts(Report& report, const SweepSummary& summary, const std::vector<const StabilityMap*>& maps)
+/// `near`: the design lies close to its boundary.
+void add_alerts(Report& report, const SweepSummary& summary, const std::vector<const StabilityMap*>& maps, bool near)
 {
     for (const auto* map : maps)
         if (!map->design.inside)
             report.alerts.push_back({Tone::warning, "The design point lies outside the chart over " + map->x.name +
                                                         " and " + map->y.name + "."});
-    for (const auto& headline : report.headlines)
-        if (headline.tone == Tone::warning && headline.meaning.find("nearest way") != std::string::npos)
-            report.alerts.push_back({Tone::warning, "The design lies within a factor of 1.2 of its boundary."});
+    if (near) report.alerts.push_back({Tone::warning, "The design lies within a factor of 1.2 of its boundary."});
     for (const auto& [reason, count] : summary.reasons)
-        report.alerts.push_back({Tone::warning, grouped(count) + (count == 1 ? " point has" : " points have") +
-                                                    " no verdict: " + reason + "."});
+        report.alerts.push_back({Tone::warning, grouped(count) + (count == 1 ? " point has" : X});
 }
 
 std::vector<std::string> not_checked(const Spec& spec)
@@ -98,77 +92,69 @@ std::vector<std::string> not_checked(const Spec& spec)
 
 }  // namespace
 
-Report stability_report(const Spec& spec, const SweepSummary& summary)
+Report stability_report(const Spec& spec, const SweepSummary& summary, const SweepAnswer& answer)
 {
     const Joint joint = design_joint(spec);
     const auto motion = joint.mechanism.motion;
-    const auto linear = linear_verdict(joint);
-    const bool stable = linear.state_variable.stable, slides = linear.steady.reason == Reason::none;
-    NonlinearVerdict nonlinear;
-    PointResult row = linear_point(joint);
-    if (spec.nonlinear.enabled) {
-        auto options = nonlinear_options(spec.nonlinear);
-        options.bifurcation = true;
-        nonlinear = nonlinear_verdict(joint, options);
-        write_nonlinear(nonlinear, row);
-    }
+    const JointAnswer& own = answer.design;
+    const auto& linear = own.linear;
+    const bool stable = linear.state_variable.stable, slides = own.slides;
 
     Report report;
     report.title = !spec.report.title.empty() ? spec.report.title
                    : !spec.title.empty()      ? spec.title
                                               : "Where the joint slides smoothly";
     report.subtitle = subtitle(spec, joint, summary.points);
-    const auto verdict = design_verdict(joint, linear, row.region);
+    const auto verdict = design_verdict(joint, linear, own.region);
     report.verdict = verdict.text;
     report.tone = verdict.tone;
 
-    std::vector<Margin> margins;
-    for (const auto& axis : spec.axes) margins.push_back(margin_along(joint, axis));
+    const auto& margins = answer.margins;
     Section maps{"maps", "Stability maps", "", {}, {}};
-    for (const auto& slice : summary.slices) maps.figures.push_back(map_figure(joint, slice));
+    for (std::size_t i = 0; i < summary.slices.size(); ++i)
+        maps.figures.push_back(map_figure(motion, summary.slices[i], answer.maps[i]));
     std::vector<const StabilityMap*> drawn;
     for (const auto& figure : maps.figures) drawn.push_back(&std::get<StabilityMap>(figure.picture));
 
     if (slides) {
-        report.headlines.push_back(
-            nearest_headline(nearest_boundary(joint, natural_coordinates(joint), affordable_search(joint)), motion));
+        report.headlines.push_back(nearest_headline(*own.nearest, motion));
         report.headlines.push_back(nearest_boundary(margins, stable, motion));
-        for (auto& headline : velocity_headlines(joint, stable)) report.headlines.push_back(std::move(headline));
+        if (own.velocities)
+            for (auto& headline : velocity_headlines(*own.velocities, stable, motion))
+                report.headlines.push_back(std::move(headline));
     }
     if (!drawn.empty()) report.headlines.push_back(disagreement_headline(*drawn.front()));
     if (summary.undecided > 0 || report.headlines.size() < card_limit)
         report.headlines.push_back(undecided_headline(summary));
-    add_alerts(report, summary, drawn);
+    add_alerts(report, summary, drawn, slides && stable && near_boundary(margins));
 
-    if (summary.multiples) maps.figures.push_back(multiples_figure(joint, *summary.multiples));
-    for (const auto& slice : summary.slices)
-        if (auto figure = reduction_map(joint, slice)) maps.figures.push_back(std::move(*figure));
-    for (const auto& profile : summary.profiles) maps.figures.push_back(profile_figure(joint, profile));
+    if (summary.multiples) maps.figures.push_back(multiples_figure(*summary.multiples, *answer.panels, motion));
+    for (std::size_t i = 0; i < summary.slices.size(); ++i)
+        if (const auto& reduced = answer.maps[i].reduced)
+            maps.figures.push_back(reduction_map(summary.slices[i], *reduced, motion));
+    for (std::size_t i = 0; i < summary.profiles.size(); ++i)
+        maps.figures.push_back(profile_figure(joint, summary.profiles[i], answer.profiles[i]));
     if (!maps.figures.empty()) report.sections.push_back(std::move(maps));
 
     Section outcomes{"outcomes", "Limit cycles", "", {}, {}};
-    for (const auto& slice : summary.slices)
-        for (auto& figure : outcome_figures(joint, slice)) outcomes.figures.push_back(std::move(figure));
+    for (std::size_t i = 0; i < summary.slices.size(); ++i)
+        for (auto& figure : outcome_figures(motion, summary.slices[i], answer.maps[i]))
+            outcomes.figures.push_back(std::move(figure));
     for (const auto& profile : summary.profiles)
         for (auto& figure : outcome_profiles(joint, profile)) outcomes.figures.push_back(std::move(figure));
     if (!outcomes.figures.empty()) report.sections.push_back(std::move(outcomes));
 
     Section gains{"critical-gain", "Critical position gain", "", {}, {}};
-    for (const auto& [x, y] : spec.report.surfaces)
-        if (const Axis* a = axis_of(spec, x), *b = axis_of(spec, y); a && b)
-            gains.figures.push_back(surface_figure(joint, *a, *b));
-    if (const Axis* k_p = axis_of(spec, "control.k_p"); k_p && k_p->values.size() > 1)
-        for (auto& figure : loop_figures(joint, k_p->values.front(), k_p->values.back()))
-            gains.figures.push_back(std::move(figure));
+    for (const auto& surface : answer.surfaces) gains.figures.push_back(surface_figure(surface, motion));
+    for (auto& figure : loop_figures(own.locus, motion)) gains.figures.push_back(std::move(figure));
     if (!gains.figures.empty()) report.sections.push_back(std::move(gains));
 
     Section design{"design", "The design point", "", {model_drawing_figure(joint, "lumped-model")}, {}};
     if (!margins.empty()) design.tables.push_back(margin_table(margins, motion));
     if (slides) design.tables.push_back(linear_table(joint, linear));
-    if (spec.nonlinear.enabled) design.tables.push_back(nonlinear_table(joint, nonlinear));
+    if (spec.nonlinear.enabled) design.tables.push_back(nonlinear_table(joint, own.nonlinear));
     report.sections.push_back(std::move(design));
-    if (linear.steady.reason == Reason::none)
-        for (auto& section : linear_sections(joint, linear_study(joint))) report.sections.push_back(std::move(section));
+    for (auto& section : linear_sections(joint, own.details)) report.sections.push_back(std::move(section));
 
     report.not_checked = not_checked(spec);
     report.provenance = summary.provenance;

@@ -34,6 +34,11 @@ TEST_CASE("decimal units give the same double as the SI number would")
     CHECK(read("2e4 N/m", Quantity::stiffness) == 2e4);
     CHECK(read("20 kN/m", Quantity::stiffness) == 2e4);
     CHECK(read("0.02 N/um", Quantity::stiffness) == 2e4);
+    // as data sheets print them
+    CHECK(read("4.5 kgm2", Quantity::inertia, revolute) == 4.5);
+    CHECK(read("35 kgcm2", Quantity::inertia, revolute) == 35e-4);
+    CHECK(read("35 gcm²", Quantity::inertia, revolute) == 35e-7);
+    CHECK(read("52.5 mNm/A", Quantity::torque_constant, revolute) == 0.0525);
     CHECK(read("350 g", Quantity::inertia) == 0.35);
     CHECK(read("0.35 kg", Quantity::inertia) == 0.35);
     CHECK(read("3 ms", Quantity::time) == 3e-3);

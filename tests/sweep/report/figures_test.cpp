@@ -103,8 +103,8 @@ TEST_CASE("each lumped model is drawn with its own parts and numbers", "[figures
 TEST_CASE("the page of a joint has the sections that the joint has", "[figures]")
 {
     for (const auto& model : paper_models()) {
-        const auto study = linear_study(model.joint);
-        const auto report = linear_report(model.joint, linear_verdict(model.joint), {}, study);
+        const auto report = linear_report(
+            model.joint, answer_joint(model.joint, linear_verdict(model.joint), {}, linear_study(model.joint)));
         check_ids(report);
         std::set<std::string> ids;
         for (const auto& section : report.sections) ids.insert(section.id);
@@ -116,7 +116,7 @@ TEST_CASE("the page of a joint has the sections that the joint has", "[figures]"
     }
     Joint unset = paper_joint();
     unset.control.V0 = not_set;
-    const auto undecided = linear_report(unset, linear_verdict(unset), {}, linear_study(unset));
+    const auto undecided = linear_report(unset, answer_joint(unset, linear_verdict(unset), {}, linear_study(unset)));
     CHECK(undecided.tone == Headline::Tone::warning);
     CHECK(undecided.sections.front().id == "model");
 }
@@ -129,11 +129,11 @@ TEST_CASE("the root locus of a lag crosses the axis at the ends of its windows",
     law.lag = 5e-3;
     law.curve.law = Stribeck{1, 0, 100 * 1e-3 * std::exp(1.0), 1e-3, 1};
     joint.friction.law = law;
-    const auto figures = loop_figures(joint, 2e4, 2e6);
+    const auto figures = loop_figures(sampled_root_locus(joint, 2e4, 2e6), Motion::prismatic);
     REQUIRE(figures.size() == 1);
     CHECK(figures[0].finding.find("130.1 kN/m, 794 kN/m") != std::string::npos);
     const auto& lines = std::get<LineChart>(figures[0].picture).lines;
-    REQUIRE(lines.size() == 2);
+    REQUIRE(lines.size() >= 2);
     CHECK(lines[0].name.find("sliding is stable") != std::string::npos);
     // no root to the right among those of the stable gains, but the last step from the boundary
     CHECK(std::none_of(lines[0].x.begin(), lines[0].x.end(), [](double x) { return x > 20; }));

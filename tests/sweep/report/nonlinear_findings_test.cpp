@@ -37,20 +37,23 @@ TEST_CASE("findings: share, place and reach of what the linear chart gets wrong"
 {
     // at k_v = 47.5: k_cr = 19449, fold at 24849 N/m; for the three rows k_cr = (0.5 − c)·1e5·(1 + 10/(1 + c)), c =
     // k_v/100
-    const auto found = nonlinear_findings(example_joint(22000, 47.5, 1e-2), strip(15000, 35000));
+    const auto slice = strip(15000, 35000);
+    const auto found = large_disturbances(example_joint(22000, 47.5, 1e-2), slice);
     CHECK(found.bistable > 0.1);
     CHECK(found.bistable < found.of_linearly_stable);
     REQUIRE(found.folds.size() == 1);
-    CHECK(found.reach > 24849 / 19449.15);  // the reach grows with k_v
+    CHECK(found.reach.ratio > 24849 / 19449.15);  // the reach grows with k_v
     const double k_cr_48 = 0.02e5 * (1 + 10 / 1.48);
-    CHECK(found.reach < 35000 / k_cr_48);
-    CHECK(found.text.find("k_{v} = 47 N·s/m … 48 N·s/m") != std::string::npos);
+    CHECK(found.reach.ratio < 35000 / k_cr_48);
+    const auto text = large_disturbances_text(slice, found, Motion::prismatic);
+    CHECK(text.find("k_{v} = 47 N·s/m … 48 N·s/m") != std::string::npos);
 }
 
 TEST_CASE("findings: nothing to say where both theories agree", "[report]")
 {
-    const auto found = nonlinear_findings(example_joint(40000, 47.5, 1e-2), strip(40000, 60000));
+    const auto slice = strip(40000, 60000);
+    const auto found = large_disturbances(example_joint(40000, 47.5, 1e-2), slice);
     CHECK(found.bistable == 0);
     CHECK(found.folds.empty());
-    CHECK(found.text.empty());
+    CHECK(large_disturbances_text(slice, found, Motion::prismatic).empty());
 }

@@ -41,9 +41,10 @@ TEST_CASE("reductions stand beside the full joint in one chart, each with its sh
     Slice slice;
     slice.x = axis("control.k_p", 1e3, 1e6);
     slice.y = axis("joint.transmission.stiffness", 1e3, 1e8);
-    const auto figure = reduction_map(joint, slice);
-    REQUIRE(figure);
-    const auto& lines = std::get<LineChart>(figure->picture).lines;
+    const auto reduced = compare_reductions(joint, slice);
+    REQUIRE(reduced);
+    const auto figure = reduction_map(slice, *reduced, Motion::prismatic);
+    const auto& lines = std::get<LineChart>(figure.picture).lines;
     REQUIRE(lines.size() == 3);
     const double as_source = critical_gain(1, 10, 1e-3), rigid = critical_gain(1.5, 100, 1e-3);
     for (const double y : lines[1].y)
@@ -58,6 +59,6 @@ TEST_CASE("reductions stand beside the full joint in one chart, each with its sh
     }
     CHECK(least_x == Approx(rigid).epsilon(2e-2));
     CHECK(least_y == Approx(as_source).epsilon(0.1));
-    CHECK(figure->finding.find("one mass, all rigid") != std::string::npos);
-    CHECK_FALSE(reduction_map(samples::single_mass(1), slice));
+    CHECK(figure.finding.find("one mass, all rigid") != std::string::npos);
+    CHECK_FALSE(compare_reductions(samples::single_mass(1), slice));
 }

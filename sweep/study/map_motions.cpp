@@ -1,4 +1,4 @@
-#include "sweep/report/figures/map_motions.h"
+#include "sweep/study/map_motions.h"
 
 #include "analysis/joint/parameters.h"
 #include "analysis/simulation/simulate.h"

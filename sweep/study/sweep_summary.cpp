@@ -1,7 +1,6 @@
-#include "sweep/report/pages/summary.h"
+#include "sweep/study/sweep_summary.h"
 
 #include "analysis/joint/parameters.h"
-#include "sweep/words/verdict_text.h"
 
 #include <algorithm>
 
@@ -113,7 +112,7 @@ SweepSummary summarise(const Spec& spec, const ResultsFile& results)
     for (std::size_t code = 1; code < reasons.size(); ++code) {
         if (reasons[code] == 0) continue;
         summary.undecided += reasons[code];
-        summary.reasons.emplace_back(reason_text(static_cast<Reason>(code)), reasons[code]);
+        summary.reasons.emplace_back(static_cast<Reason>(code), reasons[code]);
     }
     for (const char* name : {"source", "build", "plan_id", "command"})
         summary.provenance.emplace_back(name, results.attribute(name));

@@ -1,0 +1,311 @@
+// The fields of every struct of an answer, each once: what answer.json says and how it is read back.
+#pragma once
+#include "sweep/files/json/archive.h"
+#include "sweep/study/sweep_answer.h"
+
+namespace stickslip {
+
+using archive::Like;
+
+// plain results
+
+template <class A>
+void fields(A& a, Like<Axis> auto& v)
+{
+    a("path", v.path), a("symbol", v.symbol), a("name", v.name), a("quantity", v.quantity), a("log", v.log);
+    a("values", v.values);
+}
+
+template <class A>
+void fields(A& a, Like<Curve> auto& v)
+{
+    a("kind", v.kind), a("x", v.x), a("y", v.y), a("precision", v.precision);
+}
+
+template <class A>
+void fields(A& a, Like<DesignPoint> auto& v)
+{
+    a("x", v.x), a("y", v.y), a("inside", v.inside), a("region", v.region);
+    a("spectral_abscissa", v.spectral_abscissa);
+}
+
+template <class A>
+void fields(A& a, Like<MapMotion> auto& v)
+{
+    a("x", v.x), a("y", v.y), a("time", v.time), a("velocity", v.velocity);
+}
+
+template <class A>
+void fields(A& a, Like<BoundaryPoint> auto& v)
+{
+    a("value", v.value), a("low", v.low), a("high", v.high), a("direction", v.direction);
+    a("converged", v.converged), a("evaluations", v.evaluations), a("method", v.method);
+}
+
+template <class A>
+void fields(A& a, Like<Margin> auto& v)
+{
+    a("axis", v.axis), a("value", v.value), a("found", v.found), a("boundary", v.boundary);
+    a("low", v.low), a("high", v.high);
+}
+
+template <class A>
+void fields(A& a, Like<NearestMove> auto& v)
+{
+    a("path", v.path), a("less", v.less), a("from", v.from), a("to", v.to);
+}
+
+template <class A>
+void fields(A& a, Like<NearestBoundary> auto& v)
+{
+    a("decided", v.decided), a("stable", v.stable), a("found", v.found), a("distance", v.distance);
+    a("moves", v.moves), a("direction", v.direction), a("evaluations", v.evaluations);
+}
+
+// one joint
+
+template <class A>
+void fields(A& a, Like<Interval> auto& v)
+{
+    a("low", v.low), a("high", v.high);
+}
+
+template <class A>
+void fields(A& a, Like<SteadySliding> auto& v)
+{
+    a("velocity", v.velocity), a("friction", v.friction), a("deflection", v.deflection), a("reason", v.reason);
+}
+
+template <class A>
+void fields(A& a, Like<VelocityOnlyVerdict> auto& v)
+{
+    a("stable", v.stable), a("neutral", v.neutral), a("k_v_min", v.k_v_min), a("stable_k_v", v.stable_k_v);
+    a("slope", v.slope);
+}
+
+template <class A>
+void fields(A& a, Like<Crossing> auto& v)
+{
+    a("k_p", v.k_p), a("omega", v.omega), a("direction", v.direction);
+}
+
+template <class A>
+void fields(A& a, Like<StateVariableVerdict> auto& v)
+{
+    a("stable", v.stable), a("neutral", v.neutral), a("spectral_abscissa", v.spectral_abscissa);
+    a("eigenvalues", v.eigenvalues), a("all_eigenvalues", v.all_eigenvalues), a("f_v", v.f_v);
+    a("kernel_integral", v.kernel_integral), a("crossings", v.crossings);
+    a("stable_intervals", v.stable_intervals), a("k_cr", v.k_cr), a("searched_to", v.searched_to);
+    a("doubtful", v.doubtful);
+}
+
+template <class A>
+void fields(A& a, Like<LinearVerdict> auto& v)
+{
+    a("steady", v.steady), a("velocity_only", v.velocity_only), a("state_variable", v.state_variable);
+}
+
+template <class A>
+void fields(A& a, Like<Disturbance> auto& v)
+{
+    a("kind", v.kind), a("size", v.size);
+}
+
+template <class A>
+void fields(A& a, Like<NonlinearVerdict> auto& v)
+{
+    a("outcome", v.outcome), a("region", v.region), a("disturbance", v.disturbance);
+    a("growth_rate", v.growth_rate), a("amplitude", v.amplitude), a("velocity_min", v.velocity_min);
+    a("velocity_max", v.velocity_max), a("period", v.period), a("stick_fraction", v.stick_fraction);
+    a("overshoot", v.overshoot), a("multipliers", v.multipliers), a("repeats", v.repeats);
+    a("criticality", v.criticality), a("lyapunov", v.lyapunov), a("fold_k_p", v.fold_k_p), a("path", v.path);
+    a("reason", v.reason), a("explanation", v.explanation), a("growth_missing", v.growth_missing);
+    a("fold_missing", v.fold_missing), a("searched_from", v.searched_from), a("used_fallback", v.used_fallback);
+}
+
+template <class A>
+void fields(A& a, Like<StableVelocities> auto& v)
+{
+    a("intervals", v.intervals), a("least", v.least), a("all_above", v.all_above);
+    a("least_force_rate", v.least_force_rate);
+}
+
+template <class A>
+void fields(A& a, Like<RangeGain> auto& v)
+{
+    a("k_v", v.k_v), a("velocity", v.velocity), a("stable_k_v", v.stable_k_v);
+}
+
+template <class A>
+void fields(A& a, Like<Comparison> auto& v)
+{
+    a("k_v_velocity_only", v.k_v_velocity_only), a("k_v_memory", v.k_v_memory);
+    a("k_p_velocity_only", v.k_p_velocity_only), a("k_p_memory", v.k_p_memory);
+    a("forbidden_needlessly", v.forbidden_needlessly), a("allowed_wrongly", v.allowed_wrongly);
+    a("searched_to", v.searched_to);
+}
+
+template <class A>
+void fields(A& a, Like<ResponsePeak> auto& v)
+{
+    a("omega", v.omega), a("magnitude", v.magnitude);
+}
+
+template <class A>
+void fields(A& a, Like<LoopMargins> auto& v)
+{
+    a("gain_below", v.gain_below), a("gain_above", v.gain_above), a("phase", v.phase), a("crossover", v.crossover);
+}
+
+template <class A>
+void fields(A& a, Like<GainMix> auto& v)
+{
+    a("k_p", v.k_p), a("k_v", v.k_v), a("noise", v.noise);
+}
+
+template <class A>
+void fields(A& a, Like<ForceRamp> auto& v)
+{
+    a("rate", v.rate), a("velocity_only", v.velocity_only), a("state_variable", v.state_variable);
+}
+
+template <class A>
+void fields(A& a, Like<ReductionError> auto& v)
+{
+    a("full", v.full), a("reduced", v.reduced), a("error", v.error);
+}
+
+template <class A>
+void fields(A& a, Like<ReductionStudy> auto& v)
+{
+    a("name", v.name), a("model", v.model), a("neglected", v.neglected), a("refused", v.refused);
+    a("boundary_path", v.boundary_path), a("assumption_path", v.assumption_path), a("assumption", v.assumption);
+    a("own", v.own), a("searched_low", v.searched_low), a("searched_high", v.searched_high);
+    a("values", v.values), a("at", v.at), a("good_from", v.good_from), a("fair_from", v.fair_from);
+}
+
+template <class A>
+void fields(A& a, Like<LinearStudy> auto& v)
+{
+    a("compliance", v.compliance), a("peak", v.peak), a("margins", v.margins), a("velocities", v.velocities);
+    a("velocity_only", v.velocity_only), a("state_variable", v.state_variable), a("range_gain", v.range_gain);
+    a("comparison", v.comparison), a("velocity_noise", v.velocity_noise), a("mix", v.mix), a("ramp", v.ramp);
+    a("reductions", v.reductions);
+}
+
+template <class A>
+void fields(A& a, Like<Samples> auto& v)
+{
+    a("x", v.x), a("y", v.y);
+}
+
+template <class A>
+void fields(A& a, Like<LeastVelocities> auto& v)
+{
+    a("k_v", v.k_v), a("over_k_p", v.over_k_p), a("here", v.here);
+}
+
+template <class A>
+void fields(A& a, Like<RampSprings> auto& v)
+{
+    a("above", v.above), a("below", v.below), a("here", v.here);
+}
+
+template <class A>
+void fields(A& a, Like<LinearDetails> auto& v)
+{
+    a("study", v.study), a("velocity", v.velocity), a("sampled_finely", v.sampled_finely);
+    a("demanded_memory", v.demanded_memory), a("demanded_simple", v.demanded_simple);
+    a("least_velocities", v.least_velocities), a("response_memory", v.response_memory);
+    a("response_simple", v.response_simple), a("ramp_rate", v.ramp_rate), a("ramps", v.ramps);
+}
+
+template <class A>
+void fields(A& a, Like<RootLocus> auto& v)
+{
+    a("gains", v.gains), a("roots", v.roots), a("own_gain", v.own_gain), a("own", v.own), a("limit", v.limit),
+        a("rational", v.rational);
+    a("crossings", v.crossings);
+}
+
+template <class A>
+void fields(A& a, Like<VelocitySearch> auto& v)
+{
+    a("velocity", v.velocity), a("low", v.low), a("high", v.high), a("found", v.found);
+}
+
+template <class A>
+void fields(A& a, Like<JointAnswer> auto& v)
+{
+    a("linear", v.linear), a("nonlinear", v.nonlinear), a("region", v.region), a("slides", v.slides);
+    a("nearest", v.nearest), a("velocities", v.velocities), a("details", v.details), a("locus", v.locus);
+}
+
+// a sweep
+
+template <class A>
+void fields(A& a, Like<Extent> auto& v)
+{
+    a("low", v.low), a("high", v.high);
+}
+
+template <class A>
+void fields(A& a, Like<FoldReach> auto& v)
+{
+    a("ratio", v.ratio), a("k_p", v.k_p), a("k_cr", v.k_cr), a("at", v.at);
+}
+
+template <class A>
+void fields(A& a, Like<LargeDisturbances> auto& v)
+{
+    a("bistable", v.bistable), a("of_linearly_stable", v.of_linearly_stable), a("x", v.x), a("y", v.y);
+    a("folds", v.folds), a("reach", v.reach), a("without_boundary", v.without_boundary);
+}
+
+template <class A>
+void fields(A& a, Like<ReducedModel> auto& v)
+{
+    a("model", v.model), a("assumption", v.assumption), a("boundary", v.boundary);
+    a("wrong_stable", v.wrong_stable), a("wrong_unstable", v.wrong_unstable);
+}
+
+template <class A>
+void fields(A& a, Like<ReducedMap> auto& v)
+{
+    a("full", v.full), a("models", v.models), a("columns", v.columns), a("rows", v.rows);
+}
+
+template <class A>
+void fields(A& a, Like<MapAnswer> auto& v)
+{
+    a("curves", v.curves), a("layer_curves", v.layer_curves), a("precision", v.precision), a("mesh", v.mesh);
+    a("design", v.design), a("motions", v.motions), a("large", v.large), a("reduced", v.reduced);
+}
+
+template <class A>
+void fields(A& a, Like<PanelsAnswer> auto& v)
+{
+    a("curves", v.curves), a("design", v.design);
+}
+
+template <class A>
+void fields(A& a, Like<ProfileAnswer> auto& v)
+{
+    a("velocity_only_abscissa", v.velocity_only_abscissa), a("memory", v.memory);
+    a("velocity_only", v.velocity_only);
+}
+
+template <class A>
+void fields(A& a, Like<GainSurface> auto& v)
+{
+    a("x", v.x), a("y", v.y), a("k_cr", v.k_cr), a("always", v.always), a("never", v.never), a("windows", v.windows);
+}
+
+template <class A>
+void fields(A& a, Like<SweepAnswer> auto& v)
+{
+    a("plan_id", v.plan_id), a("spec", v.spec), a("design", v.design), a("margins", v.margins), a("maps", v.maps);
+    a("panels", v.panels), a("profiles", v.profiles), a("surfaces", v.surfaces);
+}
+
+}  // namespace stickslip

@@ -1,0 +1,38 @@
+#include "sweep/files/json/sweep_answer_file.h"
+
+#include "sweep/files/json/answer_fields.h"
+#include "sweep/files/json/answer_names.h"
+#include "sweep/files/text/bad_input.h"
+#include "sweep/files/text/whole_file.h"
+
+#include <fstream>
+#include <iterator>
+
+namespace stickslip {
+
+void write_sweep_answer(const SweepAnswer& answer, const std::filesystem::path& directory)
+{
+    archive::Json json = {{"format", sweep_answer_format}};
+    json.update(archive::written(answer));
+    write_whole(directory / sweep_answer_name, json.dump() + "\n");
+}
+
+std::optional<SweepAnswer> read_sweep_answer(const std::filesystem::path& directory, std::string_view plan_id)
+{
+    const auto path = directory / sweep_answer_name;
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return std::nullopt;
+    const std::string text((std::istreambuf_iterator<char>(file)), {});
+    const auto json = archive::Json::parse(text, nullptr, false);
+    if (!json.is_object()) throw BadInput(path.string() + ": is no answer of a sweep; remove it to have it made again");
+    if (json.value("format", "") != sweep_answer_format || json.value("plan_id", "") != plan_id) return std::nullopt;
+    try {
+        SweepAnswer answer;
+        archive::read(json, answer);
+        return answer;
+    } catch (const std::invalid_argument& e) {
+        throw BadInput(path.string() + ": " + e.what() + "; remove the file to have it made again");
+    }
+}
+
+}  // namespace stickslip

@@ -8,6 +8,7 @@
 #include "analysis/numerics/root.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/neutral.h"
+#include "analysis/stability/winding.h"
 
 namespace stickslip {
 namespace {

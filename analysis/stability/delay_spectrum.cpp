@@ -94,20 +94,13 @@ class Edge {
 
     double abscissa()
     {
-        if (!std::isfinite(scale_) || !bracket()) return missing;
-        while (high_ - low_ > 1e-10 * (std::abs(low_) + std::abs(high_))) {
+        if (!std::isfinite(scale_) || !begin()) return missing;
+        while (roots_.empty() && high_ - low_ > 1e-10 * (std::abs(low_) + std::abs(high_))) {
             if (const auto root = rightmost_between()) {
-                const double margin = 1e-9 * std::abs(*root);
-                const auto beyond = look(root->real() + margin);
-                if (!beyond || beyond->roots == 0) {
-                    roots_ = {*root};
-                    return side_of_axis(joint_, *root);
-                }
-                low_ = root->real() + margin;
-                at_low_ = *beyond;
+                if (!take(*root)) return missing;
                 continue;
             }
-            const double middle = (low_ + high_) / 2;
+            const double middle = low_ == 0 ? 1e-2 * high_ : (low_ + high_) / 2;
             const auto there = look(middle);
             if (!there) break;
             if (there->roots == 0)
@@ -115,7 +108,7 @@ class Edge {
             else
                 low_ = middle, at_low_ = *there;
         }
-        return high_;
+        return roots_.empty() ? high_ : side_of_axis(joint_, roots_.front());
     }
 
     /// All roots right of some line on which between `wanted` and `most` of them are counted.
@@ -124,11 +117,13 @@ class Edge {
         const double edge = abscissa();
         if (std::isnan(edge)) return {};
         LineCount line = at_low_;
-        double sigma = low_;
+        double sigma = line.sigma;
         far_enough(edge, sigma, line);
+        const Known first = roots_;
         gather(sigma, edge, line);
         std::sort(roots_.begin(), roots_.end(), [](Complex a, Complex b) { return a.real() > b.real(); });
-        return line.roots == counted(roots_) ? roots_ : confirmed();
+        const Known sure = line.roots == counted(roots_) ? roots_ : confirmed();
+        return sure.empty() ? first : sure;
     }
 
   private:
@@ -142,51 +137,70 @@ class Edge {
         return std::nullopt;
     }
 
-    /// [low, high] with roots right of low and none right of high.
-    bool bracket()
+    /// The root is the rightmost one if counting finds none beyond it; else the search goes on right of it.
+    bool take(Complex root)
     {
-        const double unit = 1e-9 * scale_, factor = 8;
-        auto here = look(0);
-        if (!here) return false;
-        if (here->roots > 0) {
-            low_ = 0, at_low_ = *here;
-            for (high_ = unit; high_ < factor * factor * scale_; high_ *= factor) {
-                here = look(high_);
-                if (!here) return false;
-                if (here->roots == 0) return true;
-                low_ = high_, at_low_ = *here;
-            }
-            return false;
+        const double beyond = root.real() + 1e-9 * std::abs(root);
+        const auto count = look(beyond);
+        if (!count) return false;
+        if (count->roots == 0)
+            roots_ = {root};
+        else
+            low_ = beyond, at_low_ = *count;
+        return true;
+    }
+
+    /// [low, high] with roots right of low and none right of high, or the rightmost root at once.
+    bool begin()
+    {
+        const auto axis = look(0);
+        if (!axis) return false;
+        at_low_ = *axis;
+        if (axis->roots > 0) {
+            high_ = 1.01 * scale_;
+            return true;
         }
-        high_ = 0, low_ = -unit;
+        low_ = -scale_;
+        const auto near = rightmost_between();
+        if (near && take(*near)) return true;
+        return further_left();
+    }
+
+    /// Steps left until roots are counted.
+    bool further_left()
+    {
+        bool blocked = false;
+        high_ = 0, low_ = -1e-9 * scale_;
         for (int tries = 0; tries < 80; ++tries) {
-            here = look(low_);
+            const auto here = look(low_);
             if (here && here->roots > 0) {
                 at_low_ = *here;
                 return true;
             }
             // further left, or back to where what is delayed has not outgrown all numbers
             if (here)
-                high_ = low_, low_ *= blocked_ ? 1.2 : factor;
+                high_ = low_, low_ *= blocked ? 1.2 : 8;
             else
-                blocked_ = true, low_ = (low_ + high_) / 2;
+                blocked = true, low_ = (low_ + high_) / 2;
         }
         return false;
     }
 
-    /// The rightmost root that Newton's method finds between low and high, from where the phase turns fastest.
+    /// The rightmost root that Newton's method finds between low and high, from where the phase turns fastest on the line
+    /// that was counted last.
     std::optional<Complex> rightmost_between() const
     {
         constexpr std::size_t starts = 24;
         std::optional<Complex> best;
         Known found;
         for (const double omega : starts_of(at_low_, starts)) {
-            const auto root = newton(joint_, {low_, omega}, found);
+            const auto root = newton(joint_, {at_low_.sigma, omega}, found);
             if (!root) continue;
             found.push_back(*root);
-            const bool between = root->real() >= low_ && root->real() <= high_;
+            const double near = 1e-9 * std::abs(*root);
+            const bool between = root->real() >= low_ - near && root->real() <= high_ + near;
             if (between && (!best || root->real() > best->real())) best = root;
-            if (counted(found) >= at_low_.roots && best) break;
+            if (at_low_.roots > 0 && counted(found) >= at_low_.roots && best) break;
         }
         return best;
     }
@@ -246,7 +260,6 @@ class Edge {
 
     const LinearJoint& joint_;
     double scale_, low_ = 0, high_ = 0;
-    bool blocked_ = false;
     LineCount at_low_;
     Known roots_;
 };

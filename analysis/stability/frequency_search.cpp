@@ -1,6 +1,7 @@
 #include "analysis/stability/frequency_search.h"
 
 #include <algorithm>
+#include <atomic>
 #include <span>
 
 #include "analysis/numerics/interval.h"
@@ -12,9 +13,14 @@ namespace {
 
 using DualBox = Dual<Box>;
 constexpr double narrowest = 1e-9;            // relative width of a band that is given up
-constexpr int most_bands = 500'000;           // of one search
+constexpr int usual_bands = 30'000;           // of one search
 constexpr std::size_t most_doubtful = 1'000;  // beyond, rounding decides everything and a search finds nothing
-constexpr double hopeless_phase = 1e3 * most_bands;  // rad; of the longest delay: not even low gains get searched
+std::atomic<double> effort = 1;
+
+int most_bands()
+{
+    return static_cast<int>(std::min(1e9, usual_bands * effort));
+}
 
 /// G(σ + iω) and its derivative by ω for every ω of a band.
 DualBox transfer_over(const LinearFriction& f, double sigma, const Band& omega)
@@ -101,6 +107,16 @@ double longest_delay(const LinearJoint& j)
 
 }  // namespace
 
+void set_search_effort(double times_usual)
+{
+    effort = times_usual;
+}
+
+double search_effort()
+{
+    return effort;
+}
+
 double frequency_bound(const LinearJoint& j, double gain_limit, double sigma, double share)
 {
     double bound = 0;
@@ -124,7 +140,9 @@ CrossingSearch search_crossings(const LinearJoint& j, double gain_limit)
     CrossingSearch found;
     found.searched_to = gain_limit;
     const double end = frequency_bound(j, gain_limit);
-    if (longest_delay(j) * end > hopeless_phase) {
+    const int most = most_bands();
+    // rad of the longest delay: not even low gains get searched
+    if (longest_delay(j) * end > 1e3 * most) {
         found.exhausted = true;
         found.searched_to = 0;
         return found;
@@ -141,7 +159,7 @@ CrossingSearch search_crossings(const LinearJoint& j, double gain_limit)
     for (int used = 0; !open.empty(); ++used) {
         const Band band = open.back();
         open.pop_back();
-        if (used > most_bands || found.doubtful.size() > most_doubtful) {
+        if (used > most || found.doubtful.size() > most_doubtful) {
             found.exhausted = true;
             found.searched_to = std::min(gain_limit, 0.5 * j.inertia[0] * band.low * band.low);
             break;

@@ -8,6 +8,11 @@
 
 namespace stickslip {
 
+/// How much work the searches of this process may do, per the usual one: what they leave unsearched they say. To be set
+/// before any search begins.
+void set_search_effort(double times_usual);
+double search_effort();
+
 /// What a search along the imaginary axis found.
 struct CrossingSearch {
     std::vector<Crossing> crossings;  ///< ascending in k_p, every one with 0 < k_p ≤ searched_to

@@ -185,6 +185,7 @@ std::optional<LineCount> count_right_of(const LinearJoint& j, double sigma, int 
     if (!std::isfinite(end) || !(end > 0)) return std::nullopt;
     const double h_late = 1.0 / longest_memory(j);  // infinite where nothing is delayed
     LineCount count;
+    count.sigma = sigma;
     double turned = 0;
     Look here = line.at(0);
     if (!is_number(here.value) || here.value == 0.0) return std::nullopt;

@@ -14,6 +14,7 @@ struct LineCount {
         double omega;
         double steepness;  ///< |F'/F|: large next to a root
     };
+    double sigma = 0;
     int roots = 0;
     std::vector<Node> nodes;
 };

@@ -6,6 +6,7 @@
 #include "analysis/numerics/maximum.h"
 #include "analysis/stability/joint_crossings.h"
 #include "analysis/stability/joint_spectrum.h"
+#include "analysis/stability/stable_gains.h"
 #include "analysis/stability/steady.h"
 
 namespace stickslip {
@@ -26,9 +27,12 @@ std::vector<Interval> without(const std::vector<Interval>& set, const std::vecto
     return rest;
 }
 
-std::vector<Interval> stable_in_k_p(const LinearJoint& j, const CrossingSearch& search)
+/// The part of the set that the search covers.
+std::vector<Interval> up_to(double limit, std::vector<Interval> set)
 {
-    return stable_intervals(j, search.crossings, search.searched_to);
+    std::erase_if(set, [&](const Interval& i) { return i.low >= limit; });
+    for (auto& i : set) i.high = std::min(i.high, limit);
+    return set;
 }
 
 /// Damping that the joint knows of: a natural unit of k_v.
@@ -81,25 +85,22 @@ std::vector<Interval> stable_in_k_v(const LinearJoint& j)
                         : scanned_in_k_v(j);
 }
 
-double least_position_gain(const LinearJoint& j)
-{
-    const auto stable = stable_in_k_p(j, crossings(j));
-    return stable.empty() ? missing : stable.front().low;
-}
-
 }  // namespace
 
 Comparison compare_theories(const Joint& joint)
 {
+    return steady_sliding(joint).reason == Reason::none ? compare_theories(joint, stable_gains(joint)) : Comparison{};
+}
+
+Comparison compare_theories(const Joint& joint, const StableGains& gains)
+{
     Comparison result;
     const auto steady = steady_sliding(joint);
-    if (steady.reason != Reason::none) return result;
     const auto memory = linear_joint(joint, steady.velocity);
     const auto simple = velocity_only(memory);
-    const auto search = crossings(memory);
-    result.searched_to = search.searched_to;
-    result.k_p_memory = stable_in_k_p(memory, search);
-    result.k_p_velocity_only = stable_intervals(simple, rational_crossings(simple, Gain::k_p), search.searched_to);
+    result.searched_to = gains.searched_to;
+    result.k_p_memory = gains.stable;
+    result.k_p_velocity_only = up_to(result.searched_to, stable_gains(joint, Theory::velocity_only).stable);
     result.forbidden_needlessly = without(result.k_p_memory, result.k_p_velocity_only);
     result.allowed_wrongly = without(result.k_p_velocity_only, result.k_p_memory);
     result.k_v_memory = stable_in_k_v(memory);
@@ -110,18 +111,21 @@ Comparison compare_theories(const Joint& joint)
 double least_position_gain(const Joint& joint)
 {
     const auto steady = steady_sliding(joint);
-    return steady.reason == Reason::none ? least_position_gain(linear_joint(joint, steady.velocity)) : missing;
+    if (steady.reason != Reason::none) return missing;
+    const auto gains = stable_gains(joint);
+    return gains.stable.empty() ? missing : gains.stable.front().low;
 }
 
-GainMix optimal_mix(const Joint& joint, double velocity_noise)
+GainMix optimal_mix(const Joint& given, double velocity_noise)
 {
     GainMix best;
-    const auto steady = steady_sliding(joint);
+    const auto steady = steady_sliding(given);
     if (steady.reason != Reason::none) return best;
-    auto linear = linear_joint(joint, steady.velocity);
+    Joint joint = given;
+    const auto linear = linear_joint(joint, steady.velocity);
     const auto mix = [&](double k_v) {
-        linear.k_v = k_v;
-        const double k_p = least_position_gain(linear);
+        joint.control.k_v = k_v;
+        const double k_p = least_position_gain(joint);
         return GainMix{k_p, k_v, std::hypot(k_p, velocity_noise * k_v)};
     };
     if (crossings(linear).exhausted) return best;  // each of the many searches below would end like this
@@ -129,7 +133,7 @@ GainMix optimal_mix(const Joint& joint, double velocity_noise)
         if (m.noise < best.noise || std::isnan(best.noise)) best = m;
     };
     // from pure position feedback to the k_v that needs no position gain, and somewhat beyond
-    const int steps = linear.rational() ? 160 : 40;
+    const int steps = gain_moves_sliding(given) ? 24 : linear.rational() ? 160 : 40;
     const double unit = damping_unit(linear);
     std::vector<double> k_v{0};
     for (int i = 0; i <= steps; ++i) k_v.push_back(unit * std::pow(10, -5 + 6.0 * i / steps));

@@ -7,6 +7,8 @@
 
 namespace stickslip {
 
+struct StableGains;
+
 /// Both theories about one joint. Gains of a stable set are open intervals of positive numbers.
 struct Comparison {
     std::vector<Interval> k_v_velocity_only, k_v_memory;  ///< stable k_v at the joint's own k_p
@@ -28,6 +30,8 @@ struct Comparison {
 /// Compares at the joint's commanded velocity. Without steady sliding every set is empty. Sets in k_v: complete without
 /// delays and tables; with them by a scan of 60 logarithmic steps over nine decades, ends bisected to 1e-6.
 Comparison compare_theories(const Joint& joint);
+/// The same where the stable gains are known already.
+Comparison compare_theories(const Joint& joint, const StableGains& gains);
 
 /// A pair of gains on the boundary of stability (to be exceeded), chosen for its noise.
 struct GainMix {

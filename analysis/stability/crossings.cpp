@@ -93,11 +93,20 @@ double gain_at(const LinearMass& mass, double u)
 
 }  // namespace
 
+namespace {
+
+/// One state that feeds the motion, and damping beside it: a closed form decides.
+bool usual(const LinearMass& mass)
+{
+    return mass.friction.states == 1 && mass.k_v + mass.friction.f_v > 0 && mass.friction.weight(0) > 0;
+}
+
+}  // namespace
+
 std::vector<Crossing> crossings(const LinearMass& mass)
 {
     std::vector<Crossing> found;
-    const bool usual = mass.friction.states == 1 && mass.k_v + mass.friction.f_v > 0 && mass.friction.weight(0) > 0;
-    if (usual) {
+    if (usual(mass)) {
         // with C > 0 and a positive kernel a rising gain turns the joint stable: (28)
         if (const auto critical = critical_gain(mass.inertia, mass.k_v, mass.friction))
             found.push_back({critical->k_p, critical->omega, -1});
@@ -115,6 +124,7 @@ std::vector<Crossing> crossings(const LinearMass& mass)
 
 std::vector<Interval> stable_intervals(const LinearMass& mass, const std::vector<Crossing>& crossings)
 {
+    if (usual(mass) && crossings.size() == 1) return {{crossings[0].k_p, infinity}};
     std::vector<double> bounds{0};
     for (const auto& c : crossings) bounds.push_back(c.k_p);
     bounds.push_back(infinity);
@@ -127,6 +137,7 @@ std::vector<Interval> stable_intervals(const LinearMass& mass, const std::vector
                     : high == infinity           ? 2 * low
                     : low == 0                   ? high / 2
                                                  : std::sqrt(low * high);
+        if (mass.k_p > low && mass.k_p < high) probe.k_p = mass.k_p;
         if (!(spectral_abscissa(probe) < 0)) continue;
         if (!intervals.empty() && intervals.back().high == low)
             intervals.back().high = high;

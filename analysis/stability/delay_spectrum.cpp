@@ -1,158 +1,285 @@
 #include "analysis/stability/delay_spectrum.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <numbers>
+#include <optional>
 
-#include "analysis/numerics/balance.h"
 #include "analysis/stability/characteristic.h"
 #include "analysis/stability/frequency_search.h"
-#include "analysis/stability/joint_spectrum.h"
+#include "analysis/stability/neutral.h"
+#include "analysis/stability/winding.h"
 
 namespace stickslip {
 namespace {
 
-/// Values at the nodes t_k = −T (1 − cos(πk/n))/2, k = 0 … n, represent a function on [−T, 0].
-class ChebyshevHistory {
-  public:
-    ChebyshevHistory(double duration, int intervals) : node_(intervals + 1), weight_(intervals + 1)
-    {
-        for (int k = 0; k <= intervals; ++k) {
-            node_[k] = -duration * (1 - std::cos(std::numbers::pi * k / intervals)) / 2;
-            weight_[k] = (k % 2 == 0 ? 1 : -1) * (k == 0 || k == intervals ? 0.5 : 1);
-        }
-    }
-    int size() const { return static_cast<int>(node_.size()); }
+constexpr double same_root = 1e-8;  // of |s|: closer are one root
 
-    /// Weights w with p(t) = Σ w_k p(t_k), barycentric.
-    Eigen::VectorXd at(double t) const
-    {
-        Eigen::VectorXd w = Eigen::VectorXd::Zero(size());
-        for (int k = 0; k < size(); ++k) {
-            if (t == node_[k]) return Eigen::VectorXd::Unit(size(), k);
-            w[k] = weight_[k] / (t - node_[k]);
-        }
-        return w / w.sum();
-    }
+/// Roots that are known, a pair as the one with Im s ≥ 0.
+using Known = std::vector<Complex>;
 
-    /// D with p'(t_i) = Σ_k D_ik p(t_k).
-    Eigen::MatrixXd derivative() const
-    {
-        Eigen::MatrixXd D = Eigen::MatrixXd::Zero(size(), size());
-        for (int i = 0; i < size(); ++i)
-            for (int k = 0; k < size(); ++k)
-                if (k != i) {
-                    D(i, k) = weight_[k] / weight_[i] / (node_[i] - node_[k]);
-                    D(i, i) -= D(i, k);
-                }
-        return D;
-    }
-
-  private:
-    std::vector<double> node_, weight_;
-};
-
-double memory_duration(const LinearFriction& f)
+int counted(const Known& roots)
 {
-    double longest = f.table ? f.table->duration() : 0;
-    for (const auto& d : f.delays) longest = std::max(longest, d.time);
-    return longest;
-}
-
-/// Weights of the history's nodes in ∫ g(t') v(t − t') dt' for what is no state; the table by Gauss-Legendre, three
-/// points a piece.
-Eigen::VectorXd kernel_weights(const LinearFriction& f, const ChebyshevHistory& history)
-{
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(history.size());
-    for (const auto& d : f.delays) sum += d.weight * history.at(-d.time);
-    if (!f.table) return sum;
-    const auto& t = f.table->time;
-    const double reach = std::sqrt(0.6);
-    for (std::size_t k = 0; k + 1 < t.size(); ++k) {
-        const double middle = (t[k] + t[k + 1]) / 2, half = (t[k + 1] - t[k]) / 2;
-        for (const double x : {-reach, 0.0, reach}) {
-            const double at = middle + half * x, weight = half * (x == 0 ? 8.0 / 9 : 5.0 / 9);
-            sum += f.table_scale * weight * f.table->at(at) * history.at(-at);
-        }
-    }
+    int sum = 0;
+    for (const Complex& s : roots) sum += s.imag() == 0 ? 1 : 2;
     return sum;
 }
 
-/// The state matrix with the history of every remembering body appended; node 0 of a history is the body's own
-/// velocity.
-Eigen::MatrixXd extended_matrix(const LinearJoint& j)
+/// d log(F Π(s − λ))/ds: without the poles of G, which would catch Newton's method from the left.
+Complex drift(const LinearJoint& j, Complex s)
 {
-    const double fastest = frequency_bound(j, std::abs(j.k_p));
-    Eigen::MatrixXd A = state_matrix(j);
-    for (int i = 0; i < j.bodies; ++i) {
-        const auto& f = j.friction[i];
-        const double duration = memory_duration(f);
-        if (duration == 0) continue;
-        const ChebyshevHistory history(duration,
-                                       static_cast<int>(std::clamp(20 + 0.7 * fastest * duration, 30.0, 200.0)));
-        const Eigen::MatrixXd D = history.derivative();
-        const Eigen::VectorXd w = kernel_weights(f, history);
-        const Eigen::Index size = A.rows(), nodes = history.size() - 1, v = j.bodies + i;
-        Eigen::MatrixXd larger = Eigen::MatrixXd::Zero(size + nodes, size + nodes);
-        larger.topLeftCorner(size, size) = A;
-        larger(v, v) += w[0] / j.inertia[i];
-        larger.block(v, size, 1, nodes) += w.tail(nodes).transpose() / j.inertia[i];
-        larger.block(size, v, nodes, 1) = D.col(0).tail(nodes);
-        larger.block(size, size, nodes, nodes) = D.bottomRightCorner(nodes, nodes);
-        A = larger;
-    }
-    return A;
+    const auto F = closed_loop(j, s);
+    Complex sum = F.slope / F.value;
+    for (int i = 0; i < j.bodies; ++i)
+        for (int k = 0; k < j.friction[i].states; ++k)
+            if (j.friction[i].weight(k) != 0) sum += 1.0 / (s - j.friction[i].lambda[k]);
+    return sum;
 }
+
+/// Newton's method from `s`, the known roots divided out; then once more with nothing divided out.
+std::optional<Complex> newton(const LinearJoint& j, Complex s, const Known& known)
+{
+    constexpr int most = 60;
+    constexpr double close = 1e-6, exact = 4e-15;
+    bool near = false;
+    for (int i = 0; i < most && !near; ++i) {
+        Complex slope = drift(j, s);
+        for (const Complex& r : known) {
+            slope -= 1.0 / (s - r);
+            if (r.imag() != 0) slope -= 1.0 / (s - std::conj(r));
+        }
+        const Complex step = 1.0 / slope;
+        if (!std::isfinite(std::abs(step))) return std::nullopt;
+        s -= step;
+        near = std::abs(step) < close * std::abs(s);
+    }
+    if (!near) return std::nullopt;
+    const Complex before = s;
+    for (int i = 0; i < 10; ++i) {
+        const auto F = closed_loop(j, s);
+        if (F.value == 0.0) break;
+        const Complex step = F.value / F.slope;
+        if (!(std::abs(step) < 10 * close * std::abs(s))) return std::nullopt;
+        s -= step;
+        if (std::abs(step) < exact * std::abs(s)) break;
+    }
+    if (!(std::abs(s - before) < 10 * close * std::abs(s))) return std::nullopt;
+    if (std::abs(s.imag()) < same_root * std::abs(s)) s = s.real();
+    s = {s.real(), std::abs(s.imag())};
+    for (const Complex& r : known)
+        if (std::abs(r - s) < same_root * std::abs(s)) return std::nullopt;
+    return s;
+}
+
+/// The `most` frequencies of a line from which a root is nearest: the phase turns fastest there.
+std::vector<double> starts_of(const LineCount& line, std::size_t most)
+{
+    const auto& nodes = line.nodes;
+    std::vector<LineCount::Node> peaks;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        if ((i == 0 || nodes[i].steepness >= nodes[i - 1].steepness) &&
+            (i + 1 == nodes.size() || nodes[i].steepness >= nodes[i + 1].steepness))
+            peaks.push_back(nodes[i]);
+    std::sort(peaks.begin(), peaks.end(), [](const auto& a, const auto& b) { return a.steepness > b.steepness; });
+    std::vector<double> starts;
+    for (std::size_t i = 0; i < std::min(most, peaks.size()); ++i) starts.push_back(peaks[i].omega);
+    // and, where those do not suffice, evenly from all
+    const std::size_t stride = nodes.size() / most + 1;
+    for (std::size_t i = 0; i < nodes.size(); i += stride) starts.push_back(nodes[i].omega);
+    return starts;
+}
+
+/// The search for the right edge of the spectrum.
+class Edge {
+  public:
+    explicit Edge(const LinearJoint& joint) : joint_(joint), scale_(frequency_bound(joint, std::abs(joint.k_p))) {}
+
+    double abscissa()
+    {
+        if (!std::isfinite(scale_) || !begin()) return missing;
+        while (roots_.empty() && high_ - low_ > 1e-10 * (std::abs(low_) + std::abs(high_))) {
+            if (const auto root = rightmost_between()) {
+                if (!take(*root)) return missing;
+                continue;
+            }
+            const double middle = low_ == 0 ? 1e-2 * high_ : (low_ + high_) / 2;
+            const auto there = look(middle);
+            if (!there) break;
+            if (there->roots == 0)
+                high_ = middle;
+            else
+                low_ = middle, at_low_ = *there;
+        }
+        return roots_.empty() ? high_ : side_of_axis(joint_, roots_.front());
+    }
+
+    /// All roots right of some line on which between `wanted` and `most` of them are counted.
+    Known roots()
+    {
+        const double edge = abscissa();
+        if (std::isnan(edge)) return {};
+        LineCount line = at_low_;
+        double sigma = line.sigma;
+        far_enough(edge, sigma, line);
+        const Known first = roots_;
+        gather(sigma, edge, line);
+        std::sort(roots_.begin(), roots_.end(), [](Complex a, Complex b) { return a.real() > b.real(); });
+        const Known sure = line.roots == counted(roots_) ? roots_ : confirmed();
+        return sure.empty() ? first : sure;
+    }
+
+  private:
+    /// The count at σ, or, where a root lies on the line within rounding, just beside it.
+    std::optional<LineCount> look(double sigma) const
+    {
+        for (const double aside : {0.0, 1e-13, 1e-11}) {
+            auto count = count_right_of(joint_, sigma + aside * scale_);
+            if (count) return count;
+        }
+        return std::nullopt;
+    }
+
+    /// The root is the rightmost one if counting finds none beyond it; else the search goes on right of it.
+    bool take(Complex root)
+    {
+        const double beyond = root.real() + 1e-9 * std::abs(root);
+        const auto count = look(beyond);
+        if (!count) return false;
+        if (count->roots == 0)
+            roots_ = {root};
+        else
+            low_ = beyond, at_low_ = *count;
+        return true;
+    }
+
+    /// [low, high] with roots right of low and none right of high, or the rightmost root at once.
+    bool begin()
+    {
+        const auto axis = look(0);
+        if (!axis) return false;
+        at_low_ = *axis;
+        if (axis->roots > 0) {
+            high_ = 1.01 * scale_;
+            return true;
+        }
+        low_ = -scale_;
+        const auto near = rightmost_between();
+        if (near && take(*near)) return true;
+        return further_left();
+    }
+
+    /// Steps left until roots are counted.
+    bool further_left()
+    {
+        bool blocked = false;
+        high_ = 0, low_ = -1e-9 * scale_;
+        for (int tries = 0; tries < 80; ++tries) {
+            const auto here = look(low_);
+            if (here && here->roots > 0) {
+                at_low_ = *here;
+                return true;
+            }
+            // further left, or back to where what is delayed has not outgrown all numbers
+            if (here)
+                high_ = low_, low_ *= blocked ? 1.2 : 8;
+            else
+                blocked = true, low_ = (low_ + high_) / 2;
+        }
+        return false;
+    }
+
+    /// The rightmost root that Newton's method finds between low and high, from where the phase turns fastest on the line
+    /// that was counted last.
+    std::optional<Complex> rightmost_between() const
+    {
+        constexpr std::size_t starts = 24;
+        std::optional<Complex> best;
+        Known found;
+        for (const double omega : starts_of(at_low_, starts)) {
+            const auto root = newton(joint_, {at_low_.sigma, omega}, found);
+            if (!root) continue;
+            found.push_back(*root);
+            const double near = 1e-9 * std::abs(*root);
+            const bool between = root->real() >= low_ - near && root->real() <= high_ + near;
+            if (between && (!best || root->real() > best->real())) best = root;
+            if (at_low_.roots > 0 && counted(found) >= at_low_.roots && best) break;
+        }
+        return best;
+    }
+
+    /// Moves the line left until enough roots lie right of it.
+    void far_enough(double edge, double& sigma, LineCount& line) const
+    {
+        constexpr int wanted = 20, most = 40;
+        double near = edge, step = std::max(1e-3 * std::abs(edge), 1e-9 * scale_);
+        if (line.roots >= wanted && line.roots <= most) return;
+        for (int tries = 0; tries < 60; ++tries) {
+            const double at = near - step;
+            const auto there = look(at);
+            if (!there || there->roots > most) {
+                step /= 2;
+                if (step < 1e-9 * std::abs(edge)) return;
+                continue;
+            }
+            near = sigma = at, line = *there;
+            if (line.roots >= wanted) return;
+            step *= tries < 30 ? 2 : 1;
+        }
+    }
+
+    /// Newton's method from the nodes of the line and from lines right of it until all that were counted are found.
+    void gather(double sigma, double edge, const LineCount& line)
+    {
+        std::erase_if(roots_, [&](Complex s) { return s.real() < sigma; });
+        const auto starts = starts_of(line, 100);
+        Known all = roots_;  // those left of the line are divided out, too
+        for (const double share : {0.0, 0.5, 0.25, 0.75, 1.0}) {
+            for (const double omega : starts) {
+                if (counted(roots_) >= line.roots) return;
+                const auto root = newton(joint_, {sigma + share * (edge - sigma), omega}, all);
+                if (!root) continue;
+                all.push_back(*root);
+                if (root->real() > sigma) roots_.push_back(*root);
+            }
+        }
+    }
+
+    /// The longest beginning of the list that counting confirms.
+    Known confirmed() const
+    {
+        Known sure;
+        for (std::size_t k = 0; k < roots_.size(); ++k) {
+            const bool last = k + 1 == roots_.size();
+            const double here = roots_[k].real(), next = last ? here - 1e-6 * std::abs(roots_[k]) : roots_[k + 1].real();
+            if (here - next < 1e-12 * scale_ && !last) continue;
+            const auto count = look((here + next) / 2);
+            const Known first(roots_.begin(), roots_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+            if (!count || count->roots != counted(first)) break;
+            sure = first;
+        }
+        return sure;
+    }
+
+    const LinearJoint& joint_;
+    double scale_, low_ = 0, high_ = 0;
+    LineCount at_low_;
+    Known roots_;
+};
 
 }  // namespace
 
-std::vector<Complex> rightmost_roots(const LinearJoint& j)
+double late_abscissa(const LinearJoint& joint)
 {
-    Eigen::MatrixXd A = extended_matrix(j);
-    if (!A.allFinite()) return {};
-    balance(A);
-    const Eigen::VectorXcd values = A.eigenvalues();
-    std::vector<Complex> starts(values.begin(), values.end()), roots;
-    std::sort(starts.begin(), starts.end(), [](const Complex& a, const Complex& b) { return a.real() > b.real(); });
-    constexpr std::size_t most = 40;
-    for (const Complex& start : starts) {
-        if (roots.size() >= most) break;
-        Complex s = start, step = 0;
-        for (int i = 0; i < 30; ++i) {
-            const auto F = closed_loop(j, s);
-            step = F.value / F.slope;
-            s -= step;
-            // eigenvalues that the nodes do not resolve wander off: only what stays near is a root
-            if (!(std::abs(step) > 1e-15 * std::abs(s)) || !(std::abs(s - start) < 0.1 * std::abs(start))) break;
-        }
-        if (!(std::abs(step) < 1e-9 * std::abs(s)) || !(std::abs(s - start) < 0.1 * std::abs(start))) continue;
-        const bool known = std::any_of(roots.begin(), roots.end(),
-                                       [&](const Complex& r) { return std::abs(r - s) < 1e-8 * std::abs(s); });
-        if (!known) roots.push_back(s);
-    }
-    return roots;
+    return Edge(joint).abscissa();
 }
 
-double confirmed_abscissa(const LinearJoint& j, const std::vector<Complex>& roots)
+std::vector<Complex> rightmost_roots(const LinearJoint& joint)
 {
-    double pole = -infinity;  // G has no meaning further left
-    for (int i = 0; i < j.bodies; ++i)
-        for (int k = 0; k < j.friction[i].states; ++k) pole = std::max(pole, j.friction[i].lambda[k]);
-    const auto clear = [&](double sigma) {
-        const auto count = roots_right_of(j, sigma);
-        return count && *count == 0;
-    };
-    if (!roots.empty()) {
-        const double largest = roots.front().real(), margin = 1e-6 * std::abs(roots.front());
-        if (largest <= pole || clear(largest + margin)) return largest;
+    std::vector<Complex> all;
+    for (Complex s : Edge(joint).roots()) {
+        s.real(side_of_axis(joint, s));
+        all.push_back(s);
+        if (s.imag() != 0) all.push_back(std::conj(s));
     }
-    double high = frequency_bound(j, std::abs(j.k_p)), low = std::isfinite(pole) ? 0.999 * pole : -high;
-    if (!std::isfinite(high) || !clear(high)) return missing;
-    while (high - low > 1e-9 * (std::abs(high) + std::abs(low))) {
-        const double middle = (low + high) / 2;
-        (clear(middle) ? high : low) = middle;
-    }
-    return high;
+    return all;
 }
 
 }  // namespace stickslip

@@ -7,13 +7,12 @@
 
 namespace stickslip {
 
-/// Roots near and right of the imaginary axis, at most 40: eigenvalues of the joint with the recent velocities of each
-/// remembering body sampled at Chebyshev nodes, then Newton on the characteristic function.
-/// Source: Breda, Maset & Vermiglio, Pseudospectral differencing methods for characteristic roots of delay differential
-/// equations, SIAM J. Sci. Comput. 27 (2005).
-std::vector<std::complex<double>> rightmost_roots(const LinearJoint& joint);
+/// max Re s: the real part of a root found by Newton's method right of which counting finds none; where Newton finds
+/// none, bisection on counts. NaN if the joint is not finite or the roots cannot be counted.
+double late_abscissa(const LinearJoint& joint);
 
-/// The largest real part among `roots` if counting finds none further right; else the abscissa by bisection on counts.
-double confirmed_abscissa(const LinearJoint& joint, const std::vector<std::complex<double>>& roots);
+/// The rightmost roots, descending in the real part: every root right of the last of them, as counting confirms. Some
+/// twenty to forty; fewer where Newton's method does not find one of those that were counted.
+std::vector<std::complex<double>> rightmost_roots(const LinearJoint& joint);
 
 }  // namespace stickslip

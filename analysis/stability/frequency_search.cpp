@@ -1,6 +1,7 @@
 #include "analysis/stability/frequency_search.h"
 
 #include <algorithm>
+#include <atomic>
 #include <span>
 
 #include "analysis/numerics/interval.h"
@@ -12,10 +13,14 @@ namespace {
 
 using DualBox = Dual<Box>;
 constexpr double narrowest = 1e-9;            // relative width of a band that is given up
-constexpr int most_bands = 500'000;           // of one search
+constexpr int usual_bands = 30'000;           // of one search
 constexpr std::size_t most_doubtful = 1'000;  // beyond, rounding decides everything and a search finds nothing
-constexpr int most_bands_of_a_count = 100'000;
-constexpr double hopeless_phase = 1e3 * most_bands;  // rad; of the longest delay: not even low gains get searched
+std::atomic<double> effort = 1;
+
+int most_bands()
+{
+    return static_cast<int>(std::min(1e9, usual_bands * effort));
+}
 
 /// G(σ + iω) and its derivative by ω for every ω of a band.
 DualBox transfer_over(const LinearFriction& f, double sigma, const Band& omega)
@@ -81,12 +86,12 @@ MisphaseOver misphase_over(const LinearJoint& j, const Band& omega)
     return {mean_value(middle.value, over, omega).im, over.slope.im};
 }
 
-/// max |f_v − G| for Re s ≥ σ
+/// max |f_v − G| for Re s ≥ σ and |s| ≥ 2 |λ|
 double resistance_bound(const LinearFriction& f, double sigma)
 {
     double sum = std::abs(f.f_v);
     for (int i = 0; i < f.states; ++i)
-        if (f.weight(i) != 0) sum += std::abs(f.weight(i)) / (sigma - f.lambda[i]);
+        if (f.weight(i) != 0) sum += std::abs(f.weight(i)) / std::max(sigma - f.lambda[i], std::abs(f.lambda[i]));
     for (const auto& d : f.delays) sum += std::abs(d.weight) * std::exp(-sigma * d.time);
     if (f.table) sum += std::abs(f.table_scale) * f.table->moment(0, sigma);
     return sum;
@@ -102,6 +107,16 @@ double longest_delay(const LinearJoint& j)
 
 }  // namespace
 
+void set_search_effort(double times_usual)
+{
+    effort = times_usual;
+}
+
+double search_effort()
+{
+    return effort;
+}
+
 double frequency_bound(const LinearJoint& j, double gain_limit, double sigma, double share)
 {
     double bound = 0;
@@ -115,6 +130,7 @@ double frequency_bound(const LinearJoint& j, double gain_limit, double sigma, do
         // share · m ω² = damping ω + stiffness
         const double m = share * j.inertia[i];
         bound = std::max(bound, (damping + std::sqrt(damping * damping + 4 * m * stiffness)) / (2 * m));
+        for (int k = 0; k < j.friction[i].states; ++k) bound = std::max(bound, 2 * std::abs(j.friction[i].lambda[k]));
     }
     return 1.001 * bound;
 }
@@ -124,7 +140,9 @@ CrossingSearch search_crossings(const LinearJoint& j, double gain_limit)
     CrossingSearch found;
     found.searched_to = gain_limit;
     const double end = frequency_bound(j, gain_limit);
-    if (longest_delay(j) * end > hopeless_phase) {
+    const int most = most_bands();
+    // rad of the longest delay: not even low gains get searched
+    if (longest_delay(j) * end > 1e3 * most) {
         found.exhausted = true;
         found.searched_to = 0;
         return found;
@@ -141,7 +159,7 @@ CrossingSearch search_crossings(const LinearJoint& j, double gain_limit)
     for (int used = 0; !open.empty(); ++used) {
         const Band band = open.back();
         open.pop_back();
-        if (used > most_bands || found.doubtful.size() > most_doubtful) {
+        if (used > most || found.doubtful.size() > most_doubtful) {
             found.exhausted = true;
             found.searched_to = std::min(gain_limit, 0.5 * j.inertia[0] * band.low * band.low);
             break;
@@ -167,44 +185,6 @@ CrossingSearch search_crossings(const LinearJoint& j, double gain_limit)
     std::sort(found.crossings.begin(), found.crossings.end(),
               [](const Crossing& a, const Crossing& b) { return a.k_p < b.k_p; });
     return found;
-}
-
-std::optional<int> roots_right_of(const LinearJoint& j, double sigma)
-{
-    const double share = 1.0 / (4 * j.bodies);
-    const double end = frequency_bound(j, std::abs(j.k_p), std::min(sigma, 0.0), share) + std::abs(sigma);
-    if (longest_delay(j) * end > most_bands_of_a_count) return std::nullopt;  // less than a band a radian of its phase
-    const auto value = [&](double w) { return closed_loop(j, {sigma, w}).value; };
-    const auto value_over = [&](const Band& w) {
-        const auto loop = [&](const Band& band) {
-            const auto parts = characteristic_over(j, sigma, band);
-            const DualBox gain(Box(Band(j.k_p) + Band(j.k_v * sigma), Band(j.k_v) * band), Box(0.0, Band(j.k_v)));
-            return parts.a + gain * parts.b;
-        };
-        return mean_value(loop(Band(w.middle())).value, loop(w), w);
-    };
-    std::vector<Band> open;
-    const int pieces = 32;
-    for (int i = pieces; i-- > 0;) open.push_back({end * i / pieces, end * (i + 1) / pieces});
-    double turned = 0;  // arg F along the line from σ to σ + i end
-    for (int used = 0; !open.empty(); ++used) {
-        if (used > most_bands_of_a_count) return std::nullopt;
-        const Band band = open.back();
-        open.pop_back();
-        if (!value_over(band).contains_zero()) {
-            turned += std::arg(value(band.high) / value(band.low));
-            continue;
-        }
-        if (band.width() <= 1e-13 * end) return std::nullopt;
-        open.push_back({band.middle(), band.high});
-        open.push_back({band.low, band.middle()});
-    }
-    // on the closing arc F is the inertias' (s²)^n up to a factor near one
-    const Complex top(sigma, end);
-    Complex inertias = 1;
-    for (int i = 0; i < j.bodies; ++i) inertias *= j.inertia[i] * top * top;
-    const double roots = (2 * j.bodies * std::arg(top) + std::arg(value(end) / inertias) - turned) / std::numbers::pi;
-    return static_cast<int>(std::lround(roots));
 }
 
 }  // namespace stickslip

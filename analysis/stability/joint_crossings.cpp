@@ -7,7 +7,9 @@
 #include "analysis/numerics/balance.h"
 #include "analysis/numerics/root.h"
 #include "analysis/stability/joint_spectrum.h"
+#include "analysis/stability/misphase.h"
 #include "analysis/stability/neutral.h"
+#include "analysis/stability/winding.h"
 
 namespace stickslip {
 namespace {
@@ -133,6 +135,60 @@ class CountedProbes {
 
 }  // namespace
 
+namespace {
+
+/// How many roots lie right of the axis, where rounding does not decide it.
+std::optional<int> roots_right(const LinearJoint& j)
+{
+    if (!j.rational()) return roots_right_of(j, 0);
+    int right = 0;
+    for (const Complex& s : spectrum(j)) {
+        if (s.real() == 0 || !std::isfinite(s.real())) return std::nullopt;
+        right += s.real() > 0;
+    }
+    return right;
+}
+
+/// The stable gains from the number of roots right of the axis at the joint's own gain, and a pair more or less at each
+/// crossing: nothing is asked where rounding would answer. Nothing where the own gain says nothing, or the numbers
+/// contradict a count at the far end.
+std::optional<std::vector<Interval>> stable_by_count(const LinearJoint& j, const std::vector<Crossing>& crossings,
+                                                     double searched_to, Gain gain)
+{
+    const double own = gain == Gain::k_p ? j.k_p : j.k_v;
+    if (!(own > 0 && own <= searched_to)) return std::nullopt;
+    const auto here = roots_right(j);
+    if (!here) return std::nullopt;
+    std::vector<double> bounds{0};
+    std::vector<int> right{*here};
+    for (const auto& c : crossings) {
+        bounds.push_back(c.k_p);
+        right.push_back(right.back() + 2 * c.direction);
+        if (c.k_p < own)
+            for (int& n : right) n -= 2 * c.direction;
+    }
+    bounds.push_back(std::max(searched_to, bounds.back()));
+    if (*std::min_element(right.begin(), right.end()) < 0) return std::nullopt;
+    LinearJoint last = j;
+    const double end = std::isfinite(searched_to) ? std::sqrt(bounds[bounds.size() - 2] * searched_to)
+                                                  : 2 * std::max(own, bounds[bounds.size() - 2]);
+    if (end > 0) {
+        (gain == Gain::k_p ? last.k_p : last.k_v) = end;
+        if (const auto there = roots_right(last); there && *there != right.back()) return std::nullopt;
+    }
+    std::vector<Interval> stable;
+    for (std::size_t i = 0; i < right.size(); ++i) {
+        if (right[i] != 0 || !(bounds[i] < bounds[i + 1])) continue;
+        if (!stable.empty() && stable.back().high == bounds[i])
+            stable.back().high = bounds[i + 1];
+        else
+            stable.push_back({bounds[i], bounds[i + 1]});
+    }
+    return stable;
+}
+
+}  // namespace
+
 std::vector<Crossing> rational_crossings(const LinearJoint& j, Gain gain)
 {
     std::vector<Crossing> found;
@@ -143,14 +199,15 @@ std::vector<Crossing> rational_crossings(const LinearJoint& j, Gain gain)
         points.push_back(std::sqrt(at[i]));
         points.push_back(i + 1 < at.size() ? std::pow(at[i] * at[i + 1], 0.25) : 2 * std::sqrt(at[i]));
     }
-    const auto phase = [&](double omega) { return misphase(j, gain, omega); };
+    const auto phase = [&](double omega) { return certain_misphase(j, gain, omega); };
     double low = points[0], at_low = phase(low);
     for (std::size_t i = 1; i < points.size(); ++i) {
         const double high = points[i], at_high = phase(high);
         if (std::signbit(at_low) != std::signbit(at_high) && high > low) {
             const double omega = bracketed_root(phase, low, at_low, high, at_high, 1e-15).value;
             const double value = gain_at(j, gain, omega);
-            if (value > 0) found.push_back({value, omega, crossing_direction(j, gain, value, omega)});
+            // d(misphase)/dω = Re(F' conj b), and the root moves by −b/F' per gain
+            if (value > 0) found.push_back({value, omega, at_high > at_low ? -1 : 1});
         }
         low = high, at_low = at_high;
     }
@@ -174,6 +231,7 @@ CrossingSearch crossings(const LinearJoint& j)
 std::vector<Interval> stable_intervals(const LinearJoint& j, const std::vector<Crossing>& crossings, double searched_to,
                                        Gain gain)
 {
+    if (const auto counted = stable_by_count(j, crossings, searched_to, gain)) return *counted;
     std::vector<double> bounds{0};
     for (const auto& c : crossings) bounds.push_back(c.k_p);
     if (searched_to > bounds.back()) bounds.push_back(searched_to);

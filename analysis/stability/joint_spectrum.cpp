@@ -6,8 +6,8 @@
 #include "analysis/numerics/balance.h"
 #include "analysis/stability/characteristic.h"
 #include "analysis/stability/delay_spectrum.h"
-#include "analysis/stability/frequency_search.h"
 #include "analysis/stability/neutral.h"
+#include "analysis/stability/winding.h"
 
 namespace stickslip {
 namespace {
@@ -145,7 +145,7 @@ std::vector<Complex> spectrum(const LinearJoint& j)
 
 double spectral_abscissa(const LinearJoint& j)
 {
-    if (!j.rational()) return confirmed_abscissa(j, spectrum(j));
+    if (!j.rational()) return late_abscissa(j);
     auto roots = raw_eigenvalues(j);
     if (roots.empty()) return missing;
     // further right comes first

@@ -85,9 +85,14 @@ ResponsePeak response_peak(const LinearJoint& j, int points)
 
 LoopMargins loop_margins(const LinearJoint& j, int points)
 {
+    return loop_margins(j, crossings(j).crossings, points);
+}
+
+LoopMargins loop_margins(const LinearJoint& j, const std::vector<Crossing>& crossings, int points)
+{
     if (!is_stable(j)) return {missing, missing, missing, missing};
     LoopMargins margins{0, infinity, infinity, missing};
-    for (const auto& c : crossings(j).crossings) {
+    for (const auto& c : crossings) {
         if (c.k_p < j.k_p) margins.gain_below = c.k_p / j.k_p;
         if (c.k_p > j.k_p) margins.gain_above = std::min(margins.gain_above, c.k_p / j.k_p);
     }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "analysis/stability/linear_joint.h"
+#include "analysis/stability/verdict.h"
 
 namespace stickslip {
 
@@ -29,6 +30,9 @@ struct LoopMargins {
 };
 
 /// L(s) = (k_p + k_v s) b/a opened at the controller. For a stable joint; all NaN otherwise.
+/// `crossings`: those of the joint in k_p (stable_gains).
+LoopMargins loop_margins(const LinearJoint& joint, const std::vector<Crossing>& crossings, int points = 2000);
+/// With the crossings of this linear joint, its steady sliding held.
 LoopMargins loop_margins(const LinearJoint& joint, int points = 2000);
 
 /// The roots for each k_p of the list, row by row; column i follows one root from gain to gain (nearest neighbours).

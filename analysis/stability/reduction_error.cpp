@@ -8,6 +8,7 @@
 #include "analysis/numerics/root.h"
 #include "analysis/stability/joint_crossings.h"
 #include "analysis/stability/joint_spectrum.h"
+#include "analysis/stability/stable_gains.h"
 #include "analysis/stability/steady.h"
 #include "analysis/stability/verdict.h"
 
@@ -93,7 +94,7 @@ ReductionError compare_reduction(const Joint& full, const std::function<Reductio
     ReductionError result;
     const Reduction small = reduce(full);
     // crossings in k_p are those at one velocity, and of a reduction that leaves the loop as it is
-    if (path == "control.k_p" && small.joint.control.k_p == full.control.k_p && !is_set(full.control.force_rate)) {
+    if (path == "control.k_p" && small.joint.control.k_p == full.control.k_p && !gain_moves_sliding(full)) {
         Reduction whole;
         whole.joint = full;
         result.full = gain_boundaries(whole, low, high);

@@ -10,20 +10,32 @@
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/linear_friction.h"
 #include "analysis/stability/steady.h"
+#include "analysis/stability/winding.h"
 
 namespace stickslip {
 namespace {
 
-/// max Re s at the joint's own velocity, by either theory; NaN where it cannot slide.
+/// growth_rate, or of friction that answers late only its sign: counting roots costs less than locating them.
+double side_of_stability(const Joint& joint)
+{
+    const auto steady = steady_sliding(joint);
+    if (steady.reason != Reason::none) return missing;
+    const auto linear = linear_joint(joint, steady.velocity);
+    if (linear.rational()) return growth_rate(joint);
+    const auto right = roots_right_of(linear, 0);
+    return !right ? missing : *right == 0 ? -1 : 1;
+}
+
+/// Negative where the joint is stable at its own velocity, by either theory; NaN where it cannot slide.
 double instability(const Joint& joint, Theory theory)
 {
-    if (theory == Theory::state_variable) return growth_rate(joint);
+    if (theory == Theory::state_variable) return side_of_stability(joint);
     const auto steady = steady_sliding(joint);
     if (steady.reason != Reason::none) return missing;
     return spectral_abscissa(velocity_only(linear_joint(joint, steady.velocity)));
 }
 
-/// Where f < 0 within [low, high], by a logarithmic scan and bracketed roots.
+/// Where f < 0 within [low, high] of one sign, by a logarithmic scan and bracketed roots.
 template <class Function>
 std::vector<Interval> negative_intervals(Function&& f, double low, double high, int scan)
 {
@@ -54,11 +66,19 @@ StableVelocities stable_velocities(const Joint& given, double low, double high, 
         joint.control.V0 = V;
         return instability(joint, theory);
     };
+    // speeds rise away from rest, whichever way the joint moves
+    const double turned = high < 0 ? -1 : 1, slowest = turned * (high < 0 ? high : low),
+                 fastest = turned * (high < 0 ? low : high);
     StableVelocities result;
-    result.intervals = negative_intervals(at, low, high, scan);
-    if (result.intervals.empty()) return result;
-    result.least = result.intervals.front().low;
-    if (result.intervals.back().high == high) result.all_above = result.intervals.back().low;
+    auto speeds = negative_intervals([&](double speed) { return at(turned * speed); }, slowest, fastest, scan);
+    if (speeds.empty()) return result;
+    result.least = turned * speeds.front().low;
+    if (speeds.back().high == fastest) result.all_above = turned * speeds.back().low;
+    if (turned < 0) {
+        std::reverse(speeds.begin(), speeds.end());
+        for (auto& i : speeds) i = {-i.high, -i.low};
+    }
+    result.intervals = std::move(speeds);
     if (given.control.kind == ControlKind::force)
         result.least_force_rate = result.least * (given.control.k_p + given.control.contact_stiffness);
     return result;
@@ -109,7 +129,8 @@ RangeGain common_gain(const Joint& joint, const std::vector<double>& V)
     }
     range.velocity = V[best];
     if (range.stable_k_v.empty()) return range;
-    const double between = maximiser(least, V[best == 0 ? 0 : best - 1], V[std::min(best + 1, V.size() - 1)]);
+    const auto [near, far] = std::minmax(V[best == 0 ? 0 : best - 1], V[std::min(best + 1, V.size() - 1)]);
+    const double between = maximiser(least, near, far);
     if (least(between) > most) {
         range.velocity = between;
         range.stable_k_v = common(range.stable_k_v, gains(between));
@@ -129,7 +150,8 @@ RangeGain velocity_gain_for_range(const Joint& joint, double highest, int scan)
     std::size_t best = 0;
     for (std::size_t i = 1; i < V.size(); ++i)
         if (falling(V[i]) > falling(V[best])) best = i;
-    double hardest = maximiser(falling, V[best == 0 ? 0 : best - 1], V[std::min(best + 1, V.size() - 1)]);
+    const auto [near, far] = std::minmax(V[best == 0 ? 0 : best - 1], V[std::min(best + 1, V.size() - 1)]);
+    double hardest = maximiser(falling, near, far);
     // the ends of the range belong to it
     for (const double end : {V.front(), V.back()})
         if (falling(end) > falling(hardest)) hardest = end;

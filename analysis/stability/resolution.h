@@ -10,11 +10,11 @@ namespace stickslip {
 /// Which theory judges.
 enum class Theory { velocity_only, state_variable };
 
-/// The velocities at which steady sliding is stable with the joint's own gains, within [low, high].
+/// The velocities at which steady sliding is stable with the joint's own gains, within [low, high], both of one sign.
 struct StableVelocities {
     std::vector<Interval> intervals;    ///< an end equal to low or high is that of the search
-    double least = missing;             ///< resolution limit of §6: the least stable V_0; NaN if none is stable
-    double all_above = missing;         ///< from here up to `high` all are stable: below lies the first stick-slip
+    double least = missing;             ///< resolution limit of §6: the slowest stable V_0; NaN if none is stable
+    double all_above = missing;         ///< all faster ones are stable: slower lies the first stick-slip
     double least_force_rate = missing;  ///< force control: `least` times the stiffness of the contact, k_p + k_c
 };
 
@@ -34,7 +34,7 @@ struct RangeGain {
     std::vector<Interval> stable_k_v;  ///< that serve every velocity: one mass (k_v, ∞), several may have windows
 };
 
-/// For 0 < V ≤ highest: a logarithmic scan from highest/1e6 of `scan` steps, then golden sections. Several bodies: at
+/// For all V from rest to `highest`, which may be negative: a logarithmic scan from highest/1e6 of `scan` steps, then golden sections. Several bodies: at
 /// the joint's own k_p, the set that is common to all velocities of the scan.
 RangeGain velocity_gain_for_range(const Joint& joint, double highest, int scan = 600);
 

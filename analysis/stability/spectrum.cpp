@@ -5,6 +5,7 @@
 
 #include "analysis/numerics/balance.h"
 #include "analysis/numerics/polynomial.h"
+#include "analysis/stability/critical_gain.h"
 #include "analysis/stability/neutral.h"
 
 namespace stickslip {
@@ -74,13 +75,27 @@ std::vector<Complex> roots_of_matrix(const LinearMass& j)
     return roots;
 }
 
+/// side_of_axis, but where rounding decides there and the closed form of the critical gain does not leave it in doubt,
+/// the side that it says: at gains far beyond any machine the decay of the oscillation is below its own rounding.
+double decided_side(const LinearMass& mass, Complex s)
+{
+    constexpr double clear = 1e-9;
+    const double side = side_of_axis(mass, s);
+    if (side != 0 || mass.friction.states != 1 || s.imag() == 0) return side;
+    const auto critical = critical_gain(mass.inertia, mass.k_v, mass.friction);
+    if (!critical || !(std::abs(mass.k_p / critical->k_p - 1) > clear)) return side;
+    // the oscillation of an ever stiffer spring decays by what damps it at once, (28)
+    const double decay = (mass.k_v + mass.friction.f_v) / (2 * mass.inertia);
+    return mass.k_p > critical->k_p ? -decay : std::numeric_limits<double>::min();
+}
+
 template <class Roots>
 double largest_real_part(const LinearMass& mass, const Roots& roots)
 {
     double largest = -infinity;
     for (const auto& s : roots) {
         if (std::isnan(s.real())) return not_set;
-        largest = std::max(largest, side_of_axis(mass, s));
+        largest = std::max(largest, decided_side(mass, s));
     }
     return largest == -infinity ? not_set : largest;
 }
@@ -99,7 +114,7 @@ std::vector<Complex> spectrum(const LinearMass& mass)
     } else {
         roots = roots_of_matrix(mass);
     }
-    for (auto& s : roots) s.real(side_of_axis(mass, s));
+    for (auto& s : roots) s.real(decided_side(mass, s));
     std::sort(roots.begin(), roots.end(), [](const Complex& a, const Complex& b) {
         return a.real() != b.real() ? a.real() > b.real() : a.imag() > b.imag();
     });

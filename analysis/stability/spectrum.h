@@ -14,6 +14,10 @@ struct LinearMass {
     LinearFriction friction;
 };
 
+/// The single mass with nothing but its loop, whose verdict has a closed form or a small polynomial where its memory is
+/// neither delay nor table.
+bool is_plain_mass(const Joint& joint);
+
 /// The single mass of the joint about steady sliding at V.
 LinearMass linear_mass(const Joint& joint, double V);
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "analysis/stability/frequency_search.h"
+#include "analysis/stability/stable_gains.h"
 #include "analysis/stability/steady.h"
 
 namespace stickslip {
@@ -11,6 +13,22 @@ namespace {
 int range_scan(const Joint& joint)
 {
     return joint.mechanism.model == Model::single_mass ? 600 : 120;
+}
+
+/// What costs many searches is asked of joints that answer late only where more than the usual effort is allowed.
+constexpr double effort_of_late_studies = 10;
+
+std::vector<ReductionStudy> named_only(const Joint& joint)
+{
+    std::vector<ReductionStudy> studies;
+    for (const auto& reduction : reductions_of(joint)) {
+        ReductionStudy study;
+        study.name = reduction.steps;
+        study.assumption = reduction.assumption;
+        study.refused = "not searched within the usual effort for friction that answers late; --effort 10 does";
+        studies.push_back(std::move(study));
+    }
+    return studies;
 }
 
 }  // namespace
@@ -30,31 +48,35 @@ LinearStudy linear_study(const Joint& joint)
     if (steady.reason != Reason::none) return study;
     const double V = std::abs(steady.velocity), reach = std::pow(10, study_decades);
     const auto linear = linear_joint(joint, steady.velocity);
+    const bool thorough = linear.rational() || search_effort() >= effort_of_late_studies;
     study.compliance = std::abs(disturbance_response(linear, 0));
     study.peak = response_peak(linear);
-    study.margins = loop_margins(linear);
+    const auto gains = stable_gains(joint);
+    study.margins = loop_margins(linear, gains.crossings);
     if (!known_at_one_velocity(joint)) {
-        study.velocities = {V / reach, V * reach};
-        study.velocity_only = stable_velocities(joint, V / reach, V * reach, Theory::velocity_only);
-        study.state_variable = stable_velocities(joint, V / reach, V * reach, Theory::state_variable);
-        study.range_gain = velocity_gain_for_range(joint, study.velocities.high, range_scan(joint));
+        const bool back = steady.velocity < 0;
+        const auto [low, high] = study.velocities =
+            back ? Interval{-V * reach, -V / reach} : Interval{V / reach, V * reach};
+        study.velocity_only = stable_velocities(joint, low, high, Theory::velocity_only);
+        study.state_variable = stable_velocities(joint, low, high, Theory::state_variable);
+        study.range_gain = velocity_gain_for_range(joint, back ? low : high, range_scan(joint));
     }
-    study.comparison = compare_theories(joint);
+    study.comparison = compare_theories(joint, gains);
     if (is_set(joint.control.period)) {
         study.velocity_noise = std::sqrt(2.0) / joint.control.period;
-        study.mix = optimal_mix(joint, study.velocity_noise);
+        if (thorough) study.mix = optimal_mix(joint, study.velocity_noise);
     }
     const double stiffness = joint.control.k_p + joint.control.contact_stiffness;
     if (joint.control.kind == ControlKind::force && stiffness * V > 0 && joint.control.k_p > 0 &&
         !known_at_one_velocity(joint)) {
         ForceRamp ramp;
-        ramp.rate = stiffness * V;
+        ramp.rate = stiffness * steady.velocity;
         const double k_p = joint.control.k_p;
         ramp.velocity_only = stable_springs(joint, ramp.rate, k_p / reach, k_p * reach, Theory::velocity_only);
         ramp.state_variable = stable_springs(joint, ramp.rate, k_p / reach, k_p * reach, Theory::state_variable);
         study.ramp = ramp;
     }
-    study.reductions = reduction_studies(joint);
+    study.reductions = thorough ? reduction_studies(joint) : named_only(joint);
     return study;
 }
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "analysis/stability/critical_gain.h"
-#include "analysis/stability/crossings.h"
 #include "analysis/stability/joint_crossings.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/neutral.h"
 #include "analysis/stability/spectrum.h"
+#include "analysis/stability/stable_gains.h"
 #include "analysis/stability/steady.h"
 
 namespace stickslip {
@@ -47,12 +47,6 @@ std::uint8_t code_of(double abscissa)
     return abscissa < 0 ? 1 : abscissa == 0 ? verdict_neutral : 0;
 }
 
-/// A critical gain above which all gains are stable, and below which none is.
-bool has_single_gain(const std::vector<Crossing>& crossings, const std::vector<Interval>& stable)
-{
-    return crossings.size() == 1 && stable.size() == 1 && stable[0].low > 0 && stable[0].high == infinity;
-}
-
 Region region_of(std::uint8_t velocity_only, std::uint8_t memory)
 {
     if (memory == verdict_neutral) return Region::neutral;
@@ -60,11 +54,14 @@ Region region_of(std::uint8_t velocity_only, std::uint8_t memory)
     return velocity_only == 1 ? Region::velocity_only : Region::unstable;
 }
 
-/// The single mass with nothing but its loop, whose verdict has a closed form or a small polynomial.
-bool is_plain_mass(const Joint& joint)
+/// The stable gains and all that hangs on them.
+void take_gains(StateVariableVerdict& memory, StableGains gains)
 {
-    return joint.mechanism.model == Model::single_mass && joint.control.force_gain == 0 &&
-           joint.control.contact_stiffness == 0;
+    memory.crossings = std::move(gains.crossings);
+    memory.stable_intervals = std::move(gains.stable);
+    memory.doubtful = std::move(gains.doubtful);
+    memory.searched_to = gains.searched_to;
+    memory.k_cr = gains.k_cr;
 }
 
 /// Any other joint, with the means of linear_joint.h.
@@ -93,13 +90,14 @@ LinearVerdict joint_verdict(const Joint& joint, LinearVerdict verdict)
     }
     memory.stable = memory.spectral_abscissa < 0;
     memory.neutral = memory.spectral_abscissa == 0;
-    auto search = crossings(linear);
-    memory.crossings = std::move(search.crossings);
-    memory.searched_to = search.searched_to;
-    memory.doubtful = std::move(search.doubtful);
-    memory.stable_intervals = stable_intervals(linear, memory.crossings, memory.searched_to);
-    if (has_single_gain(memory.crossings, memory.stable_intervals)) memory.k_cr = memory.crossings[0].k_p;
+    take_gains(memory, stable_gains(joint));
     return verdict;
+}
+
+void take_gains(PointResult& point, const StableGains& gains)
+{
+    point.k_cr = gains.k_cr;
+    point.omega = gains.omega;
 }
 
 PointResult joint_point(const Joint& joint, double V)
@@ -115,16 +113,17 @@ PointResult joint_point(const Joint& joint, double V)
     point.velocity_only_stable = velocity_only_code(linear);
     point.state_variable_stable = code_of(point.spectral_abscissa);
     point.region = region_of(point.velocity_only_stable, point.state_variable_stable);
-    const auto all = crossings(linear);
-    if (all.crossings.size() != 1) return point;  // no single critical gain, whatever is stable between them
-    if (has_single_gain(all.crossings, stable_intervals(linear, all.crossings, all.searched_to))) {
-        point.k_cr = all.crossings[0].k_p;
-        point.omega = all.crossings[0].omega;
-    }
+    take_gains(point, stable_gains(joint));
     return point;
 }
 
 }  // namespace
+
+bool is_plain_mass(const Joint& joint)
+{
+    return joint.mechanism.model == Model::single_mass && joint.control.force_gain == 0 &&
+           joint.control.contact_stiffness == 0;
+}
 
 LinearMass linear_mass(const Joint& joint, double V)
 {
@@ -166,9 +165,7 @@ LinearVerdict linear_verdict(const Joint& joint)
     }
     memory.stable = memory.spectral_abscissa < 0;
     memory.neutral = memory.spectral_abscissa == 0;
-    memory.crossings = crossings(mass);
-    memory.stable_intervals = stable_intervals(mass, memory.crossings);
-    if (has_single_gain(memory.crossings, memory.stable_intervals)) memory.k_cr = memory.crossings[0].k_p;
+    take_gains(memory, stable_gains(joint));
     return verdict;
 }
 
@@ -202,14 +199,13 @@ PointResult linear_point(const Joint& joint)
     point.velocity_only_stable = velocity_only_code(mass);
     point.state_variable_stable = code_of(point.spectral_abscissa);
     point.region = region_of(point.velocity_only_stable, point.state_variable_stable);
-    if (mass.friction.states <= 1) {
+    if (mass.friction.states <= 1 && !gain_moves_sliding(joint)) {
         if (const auto critical = critical_gain(mass.inertia, mass.k_v, mass.friction)) {
             point.k_cr = critical->k_p;
             point.omega = critical->omega;
         }
-    } else if (const auto all = crossings(mass); has_single_gain(all, stable_intervals(mass, all))) {
-        point.k_cr = all[0].k_p;
-        point.omega = all[0].omega;
+    } else {
+        take_gains(point, stable_gains(joint));
     }
     return point;
 }

@@ -16,6 +16,7 @@ check "memory" "$here/memory.sh" "$program" $((10000000 * scale))
 check "extremes" "$here/extremes.py" "$program" $((300 * scale))
 check "points" "$build/tests/reliability/reliability_points" --points $((100000 * scale)) --nonlinear $((1000 * scale)) \
     "$here"/../fuzz/corpus/joint/*.toml
+check "consistency" "$build/tests/reliability/reliability_consistency" --joints $((10000 * scale)) --log "$build/consistency.log"
 for target in joint spec record baseline journal plan; do
     check "inputs: $target" "$build/tests/fuzz/fuzz_$target" --inputs $((100000 * scale)) "$here/../fuzz/corpus/$target"
 done

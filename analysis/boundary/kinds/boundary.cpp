@@ -245,8 +245,14 @@ Sides sides_over(const Joint& joint, const Axis& x, const Axis& y, const Boundar
     return sides;
 }
 
-/// Of a curve over (x, V_0) only what is the least stable velocity for its x: turning stable upwards, and no other such
-/// point below.
+/// Whether sliding turns stable there away from rest, whichever way the joint moves.
+bool stable_beyond(double velocity, int direction)
+{
+    return velocity * direction <= 0;
+}
+
+/// Of a curve over (x, V_0) only what is the least stable speed for its x: turning stable away from rest, and no other
+/// such point nearer to it.
 void keep_least(FollowedBoundary& boundary)
 {
     const auto lower_at = [&](const CurvePoint& p) {
@@ -255,9 +261,12 @@ void keep_least(FollowedBoundary& boundary)
                 const auto &a = piece.points[i - 1], &b = piece.points[i];
                 if ((a.x < p.x) == (b.x < p.x)) continue;
                 // a curve below at which sliding turns unstable is no least velocity
-                if ((a.along_y && a.at.direction > 0) || (b.along_y && b.at.direction > 0)) continue;
+                if ((a.along_y && !stable_beyond(a.y, a.at.direction)) ||
+                    (b.along_y && !stable_beyond(b.y, b.at.direction)))
+                    continue;
                 const double share = (p.x - a.x) / (b.x - a.x), y = a.y + share * (b.y - a.y);
-                if (y < p.y * (1 - 1e-6) && !(&a == &p) && !(&b == &p)) return true;
+                const bool nearer = std::signbit(y) == std::signbit(p.y) && std::abs(y) < std::abs(p.y) * (1 - 1e-6);
+                if (nearer && !(&a == &p) && !(&b == &p)) return true;
             }
         return false;
     };
@@ -265,7 +274,7 @@ void keep_least(FollowedBoundary& boundary)
     for (const auto& piece : boundary.pieces) {
         bool open = false;
         for (const auto& p : piece.points) {
-            const bool least = (!p.along_y || p.at.direction < 0) && !lower_at(p);
+            const bool least = (!p.along_y || stable_beyond(p.y, p.at.direction)) && !lower_at(p);
             if (least && !open) kept.push_back({{}, piece.first, piece.last});
             if (least) kept.back().points.push_back(p);
             open = least;
@@ -314,8 +323,11 @@ LocatedRay locate_boundaries(const Joint& given, const Axis& axis, const Boundar
     if (request.kind == BoundaryKind::fold) return locate_folds(joint, axis, request);
     auto ray = Ray(joint, axis, request).run();
     if (request.kind == BoundaryKind::v_min) {
-        std::erase_if(ray.points, [](const BoundaryPoint& p) { return p.direction > 0; });
-        if (ray.points.size() > 1) ray.points.resize(1);
+        auto& points = ray.points;
+        std::erase_if(points, [](const BoundaryPoint& p) { return !stable_beyond(p.value, p.direction); });
+        std::sort(points.begin(), points.end(),
+                  [](const BoundaryPoint& a, const BoundaryPoint& b) { return std::abs(a.value) < std::abs(b.value); });
+        if (points.size() > 1) points.resize(1);
     }
     return ray;
 }

@@ -45,18 +45,34 @@ LocatedRay locate_folds(const Joint& joint, const Axis& axis, const BoundaryRequ
         return ray;
     }
     const FoldChart chart(joint, ray.axis, held);
-    const auto keep = [&](const std::optional<FoldSeed>& seed) {
-        if (!seed) return;
-        Eigen::VectorXd guess(chart.section() + 2);
+    const auto keep_on = [&](const FoldChart& on, const std::optional<FoldSeed>& seed) {
+        if (!seed) return false;
+        Eigen::VectorXd guess(on.section() + 2);
         guess << seed->w, seed->q, 0.5;
-        const auto fold = chart.solve(guess, 1);
-        if (!fold || !chart.place(*fold).inside()) return;
-        const int before = chart.turns() + along.turns();
-        auto point = chart.located(*fold, false, request.precision).at;
+        const auto fold = on.solve(guess, 1);
+        if (!fold || !on.place(*fold).inside()) return false;
+        const int before = on.turns() + along.turns();
+        auto point = on.located(*fold, false, request.precision).at;
+        if (!(unit.unit(point.value) >= 0 && unit.unit(point.value) <= 1)) return true;  // found, but off the axis
         point.evaluations += before - ray.evaluations;
         for (const auto& known : ray.points)
-            if (std::abs(known.value - point.value) <= same_fold * std::abs(point.value)) return;
+            if (std::abs(known.value - point.value) <= same_fold * std::abs(point.value)) return true;
         ray.points.push_back(point);
+        return true;
+    };
+    const auto keep = [&](const std::optional<FoldSeed>& seed) { return keep_on(chart, seed); };
+    // a branch that turns back close to its Hopf point is too short for the steps of a wide axis
+    const auto keep_near = [&](double value) {
+        for (const double reach : {2.0, 1.1, 1.01}) {
+            Axis near = ray.axis;
+            near.log = value > 0;
+            near.values = value > 0 ? std::vector{value / reach, value * reach}
+                                    : std::vector{value * reach, value / reach};
+            const OrbitSystem along_near(joint, {near});
+            const FoldChart chart_near(joint, near, held);
+            if (keep_on(chart_near, fold_beyond_hopf(along_near, UnitAxis(near).unit(value)))) return true;
+        }
+        return false;
     };
     // branches of small cycles
     BoundaryRequest linear = request;
@@ -65,7 +81,8 @@ LocatedRay locate_folds(const Joint& joint, const Axis& axis, const BoundaryRequ
     linear.scan = 0;
     for (const auto& crossing : locate_boundaries(joint, axis, linear).points) {
         const double q = unit.unit(crossing.value);
-        if (is_subcritical(along.joint_at(Eigen::VectorXd::Constant(1, q)))) keep(fold_beyond_hopf(along, q));
+        if (!is_subcritical(along.joint_at(Eigen::VectorXd::Constant(1, q)))) continue;
+        if (!keep(fold_beyond_hopf(along, q)) && !keep_near(crossing.value)) ++ray.undecided;
     }
     // cycles that only a large disturbance reaches
     std::vector<Joint> joints;

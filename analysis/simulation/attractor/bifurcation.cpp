@@ -85,6 +85,7 @@ std::optional<Closure> closure_of(const Flow& flow, const BranchPoint& at, const
     return c;
 }
 
+constexpr double least_amplitude = 0.01;  ///< per scale: a branch that comes down to it ends at its Hopf point
 constexpr double shortest_step = 2e-3;  ///< of an amplitude along a branch, relative
 
 /// The branch point of amplitude `a` with the rest scaled or extrapolated from known neighbours.
@@ -196,6 +197,7 @@ std::optional<BranchPoint> fold_of_cycles(const Flow& flow, const BranchPoint& o
             factor = std::sqrt(factor);
             continue;
         }
+        if (next->start[0] < least_amplitude * flow.scale()[0]) return {};
         known.push_back(*next);
         if (i > 3 && i % 4 == 0) factor = std::clamp(factor * factor, 1 / 1.15, 1.15);
     }
@@ -213,6 +215,23 @@ std::optional<BranchPoint> fold_of_cycles(const Flow& flow, const BranchPoint& o
         if (change < 1e-10) break;
     }
     return q;
+}
+
+BranchPoint last_at_rising_gain(const Flow& flow, BranchPoint at, const CycleOptions& options)
+{
+    constexpr double first = 1.3, shortest = 1.002;
+    constexpr int most = 80;
+    double step = first;
+    for (int i = 0; i < most && step > shortest; ++i) {
+        const double k_p = at.k_p * step;
+        const auto next = find_cycle(*flow.with_gain(k_p), at.start, options);
+        if (!next || !(next->velocity_min > 0)) {
+            step = std::sqrt(step);
+            continue;
+        }
+        at = {k_p, next->start};
+    }
+    return at;
 }
 
 std::optional<BranchPoint> fold_of_cycles(const Flow& flow, const HopfPoint& hopf, const CycleOptions& options)

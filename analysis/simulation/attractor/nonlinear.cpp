@@ -62,9 +62,14 @@ void add_bifurcation(const Joint& joint, const Flow& flow, const FlowVector& cyc
         if (const auto fold = fold_of_cycles(*at_critical, hopf, options)) verdict.fold_k_p = fold->k_p;
     }
     const bool smooth = single && single->states > 0 && cycle_start.size() > 0 && verdict.velocity_min > 0;
-    if (std::isnan(verdict.fold_k_p) && verdict.region == NonlinearRegion::bistable && smooth)
-        if (const auto fold = fold_of_cycles(flow, BranchPoint{single->k_p, cycle_start}, options))
-            verdict.fold_k_p = fold->k_p;
+    const bool may_reach_beyond =
+        verdict.region == NonlinearRegion::bistable ||
+        (verdict.region == NonlinearRegion::stick_slip && std::isfinite(k_cr) && single && single->k_p < k_cr);
+    if (!std::isnan(verdict.fold_k_p) || !smooth || !may_reach_beyond) return;
+    // through a degenerate Hopf point the branch of the own cycle may go on above k_cr
+    const auto last = last_at_rising_gain(flow, {single->k_p, cycle_start}, options);
+    if (std::isfinite(k_cr) && single->k_p < k_cr && last.k_p < k_cr) return;
+    if (const auto fold = fold_of_cycles(flow, last, options)) verdict.fold_k_p = fold->k_p;
 }
 
 bool held_by_spring(const SlidingFlow& flow)
@@ -143,7 +148,8 @@ void judge(const Joint& joint, const AnyFlow& flow, const NonlinearOptions& opti
     // a disturbance that hardly excites the mode drowns where the mode itself, whose rate it is, still shows
     if (std::isnan(verdict.growth_rate)) verdict.growth_rate = growth_of_mode();
     const auto linear = linear_side(joint);
-    if (linear.undamped) return leave_open(Reason::neutral, verdict);
+    // small disturbances neither decay nor grow; where a disturbance of some size is asked for, that one is followed
+    if (linear.undamped && stated_small) return leave_open(Reason::neutral, verdict);
     const bool measurable = std::abs(verdict.growth_rate) > measurable_growth * std::abs(mode.s);
     const bool decays = measurable ? verdict.growth_rate < 0 : linear.abscissa <= 0;
 
@@ -171,6 +177,10 @@ void judge(const Joint& joint, const AnyFlow& flow, const NonlinearOptions& opti
     if (stated.oscillates()) describe_cycle(stated, verdict);
     FlowVector cycle_start = stated.start;
 
+    if (linear.undamped) {
+        const bool sticks = stated.oscillates() && stated.rest_time > 0;
+        return sticks ? void() : leave_open(Reason::neutral, verdict);
+    }
     if (!decays) {
         verdict.region = NonlinearRegion::stick_slip;
     } else if (stated.oscillates()) {

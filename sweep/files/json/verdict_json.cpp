@@ -35,8 +35,8 @@ Json state_variable_json(const StateVariableVerdict& v)
         {"eigenvalues_complete", v.all_eigenvalues},
         {"eigenvalues_note",
          v.all_eigenvalues ? Json(nullptr)
-                           : Json("memory that is a delay or a table has infinitely many: these are rightmost ones; "
-                                  "none lies right of spectral_abscissa, others may lie between them")},
+                           : Json("memory that is a delay or a table has infinitely many: these are the rightmost "
+                                  "ones, and no other lies right of the last of them")},
         {"f_v", json_number(v.f_v)},
         {"kernel_integral", json_number(v.kernel_integral)},
         {"crossings", crossings},

@@ -2,6 +2,7 @@
 #include "analysis/results/text.h"
 #include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/simulation/set_point/set_point.h"
+#include "analysis/stability/frequency_search.h"
 #include "analysis/stability/verdict.h"
 #include "sweep/engine/build.h"
 #include "sweep/files/json/nonlinear_json.h"
@@ -34,6 +35,7 @@ struct Options {
     std::vector<std::string> settings;
     DisturbanceOption disturbance;
     SurroundingsOption surroundings;
+    double effort = 1;
     bool json = false;
 };
 
@@ -97,6 +99,7 @@ int evaluate(const Options& options, const Invocation& invocation)
 {
     const auto asked = read_spec_or_joint(options.joint, options.settings);
     const Joint& joint = asked.design;
+    set_search_effort(options.effort);
     const auto verdict = linear_verdict(joint);
     NonlinearOptions nonlinear_options;
     nonlinear_options.bifurcation = true;
@@ -170,6 +173,9 @@ void add_evaluate(CLI::App& app, Invocation& invocation)
                      "also write a page with charts: both theories, disturbances, force ramps, reductions");
     options->surroundings.add_to(*verb);
     options->surroundings.add_duration_to(*verb, "until the slowest mode has shown itself, or the file's");
+    verb->add_option("--effort", options->effort,
+                     "how much searching, per the usual: more crossings and reductions of friction that answers late")
+        ->check(CLI::PositiveNumber);
     verb->add_flag("--json", options->json, "machine-readable, stable names");
     verb->footer(
         "Example: stickslip evaluate examples/02-ball-screw/joint-with-memory.toml --set control.k_p=2e4 --json\n"

@@ -5,6 +5,7 @@
 #include "analysis/stability/joint_crossings.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/verdict.h"
+#include "analysis/stability/winding.h"
 #include "tests/analysis/joint/sample_joints.h"
 
 using namespace stickslip;

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "analysis/stability/frequency_search.h"
+#include "analysis/stability/winding.h"
 
 using namespace stickslip;
 

@@ -1,0 +1,33 @@
+// Which position gains are stable: k_p as a user turns it, with all that follows from it.
+#pragma once
+#include <vector>
+
+#include "analysis/joint/joint.h"
+#include "analysis/stability/resolution.h"
+#include "analysis/stability/verdict.h"
+
+namespace stickslip {
+
+/// The stable set in k_p and every gain at which a pair of roots crosses the imaginary axis.
+struct StableGains {
+    std::vector<Crossing> crossings;
+    std::vector<Interval> stable;
+    std::vector<Interval> doubtful;  ///< bands of ω in which a touch of the axis could not be excluded
+    double searched_to = infinity;   ///< crossings are complete up to here
+    double k_cr = missing;           ///< the single critical gain: all above it are stable, none below
+    double omega = missing;          ///< its frequency
+};
+
+/// Whether k_p moves the joint to another steady sliding, where friction answers differently: a force that ramps at a
+/// given rate slides at rate/(k_p + k_c), and behind the springs of a ramp the motor runs ahead of the link (Body::speed).
+bool gain_moves_sliding(const Joint& joint);
+
+/// For a joint that slides steadily. Where k_p moves the sliding, the joint is linearised anew at each gain: a scan of
+/// the roots right of the axis over `gain_decades` to either side of the joint's own gain, each change then located;
+/// where a root comes near the axis between two steps and goes back, the nearest place is looked at, too. Delays and
+/// tables then allow fewer steps over late_gain_decades, and two changes within one step can be missed.
+StableGains stable_gains(const Joint& joint, Theory theory = Theory::state_variable);
+
+inline constexpr double gain_decades = 8, late_gain_decades = 3;
+
+}  // namespace stickslip

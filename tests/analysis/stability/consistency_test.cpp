@@ -1,0 +1,16 @@
+// The linear answers about one joint never contradict each other: verdict, abscissa, eigenvalues, stable gains, rows of a
+// sweep, growth rate, and counts by the argument principle. Millions more: tests/reliability/consistency.cpp.
+#include "tests/analysis/stability/random_joint.h"
+
+#include <catch2/catch.hpp>
+
+using namespace stickslip;
+
+TEST_CASE("linear answers about random joints of every law, model and control agree", "[stability]")
+{
+    constexpr std::uint64_t joints = 150;
+    for (std::uint64_t number = 0; number < joints; ++number) {
+        CAPTURE(number);
+        CHECK(samples::contradiction(samples::random_joint(number)) == "");
+    }
+}

@@ -1,0 +1,52 @@
+// Random joints of every law, model and control: does any linear answer contradict another? Usage: reliability_consistency
+// --joints N [--from K] [--log FILE]. Joint K is drawn from its number alone; the log holds one line a thousand joints, and
+// a run that finds one goes on behind it.
+#include "tests/analysis/stability/random_joint.h"
+
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <fstream>
+#include <map>
+
+int main(int argc, char** argv)
+{
+    using namespace stickslip;
+    std::uint64_t joints = 10'000, number = 0, faults = 0;
+    std::string log;
+    for (int i = 1; i + 1 < argc; i += 2) {
+        if (!std::strcmp(argv[i], "--joints"))
+            joints = std::stoull(argv[i + 1]);
+        else if (!std::strcmp(argv[i], "--from"))
+            number = std::stoull(argv[i + 1]);
+        else if (!std::strcmp(argv[i], "--log"))
+            log = argv[i + 1];
+        else
+            return std::fprintf(stderr, "unknown option %s\n", argv[i]), 2;
+    }
+    if (!log.empty()) {
+        std::ifstream before(log);
+        std::uint64_t reached, found;
+        while (before >> reached >> found) number = reached, faults = found;
+    }
+    std::map<std::string, std::uint64_t> kinds;
+    for (; number < joints; ++number) {
+        std::string fault;
+        try {
+            fault = samples::contradiction(samples::random_joint(number));
+        } catch (const std::exception& e) {
+            fault = std::string("exception: ") + e.what();
+        }
+        if (!fault.empty()) {
+            ++faults;
+            if (++kinds[fault] <= 5) std::printf("FAULT joint %llu: %s\n", static_cast<unsigned long long>(number), fault.c_str());
+        }
+        if (!log.empty() && (number + 1) % 1000 == 0)
+            std::ofstream(log, std::ios::app) << number + 1 << ' ' << faults << std::endl;
+    }
+    std::printf("linear answers compared: %llu joints, contradictions: %llu\n", static_cast<unsigned long long>(joints),
+                static_cast<unsigned long long>(faults));
+    for (const auto& [kind, count] : kinds)
+        std::printf("  %s: %llu\n", kind.c_str(), static_cast<unsigned long long>(count));
+    return faults == 0 ? 0 : 1;
+}

@@ -148,8 +148,11 @@ void tell_rivals(const Prepared& p, const Findings& f, const std::vector<Ranked>
     if (rival && !winner.candidate.effects.empty())
         d.next_experiment = design_experiment(p.cases[0], p.scales, winner, *rival);
     // the refitted numbers of a contest are no part of what is told apart
-    if (contest && !d.next_experiment.separates.empty())
-        d.next_experiment.separates = {{d.effects[0].names[0], d.effects[1].names[0]}};
+    const auto last_name = [&](std::size_t i) {
+        return std::string(f.contest.ranked[i].fit.candidate.effects.back()->name);
+    };
+    if (contest && f.contest.ranked.size() > 1 && !d.next_experiment.separates.empty())
+        d.next_experiment.separates = {{last_name(0), last_name(1)}};
 }
 
 /// Writes down what was found, held against data that no fit has seen.

@@ -246,8 +246,9 @@ void tell_interrupted(const std::string& stage, const Joint& joint, DiagnosisRes
     d.ambiguous_with.clear();
     d.next_experiment = {};
     result.after = joint;
-    d.reasons = {"interrupted while " + stage + ": " +
-                 (d.signals.empty() ? "nothing was found yet" : "where the gap lies was found, what causes it was not")};
+    d.reasons = {
+        "interrupted while " + stage + ": " +
+        (d.signals.empty() ? "nothing was found yet" : "where the gap lies was found, what causes it was not")};
 }
 
 }  // namespace

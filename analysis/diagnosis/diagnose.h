@@ -21,8 +21,8 @@ struct DiagnosisOptions {
 };
 
 /// Diagnoses records of one joint. Analysis owns no threads: `parallel` runs tasks, each writes its own slot, so the
-/// answer does not depend on how many run at once. It may throw Interrupted to end early. Throws std::invalid_argument for records that cannot be read as time
-/// series (see inspect) and for joints without a record simulation.
+/// answer does not depend on how many run at once. It may throw Interrupted to end early. Throws std::invalid_argument
+/// for records that cannot be read as time series (see inspect) and for joints without a record simulation.
 DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records, const ParallelFor& parallel,
                          const DiagnosisOptions& options = {});
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <sstream>
+#include <tuple>
 
 using Catch::Matchers::Contains;
 using program::Folder;
@@ -106,6 +107,47 @@ TEST_CASE("a record in a foreign unit is suspected and not explained by a cause"
         CHECK_THAT(run.output, Contains(says));
         CHECK_THAT(program::read(folder / "out/diagnosis.json"), Contains("\"verdict\": \"insufficient-data\""));
     }
+}
+
+TEST_CASE("what no record of this joint can hold is a contradiction and no cause", "[program][diagnose]")
+{
+    const std::string limited =
+        joint.substr(0, joint.find("period")) + "effort_limit = 0.05\n" + joint.substr(joint.find("period"));
+    const auto wrapped = [] {  // a command of −0.12 … 0.12 in counts of 1/1000, read as 16 bits without a sign
+        return record([](Row& r) {
+            const double counts = std::round(1e3 * r.command);
+            r.command = counts < 0 ? 65536 + counts : counts;
+        });
+    };
+    const auto timeless = [] {
+        std::string text = joint;
+        return text.erase(text.find("period = 1e-3\n"), 14);
+    };
+    const std::tuple<std::string, std::string, std::string> cases[] = {
+        {limited, record(), "the logged command reaches 0."},
+        {joint, wrapped(), "two's complement of 16 bits"},
+        {timeless(), record([](Row& r) { r.time *= 1e3; }), "suspected milliseconds: rows are 1 s apart"},
+    };
+    for (const auto& [spec_text, text, says] : cases) {
+        Folder folder;
+        const auto spec = folder.write("joint.toml", spec_text), file = folder.write("run.csv", text);
+        const auto run = stickslip("diagnose '" + spec + "' '" + file + "' --no-report -o '" + (folder / "out") + "'");
+        INFO(run.output);
+        CHECK(run.exit_code == 2);
+        CHECK_THAT(run.output, Contains(says));
+    }
+}
+
+TEST_CASE("a row that a logger held is left away and said to be", "[program][diagnose]")
+{
+    std::string text = record();
+    const auto line = text.find("\n0.1,") + 1;
+    text.insert(line, text.substr(line, text.find('\n', line) - line + 1));
+    Folder folder;
+    const auto run = diagnose(folder, text);
+    INFO(run.output);
+    CHECK(run.exit_code != 2);
+    CHECK_THAT(program::read(folder / "out/diagnosis.json"), Contains("1 rows repeat the row before"));
 }
 
 TEST_CASE("gains that held in one record are no sign of another joint", "[program][diagnose]")

@@ -12,7 +12,6 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double flagged_gain = 0.004;  // a gain this far from its document is a finding
 constexpr double exact_command = 2e-3;  // misfit over rms below which the controller is taken as understood
 // A controller between the samples of a slow log, or with a coarse output, is reproduced roughly at best: it is judged
 // all the same, but only a gain that is off by many times what remains is a finding.
@@ -44,7 +43,7 @@ GainRegression regression_of(const Case& c, double tau, double limit)
         if (!is_set(t.command[k]) || std::abs(t.command[k]) > 0.999 * limit || !t.enabled[k]) continue;
         if (control.reference_velocity && control.k_v != 0 && kinked(k)) continue;
         const double rate = control.reference_velocity ? t.reference_rate[k] : 0;
-        rows.add(t.reference[k] - t.position[k], rate - controller.velocity(), t.command[k]);
+        rows.add(t.reference[k] - t.position[k], rate - controller.velocity(), t.command[k] - t.added(k));
     }
     return rows;
 }
@@ -309,8 +308,8 @@ Audit audit(std::vector<Case>& cases)
             Controller controller(c.joint.control);
             for (std::size_t k = 0; k < c.ticks.size(); ++k) {
                 controller.read(c.ticks.position[k], k == 0 ? c.ticks.step[0] : c.ticks.step[k - 1], 0);
-                wanted =
-                    std::max(wanted, std::abs(controller.unlimited(c.ticks.reference[k], c.ticks.reference_rate[k])));
+                wanted = std::max(wanted, std::abs(controller.unlimited(c.ticks.reference[k], c.ticks.reference_rate[k],
+                                                                        c.ticks.added(k))));
             }
         }
         if (wanted > 1.01 * limit) {

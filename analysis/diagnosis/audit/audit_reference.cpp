@@ -29,7 +29,7 @@ GainRegression differences(const Case& c, double tau, double limit)
         if (!t.logged[k]) continue;
         const bool usable = is_set(t.command[k]) && std::abs(t.command[k]) < 0.999 * limit && t.enabled[k];
         y.push_back(t.position[k]), v.push_back(controller.velocity());
-        u.push_back(usable ? t.command[k] : not_set);
+        u.push_back(usable ? t.command[k] - t.added(k) : not_set);
     }
     GainRegression d;
     const auto fourth = [](const std::vector<double>& x, std::size_t k) {

@@ -46,6 +46,12 @@ Inspection inspect(const Record& r, const Joint& joint)
     check_column(r, "drive", r.drive, result);
     check_column(r, "current", r.current, result);
     check_column(r, "supply_voltage", r.supply_voltage, result);
+    check_column(r, "feed_forward", r.feed_forward, result);
+    check_column(r, "load_effort", r.load_effort, result);
+    check_column(r, "inertia", r.inertia, result);
+    for (std::size_t k = 0; k < r.inertia.size() && result.errors.empty(); ++k)
+        if (!(r.inertia[k] > 0))
+            result.errors.push_back(r.name + ": inertia is not positive in row " + std::to_string(k + 1));
     if (!result.errors.empty()) return result;
     for (std::size_t k = 1; k < r.rows(); ++k)
         if (r.time[k] <= r.time[k - 1]) {

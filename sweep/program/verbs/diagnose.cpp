@@ -264,7 +264,8 @@ void add_diagnose(CLI::App& app, Invocation& invocation)
     verb->footer(
         "Example: stickslip diagnose joint.toml slow.csv.gz steps.csv.gz -o diagnosis\n"
         "Example: stickslip diagnose joint.toml outcomes.csv -o which-law\n"
-        "Exit codes: 0 answered (gap, no-gap, unknown), 2 bad input (suspected units included), 3 interrupted, 4 too little "
+        "Exit codes: 0 answered (gap, no-gap, unknown), 2 bad input (suspected units included), 3 interrupted, 4 too "
+        "little "
         "data.");
     verb->callback([options, &invocation] {
         catch_interrupts(invocation);

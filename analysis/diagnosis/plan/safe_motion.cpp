@@ -47,8 +47,10 @@ class Writer {
             const double t = time() - begin, hertz = from_hertz * std::exp(sweep * t), w = turn * hertz;
             const double phase = sweep != 0 ? turn * from_hertz * std::expm1(sweep * t) / sweep : w * t;
             const double s = std::min({1.0, t / fade, (seconds - t) / fade});
-            // half of each limit: fading and sweeping have a share of their own
-            const double size = std::min({amplitude, 0.5 * reach_.speed / w, 0.5 * reach_.acceleration / (w * w)});
+            // half of each limit: fading and sweeping have a share of their own. A smooth least, without a kink in
+            // speed
+            const double size = 1 / std::sqrt(std::pow(amplitude, -2) + std::pow(2 * w / reach_.speed, 2) +
+                                              std::pow(2 * w * w / reach_.acceleration, 2));
             put(middle + size * s * s * (3 - 2 * s) * std::sin(phase));
         }
         put(middle);

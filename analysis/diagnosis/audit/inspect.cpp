@@ -69,6 +69,10 @@ Inspection inspect(const Record& r, const Joint& joint)
     const double resolution = std::max(joint.sensor.encoder_quantum, joint.sensor.position_noise);
     if (span_of(r.position) <= 8 * resolution || span_of(r.position) == 0)
         result.shortages.push_back(r.name + ": the position does not change beyond its noise");
+    const double ticks = r.rows() > 1 && is_set(joint.control.period) ? median_step(r.time) / joint.control.period : 1;
+    if (ticks > 1.5 && (ticks >= most_ticks_per_row || std::abs(ticks - std::round(ticks)) > 0.02))
+        result.notes.push_back(r.name + ": rows are " + std::to_string(ticks) +
+                               " periods of the loop apart, no whole number of them: every row is taken for a tick");
     const bool command = !r.effort_command.empty() || !r.drive.empty();
     if (!command && r.reference_position.empty())
         result.shortages.push_back(r.name +

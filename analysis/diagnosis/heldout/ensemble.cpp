@@ -136,6 +136,8 @@ std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, 
         double n = 0;
         for (std::size_t k = 0; k < t.size(); ++k) {
             if (!inside(k) || !is_set(measured[k])) continue;
+            // while the drive is off nothing came of the command, and nothing can be learnt of it
+            if (column == &Trace::command && !t.enabled[k]) continue;
             double mean = 0, square = 0;
             for (const auto& trace : traces) {
                 const double x = (trace.*column)[k];

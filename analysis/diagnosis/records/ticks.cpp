@@ -261,7 +261,7 @@ Ticks on_clock(const Record& record, const Joint& joint)
     const Record& r = t.lost ? filled : record;
     if (is_set(joint.control.period) && (t.regular || t.lost)) {
         const double fold = step / joint.control.period;
-        if (fold > 1.5 && std::abs(fold - std::round(fold)) < 0.02 && fold < 20)
+        if (fold > 1.5 && std::abs(fold - std::round(fold)) < 0.02 && fold < most_ticks_per_row)
             t.ticks_per_row = static_cast<int>(std::round(fold));
     }
     const int m = t.ticks_per_row;

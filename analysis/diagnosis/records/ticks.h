@@ -56,6 +56,7 @@ struct Ticks {
     double duration() const { return time.empty() ? 0 : time.back() - time.front(); }
 };
 
+inline constexpr double most_ticks_per_row = 100;  ///< 10 Hz of a loop at 1 kHz; slower logs see no friction
 inline constexpr double most_lost_rows = 20;  ///< in a row; more are a hole
 
 double median_step(const std::vector<double>& time);

@@ -256,27 +256,21 @@ DiagnosisResult with_one_rung(DiagnosisResult result)
     return result;
 }
 
-}  // namespace
+using Progress = std::function<void(const char* stage, double done)>;
 
-DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records, const ParallelFor& parallel,
-                         const DiagnosisOptions& options)
+/// All that is done with records of a joint, stage by stage; what each found stands in the result when the next begins.
+void find(const Joint& joint, const std::vector<Record>& records, const ParallelFor& parallel,
+          const DiagnosisOptions& options, const Progress& progress, DiagnosisResult& result)
 {
-    DiagnosisResult result{{}, joint};
     Diagnosis& d = result.diagnosis;
-    d.motion = joint.mechanism.motion;
-    if (records.empty()) throw std::invalid_argument("no record was given");
-    if (records.size() == 1 && is_rig(records[0])) return with_one_rung(diagnose_rig(joint, records[0], parallel));
-    const auto progress = [&](const char* stage, double done) {
-        if (options.progress) options.progress(stage, done);
-    };
     progress("reading", 0);
     const auto usable = usable_pieces(joint, records, d);
-    if (usable.empty()) return result;
+    if (usable.empty()) return;
     progress("auditing the controller", 0.02);
     Prepared prepared = audited(joint, usable, d);
     if (auto suspicion = another_joint(prepared.audit); !suspicion.empty()) {
         d.reasons.push_back(std::move(suspicion));
-        return result;
+        return;
     }
     settle_jumps(prepared.cases, {}, {});
     prepared.scales = scales_of(prepared.cases);
@@ -289,6 +283,42 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
     progress("predicting held-out data", 0.9);
     conclude(prepared, findings, options.ensemble, parallel, result);
     progress("done", 1);
+}
+
+/// What was found before the interruption stays; a cause that was not held against other data is none.
+void tell_interrupted(const std::string& stage, const Joint& joint, DiagnosisResult& result)
+{
+    Diagnosis& d = result.diagnosis;
+    d.interrupted = true;
+    d.verdict = Verdict::unknown;
+    d.effects.clear();
+    d.ambiguous_with.clear();
+    d.next_experiment = {};
+    result.after = joint;
+    d.reasons = {
+        "interrupted while " + stage + ": " +
+        (d.signals.empty() ? "nothing was found yet" : "where the gap lies was found, what causes it was not")};
+}
+
+}  // namespace
+
+DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records, const ParallelFor& parallel,
+                         const DiagnosisOptions& options)
+{
+    DiagnosisResult result{{}, joint};
+    result.diagnosis.motion = joint.mechanism.motion;
+    if (records.empty()) throw std::invalid_argument("no record was given");
+    std::string stage;
+    const auto progress = [&](const char* name, double done) {
+        stage = name;
+        if (options.progress) options.progress(stage, done);
+    };
+    try {
+        if (records.size() == 1 && is_rig(records[0])) return with_one_rung(diagnose_rig(joint, records[0], parallel));
+        find(joint, records, parallel, options, progress, result);
+    } catch (const Interrupted&) {
+        tell_interrupted(stage, joint, result);
+    }
     return result;
 }
 

@@ -4,11 +4,15 @@
 #include "analysis/diagnosis/search/attribute.h"
 #include "analysis/diagnosis/verdict/result.h"
 
+#include <exception>
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace stickslip::gap {
+
+/// Thrown by tasks that are to stop; diagnose() then gives back what it has found.
+struct Interrupted : std::exception {};
 
 struct DiagnosisOptions {
     std::size_t pair_partners = 3;  ///< how many of the best singles look for a partner
@@ -17,8 +21,8 @@ struct DiagnosisOptions {
 };
 
 /// Diagnoses records of one joint. Analysis owns no threads: `parallel` runs tasks, each writes its own slot, so the
-/// answer does not depend on how many run at once. Throws std::invalid_argument for records that cannot be read as time
-/// series (see inspect) and for joints without a record simulation.
+/// answer does not depend on how many run at once. It may throw Interrupted to end early. Throws std::invalid_argument
+/// for records that cannot be read as time series (see inspect) and for joints without a record simulation.
 DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records, const ParallelFor& parallel,
                          const DiagnosisOptions& options = {});
 

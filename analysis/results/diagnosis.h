@@ -146,6 +146,7 @@ struct DiagnosedTrace {
 struct Diagnosis {
     Verdict verdict = Verdict::insufficient_data;
     std::vector<std::string> reasons;
+    bool interrupted = false;  ///< on request: what was found until then stands here
     std::vector<RecordRole> records;
     std::vector<Share> signals, regimes;
     std::vector<Cause> effects;

@@ -107,6 +107,7 @@ int run_program(int argc, char** argv, Cluster* cluster)
     add_report(app, invocation);
     add_simulate(app, invocation);
     add_diagnose(app, invocation);
+    add_plan(app, invocation);
     add_blind(app, invocation);
     add_completion(app, invocation);
     add_man_page(app, invocation);

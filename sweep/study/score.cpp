@@ -52,6 +52,13 @@ double median(std::vector<double> values)
     return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
+/// Whether a document that is off is called that, and nothing else.
+bool only_corrections(const Truth& t, const Answer& a)
+{
+    if (!t.dirty || t.verdict != "no-gap" || a.verdict != "gap" || a.ranked.empty()) return false;
+    return std::all_of(a.ranked[0].begin(), a.ranked[0].end(), [&](const auto& e) { return has(t.equivalent, e); });
+}
+
 Judgement judge(const std::string& name, const Truth& t, const Answer* a)
 {
     Judgement j{.name = name, .kind = t.kind, .strength = t.strength, .engine = t.engine};
@@ -63,7 +70,7 @@ Judgement judge(const std::string& name, const Truth& t, const Answer* a)
     j.answered = a->verdict == "gap" ? joined(first) : a->verdict;
     j.shrink = a->gap_after / a->gap_before;
     if (a->verdict == "gap" && !a->probabilities.empty()) j.probability = a->probabilities[0];
-    j.right = a->verdict == t.verdict && (t.verdict != "gap" || names(first, t));
+    j.right = (a->verdict == t.verdict && (t.verdict != "gap" || names(first, t))) || only_corrections(t, *a);
     j.right_or_ambiguous = j.right;
     if (!j.right && t.verdict == "gap" && a->verdict == "gap" && a->ambiguous_with.size() < largest_ambiguity)
         for (const auto& set : a->ambiguous_with) j.right_or_ambiguous = j.right_or_ambiguous || names(set, t);
@@ -74,7 +81,9 @@ void count_case(Score& s, const Judgement& j, const Truth& t, const Answer* a)
 {
     s.verdicts.count(a && a->verdict == t.verdict);
     s.by_kind[t.kind].count(j.right);
-    if (t.verdict == "no-gap") s.false_alarms.count(a && a->verdict != "no-gap" && a->verdict != "insufficient-data");
+    if (t.verdict == "no-gap")
+        s.false_alarms.count(a && a->verdict != "no-gap" && a->verdict != "insufficient-data" &&
+                             !only_corrections(t, *a));
     if (t.verdict == "unknown") s.abstained.count(j.right);
     if (t.verdict == "insufficient-data") s.insufficient.count(j.right);
     if (t.verdict != "gap") return;
@@ -141,9 +150,7 @@ void compare_shrinks(Score& s)
     s.median_truth_shrink = median(achievable);
 }
 
-}  // namespace
-
-Score score(const std::map<std::string, Answer>& answers, const std::map<std::string, Truth>& truths)
+Score score_of(const std::map<std::string, Answer>& answers, const std::map<std::string, Truth>& truths)
 {
     Score s;
     for (const auto& [name, truth] : truths) {
@@ -154,6 +161,20 @@ Score score(const std::map<std::string, Answer>& answers, const std::map<std::st
     }
     calibrate(s);
     compare_shrinks(s);
+    return s;
+}
+
+}  // namespace
+
+Score score(const std::map<std::string, Answer>& answers, const std::map<std::string, Truth>& truths)
+{
+    std::map<std::string, Truth> clean, dirty;
+    for (const auto& [name, truth] : truths) (truth.dirty ? dirty : clean).emplace(name, truth);
+    Score s = score_of(answers, truths);
+    if (clean.empty() != dirty.empty()) s.state = dirty.empty() ? "clean" : "dirty";
+    if (clean.empty() || dirty.empty()) return s;
+    s.parts = {score_of(answers, clean), score_of(answers, dirty)};
+    s.parts[0].state = "clean", s.parts[1].state = "dirty";
     return s;
 }
 

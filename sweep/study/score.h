@@ -27,6 +27,7 @@ struct Truth {
     EffectSet effects;
     EffectSet equivalent;  ///< other names for the very same motion
     std::string kind, strength, engine, joint, columns;
+    bool dirty = false;  ///< the joint was not quite its document; `equivalent` of no effect are corrections of it
     double gap_before = unknown_value, gap_after = unknown_value;
 };
 
@@ -63,7 +64,8 @@ struct Score {
     Share pairs_both;  ///< pairs whose first set is the pair
     Share pairs_both_or_ambiguous;
     Share pair_members;  ///< effects of pairs that the first set names
-    Share false_alarms;  ///< cases without an effect where anything but no-gap or insufficient-data was said
+    Share false_alarms;  ///< cases without an effect where anything but no-gap, insufficient-data or a correction was
+                         ///< said
     Share abstained;     ///< causes outside the catalogue answered with unknown
     Share insufficient;  ///< hopeless cases answered with insufficient-data
     Share verdicts;
@@ -74,6 +76,8 @@ struct Score {
     Share within_tenth;  ///< named cases whose shrink is at most 1.1 times the truth's
     std::map<std::string, Share> by_effect, by_strength, by_engine, by_joint, by_columns, by_kind;
     std::vector<Judgement> cases;
+    std::string state;         ///< "clean" or "dirty" where only those were counted
+    std::vector<Score> parts;  ///< the same of clean and of dirty cases, where there are both
 };
 
 /// Judges every case that has a truth; a case without an answer counts as wrong.

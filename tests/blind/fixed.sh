@@ -7,7 +7,7 @@ build=$1
 out=$2
 rm -rf "$out"
 mkdir -p "$out"
-make() { "$build/tests/blind/blind_generate" "$out/cases" --seed 1991 --truth "$out/truth.json" --first "$1" --cases "$2" --kind "$3"; }
+make() { "$build/tests/blind/blind_generate" "$out/cases" --state clean --seed 1991 --truth "$out/truth.json" --first "$1" --cases "$2" --kind "$3"; }
 make 0 5 single
 make 5 2 pair
 make 7 2 none

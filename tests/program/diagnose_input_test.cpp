@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <sstream>
+#include <tuple>
 
 using Catch::Matchers::Contains;
 using program::Folder;
@@ -102,10 +103,51 @@ TEST_CASE("a record in a foreign unit is suspected and not explained by a cause"
         Folder folder;
         const auto run = diagnose(folder, text);
         INFO(run.output);
-        CHECK(run.exit_code == 0);
+        CHECK(run.exit_code == 2);
         CHECK_THAT(run.output, Contains(says));
         CHECK_THAT(program::read(folder / "out/diagnosis.json"), Contains("\"verdict\": \"insufficient-data\""));
     }
+}
+
+TEST_CASE("what no record of this joint can hold is a contradiction and no cause", "[program][diagnose]")
+{
+    const std::string limited =
+        joint.substr(0, joint.find("period")) + "effort_limit = 0.05\n" + joint.substr(joint.find("period"));
+    const auto wrapped = [] {  // a command of −0.12 … 0.12 in counts of 1/1000, read as 16 bits without a sign
+        return record([](Row& r) {
+            const double counts = std::round(1e3 * r.command);
+            r.command = counts < 0 ? 65536 + counts : counts;
+        });
+    };
+    const auto timeless = [] {
+        std::string text = joint;
+        return text.erase(text.find("period = 1e-3\n"), 14);
+    };
+    const std::tuple<std::string, std::string, std::string> cases[] = {
+        {limited, record(), "the logged command reaches 0."},
+        {joint, wrapped(), "two's complement of 16 bits"},
+        {timeless(), record([](Row& r) { r.time *= 1e3; }), "suspected milliseconds: rows are 1 s apart"},
+    };
+    for (const auto& [spec_text, text, says] : cases) {
+        Folder folder;
+        const auto spec = folder.write("joint.toml", spec_text), file = folder.write("run.csv", text);
+        const auto run = stickslip("diagnose '" + spec + "' '" + file + "' --no-report -o '" + (folder / "out") + "'");
+        INFO(run.output);
+        CHECK(run.exit_code == 2);
+        CHECK_THAT(run.output, Contains(says));
+    }
+}
+
+TEST_CASE("a row that a logger held is left away and said to be", "[program][diagnose]")
+{
+    std::string text = record();
+    const auto line = text.find("\n0.1,") + 1;
+    text.insert(line, text.substr(line, text.find('\n', line) - line + 1));
+    Folder folder;
+    const auto run = diagnose(folder, text);
+    INFO(run.output);
+    CHECK(run.exit_code != 2);
+    CHECK_THAT(program::read(folder / "out/diagnosis.json"), Contains("1 rows repeat the row before"));
 }
 
 TEST_CASE("gains that held in one record are no sign of another joint", "[program][diagnose]")
@@ -132,13 +174,13 @@ TEST_CASE("long travel is suspected where nothing confirms the unit, and believe
     Folder folder;
     const auto run = diagnose(folder, text);
     INFO(run.output);
-    CHECK(run.exit_code == 0);
+    CHECK(run.exit_code == 2);
     CHECK_THAT(run.output, Contains("suspected degrees: position travels 100 rad"));
     CHECK_THAT(program::read(folder / "out/diagnosis.json"), Contains("\"verdict\": \"insufficient-data\""));
     folder.write("record.toml", "[columns]\nposition = { unit = \"rad\" }\n");
     const auto named = diagnose(folder, text);
     INFO(named.output);
-    CHECK(named.exit_code == 0);
+    CHECK(named.exit_code != 2);
     CHECK_THAT(named.output, !Contains("suspected degrees"));
 }
 
@@ -192,8 +234,8 @@ TEST_CASE("records that say nothing, and files that are none", "[program][diagno
     std::string gap = record();
     gap.replace(gap.find("0.001,"), 6, "0.001,nan,nan,nan,nan\n0.0015,");
     const Case cases[] = {
-        {record([](Row& r) { r.position = 0.5, r.velocity = 0; }), 0, "the position does not change"},
-        {record([](Row&) {}, 10), 0, "10 rows"},
+        {record([](Row& r) { r.position = 0.5, r.velocity = 0; }), 4, "the position does not change"},
+        {record([](Row&) {}, 10), 4, "10 rows"},
         {gap, 2, "run.csv:3:7: reference_position: is missing"},
         {"", 2, "is empty"},
         {"time,position\n", 2, "has a header and no rows"},
@@ -229,14 +271,14 @@ TEST_CASE("records are told apart, and where the answer goes is tried first", "[
     const auto other = folder.write("b/run.csv", record([](Row& r) { r.position *= -1, r.velocity *= -1; }));
     const auto named = run("'" + file + "' '" + other + "'", folder / "out");
     INFO(named.output);
-    CHECK(named.exit_code == 0);
+    CHECK(named.exit_code == 2);
     CHECK_THAT(named.output, Contains("b/run.csv: suspected sign"));
     const auto nowhere = run("'" + file + "'", file);
     CHECK(nowhere.exit_code == 2);
     CHECK_THAT(nowhere.output, Contains("run.csv"));
     CHECK(run("'" + file + "'", "").exit_code == 2);
     folder.write("out/report.html", "an earlier page");
-    CHECK(run("'" + other + "'", folder / "out").exit_code == 0);
+    CHECK(run("'" + other + "'", folder / "out").exit_code == 2);
     CHECK_FALSE(std::filesystem::exists(folder / "out/report.html"));
 }
 
@@ -247,7 +289,7 @@ TEST_CASE("a table of outcomes is diagnosed alone, and too few rows are said to 
     const auto rows = folder.write("rows.csv", "k_p,V0 [mrad/s],outcome\n2,1,stick-slip\n4,1,stable\n");
     const auto alone = stickslip("diagnose '" + spec + "' '" + rows + "' -o '" + (folder / "out") + "'");
     INFO(alone.output);
-    CHECK(alone.exit_code == 0);
+    CHECK(alone.exit_code == 4);
     CHECK_THAT(alone.output, Contains("do not decide") && Contains("at least 8 rows"));
     CHECK(std::filesystem::exists(folder / "out/report.html"));
     const auto both = stickslip("diagnose '" + spec + "' '" + rows + "' '" + folder.write("run.csv", record()) + "'");

@@ -2,6 +2,7 @@
 
 #include "analysis/diagnosis/audit/audit_filter.h"
 #include "analysis/diagnosis/audit/audit_reference.h"
+#include "analysis/diagnosis/audit/regression.h"
 #include "analysis/diagnosis/plant/controller.h"
 #include "analysis/numerics/line_search.h"
 
@@ -11,45 +12,15 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double flagged_gain = 0.004;  // a gain this far from its document is a finding
 constexpr double exact_command = 2e-3;  // misfit over rms below which the controller is taken as understood
 // A controller between the samples of a slow log, or with a coarse output, is reproduced roughly at best: it is judged
 // all the same, but only a gain that is off by many times what remains is a finding.
 constexpr double rough_command = 0.05, rough_multiple = 5, rough_gain = 0.03;
 
-/// Sums of a regression u = kp·a + kv·b over rows that no limit touches.
-struct Sums {
-    double aa = 0, ab = 0, bb = 0, au = 0, bu = 0, uu = 0, n = 0;
-    void add(double a, double b, double u)
-    {
-        aa += a * a, ab += a * b, bb += b * b, au += a * u, bu += b * u, uu += u * u, n += 1;
-    }
-    struct Answer {
-        double kp, kv, misfit;
-    };
-    Answer solve(bool with_kv) const
-    {
-        Answer r{0, 0, 1};
-        const double determinant = aa * bb - ab * ab;
-        if (with_kv && determinant > 1e-14 * aa * bb) {
-            r.kp = (au * bb - bu * ab) / determinant;
-            r.kv = (bu * aa - au * ab) / determinant;
-        } else if (aa > 0) {
-            r.kp = au / aa;
-        }
-        r.misfit = misfit(r.kp, r.kv);
-        return r;
-    }
-    double misfit(double kp, double kv) const
-    {
-        const double left = uu - 2 * (kp * au + kv * bu) + kp * kp * aa + 2 * kp * kv * ab + kv * kv * bb;
-        return uu > 0 ? std::sqrt(std::max(left, 0.0) / uu) : 0;
-    }
-};
-
-/// Regresses the logged command with this filter time constant and positions read `late` ticks ago.
-void add_rows(const Case& c, double tau, int late, double limit, Sums& sums)
+/// The rows that no limit touches, with this filter time constant: what the gains multiply, and the logged command.
+GainRegression regression_of(const Case& c, double tau, double limit)
 {
+    GainRegression rows;
     Control control = c.joint.control;
     control.velocity_estimate.tau = tau;
     Controller controller(control);
@@ -66,15 +37,15 @@ void add_rows(const Case& c, double tau, int late, double limit, Sums& sums)
         return std::abs(after - before) > bent * fastest;
     };
     for (std::size_t k = 0; k < t.size(); ++k) {
-        const std::size_t seen = k >= static_cast<std::size_t>(late) ? k - static_cast<std::size_t>(late) : 0;
         const double exact = is_set(t.velocity[k]) ? t.velocity[k] : 0;
-        controller.read(t.position[seen], k == 0 ? t.step[0] : t.step[k - 1], exact);
+        controller.read(t.position[k], k == 0 ? t.step[0] : t.step[k - 1], exact);
         if (believed && is_set(t.velocity[k])) controller.believe(t.velocity[k]);
         if (!is_set(t.command[k]) || std::abs(t.command[k]) > 0.999 * limit || !t.enabled[k]) continue;
         if (control.reference_velocity && control.k_v != 0 && kinked(k)) continue;
         const double rate = control.reference_velocity ? t.reference_rate[k] : 0;
-        sums.add(t.reference[k] - t.position[seen], rate - controller.velocity(), t.command[k]);
+        rows.add(t.reference[k] - t.position[k], rate - controller.velocity(), t.command[k] - t.added(k));
     }
+    return rows;
 }
 
 /// Golden-section search of the filter time constant with the least misfit, both gains free.
@@ -83,11 +54,7 @@ double best_tau(const std::vector<Case>& cases, double limit)
     const double tick = cases[0].ticks.step[0];
     const auto misfit = [&](double tau) {
         double worst = 0;
-        for (const auto& c : cases) {
-            Sums s;
-            add_rows(c, tau, 0, limit, s);
-            worst += s.solve(true).misfit;
-        }
+        for (const auto& c : cases) worst += regression_of(c, tau, limit).solve(true).misfit;
         return worst;
     };
     double best = 0, least = misfit(0);
@@ -288,26 +255,22 @@ Audit audit(std::vector<Case>& cases)
     const bool filtered = documented.k_v != 0 && documented.velocity_estimate.form != EstimateForm::exact;
 
     // one gain pair a record: overrides may give every record its own documented gains
-    const auto regress = [&](double tau, int late) {
-        std::vector<Sums::Answer> answers;
-        for (const auto& c : cases) {
-            Sums s;
-            add_rows(c, tau, late, limit, s);
-            answers.push_back(s.solve(c.joint.control.k_v != 0));
-        }
+    const auto regress = [&](double tau) {
+        std::vector<GainRegression::Answer> answers;
+        for (const auto& c : cases) answers.push_back(regression_of(c, tau, limit).solve(c.joint.control.k_v != 0));
         return answers;
     };
-    const auto mean_misfit = [](const std::vector<Sums::Answer>& answers) {
+    const auto mean_misfit = [](const std::vector<GainRegression::Answer>& answers) {
         double sum = 0;
         for (const auto& a : answers) sum += a.misfit;
         return sum / static_cast<double>(answers.size());
     };
     double tau = documented.velocity_estimate.tau;
-    auto answers = regress(tau, 0);
-    if (documented.k_v == 0 && find_missing_k_v(cases, limit, mean_misfit(answers), result)) answers = regress(tau, 0);
+    auto answers = regress(tau);
+    if (documented.k_v == 0 && find_missing_k_v(cases, limit, mean_misfit(answers), result)) answers = regress(tau);
     if (filtered && !result.filter_seen && mean_misfit(answers) > exact_command) {
         const double found = best_tau(cases, limit);
-        const auto with = regress(found, 0);
+        const auto with = regress(found);
         if (mean_misfit(with) < 0.5 * mean_misfit(answers) && filters_differently(tau, found, cases[0].ticks.step[0])) {
             result.findings.push_back({"velocity-filter", "velocity-filter.tau", found, 0, Quantity::time,
                                        1 - std::pow(mean_misfit(with) / mean_misfit(answers), 2)});
@@ -342,8 +305,8 @@ Audit audit(std::vector<Case>& cases)
     double kp = 0, kv = 0;
     int rated = 0;
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        kp += answers[i].kp / cases[i].joint.control.k_p / static_cast<double>(cases.size());
-        if (cases[i].joint.control.k_v != 0) kv += answers[i].kv / cases[i].joint.control.k_v, ++rated;
+        kp += answers[i].k_p / cases[i].joint.control.k_p / static_cast<double>(cases.size());
+        if (cases[i].joint.control.k_v != 0) kv += answers[i].k_v / cases[i].joint.control.k_v, ++rated;
     }
     if (rated) kv /= rated;
     const auto between_records = [&](double mean, auto&& of) {
@@ -355,12 +318,12 @@ Audit audit(std::vector<Case>& cases)
     if (std::abs(kp - 1) > flagged)
         result.findings.push_back(
             {"gain-k_p", "gain-k_p.factor", kp,
-             between_records(kp, [&](std::size_t i) { return answers[i].kp / cases[i].joint.control.k_p; }),
+             between_records(kp, [&](std::size_t i) { return answers[i].k_p / cases[i].joint.control.k_p; }),
              Quantity::number, 1});
     if (rated && std::abs(kv - 1) > flagged)
         result.findings.push_back(
             {"gain-k_v", "gain-k_v.factor", kv,
-             between_records(kv, [&](std::size_t i) { return answers[i].kv / cases[i].joint.control.k_v; }),
+             between_records(kv, [&](std::size_t i) { return answers[i].k_v / cases[i].joint.control.k_v; }),
              Quantity::number, 1});
     for (auto& c : cases) {
         if (std::abs(kp - 1) > flagged) c.joint.control.k_p *= kp;
@@ -374,8 +337,8 @@ Audit audit(std::vector<Case>& cases)
             Controller controller(c.joint.control);
             for (std::size_t k = 0; k < c.ticks.size(); ++k) {
                 controller.read(c.ticks.position[k], k == 0 ? c.ticks.step[0] : c.ticks.step[k - 1], 0);
-                wanted =
-                    std::max(wanted, std::abs(controller.unlimited(c.ticks.reference[k], c.ticks.reference_rate[k])));
+                wanted = std::max(wanted, std::abs(controller.unlimited(c.ticks.reference[k], c.ticks.reference_rate[k],
+                                                                        c.ticks.added(k))));
             }
         }
         if (wanted > 1.01 * limit) {

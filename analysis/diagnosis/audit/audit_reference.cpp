@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/audit/audit_reference.h"
 
+#include "analysis/diagnosis/audit/regression.h"
 #include "analysis/diagnosis/fit/reference.h"
 #include "analysis/diagnosis/plant/controller.h"
 #include "analysis/numerics/line_search.h"
@@ -13,17 +14,9 @@ namespace {
 constexpr double well_explained = 0.05;  // misfit of the differences over their rms at which the audit is believed
 constexpr double least_change = 0.004, deviations = 5;
 
-struct Gains {
-    double k_p = 0, k_v = 0, k_p_error = 0, k_v_error = 0;
-    double misfit = 1;  ///< rms of what is left over rms of the command's differences
-};
-
-/// Fourth differences of the command, and of what it is computed from; rows whose stencil a limit touches are left out.
-struct Differences {
-    std::vector<double> command, position, velocity;
-};
-
-Differences differences(const Case& c, double tau, double limit)
+/// Fourth differences of the command, and of what it is computed from; rows whose stencil a limit touches are left
+/// out.
+GainRegression differences(const Case& c, double tau, double limit)
 {
     Control control = c.joint.control;
     control.velocity_estimate.tau = tau;
@@ -36,56 +29,41 @@ Differences differences(const Case& c, double tau, double limit)
         if (!t.logged[k]) continue;
         const bool usable = is_set(t.command[k]) && std::abs(t.command[k]) < 0.999 * limit && t.enabled[k];
         y.push_back(t.position[k]), v.push_back(controller.velocity());
-        u.push_back(usable ? t.command[k] : not_set);
+        u.push_back(usable ? t.command[k] - t.added(k) : not_set);
     }
-    Differences d;
+    GainRegression d;
     const auto fourth = [](const std::vector<double>& x, std::size_t k) {
         return x[k] - 4 * x[k - 1] + 6 * x[k - 2] - 4 * x[k - 3] + x[k - 4];
     };
-    // on a coarse grid most readings repeat: rows where nothing changed tell of the reference, not of the controller
+    // on a coarse grid most readings repeat: rows where nothing changed tell of the reference, not of the
+    // controller
     constexpr double nothing = 1e-6;
     double largest = 0;
     for (std::size_t k = 4; k < y.size(); ++k) largest = std::max(largest, std::abs(fourth(y, k)));
     for (std::size_t k = 4; k < u.size(); ++k)
         if (const double du = fourth(u, k), dy = fourth(y, k); is_set(du) && std::abs(dy) > nothing * largest)
-            d.command.push_back(du), d.position.push_back(dy), d.velocity.push_back(fourth(v, k));
+            d.add(-dy, -fourth(v, k), du);
     return d;
 }
 
-/// Least squares of −D⁴u on D⁴y and D⁴v, three times, each without what the last one found to be far off.
-Gains regress(const Differences& d, bool with_k_v)
+/// Least squares of D⁴u on −D⁴y and −D⁴v, three times, each without what the last one found to be far off.
+GainRegression::Answer regress(const GainRegression& d, bool with_k_v)
 {
-    Gains g;
-    const std::size_t n = d.command.size();
-    if (n < 100) return g;
+    GainRegression::Answer g;
+    const std::size_t n = d.rows().size();
+    constexpr std::size_t few = 100;
+    if (n < few) return g;
     double within = infinity;
     for (int round = 0; round < 3; ++round) {
-        double aa = 0, ab = 0, bb = 0, au = 0, bu = 0, uu = 0, rows = 0;
-        const auto left_of = [&](std::size_t k) {
-            return d.command[k] + g.k_p * d.position[k] + (with_k_v ? g.k_v * d.velocity[k] : 0);
-        };
-        std::vector<std::size_t> used;
-        for (std::size_t k = 0; k < n; ++k)
-            if (std::abs(left_of(k)) <= within) used.push_back(k);
-        for (std::size_t k : used) {
-            const double a = -d.position[k], b = with_k_v ? -d.velocity[k] : 0, u = d.command[k];
-            aa += a * a, ab += a * b, bb += b * b, au += a * u, bu += b * u, uu += u * u, rows += 1;
-        }
-        const double determinant = with_k_v ? aa * bb - ab * ab : aa;
-        if (rows < 0.5 * static_cast<double>(n) || !(determinant > 1e-10 * aa * (with_k_v ? bb : 1))) return {};
-        g.k_p = with_k_v ? (au * bb - bu * ab) / determinant : au / aa;
-        g.k_v = with_k_v ? (bu * aa - au * ab) / determinant : 0;
-        double left = 0;  // summed, since the difference of two sums would end at a part in 10⁸
-        for (std::size_t k : used) left += left_of(k) * left_of(k);
-        g.misfit = uu > 0 ? std::sqrt(left / uu) : 1;
-        g.k_p_error = std::sqrt(left / rows * (with_k_v ? bb : 1) / determinant);
-        g.k_v_error = with_k_v ? std::sqrt(left / rows * aa / determinant) : 0;
+        const auto last = g;
+        g = d.solve(with_k_v, [&](const auto& row) { return std::abs(GainRegression::left(row, last)) <= within; });
+        if (g.used < 0.5 * static_cast<double>(n) || g.both != with_k_v) return {};
         std::vector<double> sizes;
-        for (std::size_t k = 0; k < n; ++k) sizes.push_back(std::abs(left_of(k)));
+        for (const auto& row : d.rows()) sizes.push_back(std::abs(GainRegression::left(row, g)));
         const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(n / 2);
         std::nth_element(sizes.begin(), middle, sizes.end());
         constexpr double outlier = 8;  // medians
-        within = std::max(outlier * *middle, 1e-12 * std::sqrt(uu / rows));
+        within = std::max(outlier * *middle, 1e-12 * g.rms);
     }
     return g;
 }
@@ -136,7 +114,7 @@ void audit_without_reference(std::vector<Case>& cases, double limit, Audit& resu
     Factor k_p{0}, k_v{0};
     const auto n = static_cast<double>(cases.size());
     for (const auto& c : cases) {
-        const Gains g = regress(differences(c, tau, limit), damped);
+        const auto g = regress(differences(c, tau, limit), damped);
         if (g.misfit > well_explained || c.joint.control.k_p == 0) return;
         k_p.value += g.k_p / c.joint.control.k_p / n;
         k_p.error = std::hypot(k_p.error, g.k_p_error / c.joint.control.k_p / n);
@@ -146,7 +124,8 @@ void audit_without_reference(std::vector<Case>& cases, double limit, Audit& resu
     }
     result.command_explained = true;
     result.notes.push_back(
-        "no reference was logged: the controller's gains were read from how the encoder's noise comes through it, and "
+        "no reference was logged: the controller's gains were read from how the encoder's noise comes through it, "
+        "and "
         "the reference was rebuilt from the command");
     if (k_p.off())
         result.findings.push_back({"gain-k_p", "gain-k_p.factor", k_p.value, k_p.error, Quantity::number, 1});

@@ -27,34 +27,6 @@ void check_column(const Record& r, const char* name, const std::vector<double>& 
         }
 }
 
-/// Suspects a unit from the ratio of the measured span to the reference's, or of the command to what the gains make of
-/// it.
-void suspect_units(const Record& r, const Joint& joint, Inspection& result)
-{
-    const bool revolute = joint.mechanism.motion == Motion::revolute;
-    const double measured = span_of(r.position), reference = span_of(r.reference_position);
-    const auto near = [](double ratio, double of) { return ratio > 0.8 * of && ratio < 1.25 * of; };
-    if (reference > 0 && measured > 0) {
-        for (const auto& [factor, words] :
-             {std::pair{57.29577951308232, "degrees against radians"}, {1000.0, "millimetres against metres"}}) {
-            if (near(measured / reference, factor) || near(reference / measured, factor))
-                result.notes.push_back(r.name + ": position and reference differ by a factor of " +
-                                       std::to_string(static_cast<int>(factor)) + ": " + words + " are suspected");
-        }
-    }
-    constexpr double many_turns = 60, long_axis = 10;
-    if (revolute && measured > many_turns)
-        result.notes.push_back(r.name + ": the position spans " + std::to_string(static_cast<int>(measured)) +
-                               " rad; degrees are suspected where radians are expected");
-    if (!revolute && measured > long_axis)
-        result.notes.push_back(r.name + ": the position spans " + std::to_string(static_cast<int>(measured)) +
-                               " m; millimetres are suspected where metres are expected");
-    const double step = r.rows() > 1 ? median_step(r.time) : 0;
-    if (step >= 0.5)
-        result.notes.push_back(r.name + ": rows are " + std::to_string(step) +
-                               " s apart; milliseconds are suspected where seconds are expected");
-}
-
 }  // namespace
 
 Inspection inspect(const Record& r, const Joint& joint)
@@ -74,6 +46,12 @@ Inspection inspect(const Record& r, const Joint& joint)
     check_column(r, "drive", r.drive, result);
     check_column(r, "current", r.current, result);
     check_column(r, "supply_voltage", r.supply_voltage, result);
+    check_column(r, "feed_forward", r.feed_forward, result);
+    check_column(r, "load_effort", r.load_effort, result);
+    check_column(r, "inertia", r.inertia, result);
+    for (std::size_t k = 0; k < r.inertia.size() && result.errors.empty(); ++k)
+        if (!(r.inertia[k] > 0))
+            result.errors.push_back(r.name + ": inertia is not positive in row " + std::to_string(k + 1));
     if (!result.errors.empty()) return result;
     for (std::size_t k = 1; k < r.rows(); ++k)
         if (r.time[k] <= r.time[k - 1]) {
@@ -91,7 +69,10 @@ Inspection inspect(const Record& r, const Joint& joint)
     const double resolution = std::max(joint.sensor.encoder_quantum, joint.sensor.position_noise);
     if (span_of(r.position) <= 8 * resolution || span_of(r.position) == 0)
         result.shortages.push_back(r.name + ": the position does not change beyond its noise");
-    suspect_units(r, joint, result);
+    const double ticks = r.rows() > 1 && is_set(joint.control.period) ? median_step(r.time) / joint.control.period : 1;
+    if (ticks > 1.5 && (ticks >= most_ticks_per_row || std::abs(ticks - std::round(ticks)) > 0.02))
+        result.notes.push_back(r.name + ": rows are " + std::to_string(ticks) +
+                               " periods of the loop apart, no whole number of them: every row is taken for a tick");
     const bool command = !r.effort_command.empty() || !r.drive.empty();
     if (!command && r.reference_position.empty())
         result.shortages.push_back(r.name +

@@ -251,9 +251,12 @@ Scales scales_of(const std::vector<Case>& cases)
         tick = std::max(tick, is_set(c.joint.control.period) ? c.joint.control.period : c.row_step);
         duration = std::max(duration, c.ticks.duration());
         for (double u : known) command = std::max(command, std::abs(u));
-        s.inertia = plant.motor_inertia + (plant.two_mass ? plant.link_inertia : 0);
+        s.inertia = plant.driven_inertia();
         Joint copy = c.joint;
-        s.coulomb = coulomb_level(main_friction(copy));
+        const Friction& main = main_friction(copy);
+        s.load = {plant.ratio, plant.link_per_seen()};
+        s.friction = &main == &copy.frictions.link ? s.load : Reflected{1, plant.motor_per_seen()};
+        s.coulomb = coulomb_level(main) / s.friction.effort;
         if (is_set(c.joint.actuator.supply_voltage)) s.supply = c.joint.actuator.supply_voltage;
     }
     constexpr double least = 1e-12;

@@ -14,9 +14,9 @@ Effect asymmetric_friction()
     {
         EffectForm f;
         f.parameters = {
-            {"coulomb", Quantity::effort, Scale::effort, false, -2, 2, 0.1,
+            {"coulomb", Quantity::effort, Scale::friction_effort, false, -2, 2, 0.1,
              "half the Coulomb difference between + and -"},
-            {"viscous", Quantity::damping, Scale::damping, false, -3, 3, 0.1,
+            {"viscous", Quantity::damping, Scale::friction_damping, false, -3, 3, 0.1,
              "half the viscous difference between + and -"},
         };
         f.apply = [](Joint& j, const double* p) {

@@ -40,7 +40,7 @@ Effect backlash()
         EffectForm f;
         f.name = "two-mass";
         f.parameters = {
-            {"width", Quantity::position, Scale::position, true, 1e-05, 0.5, 0.01, "total play"},
+            {"width", Quantity::position, Scale::load_position, true, 1e-05, 0.5, 0.01, "total play"},
         };
         f.apply = [](Joint& j, const double* p) { j.mechanism.transmission.backlash = p[0]; };
         // a wrong width is worse than none: only within a fifth of the right one does the misfit lead to it

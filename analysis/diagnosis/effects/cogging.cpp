@@ -14,9 +14,9 @@ Effect cogging()
     {
         EffectForm f;
         f.parameters = {
-            {"sine", Quantity::effort, Scale::effort, false, -2, 2, 0.1, "sine part"},
-            {"cosine", Quantity::effort, Scale::effort, false, -2, 2, 0.1, "cosine part"},
-            {"periods", Quantity::per_position, Scale::wave_number, true, 1, 2000, 20, "angular wave number n",
+            {"sine", Quantity::effort, Scale::load_effort, false, -2, 2, 0.1, "sine part"},
+            {"cosine", Quantity::effort, Scale::load_effort, false, -2, 2, 0.1, "cosine part"},
+            {"periods", Quantity::per_position, Scale::load_wave_number, true, 1, 2000, 20, "angular wave number n",
              Comb::position},
         };
         f.apply = [](Joint& j, const double* p) {

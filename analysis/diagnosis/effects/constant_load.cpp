@@ -14,7 +14,7 @@ Effect constant_load()
     {
         EffectForm f;
         f.parameters = {
-            {"force", Quantity::effort, Scale::effort, false, -3, 3, 0.2, "additional constant load"},
+            {"force", Quantity::effort, Scale::load_effort, false, -3, 3, 0.2, "additional constant load"},
         };
         f.apply = [](Joint& j, const double* p) { j.load.constant += p[0]; };
         f.seeds = {{0}};

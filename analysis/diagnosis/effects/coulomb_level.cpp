@@ -14,7 +14,7 @@ Effect coulomb_level()
     {
         EffectForm f;
         f.parameters = {
-            {"change", Quantity::effort, Scale::effort, false, -2, 2, 0.2, "change of the Coulomb level"},
+            {"change", Quantity::effort, Scale::friction_effort, false, -2, 2, 0.2, "change of the Coulomb level"},
         };
         f.parameters[0].vanishes = true;
         f.apply = [](Joint& j, const double* p) { shift_coulomb(main_friction(j), p[0]); };

@@ -14,7 +14,8 @@ Effect friction_drift()
     {
         EffectForm f;
         f.parameters = {
-            {"change", Quantity::effort, Scale::effort, false, -3, 3, 0.2, "final change of the Coulomb level"},
+            {"change", Quantity::effort, Scale::friction_effort, false, -3, 3, 0.2,
+             "final change of the Coulomb level"},
             {"time_constant", Quantity::time, Scale::duration, true, 0.02, 10, 0.5, "time constant"},
         };
         f.apply = [](Joint& j, const double* p) { main_friction(j).drift = {p[0], p[1]}; };

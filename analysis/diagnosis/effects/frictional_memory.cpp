@@ -28,10 +28,10 @@ Effect frictional_memory()
         EffectForm f;
         f.name = "slip";
         f.parameters = {
-            {"A", Quantity::effort, Scale::effort, true, 1e-05, 0.5, 0.02, "direct velocity effect"},
-            {"B", Quantity::effort, Scale::effort, true, 1e-05, 1, 0.04, "evolution effect"},
-            {"L", Quantity::position, Scale::position, true, 1e-06, 0.5, 0.01, "characteristic slip distance"},
-            {"V_star", Quantity::velocity, Scale::velocity, true, 0.0001, 10, 0.1, "reference velocity V*"},
+            {"A", Quantity::effort, Scale::friction_effort, true, 1e-05, 0.5, 0.02, "direct velocity effect"},
+            {"B", Quantity::effort, Scale::friction_effort, true, 1e-05, 1, 0.04, "evolution effect"},
+            {"L", Quantity::position, Scale::friction_position, true, 1e-06, 0.5, 0.01, "characteristic slip distance"},
+            {"V_star", Quantity::velocity, Scale::friction_velocity, true, 0.0001, 10, 0.1, "reference velocity V*"},
         };
         f.apply = [](Joint& j, const double* p) { remember(j, p, MemoryForm::slip); };
         f.seeds = {{0.02, 0.05, 0.01, 0.1}, {0.02, 0.05, 0.001, 0.5}};
@@ -41,10 +41,10 @@ Effect frictional_memory()
         EffectForm f;
         f.name = "ageing";
         f.parameters = {
-            {"A", Quantity::effort, Scale::effort, true, 1e-05, 0.5, 0.02, "direct velocity effect"},
-            {"B", Quantity::effort, Scale::effort, true, 1e-05, 1, 0.04, "evolution effect"},
-            {"L", Quantity::position, Scale::position, true, 1e-06, 0.5, 0.01, "characteristic slip distance"},
-            {"V_star", Quantity::velocity, Scale::velocity, true, 0.0001, 10, 0.1, "reference velocity V*"},
+            {"A", Quantity::effort, Scale::friction_effort, true, 1e-05, 0.5, 0.02, "direct velocity effect"},
+            {"B", Quantity::effort, Scale::friction_effort, true, 1e-05, 1, 0.04, "evolution effect"},
+            {"L", Quantity::position, Scale::friction_position, true, 1e-06, 0.5, 0.01, "characteristic slip distance"},
+            {"V_star", Quantity::velocity, Scale::friction_velocity, true, 0.0001, 10, 0.1, "reference velocity V*"},
         };
         f.apply = [](Joint& j, const double* p) { remember(j, p, MemoryForm::ageing); };
         f.seeds = {{0.02, 0.05, 0.01, 0.1}};
@@ -54,8 +54,8 @@ Effect frictional_memory()
         EffectForm f;
         f.name = "lag";
         f.parameters = {
-            {"c2", Quantity::effort, Scale::effort, false, 0, 3, 0.2, "static friction above Coulomb"},
-            {"c3", Quantity::velocity, Scale::velocity, true, 0.0001, 3, 0.1, "Stribeck velocity"},
+            {"c2", Quantity::effort, Scale::friction_effort, false, 0, 3, 0.2, "static friction above Coulomb"},
+            {"c3", Quantity::velocity, Scale::friction_velocity, true, 0.0001, 3, 0.1, "Stribeck velocity"},
             {"lag", Quantity::time, Scale::tick, true, 0.5, 300, 10, "time lag of the velocity dependence"},
         };
         f.apply = [](Joint& j, const double* p) {

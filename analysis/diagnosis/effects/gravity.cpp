@@ -15,7 +15,7 @@ Effect gravity()
         EffectForm f;
         f.name = "amplitude";
         f.parameters = {
-            {"amplitude", Quantity::effort, Scale::effort, false, -3, 3, 0.3, "additional m g l"},
+            {"amplitude", Quantity::effort, Scale::load_effort, false, -3, 3, 0.3, "additional m g l"},
         };
         f.apply = [](Joint& j, const double* p) { add_wave(j.load.gravity_amplitude, j.load.gravity_phase, p[0], 0); };
         f.seeds = {{0}};
@@ -25,8 +25,8 @@ Effect gravity()
         EffectForm f;
         f.name = "phase";
         f.parameters = {
-            {"sine", Quantity::effort, Scale::effort, false, -3, 3, 0.3, "additional m g l, sine part"},
-            {"cosine", Quantity::effort, Scale::effort, false, -3, 3, 0.3, "cosine part"},
+            {"sine", Quantity::effort, Scale::load_effort, false, -3, 3, 0.3, "additional m g l, sine part"},
+            {"cosine", Quantity::effort, Scale::load_effort, false, -3, 3, 0.3, "cosine part"},
         };
         f.apply = [](Joint& j, const double* p) {
             add_wave(j.load.gravity_amplitude, j.load.gravity_phase, p[0], p[1]);

@@ -14,8 +14,8 @@ Effect periodic_disturbance()
     {
         EffectForm f;
         f.parameters = {
-            {"sine", Quantity::effort, Scale::effort, false, -2, 2, 0.1, "sine part"},
-            {"cosine", Quantity::effort, Scale::effort, false, -2, 2, 0.1, "cosine part"},
+            {"sine", Quantity::effort, Scale::load_effort, false, -2, 2, 0.1, "sine part"},
+            {"cosine", Quantity::effort, Scale::load_effort, false, -2, 2, 0.1, "cosine part"},
             {"frequency", Quantity::angular_frequency, Scale::angular_frequency, true, 0.3, 600, 20,
              "angular frequency", Comb::time},
         };
@@ -34,8 +34,8 @@ Effect periodic_disturbance()
         f.parameters = {
             {"frequency", Quantity::angular_frequency, Scale::angular_frequency, true, 0.3, 600, 20,
              "angular frequency", Comb::time},
-            {"sine", Quantity::effort, Scale::effort, false, -2, 2, 0.1, "sine part"},
-            {"cosine", Quantity::effort, Scale::effort, false, -2, 2, 0.1, "cosine part"},
+            {"sine", Quantity::effort, Scale::load_effort, false, -2, 2, 0.1, "sine part"},
+            {"cosine", Quantity::effort, Scale::load_effort, false, -2, 2, 0.1, "cosine part"},
         };
         f.own = 2;
         f.apply = [](Joint& j, const double* p) {

@@ -14,10 +14,10 @@ Effect position_dependent_friction()
     {
         EffectForm f;
         f.parameters = {
-            {"sine", Quantity::effort, Scale::effort, false, -2, 2, 0.1,
+            {"sine", Quantity::effort, Scale::friction_effort, false, -2, 2, 0.1,
              "sine part of the change of the Coulomb level"},
-            {"cosine", Quantity::effort, Scale::effort, false, -2, 2, 0.1, "cosine part"},
-            {"periods", Quantity::per_position, Scale::wave_number, true, 1, 2000, 20, "angular wave number n",
+            {"cosine", Quantity::effort, Scale::friction_effort, false, -2, 2, 0.1, "cosine part"},
+            {"periods", Quantity::per_position, Scale::friction_wave_number, true, 1, 2000, 20, "angular wave number n",
              Comb::position_flipped},
         };
         f.apply = [](Joint& j, const double* p) {

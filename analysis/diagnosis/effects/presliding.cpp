@@ -15,7 +15,8 @@ Effect presliding()
         EffectForm f;
         f.name = "dahl";
         f.parameters = {
-            {"stiffness", Quantity::stiffness, Scale::stiffness, true, 1, 10000000.0, 1000.0, "bristle stiffness"},
+            {"stiffness", Quantity::stiffness, Scale::friction_stiffness, true, 1, 10000000.0, 1000.0,
+             "bristle stiffness"},
         };
         f.apply = [](Joint& j, const double* p) { main_friction(j).bristle = {p[0], 0}; };
         f.seeds = {{30}, {1000}};
@@ -25,8 +26,9 @@ Effect presliding()
         EffectForm f;
         f.name = "lugre";
         f.parameters = {
-            {"stiffness", Quantity::stiffness, Scale::stiffness, true, 1, 10000000.0, 1000.0, "bristle stiffness"},
-            {"damping", Quantity::damping, Scale::damping, true, 0.001, 1000.0, 1, "bristle damping"},
+            {"stiffness", Quantity::stiffness, Scale::friction_stiffness, true, 1, 10000000.0, 1000.0,
+             "bristle stiffness"},
+            {"damping", Quantity::damping, Scale::friction_damping, true, 0.001, 1000.0, 1, "bristle damping"},
         };
         f.apply = [](Joint& j, const double* p) { main_friction(j).bristle = {p[0], p[1]}; };
         f.seeds = {{30, 0.3}, {1000, 1}};

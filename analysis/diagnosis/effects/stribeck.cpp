@@ -15,8 +15,8 @@ Effect stribeck()
         EffectForm f;
         f.name = "gaussian";
         f.parameters = {
-            {"c2", Quantity::effort, Scale::effort, false, 0, 3, 0.2, "static friction above Coulomb"},
-            {"c3", Quantity::velocity, Scale::velocity, true, 0.0001, 3, 0.1, "Stribeck velocity"},
+            {"c2", Quantity::effort, Scale::friction_effort, false, 0, 3, 0.2, "static friction above Coulomb"},
+            {"c3", Quantity::velocity, Scale::friction_velocity, true, 0.0001, 3, 0.1, "Stribeck velocity"},
         };
         f.apply = [](Joint& j, const double* p) { set_stribeck(main_friction(j), p[0], p[1], 2); };
         f.seeds = {{0.1, 0.03}, {0.1, 0.3}};
@@ -26,8 +26,8 @@ Effect stribeck()
         EffectForm f;
         f.name = "exponential";
         f.parameters = {
-            {"c2", Quantity::effort, Scale::effort, false, 0, 3, 0.2, "static friction above Coulomb"},
-            {"c3", Quantity::velocity, Scale::velocity, true, 0.0001, 3, 0.1, "Stribeck velocity"},
+            {"c2", Quantity::effort, Scale::friction_effort, false, 0, 3, 0.2, "static friction above Coulomb"},
+            {"c3", Quantity::velocity, Scale::friction_velocity, true, 0.0001, 3, 0.1, "Stribeck velocity"},
         };
         f.apply = [](Joint& j, const double* p) { set_stribeck(main_friction(j), p[0], p[1], 1); };
         f.seeds = {{0.1, 0.1}};

@@ -14,7 +14,7 @@ Effect viscous()
     {
         EffectForm f;
         f.parameters = {
-            {"change", Quantity::damping, Scale::damping, false, -5, 5, 0.2, "change of the viscous slope"},
+            {"change", Quantity::damping, Scale::friction_damping, false, -5, 5, 0.2, "change of the viscous slope"},
         };
         f.parameters[0].vanishes = true;
         f.apply = [](Joint& j, const double* p) { shift_viscous(main_friction(j), p[0]); };

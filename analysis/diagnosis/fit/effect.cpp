@@ -5,25 +5,67 @@
 
 namespace stickslip::gap {
 
+namespace {
+
+double unit_with(Scale scale, double effort, double velocity, double position)
+{
+    switch (scale) {
+        case Scale::velocity:
+            return velocity;
+        case Scale::position:
+            return position;
+        case Scale::damping:
+            return effort / velocity;
+        case Scale::stiffness:
+            return effort / position;
+        case Scale::wave_number:
+            return 1 / position;
+        default:
+            return effort;
+    }
+}
+
+double on(const Reflected& body, Scale scale, const Scales& s)
+{
+    return unit_with(scale, s.effort * body.effort, s.velocity * body.motion, s.position * body.motion);
+}
+
+}  // namespace
+
 double unit_of(Scale scale, const Scales& s)
 {
     switch (scale) {
         case Scale::one:
             return 1;
         case Scale::effort:
-            return s.effort;
+        case Scale::velocity:
+        case Scale::position:
+        case Scale::damping:
+        case Scale::stiffness:
+        case Scale::wave_number:
+            return on({}, scale, s);
+        case Scale::friction_effort:
+            return on(s.friction, Scale::effort, s);
+        case Scale::friction_velocity:
+            return on(s.friction, Scale::velocity, s);
+        case Scale::friction_position:
+            return on(s.friction, Scale::position, s);
+        case Scale::friction_damping:
+            return on(s.friction, Scale::damping, s);
+        case Scale::friction_stiffness:
+            return on(s.friction, Scale::stiffness, s);
+        case Scale::friction_wave_number:
+            return on(s.friction, Scale::wave_number, s);
+        case Scale::load_effort:
+            return on(s.load, Scale::effort, s);
+        case Scale::load_velocity:
+            return on(s.load, Scale::velocity, s);
+        case Scale::load_position:
+            return on(s.load, Scale::position, s);
+        case Scale::load_wave_number:
+            return on(s.load, Scale::wave_number, s);
         case Scale::peak_effort:
             return s.peak_effort;
-        case Scale::velocity:
-            return s.velocity;
-        case Scale::position:
-            return s.position;
-        case Scale::damping:
-            return s.effort / s.velocity;
-        case Scale::stiffness:
-            return s.effort / s.position;
-        case Scale::wave_number:
-            return 1 / s.position;
         case Scale::tick:
             return s.tick;
         case Scale::duration:
@@ -106,7 +148,9 @@ Friction& main_friction(Joint& joint)
 {
     if (is_single_mass(joint)) return joint.friction;
     auto& f = joint.frictions;
-    return coulomb_level(f.link) > coulomb_level(f.motor) ? f.link : f.motor;
+    // at the joint's side the motor's friction counts N times
+    const double reduction = joint.mechanism.transmission.ratio;
+    return coulomb_level(f.link) > reduction * coulomb_level(f.motor) ? f.link : f.motor;
 }
 
 namespace {

@@ -10,19 +10,25 @@ namespace stickslip::gap {
 
 struct FreeForce;
 
+/// What a body feels and does behind a reduction, per effort of the motor and per motion that the encoder sees.
+struct Reflected {
+    double effort = 1, motion = 1;
+};
+
 /// What one of something means for this joint and these records: parameters are fitted in these units, so that a step
 /// of one in every parameter is about equally large.
 struct Scales {
-    double effort = 1;       ///< rms effort that moves the joint
-    double velocity = 1;     ///< 95th percentile of |velocity|
-    double position = 1;     ///< span of the positions
-    double inertia = 1;      ///< of all bodies together
-    double tick = 1e-3;      ///< s
-    double duration = 10;    ///< s, longest record
-    double peak_effort = 1;  ///< largest |effort|, measured or predicted
-    double command = 1;      ///< largest |command|, in the drive's unit
-    double coulomb = 0;      ///< nominal Coulomb level
-    double supply = 1;       ///< V
+    double effort = 1;         ///< rms effort that moves the joint
+    double velocity = 1;       ///< 95th percentile of |velocity|
+    double position = 1;       ///< span of the positions
+    double inertia = 1;        ///< of all bodies, as the motor feels it
+    double tick = 1e-3;        ///< s
+    double duration = 10;      ///< s, longest record
+    double peak_effort = 1;    ///< largest |effort|, measured or predicted
+    double command = 1;        ///< largest |command|, in the drive's unit
+    double coulomb = 0;        ///< nominal Coulomb level, as the motor feels it
+    double supply = 1;         ///< V
+    Reflected friction, load;  ///< the body that carries main_friction(); the link
 };
 
 /// The unit in which a parameter is fitted.
@@ -39,7 +45,17 @@ enum class Scale {
     duration,
     inertia,
     angular_frequency,
-    command
+    command,
+    friction_effort,  ///< the same for the body that carries main_friction(), behind its reduction
+    friction_velocity,
+    friction_position,
+    friction_damping,
+    friction_stiffness,
+    friction_wave_number,
+    load_effort,  ///< and for the link
+    load_velocity,
+    load_position,
+    load_wave_number
 };
 
 /// A frequency that is best found on a grid before fitting.

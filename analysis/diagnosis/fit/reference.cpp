@@ -37,7 +37,7 @@ Seen see(const Case& c, double limit)
         if (seen.limited[k] != 0)
             seen.least[k] = seen.limited[k] * limit + fed_back;
         else if (t.logged[k] && is_set(t.command[k]))
-            seen.sum[k] = t.command[k] + fed_back;
+            seen.sum[k] = t.command[k] - t.added(k) + fed_back;
     }
     return seen;
 }

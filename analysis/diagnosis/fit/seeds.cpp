@@ -126,7 +126,8 @@ std::vector<Eigen::VectorXd> starts(const std::vector<Case>& cases, const Scales
                     peaks.push_back(f);
             for (double f : peaks) {
                 auto seed = form.seeds.front();
-                seed[i] = f / unit_of(p.scale, scales);
+                // peaks are those of the seen position, whichever body the wave belongs to
+                seed[i] = f / unit_of(p.comb == Comb::time ? p.scale : Scale::wave_number, scales);
                 all.push_back(in_every_record(seed));
             }
             return all;

@@ -70,7 +70,7 @@ double rms(const std::vector<double>& squares)
 std::vector<double> missing_force(const Case& c, const Joint& joint, double corner)
 {
     const Plant plant = flatten(joint);
-    const double inertia = plant.motor_inertia + (plant.two_mass ? plant.link_inertia : 0);
+    const double inertia = plant.driven_inertia();
     const double T = c.row_step, held = std::min(T, 0.5 / observer);
     const double g = 1.6 * observer * held, k = observer * observer * held;
     Innovation innovation;

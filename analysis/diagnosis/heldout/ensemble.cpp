@@ -136,6 +136,8 @@ std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, 
         double n = 0;
         for (std::size_t k = 0; k < t.size(); ++k) {
             if (!inside(k) || !is_set(measured[k])) continue;
+            // while the drive is off nothing came of the command, and nothing can be learnt of it
+            if (column == &Trace::command && !t.enabled[k]) continue;
             double mean = 0, square = 0;
             for (const auto& trace : traces) {
                 const double x = (trace.*column)[k];
@@ -168,6 +170,21 @@ std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, 
     return squares;
 }
 
+namespace {
+
+/// A simulation that is unstable or chaotic at its rate differs from itself by a good part of the motion: anything
+/// would then be within what it does.
+bool own_runs_agree(const std::vector<SignalSquares>& signals, double span, double sigma)
+{
+    constexpr double part = 0.02, readings = 20;  // of the span; standard deviations of a reading
+    for (const auto& s : signals)
+        if (s.signal == "position" && !(std::sqrt(0.5 * s.floor) < std::max(part * span, readings * sigma)))
+            return false;
+    return true;
+}
+
+}  // namespace
+
 bool closed_loop_at_floor(const std::vector<Case>& cases, const Candidate& candidate, const std::vector<double>& si,
                           const ParallelFor& parallel)
 {
@@ -178,6 +195,7 @@ bool closed_loop_at_floor(const std::vector<Case>& cases, const Candidate& candi
         const auto signals = compare(cases[i], edited(cases[i].joint, candidate, si, cases[i].number), closed_loop_runs,
                                      -infinity, infinity);
         fine[i] =
+            own_runs_agree(signals, span_of(cases[i].ticks.position), cases[i].sigma) &&
             std::all_of(signals.begin(), signals.end(), [](const auto& s) { return s.difference <= slack * s.floor; });
     });
     return std::all_of(fine.begin(), fine.end(), [](int yes) { return yes != 0; });

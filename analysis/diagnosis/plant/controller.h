@@ -31,14 +31,15 @@ class Controller {
     /// Takes a logged estimate in place of the controller's own.
     void believe(double velocity) { velocity_ = velocity; }
     double velocity() const { return velocity_; }
-    double unlimited(double reference, double reference_rate) const
+    /// `added`: what the record says was added to the controller's own, a feed-forward.
+    double unlimited(double reference, double reference_rate, double added = 0) const
     {
         const double rate_error = (c_.reference_velocity ? reference_rate : 0) - velocity_;
-        return c_.k_p * (reference - position_) + (c_.k_v != 0 ? c_.k_v * rate_error : 0);
+        return c_.k_p * (reference - position_) + (c_.k_v != 0 ? c_.k_v * rate_error : 0) + added;
     }
-    double command(double reference, double reference_rate) const
+    double command(double reference, double reference_rate, double added = 0) const
     {
-        return std::clamp(unlimited(reference, reference_rate), -c_.effort_limit, c_.effort_limit);
+        return std::clamp(unlimited(reference, reference_rate, added), -c_.effort_limit, c_.effort_limit);
     }
 
   private:

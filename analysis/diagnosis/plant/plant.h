@@ -64,6 +64,22 @@ struct Plant {
     double step_factor = 1;  ///< by which time steps are longer than accuracy asks for
 
     bool dc_motor() const { return actuator.kind == ActuatorKind::dc_motor; }
+    /// Motion of the motor, and of the link, per motion that the encoder sees.
+    double motor_per_seen() const { return two_mass && feedback_link ? ratio : 1; }
+    double link_per_seen() const { return two_mass && !feedback_link ? 1 / ratio : 1; }
+    /// Effort at the motor per acceleration that the encoder sees, both bodies moving as one: through a reduction N the
+    /// motor feels M_l/N of the link's acceleration.
+    double driven_inertia() const
+    {
+        return motor_inertia * motor_per_seen() + (two_mass ? link_inertia / ratio * link_per_seen() : 0);
+    }
+    /// Effort at the motor per unit of the command, at rest and within every limit.
+    double effort_per_command() const
+    {
+        if (!dc_motor()) return actuator.effort_gain;
+        const double volts = actuator.signal == DriveSignal::duty ? actuator.supply_voltage : 1;
+        return actuator.effort_gain * actuator.k_t / actuator.resistance * volts;
+    }
 };
 
 /// The joint as a record sees it. Throws std::invalid_argument for a model or law that has no record simulation

@@ -104,7 +104,10 @@ class Mechanics {
             plant_.motor.coulomb = motor_level_ + drifted(plant_.motor, middle);
             plant_.link.coulomb = link_level_ + drifted(plant_.link, middle);
         }
-        if (drifts_ || h != length_.h) length_ = StepLength(plant_, h);
+        if (!ticks_.load.empty()) plant_.load.constant = constant_load_ + ticks_.load[k];
+        if (!ticks_.inertia.empty())
+            (plant_.two_mass ? plant_.link_inertia : plant_.motor_inertia) = moved_inertia_ * ticks_.inertia[k];
+        if (drifts_ || !ticks_.inertia.empty() || h != length_.h) length_ = StepLength(plant_, h);
         const double lag = plant_.actuator.lag;
         const double keep = lag > 0 ? std::exp(-h / lag) : 0, mean_keep = lag > 0 ? lag / h * (1 - keep) : 0;
         const bool steady = plant_.dead_time == 0 && lag == 0 && !plant_.dc_motor();
@@ -156,11 +159,13 @@ class Mechanics {
         return push_of(plant_.actuator, arrived, ticks_.supply[k], state.motor_velocity);
     }
 
-    Plant plant_;  ///< with the levels of friction that this tick's drift has come to
+    Plant plant_;  ///< with the levels of friction, the load and the inertia of this tick
     const Ticks& ticks_;
     HeldCommand held_;
     StepLength length_;
     double motor_level_ = plant_.motor.coulomb, link_level_ = plant_.link.coulomb;
+    double constant_load_ = plant_.load.constant;
+    double moved_inertia_ = plant_.two_mass ? plant_.link_inertia : plant_.motor_inertia;
     bool drifts_ = plant_.motor.drift != 0 || plant_.link.drift != 0;
     double tick_ = 0;  ///< s, of the last step, in this many parts
     int parts_ = 0;
@@ -250,7 +255,7 @@ Trace closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t seed)
         out.true_velocity[k] = mechanics.seen_velocity();
         out.position[k] = reading;
         out.velocity[k] = controller.velocity();
-        out.command[k] = controller.command(ticks.reference[k], ticks.reference_rate[k]);
+        out.command[k] = controller.command(ticks.reference[k], ticks.reference_rate[k], ticks.added(k));
         out.effort[k] = mechanics.effort_now(k) + (seed != 0 ? sensor.effort_noise * noise() : 0);
         if (k + 1 < n) mechanics.advance(k);
     }
@@ -289,7 +294,7 @@ std::vector<double> command_of(const Plant& plant, const Ticks& ticks)
                                       : (ticks.position[k] - ticks.position[k - 1]) / ticks.step[k - 1];
         controller.read(ticks.position[k], k == 0 ? ticks.step[0] : ticks.step[k - 1], exact);
         if (!logged_velocity.empty()) controller.believe(logged_velocity[k]);
-        command[k] = controller.command(ticks.reference[k], ticks.reference_rate[k]);
+        command[k] = controller.command(ticks.reference[k], ticks.reference_rate[k], ticks.added(k));
     }
     return command;
 }

@@ -26,7 +26,10 @@ struct Record {
     std::vector<double> temperature;         ///< °C
     std::vector<double> torque_enable;       ///< 0 or 1
     std::vector<double> link_position;       ///< m | rad: a second encoder, on the link
-    std::vector<double> normal_load;         ///< normal stress or force of a friction rig, in its own unit
+    std::vector<double> feed_forward;        ///< in the unit of the command: what was added to the controller's own
+    std::vector<double> load_effort;         ///< N | N·m: a known load on the link, positive along the motion
+    std::vector<double> inertia;      ///< kg | kg·m²: the inertia that moves (two-mass: the link's) in this row
+    std::vector<double> normal_load;  ///< normal stress or force of a friction rig, in its own unit
     std::vector<std::pair<std::string, double>>
         overrides;                         ///< dotted path of the joint → value that held in this record
     std::optional<bool> at_rest_at_start;  ///< not said: the motion of the first rows tells

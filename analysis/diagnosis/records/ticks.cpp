@@ -139,7 +139,9 @@ Record with_lost_rows(const Record& r, const std::vector<std::size_t>& strides, 
     fill(full.time, straight);
     fill(full.position, between);
     fill(full.reference_position, reference_between);
-    for (auto* column : {&full.reference_velocity, &full.link_position}) fill(*column, straight);
+    for (auto* column :
+         {&full.reference_velocity, &full.link_position, &full.feed_forward, &full.load_effort, &full.inertia})
+        fill(*column, straight);
     for (auto* column : {&full.velocity, &full.effort_command, &full.drive, &full.effort_measured, &full.current})
         fill(*column, unknown);
     for (auto* column : {&full.supply_voltage, &full.temperature, &full.torque_enable, &full.normal_load})
@@ -218,6 +220,7 @@ Ticks first_ticks(const Ticks& ticks, std::size_t count)
     take(t.reference, ticks.reference), take(t.reference_rate, ticks.reference_rate);
     take(t.position, ticks.position), take(t.velocity, ticks.velocity);
     take(t.command, ticks.command), take(t.effort, ticks.effort), take(t.supply, ticks.supply);
+    take(t.feed_forward, ticks.feed_forward), take(t.load, ticks.load), take(t.inertia, ticks.inertia);
     take(t.enabled, ticks.enabled), take(t.logged, ticks.logged), take(t.judged, ticks.judged);
     return t;
 }
@@ -227,6 +230,23 @@ double velocity_at_start(const Ticks& t)
     constexpr std::size_t few = 8;
     return t.size() > few ? (t.position[few] - t.position[0]) / (t.time[few] - t.time[0]) : 0;
 }
+
+namespace {
+
+/// A known signal at every tick, straight between the rows.
+std::vector<double> at_every_tick(const std::vector<double>& rows, int per_row, std::size_t ticks)
+{
+    std::vector<double> all;
+    if (rows.empty()) return all;
+    const auto m = static_cast<std::size_t>(per_row);
+    for (std::size_t k = 0; k < ticks; ++k) {
+        const std::size_t row = k / m, next = std::min(row + 1, rows.size() - 1);
+        all.push_back(std::lerp(rows[row], rows[next], static_cast<double>(k % m) / static_cast<double>(m)));
+    }
+    return all;
+}
+
+}  // namespace
 
 Ticks on_clock(const Record& record, const Joint& joint)
 {
@@ -241,7 +261,7 @@ Ticks on_clock(const Record& record, const Joint& joint)
     const Record& r = t.lost ? filled : record;
     if (is_set(joint.control.period) && (t.regular || t.lost)) {
         const double fold = step / joint.control.period;
-        if (fold > 1.5 && std::abs(fold - std::round(fold)) < 0.02 && fold < 20)
+        if (fold > 1.5 && std::abs(fold - std::round(fold)) < 0.02 && fold < most_ticks_per_row)
             t.ticks_per_row = static_cast<int>(std::round(fold));
     }
     const int m = t.ticks_per_row;
@@ -265,6 +285,12 @@ Ticks on_clock(const Record& record, const Joint& joint)
     t.supply.assign(n, joint.actuator.supply_voltage);
     t.enabled.assign(n, 1);
     t.logged.assign(n, 0);
+    t.feed_forward = at_every_tick(r.feed_forward, m, n);
+    t.load = at_every_tick(r.load_effort, m, n);
+    t.inertia = at_every_tick(r.inertia, m, n);
+    const Mechanism& body = joint.mechanism;
+    const double documented = body.model == Model::single_mass ? body.inertia : body.link_inertia;
+    for (double& inertia : t.inertia) inertia /= documented;
     std::vector<std::size_t> jump_rows;
     if (t.has_reference) jump_rows = jumps_of(r.reference_position);
     const auto near_jump = [&](std::size_t row) {
@@ -294,8 +320,7 @@ Ticks on_clock(const Record& record, const Joint& joint)
         if (!r.torque_enable.empty()) t.enabled[k] = r.torque_enable[row] > 0.5;
     }
     for (std::size_t k = 0; k + 1 < n; ++k) t.step[k] = t.time[k + 1] - t.time[k];
-    if (m == 2 && !t.lost && t.has_velocity &&
-        joint.control.velocity_estimate.form != EstimateForm::exact &&
+    if (m == 2 && !t.lost && t.has_velocity && joint.control.velocity_estimate.form != EstimateForm::exact &&
         joint.control.velocity_estimate.average == 1)
         rebuild_halves(t, joint);
     if (t.has_reference) fill_reference_rate(r, t);

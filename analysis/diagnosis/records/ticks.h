@@ -33,6 +33,7 @@ struct Ticks {
     std::vector<double> command;                    ///< held until the next tick; NaN where it has to be reconstructed
     std::vector<double> effort;                     ///< measured, NaN where it was not
     std::vector<double> supply;                     ///< V, NaN unknown
+    std::vector<double> feed_forward, load, inertia;  ///< known of every tick; inertia over the documented; empty: not
     std::vector<std::uint8_t> enabled, logged;
     std::vector<std::size_t> jumps;    ///< ticks with a row after which the reference jumps before the next row
     std::vector<Restart> restarts;     ///< none in a whole record
@@ -47,6 +48,7 @@ struct Ticks {
     bool at_rest = true;
     double initial_velocity = 0;
 
+    double added(std::size_t k) const { return feed_forward.empty() ? 0 : feed_forward[k]; }  ///< to the command
     /// Whether there are ticks whose readings are only interpolated.
     bool unseen_between() const { return (ticks_per_row > 1 && !rebuilt) || lost; }
     std::size_t size() const { return time.size(); }
@@ -54,6 +56,7 @@ struct Ticks {
     double duration() const { return time.empty() ? 0 : time.back() - time.front(); }
 };
 
+inline constexpr double most_ticks_per_row = 100;  ///< 10 Hz of a loop at 1 kHz; slower logs see no friction
 inline constexpr double most_lost_rows = 20;  ///< in a row; more are a hole
 
 double median_step(const std::vector<double>& time);

@@ -37,6 +37,12 @@ Entry entry_of(const Rig& rig, const RigRival& rival)
     return e;
 }
 
+/// A logarithm of speed upwards strengthens as viscous friction does; only downwards is it Stribeck's.
+const char* effect_of(const RigRival& rival, const Entry& e)
+{
+    return rival.law == RigLaw::logarithm && e.fit.p[1] > 0 ? "viscous" : rival.effect;
+}
+
 /// What a law leaves on held-out rows, as log RMS. A law contains simpler ones as limits, so its numbers have to earn
 /// their place.
 double score_of(const Entry& e, const RigRival& rival)
@@ -58,6 +64,7 @@ std::vector<std::size_t> ranked(const std::vector<Entry>& entries)
 
 std::string_view unit_of_parameter(std::string_view name, Motion motion)
 {
+    if (name == "coefficient") return unit_of(Quantity::number, motion);
     if (name == "L") return unit_of(Quantity::position, motion);
     if (name == "time_constant") return unit_of(Quantity::time, motion);
     if (name == "slope") return unit_of(Quantity::damping, motion);
@@ -67,7 +74,7 @@ std::string_view unit_of_parameter(std::string_view name, Motion motion)
 Cause cause_of(const Rig& rig, const RigRival& rival, const Entry& e, const Entry& level, Motion motion)
 {
     Cause c;
-    c.names = {rival.effect};
+    c.names = {effect_of(rival, e)};
     c.form = rival.form;
     c.heldout_gain = 1 - std::sqrt(e.held / level.held);
     c.heldout_gain_interval = {1, -1};
@@ -77,7 +84,7 @@ Cause cause_of(const Rig& rig, const RigRival& rival, const Entry& e, const Entr
         c.heldout_gain_interval.high = std::max(c.heldout_gain_interval.high, gain);
     }
     c.signature = c.heldout_gain > worth;
-    if (const Effect* effect = effect_named(rival.effect)) c.tell_tale = effect->signature;
+    if (const Effect* effect = effect_named(effect_of(rival, e))) c.tell_tale = effect->signature;
     const RigNumbers& p = e.fit.p;
     for (std::size_t n = 0; n < rival.parameters.size(); ++n)
         c.parameters.push_back({c.names[0] + "." + rival.parameters[n], p[n + 1], not_set,
@@ -90,9 +97,10 @@ Cause cause_of(const Rig& rig, const RigRival& rival, const Entry& e, const Entr
     return c;
 }
 
-std::string described(const RigRival& rival)
+std::string described(const RigRival& rival, const Entry& e)
 {
-    return *rival.form ? std::string(rival.effect) + " by the " + rival.form + " law" : rival.effect;
+    const std::string effect = effect_of(rival, e);
+    return *rival.form ? effect + " by the " + rival.form + " law" : effect;
 }
 
 /// Causes by rank, one for each effect: forms of one effect are one cause, whose law may be ambiguous.
@@ -107,8 +115,8 @@ void name_causes(const Rig& rig, const std::vector<Entry>& entries, const std::v
         const double beyond = score_of(entries[i], rivals[i]) - least;
         const bool rival = !d.effects.empty() && beyond < near;
         const auto same = std::find_if(d.effects.begin(), d.effects.end(),
-                                       [&](const auto& c) { return c.names[0] == rivals[i].effect; });
-        const std::vector<std::string> names{rivals[i].effect};
+                                       [&](const auto& c) { return c.names[0] == effect_of(rivals[i], entries[i]); });
+        const std::vector<std::string> names{effect_of(rivals[i], entries[i])};
         if (rival && std::find(d.ambiguous_with.begin(), d.ambiguous_with.end(), names) == d.ambiguous_with.end())
             d.ambiguous_with.push_back(names);
         if (same == d.effects.end()) {
@@ -170,6 +178,9 @@ DiagnosisResult diagnose_rig(const Joint& joint, const Record& record, const Par
     d.notes.push_back(
         "a friction rig: a load point's displacement and the friction; the stiffness between load point "
         "and slider and the level of the friction are fitted for every law");
+    if (rig.to - rig.from < record.rows())
+        d.notes.push_back(record.name + ": the load point turns round; the longest stretch in one direction, rows " +
+                          std::to_string(rig.from + 1) + " to " + std::to_string(rig.to) + ", is judged");
     d.notes.push_back("one record: blocks of 20 rows are held out, a third of them in turn");
     if (rig.travel == 0 || rig.range == 0 || rig.speed == 0) {
         d.reasons.push_back(record.name + ": displacement or friction does not change");
@@ -200,9 +211,12 @@ DiagnosisResult diagnose_rig(const Joint& joint, const Record& record, const Par
         d.next_experiment = design_rig_experiment(rig, noise, best.law, entries[order[0]].fit.p, rivals[rival].law,
                                                   entries[rival].fit.p);
         if (!d.next_experiment.description.empty())
-            d.next_experiment.separates = {{described(best), described(rivals[rival])}};
-        if (best.law == RigLaw::slip || best.law == RigLaw::ageing) {
-            const RigNumbers& p = entries[order[0]].fit.p;
+            d.next_experiment.separates = {
+                {described(best, entries[order[0]]), described(rivals[rival], entries[rival])}};
+        const RigNumbers& p = entries[order[0]].fit.p;
+        const bool slips = best.law == RigLaw::slip || best.law == RigLaw::ageing;
+        // the memory of a joint weakens
+        if (slips && p[2] >= 0) {
             Memory& m = main_friction(result.after).memory;
             m.A = p[1], m.B = p[2], m.L = p[3], m.V_star = rig.speed;
             m.form = best.law == RigLaw::ageing ? MemoryForm::ageing : MemoryForm::slip;

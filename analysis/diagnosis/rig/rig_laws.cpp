@@ -21,6 +21,33 @@ std::pair<std::size_t, std::size_t> around(const std::vector<double>& time, std:
     return {a, b};
 }
 
+constexpr double longest_memory = 0.5;  // of the travel, or of the time
+
+bool has_memory(RigLaw law)
+{
+    return law == RigLaw::slip || law == RigLaw::ageing || law == RigLaw::time;
+}
+
+/// The longest stretch in which the load point goes one way: the laws are those of sliding, not of turning round.
+std::pair<std::size_t, std::size_t> longest_stretch(const std::vector<double>& x)
+{
+    const auto [low, high] = std::minmax_element(x.begin(), x.end());
+    constexpr double back = 0.01;  // of the travel, that is more than noise
+    const double turned = back * (*high - *low);
+    std::size_t best_from = 0, best_to = 0, from = 0, extreme = 0;
+    double side = 0;
+    for (std::size_t k = 1; k <= x.size(); ++k) {
+        const bool over = k == x.size();
+        if (!over && side == 0 && std::abs(x[k] - x[from]) > turned) side = x[k] > x[from] ? 1 : -1, extreme = k;
+        if (!over && side != 0 && side * (x[k] - x[extreme]) > 0) extreme = k;
+        if (!over && (side == 0 || side * (x[extreme] - x[k]) <= turned)) continue;
+        const std::size_t to = over ? x.size() : extreme + 1;
+        if (to - from > best_to - best_from) best_from = from, best_to = to;
+        from = extreme, side = 0;
+    }
+    return {best_from, best_to};
+}
+
 /// -1: no row is left out.
 bool left_out(std::size_t k, int fold)
 {
@@ -35,7 +62,8 @@ const std::vector<RigRival>& rig_rivals()
     static const std::vector<RigRival> all{
         {RigLaw::level, "coulomb-level", "", {}},
         {RigLaw::velocity, "viscous", "", {"slope"}},
-        {RigLaw::logarithm, "stribeck", "logarithmic", {"weakening"}},
+        {RigLaw::logarithm, "stribeck", "logarithmic", {"per_logarithm"}},
+        {RigLaw::load, "load-dependent-friction", "", {"coefficient"}},
         {RigLaw::drift, "friction-drift", "", {"change", "time_constant"}},
         {RigLaw::slip, "frictional-memory", "slip", {"A", "B", "L"}},
         {RigLaw::ageing, "frictional-memory", "ageing", {"A", "B", "L"}},
@@ -49,11 +77,14 @@ Rig rig_of(const Record& r)
     const auto& x = r.position.empty() ? r.reference_position : r.position;
     constexpr std::size_t most_rows = 6000;
     Rig rig;
-    const std::size_t stride = std::max<std::size_t>(1, r.rows() / most_rows);
-    for (std::size_t k = 0; k < r.rows(); k += stride) {
-        rig.time.push_back(r.time[k] - r.time[0]);
-        rig.displacement.push_back(x[k] - x[0]);
+    const auto [from, to] = longest_stretch(x);
+    rig.from = from, rig.to = to;
+    const std::size_t stride = std::max<std::size_t>(1, (to - from) / most_rows);
+    for (std::size_t k = from; k < to; k += stride) {
+        rig.time.push_back(r.time[k] - r.time[from]);
+        rig.displacement.push_back(x[k] - x[from]);
         rig.friction.push_back(r.effort_measured[k]);
+        if (!r.normal_load.empty()) rig.normal.push_back(r.normal_load[k]);
     }
     const std::size_t first = std::max<std::size_t>(2, rig.time.size() / 50);
     rig.speed = std::abs(rig.displacement[first] / rig.time[first]);
@@ -86,8 +117,7 @@ double rig_noise(const Rig& rig)
 std::vector<double> rig_force(const Rig& rig, RigLaw law, const RigNumbers& p)
 {
     std::vector<double> force(rig.time.size(), 0);
-    const bool remembers = law == RigLaw::slip || law == RigLaw::ageing || law == RigLaw::time;
-    if (!remembers) {
+    if (!has_memory(law)) {
         // without a direct effect the slider follows the load point: force = law at the load point's speed
         for (std::size_t k = 0; k < force.size(); ++k) {
             const auto [a, b] = around(rig.time, k);
@@ -95,6 +125,7 @@ std::vector<double> rig_force(const Rig& rig, RigLaw law, const RigNumbers& p)
             const double relative = std::max(v / rig.speed, 1e-6);
             if (law == RigLaw::velocity) force[k] = p[1] * v;
             if (law == RigLaw::logarithm) force[k] = p[1] * std::log(relative);
+            if (law == RigLaw::load && !rig.normal.empty()) force[k] = p[1] * (rig.normal[k] - rig.normal[0]);
             if (law == RigLaw::drift) force[k] = p[1] * -std::expm1(-rig.time[k] / p[2]);
         }
         return force;
@@ -151,7 +182,7 @@ double rig_square(const Rig& rig, const std::vector<double>& force, int fold, bo
 
 namespace {
 
-/// Units in which numbers are searched: logarithms of stiffness, A, B, L; plain otherwise.
+/// Units in which numbers are searched: logarithms of stiffness, A, L; plain otherwise.
 RigNumbers numbers_of(const Rig& rig, RigLaw law, const std::vector<double>& x)
 {
     RigNumbers p{rig.range / rig.travel * std::exp(x[0])};
@@ -165,11 +196,15 @@ RigNumbers numbers_of(const Rig& rig, RigLaw law, const std::vector<double>& x)
         case RigLaw::logarithm:
             p.push_back(rig.range * x[1]);
             break;
+        case RigLaw::load:
+            p.push_back(x[1]);
+            break;
         case RigLaw::drift:
             p.push_back(rig.range * x[1]), p.push_back(rig.time.back() * std::exp(x[2]));
             break;
         default:
-            p.push_back(rig.range * std::exp(x[1])), p.push_back(rig.range * std::exp(x[2]));
+            // gouges strengthen with velocity: B has either sign
+            p.push_back(rig.range * std::exp(x[1])), p.push_back(rig.range * x[2]);
             p.push_back(length * std::exp(x[3]));
     }
     return p;
@@ -186,7 +221,10 @@ RigFit search(const Rig& rig, const RigRival& rival, int fold, std::vector<doubl
     }
     constexpr double widest = 12;
     const auto all = [&](double value) { return std::vector<double>(from.size(), value); };
-    Minimisation simplex{SearchMethod::simplex, {all(-widest), all(widest)}, all(0.4), evaluations};
+    auto most = all(widest);
+    // a memory longer than a part of the travel would never have been seen to fade
+    if (has_memory(rival.law)) most[3] = std::log(longest_memory);
+    Minimisation simplex{SearchMethod::simplex, {all(-widest), most}, all(0.4), evaluations};
     simplex.ftol_abs = 1e-5;
     const auto objective = [&](const std::vector<double>& x) {
         return std::log(rig_square(rig, rig_force(rig, rival.law, numbers_of(rig, rival.law, x)), fold, false));
@@ -208,7 +246,8 @@ RigFit fit_rig(const Rig& rig, const RigRival& rival)
         from.push_back(std::vector<double>(n, 0));
     } else {
         for (double stiffness : {2.0, 4.5, 7.0})
-            for (double length : {-6.0, -4.0, -2.0}) from.push_back({stiffness, -1, -1, length});
+            for (double length : {-6.0, -4.0, -2.0})
+                for (double B : {0.4, -0.4}) from.push_back({stiffness, -1, B, length});
     }
     RigFit best;
     best.square = infinity;

@@ -7,7 +7,7 @@
 namespace stickslip::gap {
 
 /// What resists the slider beyond a constant level. V* is the load point's first speed.
-enum class RigLaw { level, velocity, logarithm, drift, slip, ageing, time };
+enum class RigLaw { level, velocity, logarithm, load, drift, slip, ageing, time };
 
 /// A law as a candidate cause: the effect of the catalogue that it is a form of.
 struct RigRival {
@@ -22,9 +22,11 @@ const std::vector<RigRival>& rig_rivals();
 /// A record as the laws see it: at most 6000 rows, displacement and time from zero.
 struct Rig {
     std::vector<double> time, displacement, friction;
-    double speed = 0;   ///< of the load point at first: V*
-    double travel = 0;  ///< of the load point
-    double range = 0;   ///< of the friction
+    double speed = 0;              ///< of the load point at first: V*
+    double travel = 0;             ///< of the load point
+    double range = 0;              ///< of the friction
+    std::vector<double> normal;    ///< load on the contact, empty where it was not logged
+    std::size_t from = 0, to = 0;  ///< rows of the record: the longest stretch in one direction
 };
 
 Rig rig_of(const Record& record);

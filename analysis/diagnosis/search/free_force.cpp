@@ -13,7 +13,7 @@ constexpr std::size_t parts = FreeForce::coefficients;
 
 constexpr EffectParameter coefficient(std::string_view name)
 {
-    return {name, Quantity::effort, Scale::effort, false, -10, 10, 0.1, "part of the force"};
+    return {name, Quantity::effort, Scale::load_effort, false, -10, 10, 0.1, "part of the force"};
 }
 
 /// A place or a size that is given, not fitted.
@@ -70,7 +70,7 @@ const Effect& of_follower()
 const Effect& of_velocity()
 {
     static const Effect effect = [] {
-        std::vector<EffectParameter> p{given("speed", Scale::velocity)};
+        std::vector<EffectParameter> p{given("speed", Scale::load_velocity)};
         p.resize(4, coefficient("part"));
         return effect_of("velocity", p, [](FreeForce& f, const double* x) {
             f.present = true;

@@ -1,53 +1,34 @@
 #include "analysis/diagnosis/verdict/experiment.h"
 
+#include "analysis/diagnosis/plan/safe_motion.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace stickslip::gap {
 namespace {
 
-struct Motion_ {
-    const char* description;
-    double (*at)(double t, double duration, double span, double speed);
-};
-
-double smooth_start(double t)
+/// What the machine has done in this record.
+Reach shown_by(const Case& c)
 {
-    return t < 1 ? t * t * (3 - 2 * t) : 1;
+    std::vector<double> time, position;
+    for (std::size_t k = 0; k < c.ticks.size(); ++k) {
+        if (!c.ticks.logged[k]) continue;
+        time.push_back(c.ticks.time[k]), position.push_back(c.ticks.position[k]);
+    }
+    return reach_of(time, position);
 }
 
-// speed is the 95th percentile of the records, span theirs too: no motion asks for more than the joint has shown
-constexpr Motion_ motions[] = {
-    {"a slow triangle over the whole range at a hundredth of the usual speed",
-     [](double t, double, double span, double speed) {
-         const double period = std::max(4.0, span / (0.02 * speed)), s = std::fmod(t, period) / period;
-         return 0.5 * span * (s < 0.5 ? 2 * s : 2 - 2 * s) * smooth_start(t);
-     }},
-    {"a sine of small amplitude with many reversals",
-     [](double t, double, double span, double) {
-         return 0.03 * span * std::sin(2 * std::numbers::pi * t) * smooth_start(t);
-     }},
-    {"a chirp from 0.2 to 5 Hz whose amplitude falls as its frequency rises",
-     [](double t, double duration, double span, double speed) {
-         const double sweep = std::log(25.0) / duration, f = 0.2 * std::exp(sweep * t);
-         const double phase = 2 * std::numbers::pi * 0.2 * std::expm1(sweep * t) / sweep;
-         return std::min(0.4 * span, speed / (2 * std::numbers::pi * f)) * std::sin(phase) * smooth_start(t);
-     }},
-    {"steps over the whole range with rests of two seconds",
-     [](double t, double, double span, double speed) {
-         const double rise = std::max(0.1, span / speed), s = std::fmod(t, 4.0);
-         const double up = std::clamp(s / rise, 0.0, 1.0), down = std::clamp((s - 2) / rise, 0.0, 1.0);
-         const auto soft = [](double x) { return x * x * (3 - 2 * x); };
-         return 0.8 * span * (soft(up) - soft(down));
-     }},
-    {"speed steps: the same distance at a tenth, a third and the whole of the usual speed",
-     [](double t, double, double span, double speed) {
-         const double v = speed * (std::fmod(t, 9) < 3 ? 0.1 : std::fmod(t, 9) < 6 ? 0.33 : 1);
-         const double period = std::max(1.0, 2 * span / v), s = std::fmod(t, period) / period;
-         return 0.5 * span * (s < 0.5 ? 2 * s : 2 - 2 * s) * smooth_start(t);
-     }},
-};
+/// Whether the joint itself stays within what it has shown.
+bool survives(const Trace& run, const std::vector<double>& time, const Reach& reach)
+{
+    const Reach done = reach_of(time, run.true_position);
+    constexpr double more = 1.1, beyond = 0.05;  // of the stroke
+    constexpr double sharp = 2;                  // breaking away is sharper than what a record's noise lets be seen
+    const double margin = beyond * (reach.high - reach.low);
+    return done.low >= reach.low - margin && done.high <= reach.high + margin && done.speed <= more * reach.speed &&
+           done.acceleration <= sharp * more * reach.acceleration;
+}
 
 }  // namespace
 
@@ -73,20 +54,13 @@ NextExperiment design_experiment(const Case& like, const Scales& scales, const A
     if (!is_set(like.joint.control.k_p)) return best;
     const double period = is_set(like.joint.control.period) ? like.joint.control.period : like.row_step;
     const double duration = std::min(20.0, std::max(8.0, like.ticks.duration()));
-    const double start = like.ticks.position.front();
-    const double towards = [&] {
-        const auto [low, high] = std::minmax_element(like.ticks.position.begin(), like.ticks.position.end());
-        return *high - start >= start - *low ? 1.0 : -1.0;
-    }();
-    for (const auto& motion : motions) {
+    const Reach reach = shown_by(like);
+    for (const auto& motion : safe_motions(reach, duration, period)) {
         Record r;
-        const auto rows = static_cast<std::size_t>(duration / period);
-        for (std::size_t k = 0; k < rows; ++k) {
-            r.time.push_back(static_cast<double>(k) * period);
-            r.reference_position.push_back(start +
-                                           towards * motion.at(r.time[k], duration, scales.position, scales.velocity));
-        }
-        r.position.assign(rows, start);
+        const std::size_t rows = motion.time.size();
+        r.time = motion.time;
+        r.reference_position = motion.position;
+        r.position.assign(rows, reach.start);
         Case c = like;
         c.ticks = on_clock(r, like.joint);
         const auto run = [&](const Attribution& a) {
@@ -94,6 +68,7 @@ NextExperiment design_experiment(const Case& like, const Scales& scales, const A
                 flatten(edited(like.joint, a.candidate, in_si(a.candidate, a.x[1], scales), like.number)), c.ticks, 0);
         };
         const Trace one = run(winner), two = run(rival);
+        if (!survives(one, r.time, reach)) continue;
         double square = 0;
         const double effort_sigma = std::max(like.effort_sigma, 0.01 * scales.effort);
         for (std::size_t k = 0; k < rows; ++k) {
@@ -105,12 +80,8 @@ NextExperiment design_experiment(const Case& like, const Scales& scales, const A
         if (std::isfinite(distance) && distance > best.distance) {
             best.distance = distance;
             best.description = motion.description;
-            best.time.clear();
-            best.reference.clear();
-            for (std::size_t k = 0; k < rows; ++k) {
-                best.time.push_back(r.time[k]);
-                best.reference.push_back(r.reference_position[k]);
-            }
+            best.time = r.time;
+            best.reference = r.reference_position;
         }
     }
     return best;

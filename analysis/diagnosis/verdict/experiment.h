@@ -5,8 +5,9 @@
 
 namespace stickslip::gap {
 
-/// Simulates both rivals along each of a small set of cheap motions (no longer and no larger than the records) and
-/// returns the one that drives them apart most, measured in noise standard deviations of position and effort.
+/// Simulates both rivals along each of a small set of cheap motions (no farther, faster or harder than the record, see
+/// safe_motion.h, and the joint as well) and returns the one that drives them apart most, measured in noise standard
+/// deviations of position and effort.
 NextExperiment design_experiment(const Case& like, const Scales& scales, const Attribution& winner,
                                  const Attribution& rival);
 

@@ -28,14 +28,10 @@ std::vector<Share> locate_signals(const std::vector<Case>& cases, const std::vec
         for (auto& s : shares) s.unit = unit_of(Quantity::effort, c.joint.mechanism.motion);
         const bool audited = t.source == CommandSource::logged && t.has_reference && !t.unseen_between();
         const auto wanted = audited ? command_of(plant, t) : std::vector<double>();
-        const double per_command =
-            plant.dc_motor() ? plant.actuator.k_t / plant.actuator.resistance *
-                                   (plant.actuator.signal == DriveSignal::duty ? plant.actuator.supply_voltage : 1)
-                             : plant.actuator.effort_gain;
+        const double per_command = plant.effort_per_command();
         Innovation innovation;
         predict(plant, t, known_command(plant, t), omega, innovation);
-        const double inertia = plant.motor_inertia + (plant.two_mass ? plant.link_inertia : 0);
-        const double to_force = inertia * omega * omega;
+        const double to_force = plant.driven_inertia() * omega * omega;
         const double motion_floor = std::pow(to_force * c.sigma, 2) * noise_amplification(omega, c.row_step);
         const double effort_square = std::pow(effort_floor(c, omega), 2);
         const double step = audited ? command_step(t) : 0, command_floor = std::pow(per_command * step, 2) / 12;

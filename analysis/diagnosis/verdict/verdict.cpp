@@ -117,7 +117,8 @@ bool bends_only(const Candidate& candidate, const Eigen::VectorXd& x, const Scal
     for (std::size_t i = 0; i < si.size(); ++i) {
         const Comb comb = candidate.parameter(i).comb;
         if (comb == Comb::none) continue;
-        const double seen = si[i] * (comb == Comb::time ? scales.duration : scales.position);
+        const double seen =
+            comb == Comb::time ? si[i] * scales.duration : si[i] / unit_of(candidate.parameter(i).scale, scales);
         if (seen < turn * 2 * std::numbers::pi) return true;
     }
     return false;

@@ -109,6 +109,7 @@ Json diagnosis_json(const Diagnosis& d, const Joint& before, const Joint& after)
     Json json;
     json["format"] = "stickslip-diagnosis/2";
     json["verdict"] = name_of(d.verdict);
+    if (d.interrupted) json["interrupted"] = true;
     json["reasons"] = d.reasons;
     json["records"] = Json::array();
     for (const auto& r : d.records) json["records"].push_back({{"file", r.file}, {"role", r.role}});

@@ -1,6 +1,8 @@
 // The score's files: answers and truths in, table and JSON out.
 #include "sweep/study/score.h"
 
+#include "sweep/study/binomial.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -57,6 +59,8 @@ Json json(const Share& s)
 {
     Json j = {{"right", s.right}, {"of", s.of}};
     j["share"] = s.of ? Json(s.value()) : Json(nullptr);
+    j["at_least"] = s.of ? Json(share_at_least(s.right, s.of)) : Json(nullptr);
+    j["at_most"] = s.of ? Json(share_at_most(s.right, s.of)) : Json(nullptr);
     return j;
 }
 
@@ -72,10 +76,16 @@ Json json(const std::map<std::string, Share>& shares)
     return j;
 }
 
-std::string line(const char* what, const Share& s, const char* aim)
+enum class Good { many, few };
+
+/// With the exact bound of one side at 95 %, on the side that could be the worse.
+std::string line(const char* what, const Share& s, const char* aim, Good good = Good::many)
 {
     if (s.of == 0) return "";
-    return fmt::format("{:<46}{:>5} of {:<5}{:>7.1f} %   {}\n", what, s.right, s.of, 100 * s.value(), aim);
+    const std::string bound = good == Good::many ? fmt::format("at least {:.1f}", 100 * share_at_least(s.right, s.of))
+                                                 : fmt::format("at most {:.1f}", 100 * share_at_most(s.right, s.of));
+    return fmt::format("{:<46}{:>5} of {:<5}{:>7.1f} %   {:<14}   {}\n", what, s.right, s.of, 100 * s.value(), bound,
+                       aim);
 }
 
 std::string group(const char* what, const std::map<std::string, Share>& shares)
@@ -113,6 +123,7 @@ std::map<std::string, Truth> parse_truths(const std::string& text)
         t.engine = j.value("engine", "");
         t.joint = j.value("joint", "");
         t.columns = j.value("columns", "");
+        t.dirty = j.value("dirty", false);
         if (j.contains("true_gap")) {
             t.gap_before = number_or_nan(j["true_gap"], "before");
             t.gap_after = number_or_nan(j["true_gap"], "after");
@@ -124,13 +135,14 @@ std::map<std::string, Truth> parse_truths(const std::string& text)
 std::string score_text(const Score& s)
 {
     std::string text;
+    if (!s.state.empty()) text += fmt::format("{} cases; bounds of one side at 95 %\n", s.state);
     text += line("single effects: named first", s.top1, "aim 98 with the next line");
     text += line("  by the very name", s.top1_exact, "");
     text += line("  first, or in an ambiguity set of two", s.named, "aim 98");
     text += line("pairs: both named first", s.pairs_both, "aim 90");
     text += line("  or in an ambiguity set of two", s.pairs_both_or_ambiguous, "");
     text += line("  members of pairs named", s.pair_members, "");
-    text += line("false alarms without an effect", s.false_alarms, "aim 1 or less");
+    text += line("false alarms without an effect", s.false_alarms, "aim 1 or less", Good::few);
     text += line("abstained outside the catalogue", s.abstained, "aim 95");
     text += line("hopeless data called so", s.insufficient, "");
     text += line("verdicts", s.verdicts, "");
@@ -153,10 +165,14 @@ std::string score_text(const Score& s)
         if (!j.right_or_ambiguous)
             wrong += fmt::format("  {:<10} {:<7} {:<7} {:<7} {:<44} said {}\n", j.name, j.kind, j.strength, j.engine,
                                  j.expected, j.answered_at_all ? j.answered : "nothing");
-    return wrong.empty() ? text : text + "not named\n" + wrong;
+    if (!s.parts.empty()) text = "";  // told for each kind of joint
+    for (const Score& part : s.parts) text += score_text(part);
+    return wrong.empty() || !s.parts.empty() ? text : text + "not named\n" + wrong;
 }
 
-std::string score_json(const Score& s)
+namespace {
+
+Json score_object(const Score& s)
 {
     Json j;
     j["singles"] = {{"top1", json(s.top1)}, {"top1_exact", json(s.top1_exact)}, {"named", json(s.named)}};
@@ -194,7 +210,15 @@ std::string score_json(const Score& s)
                               {"probability", json(c.probability)},
                               {"shrink", json(c.shrink)},
                               {"truth_shrink", json(c.truth_shrink)}});
-    return j.dump(1) + "\n";
+    for (const Score& part : s.parts) j[part.state] = score_object(part);
+    return j;
+}
+
+}  // namespace
+
+std::string score_json(const Score& s)
+{
+    return score_object(s).dump(1) + "\n";
 }
 
 }  // namespace stickslip::blind

@@ -124,6 +124,7 @@ class Checks {
         for (std::size_t k = 0; k < r_.rows(); ++k) {
             double u = c.k_p * (r_.reference_position[k] - r_.position[k]);
             if (c.k_v != 0) u += c.k_v * ((c.reference_velocity ? r_.reference_velocity[k] : 0.0) - r_.velocity[k]);
+            if (!r_.feed_forward.empty()) u += r_.feed_forward[k];
             if (!std::isfinite(u) || !std::isfinite(r_.effort_command[k])) continue;
             together += u * r_.effort_command[k], squares += u * u,
                 command += r_.effort_command[k] * r_.effort_command[k];

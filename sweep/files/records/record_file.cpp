@@ -1,5 +1,7 @@
 #include "sweep/files/records/record_file.h"
 
+#include "analysis/diagnosis/audit/prepare.h"
+#include "sweep/files/records/impossible_signals.h"
 #include "sweep/files/records/record_checks.h"
 #include "sweep/files/records/record_header.h"
 #include "sweep/files/text/bad_input.h"
@@ -106,12 +108,20 @@ class RecordReader {
         std::string_view line;
         while (lines_.next(line)) {
             if (trimmed(line).empty() || trimmed(line).starts_with('#')) continue;
+            if (line == last_line_) {  // a logger that held a row says nothing new
+                ++repeated_;
+                continue;
+            }
+            last_line_ = line;
             if (++rows_ > limits_.rows)
                 throw BadInput(name_ + ":" + std::to_string(lines_.line_number()) + ":1: has more than " +
                                std::to_string(limits_.rows) + " rows, split the record or keep every n-th row");
             read_row(line);
         }
         if (rows_ == 0 && errors_.empty()) throw BadInput(name_ + ": has a header and no rows");
+        if (repeated_ > 0)
+            reading_.warnings.push_back(std::to_string(repeated_) +
+                                        " rows repeat the row before, its time included: they were left away");
     }
 
     void read_row(std::string_view line)
@@ -201,7 +211,11 @@ class RecordReader {
         }
         const bool unit_named = std::any_of(rule_.columns.begin(), rule_.columns.end(),
                                             [](const auto& c) { return c.signal == "position" && c.unit_named; });
-        for (auto& suspicion : suspicions(record, joint_, unit_named)) {
+        const bool time_named = std::any_of(rule_.columns.begin(), rule_.columns.end(),
+                                            [](const auto& c) { return c.signal == "time" && c.unit_named; });
+        auto doubts = impossible_signals(record, gap::joint_in(record, joint_), time_named);
+        if (doubts.empty()) doubts = suspicions(record, joint_, unit_named);  // every rate would be doubtful, too
+        for (auto& suspicion : doubts) {
             if (suspicion.contradiction) reading_.contradictions.push_back(record.name + ": " + suspicion.text);
             reading_.warnings.push_back(std::move(suspicion.text));
         }
@@ -216,7 +230,8 @@ class RecordReader {
     std::vector<std::string> errors_;
     std::vector<Slot> slots_;
     char separator_ = ',';
-    std::uint64_t rows_ = 0;
+    std::uint64_t rows_ = 0, repeated_ = 0;
+    std::string last_line_;
     double last_time_ = -infinity;
 };
 

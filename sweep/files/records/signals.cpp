@@ -21,6 +21,9 @@ constexpr Signal signal_list[] = {
     {"temperature", &Record::temperature, Quantity::temperature, false},
     {"torque_enable", &Record::torque_enable, Quantity::number, false},
     {"link_position", &Record::link_position, Quantity::position, true},
+    {"feed_forward", &Record::feed_forward, Quantity::effort, false},
+    {"load_effort", &Record::load_effort, Quantity::effort, false},
+    {"inertia", &Record::inertia, Quantity::inertia, false},
     {"normal_load", &Record::normal_load, Quantity::number, false, true},
 };
 

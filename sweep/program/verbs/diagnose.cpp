@@ -19,6 +19,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cmath>
 #include <filesystem>
 
 namespace stickslip {
@@ -63,7 +65,7 @@ std::filesystem::path output_folder(const Options& options)
 /// What an earlier answer left there would contradict this one.
 void remove_earlier(const std::filesystem::path& directory)
 {
-    for (const char* name : {"report.html", "next-experiment.csv", "next-outcome.csv"})
+    for (const char* name : {"report.html", "next-experiment.csv", "next-outcome.csv", "corrected-joint.toml"})
         std::filesystem::remove(directory / name);
 }
 
@@ -98,6 +100,38 @@ bool needs_every_value(const std::string& signal)
     return true;
 }
 
+/// What the caller is told: INTERFACE of `diagnose`.
+int exit_code_of(const Diagnosis& d, bool contradicted)
+{
+    if (contradicted) return exit_bad_input;
+    if (d.interrupted) return exit_interrupted;
+    return d.verdict == Verdict::insufficient_data ? exit_insufficient : exit_done;
+}
+
+/// The same tasks, until somebody asks to stop: those not yet begun are then left out, and Interrupted is thrown.
+ParallelFor until_interrupted(const std::atomic<bool>& interrupted, ParallelFor run)
+{
+    return [&interrupted, run = std::move(run)](std::size_t n, const std::function<void(std::size_t)>& task) {
+        run(n, [&](std::size_t i) {
+            if (!interrupted) task(i);
+        });
+        if (interrupted) throw gap::Interrupted();
+    };
+}
+
+/// The joint with everything that was found in it, as the program reads joints; nothing where nothing was named.
+void write_corrected_joint(const std::filesystem::path& file, const Diagnosis& d, const Joint& joint,
+                           const Joint& after)
+{
+    if (d.verdict != Verdict::gap || d.effects.empty() || joint_text(after) == joint_text(joint)) return;
+    std::string head = "# The documented joint with what the diagnosis found:";
+    for (const auto& name : d.effects.front().names) head += " " + name;
+    for (const auto& [name, value, error, unit] : d.effects.front().parameters)
+        head += fmt::format("\n#   {} = {:.6g}{} {}", name, value,
+                            std::isfinite(error) ? fmt::format(" +- {:.2g}", error) : "", unit == "1" ? "" : unit);
+    write_whole(file, head + "\n" + joint_text(after));
+}
+
 /// A table of measured outcomes in place of records.
 int diagnose_outcomes(const Options& options, const Joint& joint, const Invocation& invocation)
 {
@@ -127,7 +161,7 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
                      directory);
     if (options.json) {
         fmt::print("{}\n", json.dump(2));
-        return exit_done;
+        return exit_code_of(d, false);
     }
     fmt::print("{}\n", outcome_sentence(answer));
     for (const auto& reason : d.reasons) fmt::print("  {}\n", reason);
@@ -137,7 +171,7 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
     if (!d.next_experiment.description.empty()) fmt::print("next: {}\n", d.next_experiment.description);
     fmt::print("diagnosis: {}\n", (directory / "diagnosis.json").string());
     if (!options.no_report) fmt::print("report:    {}\n", (directory / "report.html").string());
-    return exit_done;
+    return exit_code_of(d, false);
 }
 
 int diagnose(const Options& options, const Invocation& invocation)
@@ -177,7 +211,8 @@ int diagnose(const Options& options, const Invocation& invocation)
         StageLine line;
         settings.progress = line.listener();
         try {
-            return gap::diagnose(joint, records, line.counted(parallel_for_each), settings);
+            return gap::diagnose(joint, records,
+                                 until_interrupted(invocation.interrupted, line.counted(parallel_for_each)), settings);
         } catch (const std::invalid_argument& e) {
             throw BadInput(e.what());
         }
@@ -188,6 +223,7 @@ int diagnose(const Options& options, const Invocation& invocation)
     remove_earlier(directory);
     const auto json = diagnosis_json(d, joint, result.after);
     write_whole(directory / "diagnosis.json", json.dump(2) + "\n");
+    write_corrected_joint(directory / "corrected-joint.toml", d, joint, result.after);
     if (!d.next_experiment.reference.empty()) write_experiment(directory / "next-experiment.csv", d.next_experiment);
     if (!options.no_report)
         write_report(
@@ -195,7 +231,7 @@ int diagnose(const Options& options, const Invocation& invocation)
             directory);
     if (options.json) {
         fmt::print("{}\n", json.dump(2));
-        return exit_done;
+        return exit_code_of(d, !contradictions.empty());
     }
     fmt::print("{}\n", diagnosis_sentence(d));
     for (const auto& reason : d.reasons) fmt::print("  {}\n", reason);
@@ -206,7 +242,7 @@ int diagnose(const Options& options, const Invocation& invocation)
                    cause.probability, cause.misfit);
     fmt::print("diagnosis: {}\n", (directory / "diagnosis.json").string());
     if (!options.no_report) fmt::print("report:    {}\n", (directory / "report.html").string());
-    return exit_done;
+    return exit_code_of(d, !contradictions.empty());
 }
 
 }  // namespace
@@ -228,8 +264,13 @@ void add_diagnose(CLI::App& app, Invocation& invocation)
     verb->footer(
         "Example: stickslip diagnose joint.toml slow.csv.gz steps.csv.gz -o diagnosis\n"
         "Example: stickslip diagnose joint.toml outcomes.csv -o which-law\n"
-        "Exit codes: 0 answered, whatever the verdict, 2 bad input.");
-    verb->callback([options, &invocation] { invocation.exit_code = diagnose(*options, invocation); });
+        "Exit codes: 0 answered (gap, no-gap, unknown), 2 bad input (suspected units included), 3 interrupted, 4 too "
+        "little "
+        "data.");
+    verb->callback([options, &invocation] {
+        catch_interrupts(invocation);
+        invocation.exit_code = diagnose(*options, invocation);
+    });
 }
 
 }  // namespace stickslip

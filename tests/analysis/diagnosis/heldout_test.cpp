@@ -64,3 +64,16 @@ TEST_CASE("floors are of the joint in question: the steps of a coarser encoder t
     CHECK(before < 0.1 * steps);
     CHECK(floor_of(audited) >= 0.5 * steps);
 }
+
+TEST_CASE("a nominal simulation that is unstable at its rate is no noise floor", "[gap]")
+{
+    test::Machine m;
+    std::vector<std::string> notes;
+    Joint late = test::nominal_joint();
+    late.control.delay = 0.03;  // 45 N·s/m on 1.2 kg forgets in 27 ms: the loop swings up to its limit
+    late.control.effort_limit = 40;
+    const std::vector<Case> cases{prepare(test::record_of(m, 1), late, notes)};
+    CHECK_FALSE(closed_loop_at_floor(cases, {}, {}, [](std::size_t n, const auto& task) {
+        for (std::size_t i = 0; i < n; ++i) task(i);
+    }));
+}

@@ -41,6 +41,7 @@ Record velocity_step(Friction friction_at, double noise)
 
 /// Slip law behind a spring, by classical Runge-Kutta in steps of 0.1 ms at most.
 struct SlipLaw {
+    double B = ::B, L = ::L;
     double t = 0, slip = 0, theta = 0;
     std::pair<double, double> rate(double at, double s, double th) const
     {
@@ -102,4 +103,49 @@ TEST_CASE("a rig with a constant friction has no gap", "[gap]")
     const auto d = diagnose_rig({}, velocity_step([](double) { return 0.0; }, 8e-4), in_order).diagnosis;
     CHECK(d.verdict == Verdict::no_gap);
     CHECK(d.effects.empty());
+}
+
+TEST_CASE("a gouge that strengthens with memory is named with a negative B and a slip distance within its travel",
+          "[gap]")
+{
+    const double strengthening = -0.007, distance = 20e-6;
+    const auto d = diagnose_rig({}, velocity_step(SlipLaw{strengthening, distance}, 3e-4), in_order).diagnosis;
+    REQUIRE(d.verdict == Verdict::gap);
+    REQUIRE(d.effects.at(0).names == std::vector<std::string>{"frictional-memory"});
+    CHECK(number(d.effects[0], "frictional-memory.B") == Approx(strengthening).epsilon(0.25));
+    CHECK(number(d.effects[0], "frictional-memory.L") < 0.5 * load_point(36));
+    CHECK(number(d.effects[0], "frictional-memory.L") == Approx(distance).epsilon(0.4));
+}
+
+TEST_CASE("a friction that rises with the logarithm of speed at once is viscous, no Stribeck curve", "[gap]")
+{
+    const auto rises = [](double t) { return t < step_at ? 0.0 : 0.02 * std::log(quick / slow); };
+    const auto d = diagnose_rig({}, velocity_step(rises, 8e-4), in_order).diagnosis;
+    REQUIRE(d.verdict == Verdict::gap);
+    CHECK(d.effects.at(0).names == std::vector<std::string>{"viscous"});
+}
+
+TEST_CASE("where a load point turns round the longest stretch one way is judged", "[gap]")
+{
+    Record r = velocity_step(SlipLaw{}, 8e-4);
+    const double end = r.time.back(), place = r.reference_position.back();
+    for (int k = 1; k <= 100; ++k) {
+        r.time.push_back(end + 0.1 * k);
+        r.reference_position.push_back(place - 3e-6 * 0.1 * k);
+        r.effort_measured.push_back(-0.6);  // friction turns with the motion
+    }
+    const auto d = diagnose_rig({}, r, in_order).diagnosis;
+    REQUIRE(d.verdict == Verdict::gap);
+    CHECK(d.effects.at(0).names == std::vector<std::string>{"frictional-memory"});
+    CHECK(number(d.effects[0], "frictional-memory.A") == Approx(A).epsilon(0.2));
+}
+
+TEST_CASE("friction that follows a known normal load depends on the load", "[gap]")
+{
+    Record r = velocity_step([](double t) { return 0.6 * 0.1 * std::sin(t); }, 8e-4);
+    for (const double t : r.time) r.normal_load.push_back(1 + 0.1 * std::sin(t));
+    const auto d = diagnose_rig({}, r, in_order).diagnosis;
+    REQUIRE(d.verdict == Verdict::gap);
+    CHECK(d.effects.at(0).names == std::vector<std::string>{"load-dependent-friction"});
+    CHECK(number(d.effects[0], "load-dependent-friction.coefficient") == Approx(0.6).epsilon(0.02));
 }

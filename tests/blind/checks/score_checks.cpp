@@ -1,4 +1,5 @@
 // The scorer against answers whose score is counted by hand.
+#include "sweep/study/binomial.h"
 #include "sweep/study/score.h"
 
 #include <catch2/catch.hpp>
@@ -124,4 +125,29 @@ TEST_CASE("answers are read with names, sets or objects of names, and errors nam
     CHECK(std::isnan(answers.at("y").gap_before));
     CHECK_THROWS_WITH(parse_answers(R"({"z": {"effects": []}})"), Catch::Contains("z"));
     CHECK_THROWS_AS(parse_truths("[1]"), std::invalid_argument);
+}
+
+TEST_CASE("bounds of a counted share are those of Clopper and Pearson", "[score]")
+{
+    // all right: the share p with p^n = 0.05; 8 of 10: 45p⁸q² + 10p⁹q + p¹⁰ = 0.05, in exact fractions
+    CHECK(share_at_least(59, 59) == Approx(std::pow(0.05, 1.0 / 59)).epsilon(1e-9));
+    CHECK(share_at_least(8, 10) == Approx(0.4930987).epsilon(1e-6));
+    CHECK(share_at_most(0, 300) == Approx(1 - std::pow(0.05, 1.0 / 300)).epsilon(1e-9));
+    CHECK(share_at_least(0, 5) == 0);
+    CHECK(share_at_most(5, 5) == 1);
+}
+
+TEST_CASE("a document that is off is no false alarm where it is called that, and dirty cases are told apart", "[score]")
+{
+    Truth off = truth({}, {"inertia", "coulomb-level"});
+    off.dirty = true;
+    const std::map<std::string, Truth> truths = {{"a", off}, {"b", off}, {"c", truth({})}};
+    const std::map<std::string, Answer> answers = {
+        {"a", gap({{"inertia", "coulomb-level"}})}, {"b", gap({{"backlash"}})}, {"c", gap({{"inertia"}})}};
+    const Score s = score(answers, truths);
+    REQUIRE(s.parts.size() == 2);
+    CHECK(s.parts[0].state == "clean");
+    CHECK(s.parts[0].false_alarms.right == 1);  // a joint that is its document has nothing to correct
+    CHECK(s.parts[1].false_alarms.right == 1);
+    CHECK(s.parts[1].false_alarms.of == 2);
 }

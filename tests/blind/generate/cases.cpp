@@ -26,18 +26,31 @@ std::vector<std::string> families_of(const Wish& wish, const std::vector<std::st
 
 /// Applies the edits to the machine of every record. What differs from record to record is decided by `seed`.
 std::vector<Machine> apply(const std::vector<Edit>& edits, const std::vector<double>& sizes, const Setting& setting,
-                           std::uint64_t seed, std::vector<Parameter>* parameters = nullptr)
+                           std::uint64_t seed, SealedCase* whole = nullptr)
 {
     std::vector<Machine> machines = setting.machines;
     Draw draw(seed);
     for (auto& machine : machines)
         for (std::size_t i = 0; i < edits.size(); ++i) {
             const auto list = edits[i].apply(machine, sizes[i]);
-            if (parameters && &machine == &machines[0]) parameters->insert(parameters->end(), list.begin(), list.end());
+            if (whole && &machine == &machines[0])
+                whole->parameters.insert(whole->parameters.end(), list.begin(), list.end());
             if (!edits[i].differs_by_record) continue;
             machine.mechanism.disturbance.phase = draw.phase();
             machine.mechanism.outside.seed = draw.seed();
         }
+    return machines;
+}
+
+/// The same with all that is not in the document.
+std::vector<Machine> apply_and_soil(const std::vector<Edit>& edits, const std::vector<double>& sizes,
+                                    const Setting& setting, std::uint64_t seed, SealedCase* whole = nullptr)
+{
+    auto machines = apply(edits, sizes, setting, seed, whole);
+    for (std::size_t r = 0; setting.dirt && r < machines.size(); ++r) {
+        const auto forms = soil(machines[r], setting.nominal, *setting.dirt, r);
+        if (whole && r == 0) whole->forms = forms;
+    }
     return machines;
 }
 
@@ -46,19 +59,26 @@ void size_effects(SealedCase& c, Draw& draw)
 {
     const std::uint64_t seed = draw.seed();
     std::vector<double> sizes;
+    if (c.setting.dirt) c.gap_of_dirt = c.setting.gap_of(apply_and_soil({}, {}, c.setting, seed));
+    // a cause that is smaller than what the document is off by would be no fair question
+    const double beside = c.gap_of_dirt * draw.log_uniform(1.5, 4);
     for (const auto& edit : c.edits) {
-        const double wanted = c.edits.size() > 1 ? draw.log_uniform(3, 12) : c.wanted;
-        sizes.push_back(size_for_gap(c.setting, edit.smallest, edit.largest, wanted,
-                                     [&](double size) { return apply({edit}, {size}, c.setting, seed); }));
+        const double wanted = std::max(beside, c.edits.size() > 1 ? draw.log_uniform(3, 12) : c.wanted);
+        sizes.push_back(size_for_gap(
+            c.setting, edit.smallest, edit.largest, wanted,
+            [&](double size) { return apply({edit}, {size}, c.setting, seed); },
+            std::max(largest_gap, 6 * c.gap_of_dirt)));
     }
-    c.machines = apply(c.edits, sizes, c.setting, seed, &c.parameters);
+    c.undisturbed = apply(c.edits, sizes, c.setting, seed);
+    c.machines = apply_and_soil(c.edits, sizes, c.setting, seed, &c);
     if (c.edits.size() < 2) return;
     const auto records = c.setting.record(c.machines);
     for (std::size_t out = 0; out < c.edits.size(); ++out) {
         const std::size_t in = 1 - out;
-        const double rest = c.setting.gap(records, apply({c.edits[in]}, {sizes[in]}, c.setting, seed)).after;
+        const double rest = c.setting.gap(records, apply_and_soil({c.edits[in]}, {sizes[in]}, c.setting, seed)).after;
         c.gap_without.push_back(rest);
-        if (rest < smallest_share_of_pair) throw Unusable("one of two effects does not matter");
+        if (rest < std::max(smallest_share_of_pair, 0.7 * c.gap_of_dirt))
+            throw Unusable("one of two effects does not matter");
     }
 }
 
@@ -68,7 +88,9 @@ void make(SealedCase& c, const Wish& wish, const std::vector<std::string>& effec
     Draw draw(seed);
     const bool gain_effect =
         std::any_of(effects.begin(), effects.end(), [](const auto& e) { return e.starts_with("gain-"); });
-    c.setting = draw_setting({c.kind, wish.columns, families_of(wish, effects), !gain_effect}, draw, seed_of(seed, 1));
+    c.setting =
+        draw_setting({c.kind, wish.columns, families_of(wish, effects), !gain_effect, wish.dirty, wish.mujoco.empty()},
+                     draw, seed_of(seed, 1));
     const auto& s = c.setting;
     for (const auto& name : effects) c.edits.push_back(draw_effect(name, s.nominal, s.peak_command, draw));
     // An effect that splits the body in two takes over what the other has made of it.
@@ -83,7 +105,7 @@ void make(SealedCase& c, const Wish& wish, const std::vector<std::string>& effec
     }
     size_effects(c, draw);
     if (!c.outside.empty()) {
-        c.explained_by_catalogue = explained_by_catalogue(s, c.machines);
+        c.explained_by_catalogue = explained_by_catalogue(s, c.undisturbed);
         if (c.explained_by_catalogue > fair_mimicry) throw Unusable("the catalogue explains the cause");
     }
     std::vector<std::uint64_t> seeds;
@@ -91,6 +113,7 @@ void make(SealedCase& c, const Wish& wish, const std::vector<std::string>& effec
     c.records = wish.mujoco.empty() ? s.record(c.machines)
                                     : run_mujoco(wish.mujoco, c.machines, s.excitations, seeds, s.stride);
     c.gap = s.gap(c.records, c.machines);
+    if (c.setting.dirt && c.edits.empty()) c.equivalent = {"inertia", "coulomb-level", "viscous", "gravity"};
     if (c.edits.empty()) return;
     if (c.gap.before < smallest_gap) throw Unusable("the gap vanished");
     for (const auto& e : c.edits) {

@@ -9,6 +9,7 @@ namespace blind {
 struct Wish {
     std::string kind = "mixed";  ///< single | pair | none | outside | noisy | few | mixed
     std::string effect, strength, columns, family;
+    bool dirty = false;  ///< the joint is not quite its document, see dirty.h
     std::string mujoco;  ///< folder of the MuJoCo script; empty: the own mechanism makes the records
 };
 
@@ -16,7 +17,8 @@ struct SealedCase {
     std::string kind, strength, verdict;
     std::uint64_t seed = 0;
     Setting setting;
-    std::vector<Machine> machines;  ///< the true one of each record
+    std::vector<Machine> machines;     ///< the true one of each record
+    std::vector<Machine> undisturbed;  ///< the same without its dirt
     std::vector<Record> records;
 
     std::vector<Edit> edits;
@@ -27,6 +29,8 @@ struct SealedCase {
     double wanted = 1;                ///< the gap that was aimed at, in floors
     std::vector<double> gap_without;  ///< of a pair: what remains when one effect is left out, in floors
     Gap gap;
+    double gap_of_dirt = 0;          ///< what the joint without its effects leaves, in floors
+    std::vector<std::string> forms;  ///< that are not the catalogue's
 };
 
 /// Names of ranges of the gap, in floors; ascending.

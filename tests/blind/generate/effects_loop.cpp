@@ -2,6 +2,7 @@
 #include "tests/blind/generate/effects_parts.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace blind {
 namespace {
@@ -26,8 +27,17 @@ Edit later(const char* path, double smallest, double largest, double nominal, do
     return e;
 }
 
+/// Effort at rest per unit of the drive's signal.
+double effort_per_signal(const Drive& d)
+{
+    if (d.kind == Drive::Kind::effort) return d.gain;
+    return d.gain * d.torque_constant / d.resistance * (d.kind == Drive::Kind::dc_duty ? d.supply : 1);
+}
+
 Edit effort_gain(const Nominal& n, double, Draw& draw)
 {
+    if (n.machine.drive.kind != Drive::Kind::effort)
+        throw std::runtime_error("a motor's current is logged through the same gain: it shows as the inertia does");
     return scaled(
         "actuator.effort_gain", 0.01, 0.4, n.machine.drive.gain, [](Machine& m) -> double& { return m.drive.gain; },
         draw);
@@ -36,7 +46,7 @@ Edit effort_gain(const Nominal& n, double, Draw& draw)
 Edit saturation(const Nominal& n, double peak_command, Draw&)
 {
     Edit e{.smallest = 0.05, .largest = 0.8};
-    e.apply = [peak = peak_command * n.machine.drive.gain](Machine& m, double size) -> Changed {
+    e.apply = [peak = peak_command * effort_per_signal(n.machine.drive)](Machine& m, double size) -> Changed {
         return {changed("actuator.limit", m.drive.limit, peak * (1 - size))};
     };
     return e;

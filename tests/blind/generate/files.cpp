@@ -1,5 +1,7 @@
 #include "tests/blind/generate/files.h"
 
+#include "tests/blind/generate/geared.h"
+
 #include <zlib.h>
 #include <nlohmann/json.hpp>
 
@@ -72,6 +74,7 @@ void write_actuator(Toml& t, const Drive& d)
     t.number("k_e", d.back_emf);
     t.number("resistance", d.resistance);
     t.number("supply_voltage", d.supply);
+    t.number_if(d.gain != 1, "effort_gain", d.gain);
     t.word("signal", d.kind == Drive::Kind::dc_duty ? "duty" : "voltage");
 }
 
@@ -79,7 +82,8 @@ void write_actuator(Toml& t, const Drive& d)
 
 std::string joint_toml(const Setting& setting)
 {
-    const auto& n = setting.nominal;
+    Nominal n = setting.nominal;
+    n.machine = at_motor(n.machine);
     const bool noise_stated = setting.noise_stated;
     const auto& m = n.machine.mechanism;
     const auto& c = n.machine.controller;
@@ -91,8 +95,8 @@ std::string joint_toml(const Setting& setting)
     if (m.bodies == 2) {
         t.number("motor_inertia", m.inertia[0]);
         t.number("link_inertia", m.inertia[1]);
-        t.line("transmission",
-               "{ stiffness = " + text(m.stiffness) + ", damping = " + text(m.damping) + ", ratio = 1.0 }");
+        t.line("transmission", "{ stiffness = " + text(m.stiffness) + ", damping = " + text(m.damping) +
+                                   ", ratio = " + text(n.machine.reduction) + " }");
     } else {
         t.number("inertia", m.inertia[0]);
     }
@@ -123,11 +127,15 @@ std::string joint_toml(const Setting& setting)
         t.number_if(noise_stated, "effort_noise", s.effort_noise);
     }
     for (std::size_t r = 0; r < setting.machines.size(); ++r) {
-        const auto& own = setting.machines[r].controller;
+        const auto own = at_motor(setting.machines[r]).controller;
         if (own.k_p == c.k_p && own.k_v == c.k_v) continue;
         t.table("record.files.\"" + record_name(r) + '"');
         t.number("control.k_p", own.k_p);
         t.number("control.k_v", own.k_v);
+    }
+    if (setting.dirt && setting.dirt->milliseconds) {
+        t.table("record.columns");
+        t.line("time", "{ unit = \"ms\" }");
     }
     return t.str();
 }
@@ -169,7 +177,10 @@ void write_case(const SealedCase& c, const std::filesystem::path& folder)
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "joint.toml") << joint_toml(c.setting);
     for (std::size_t r = 0; r < c.records.size(); ++r) {
-        const std::string csv = record_csv(c.records[r], c.setting.nominal.machine, c.setting.columns);
+        const auto& machine = c.setting.nominal.machine;
+        Record log = at_motor(c.records[r], machine);
+        if (c.setting.dirt) log = weathered(std::move(log), *c.setting.dirt, r, machine.controller.period);
+        const std::string csv = record_csv(log, machine, c.setting.columns);
         const auto path = folder / (record_name(r));
         gzFile file = gzopen(path.c_str(), "wb6");
         const bool written =
@@ -201,7 +212,20 @@ std::string truth_json(const std::map<std::string, SealedCase>& cases, const std
         auto& variants = j["variants"] = nlohmann::ordered_json::array();
         for (const auto& e : c.edits) variants.push_back(e.variant);
         auto& parameters = j["parameters"] = nlohmann::ordered_json::object();
-        for (const auto& p : c.parameters) parameters[p.path] = {{"nominal", p.nominal}, {"value", p.value}};
+        const auto& machine = c.setting.nominal.machine;
+        const auto told = [&](auto& list, const Parameter& p) {
+            const double factor = motor_factor(p.path, machine);
+            list[p.path] = {{"nominal", factor * p.nominal}, {"value", factor * p.value}};
+        };
+        for (const auto& p : c.parameters) told(parameters, p);
+        j["dirty"] = c.setting.dirt.has_value();
+        if (machine.reduction != 1) j["ratio"] = machine.reduction;
+        if (c.setting.dirt) {
+            j["forms"] = c.forms;
+            auto& off = j["corrections"] = nlohmann::ordered_json::object();
+            for (const auto& p : corrections(c.setting.nominal, *c.setting.dirt)) told(off, p);
+            j["gap_of_dirt"] = c.gap_of_dirt;
+        }
         auto& records = j["records"] = nlohmann::ordered_json::array();
         for (std::size_t r = 0; r < c.records.size(); ++r)
             records.push_back({{"file", record_name(r)},
@@ -210,8 +234,13 @@ std::string truth_json(const std::map<std::string, SealedCase>& cases, const std
         if (!c.gap_without.empty()) j["gap_without"] = c.gap_without;
         auto& gap = j["true_gap"];
         gap = {{"before", c.gap.before}, {"after", c.gap.after}, {"floor", 1.0}};
-        for (const auto& s : c.gap.signals)
-            gap["signals"][s.name] = {{"unit", s.unit}, {"before", s.before}, {"after", s.after}, {"floor", s.floor}};
+        for (const auto& s : c.gap.signals) {
+            const double to_motor = motor_factor("signal." + s.name, machine);
+            gap["signals"][s.name] = {{"unit", s.unit},
+                                      {"before", to_motor * s.before},
+                                      {"after", to_motor * s.after},
+                                      {"floor", to_motor * s.floor}};
+        }
         all[name] = j;
     }
     return all.dump(1) + "\n";

@@ -44,13 +44,17 @@ class Encoder {
     Encoder(const Sensors& sensors, std::uint64_t seed) : s_(sensors), draw_(seed) {}
     double read(double q)
     {
-        const double y = s_.scale * q + s_.offset + s_.position_noise * draw_.normal();
+        noise_ = s_.colour * noise_ + std::sqrt(1 - s_.colour * s_.colour) * draw_.normal();
+        double noise = noise_;
+        if (s_.spikes > 0 && draw_.chance(s_.spikes)) noise += 10 * draw_.sign();
+        const double y = s_.scale * q + s_.offset + s_.position_noise * noise;
         return s_.quantum > 0 ? std::round(y / s_.quantum) * s_.quantum : y;
     }
 
   private:
     const Sensors& s_;
     Draw draw_;
+    double noise_ = 0;
 };
 
 /// v_k = v_{k−1} + T/(τ+T) (d_k − v_{k−1}), d the backward difference of the mean of the last `average` readings.

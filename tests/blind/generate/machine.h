@@ -13,18 +13,27 @@ inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 /// amplitude · sin(rate · x + phase), x a position (rate in 1/m or 1/rad) or a time (rate in rad/s).
 struct Sine {
     double amplitude = 0, rate = 1, phase = 0;
+    double second = 0;  ///< second harmonic, as a part of the first
 };
+
+inline constexpr int slip_elements = 4;
 
 /// Friction between one body and the ground.
 struct DryFriction {
+    /// How the rise above Coulomb falls with speed s = |v|/v_s: e^{−s^n}, 1 − tanh s, 1/(1 + s²).
+    enum class Shape { exponential, tanh, rational };
     double coulomb = 0, viscous = 0;
     double static_rise = 0, stribeck_velocity = 1, stribeck_exponent = 2;  ///< Stribeck: rise above Coulomb at rest
+    Shape shape = Shape::exponential;
     double uneven_coulomb = 0,
            uneven_viscous = 0;          ///< half the difference of the two directions, + adds to positive motion
     double load_share = 0;              ///< friction per transmitted effort
+    double back_driving = 1;            ///< by which the share is multiplied where the effort brakes the motion
     Sine ripple;                        ///< of the dry level over position
     double drift = 0, drift_time = 10;  ///< level grows by drift (1 − e^{−t/drift_time})
+    bool to_document = false;           ///< instead the level begins off by the drift and ends as documented
     double bristle_stiffness = 0, bristle_damping = 0;
+    int elements = 0;  ///< of Maxwell slip in place of the one bristle; the first body only
     double direct = 0, evolution = 0, slip_length = 1, slip_velocity = 1;  ///< A, B, L, V* of rate-and-state friction
     double lag = 0;  ///< dry level answers speed this much later, s
 };
@@ -52,6 +61,8 @@ struct Mechanism {
     int bodies = 1;          ///< 1, or 2: motor and link with a spring between
     double inertia[2] = {};  ///< motor (or only body), link
     double stiffness = 0, damping = 0, backlash = 0;
+    double hardening = 0;  ///< the spring is stiffer by this part at one hardening_stretch, with its square
+    double hardening_stretch = 1;
     DryFriction friction[2];
     double constant_load = 0;  ///< acts in the positive direction, on the link
     double gravity = 0, gravity_phase = 0;
@@ -76,10 +87,13 @@ struct Controller {
 
 struct Sensors {
     double quantum = 0, position_noise = 0, effort_noise = 0, offset = 0, scale = 1;
+    double colour = 0;  ///< correlation of the noise from reading to reading
+    double spikes = 0;  ///< share of readings that are off by ten standard deviations more
 };
 
 struct Machine {
     bool revolute = true;
+    double reduction = 1;  ///< motor motion per joint motion: changes how the motor's side is told, see geared.h
     Mechanism mechanism;
     Drive drive;
     Controller controller;

@@ -17,9 +17,9 @@ void print(const char* name, const blind::SealedCase& c)
 {
     std::string what = c.outside.empty() ? "" : "outside:" + c.outside;
     for (const auto& e : c.effects) what += (what.empty() ? "" : " + ") + e;
-    std::printf("%s %-7s %-40s %-11s %-7s %-13s gap %6.2f -> %5.2f floors\n", name, c.kind.c_str(), what.c_str(),
-                c.setting.nominal.family.c_str(), c.strength.c_str(), c.setting.columns.name.c_str(), c.gap.before,
-                c.gap.after);
+    std::printf("%s %-5s %-7s %-40s %-11s %-7s %-13s gap %6.2f -> %5.2f floors\n", name,
+                c.setting.dirt ? "dirty" : "clean", c.kind.c_str(), what.c_str(), c.setting.nominal.family.c_str(),
+                c.strength.c_str(), c.setting.columns.name.c_str(), c.gap.before, c.gap.after);
     std::fflush(stdout);
 }
 
@@ -64,6 +64,11 @@ int main(int argc, char** argv)
     app.add_option("--columns", wish.columns, "only this set of columns")
         ->check(CLI::IsMember(
             {"full", "no-effort", "no-velocity", "no-reference", "no-command", "motion-only", "position-only"}));
+    std::string state = "both";
+    app.add_option("--state", state, "joints that are their documents, joints that are not quite, or either in turn")
+        ->check(CLI::IsMember({"clean", "dirty", "both"}));
+    app.add_flag_callback(
+        "--dirty", [&] { state = "dirty"; }, "the same as --state dirty");
     app.add_option("--engine", engine, "who simulates the records")->check(CLI::IsMember({"own", "mujoco"}));
     app.add_option("--mujoco", script_folder, "folder of simulate.mjs, with its package installed");
     app.add_flag("--match", match,
@@ -87,6 +92,7 @@ int main(int argc, char** argv)
         try {
             if (std::filesystem::exists(std::filesystem::path(folder) / name))
                 throw std::runtime_error(folder + "/" + name + " exists already");
+            wish.dirty = state == "dirty" || (state == "both" && i % 2 == 1);
             auto c = blind::make_case(wish, seed, i);
             blind::write_case(c, std::filesystem::path(folder) / name);
             print(name, c);

@@ -47,14 +47,14 @@ void draw_mechanism(Nominal& n, Draw& draw)
 }
 
 /// Chooses the drive and returns how much effort one unit of its signal makes, with the damping by back-EMF.
-double draw_drive(Nominal& n, double damping, Draw& draw)
+double draw_drive(Nominal& n, double damping, const std::string& kind, Draw& draw)
 {
     auto& d = n.machine.drive;
     const double peak = n.inertia() * n.bandwidth * n.bandwidth * n.travel + n.machine.mechanism.gravity;
-    if (n.family == "drive-volts") {
+    if (kind == "drive-volts") {
         d.gain = peak / draw.uniform(4, 12);
-    } else if (n.family == "dc-voltage" || n.family == "dc-duty") {
-        d.kind = n.family == "dc-duty" ? Drive::Kind::dc_duty : Drive::Kind::dc_voltage;
+    } else if (kind == "dc-voltage" || kind == "dc-duty") {
+        d.kind = kind == "dc-duty" ? Drive::Kind::dc_duty : Drive::Kind::dc_voltage;
         d.supply = draw.pick({12.0, 24.0, 48.0});
         const double stall = peak * draw.uniform(1.2, 2.5);  // effort at full supply and standstill
         // k_t²/R is the damping by back-EMF, k_t V/R the stall effort.
@@ -66,14 +66,18 @@ double draw_drive(Nominal& n, double damping, Draw& draw)
     return d.gain;
 }
 
-void draw_controller(Nominal& n, Draw& draw)
+void draw_controller(Nominal& n, const std::string& drive, Draw& draw, Draw& own)
 {
     auto& c = n.machine.controller;
     c.period = draw.pick({0.5e-3, 1e-3, 1e-3, 2e-3});
     const double damping = 2 * draw.uniform(0.5, 1.1) * n.inertia() * n.bandwidth;
-    const double gain = draw_drive(n, damping, draw);
-    const auto& d = n.machine.drive;
-    const double by_motor = d.torque_constant * d.back_emf / d.resistance;
+    double gain = draw_drive(n, damping, drive, n.family == "two-mass" ? own : draw);
+    auto& d = n.machine.drive;
+    if (d.kind != Drive::Kind::effort && own.chance(0.3)) {
+        d.gain = own.uniform(0.6, 0.95);  // what friction of the gear leaves of the motor's effort
+        gain *= d.gain;
+    }
+    const double by_motor = d.gain * d.torque_constant * d.back_emf / d.resistance;
     c.k_p = n.inertia() * n.bandwidth * n.bandwidth / gain;
     c.k_v = std::max(damping - by_motor - n.viscous(), 0.2 * damping) / gain;
     c.filter = draw.chance(0.3) ? 0 : draw.uniform(1e-3, 4e-3);
@@ -115,8 +119,15 @@ Nominal draw_nominal(const std::string& family, Draw& draw)
 {
     Nominal n;
     n.family = family;
+    // drawn apart, so that what was added later leaves the other numbers of a seed as they were
+    Draw copy = draw, own(seed_of(copy.seed(), 11));
     draw_mechanism(n, draw);
-    draw_controller(n, draw);
+    std::string drive = family;
+    if (family == "two-mass") {
+        if (own.chance(0.75)) n.machine.reduction = own.log_uniform(1, 160);
+        drive = own.pick<std::string>({"effort", "drive-volts", "dc-voltage", "dc-duty"});
+    }
+    draw_controller(n, drive, draw, own);
     draw_sensors(n, draw);
     return n;
 }

@@ -21,7 +21,7 @@ struct Nominal {
 };
 
 /// "revolute", "pendulum", "prismatic", "drive-volts" (effort source behind an amplifier), "dc-voltage", "dc-duty",
-/// "two-mass", "stribeck".
+/// "two-mass" (any drive, mostly behind a reduction of 1 to 160), "stribeck".
 const std::vector<std::string>& joint_families();
 Nominal draw_nominal(const std::string& family, Draw& draw);
 

@@ -14,9 +14,27 @@ constexpr double event_resolution = 1e-9;  // s
 constexpr double longest_step = 2e-3;      // s
 constexpr double direct_cutoff = 1e-4;     // of V*: below it the direct effect of rate-and-state friction is flat
 
+/// How stiff the elements of Maxwell slip are beside each other; all slip at the same force.
+constexpr std::array<double, slip_elements> element_stiffness = {2.2, 1, 0.5, 0.3};
+
+double left_of_rise(const DryFriction& f, double speed)
+{
+    const double s = speed / f.stribeck_velocity;
+    switch (f.shape) {
+        case DryFriction::Shape::tanh:
+            return 1 - std::tanh(s);
+        case DryFriction::Shape::rational:
+            return 1 / (1 + s * s);
+        default:
+            return std::exp(-std::pow(s, f.stribeck_exponent));
+    }
+}
+
 double wave(const Sine& s, double x)
 {
-    return s.amplitude == 0 ? 0 : s.amplitude * std::sin(s.rate * x + s.phase);
+    if (s.amplitude == 0) return 0;
+    const double angle = s.rate * x + s.phase;
+    return s.amplitude * (std::sin(angle) + s.second * std::sin(2 * angle + 1));
 }
 
 }  // namespace
@@ -56,6 +74,7 @@ DriveState drive_effort(const Drive& d, double signal, double velocity)
 Plant::Plant(const Machine& machine) : m_(machine.mechanism), drive_(machine.drive), outside_(machine.mechanism.outside)
 {
     const double fine = machine.sensors.position_noise > 0 ? machine.sensors.position_noise : 1e-5;
+    for (std::size_t i = 8; i < tolerance_.size(); ++i) tolerance_[i] = 1e-3 * fine;
     for (int b = 0; b < 2; ++b) {
         tolerance_[2 * b] = 1e-4 * fine;
         tolerance_[2 * b + 1] = 1e-2 * fine;
@@ -92,12 +111,11 @@ double Plant::dry_level(int body, double direction, double speed, double t, cons
 {
     const auto& f = m_.friction[body];
     double level = f.coulomb + direction * f.uneven_coulomb + wave(f.ripple, y[2 * body]);
-    if (f.load_share != 0) level += f.load_share * std::abs(transmitted);
-    if (f.static_rise != 0) {
-        const double felt = speed_felt(body, t, speed) / f.stribeck_velocity;
-        level += f.static_rise * std::exp(-std::pow(felt, f.stribeck_exponent));
-    }
-    if (f.drift != 0) level += f.drift * (1 - std::exp(-t / f.drift_time));
+    if (f.load_share != 0)
+        level += f.load_share * std::abs(transmitted) * (transmitted * direction < 0 ? f.back_driving : 1);
+    if (f.static_rise != 0) level += f.static_rise * left_of_rise(f, speed_felt(body, t, speed));
+    if (f.drift != 0)
+        level += f.drift * (f.to_document ? std::exp(-t / f.drift_time) : 1 - std::exp(-t / f.drift_time));
     if (f.evolution != 0) level += f.direct * std::log(speed / f.slip_velocity + direct_cutoff) + y[6 + body];
     return std::max(level, 0.0);
 }
@@ -112,7 +130,8 @@ Plant::Forces Plant::forces(double t, const State& y) const
     if (m_.bodies == 1) return {{effort + load, 0}, {effort, 0}};
     const double twist = y[0] - y[2], play = m_.backlash / 2;
     const double stretch = twist - std::clamp(twist, -play, play);
-    double spring = m_.stiffness * stretch;
+    const double far = stretch / m_.hardening_stretch;
+    double spring = m_.stiffness * stretch * (1 + m_.hardening * far * far);
     if (stretch != 0 || play == 0) {
         spring += m_.damping * (y[1] - y[3]);
         // Faces that touch can push but not pull.
@@ -138,7 +157,9 @@ Plant::State Plant::rate(double t, const State& y) const
         const double speed = std::max(direction * v, 0.0);
         const double level = dry_level(b, direction, speed, t, y, f.transmitted[b]);
         double friction = (fr.viscous + direction * fr.uneven_viscous) * v;
-        if (bristles(b)) {
+        if (fr.elements > 0) {
+            friction += slip(level, v, y, d);
+        } else if (bristles(b)) {
             d[4 + b] = v - (level > 0 ? fr.bristle_stiffness * std::abs(v) / level * y[4 + b] : 0);
             friction += fr.bristle_stiffness * y[4 + b] + fr.bristle_damping * d[4 + b];
         } else {
@@ -148,6 +169,19 @@ Plant::State Plant::rate(double t, const State& y) const
         d[2 * b + 1] = (f.applied[b] - friction) / inertia;
     }
     return d;
+}
+
+/// Force of the elements of Maxwell slip (Iwan 1966): each a spring that slips where it reaches its part of the level.
+double Plant::slip(double level, double v, const State& y, State& d) const
+{
+    double force = 0;
+    for (std::size_t i = 0; i < slip_elements; ++i) {
+        const double stiffness = element_stiffness[i] * m_.friction[0].bristle_stiffness / slip_elements;
+        const double own = level / slip_elements, at = stiffness * y[8 + i];
+        d[8 + i] = std::abs(at) >= own && at * v > 0 ? 0 : v;
+        force += std::clamp(at, -own, own);
+    }
+    return force;
 }
 
 /// By how much the force on a body at rest exceeds what its friction can hold, with the sign of the motion it wants;
@@ -201,7 +235,7 @@ void Plant::advance(double end, const DriveSignal& signal)
             step_ = h * std::max(0.2, 0.9 * std::pow(error, -0.2));
             continue;
         }
-        const auto any_crosses = [&](const Step<8>& s, double by) {
+        const auto any_crosses = [&](const Step<dimension>& s, double by) {
             for (int b = 0; b < m_.bodies; ++b)
                 if (crosses(b, t_ + by, s.end)) return true;
             return false;

@@ -40,7 +40,9 @@ class Plant {
 
   private:
     static constexpr int per_body = 2;
-    using State = std::array<double, 8>;  ///< q0 v0 q1 v1 | bristle 0, 1 | rate-and-state 0, 1
+    static constexpr std::size_t dimension = 8 + slip_elements;
+    /// q0 v0 q1 v1 | bristle 0, 1 | rate-and-state 0, 1 | elements of Maxwell slip on body 0
+    using State = std::array<double, dimension>;
     struct Body {
         bool stuck = true;
         double direction = 1;
@@ -53,6 +55,7 @@ class Plant {
     Forces forces(double t, const State& y) const;
     double dry_level(int body, double direction, double speed, double t, const State& y, double transmitted) const;
     double speed_felt(int body, double t, double speed) const;
+    double slip(double level, double v, const State& y, State& d) const;
     State rate(double t, const State& y) const;
     double excess(int body, double t, const State& y) const;
     bool crosses(int body, double t, const State& y) const;

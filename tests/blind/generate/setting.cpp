@@ -115,10 +115,14 @@ Setting draw_setting(const SettingWish& wish, Draw& draw, std::uint64_t noise_se
     }
     s.columns = draw_columns(wish.kind, wish.columns, draw);
     s.columns.supply = machine.drive.kind == Drive::Kind::dc_duty && draw.chance(0.5);
-    s.noise_stated = draw.chance(0.6);
+    s.noise_stated = draw.chance(wish.dirty ? 0.3 : 0.6);
     s.stride = machine.controller.period < 1.5e-3 && draw.chance(0.15) ? 2 : 1;
     s.excitations = draw_excitations(s.nominal, draw);
     s.machines.assign(s.excitations.size(), machine);
+    if (wish.dirty) {
+        Draw own(seed_of(noise_seed, 5));  // a clean case of this seed stays what it is
+        s.dirt = draw_dirt(s.nominal, s.machines.size(), wish.forms, own);
+    }
     if (wish.may_change_gains && draw.chance(0.2)) {
         auto& other = s.machines.back().controller;
         const double softer = draw.uniform(0.6, 0.85);
@@ -133,7 +137,7 @@ Setting draw_setting(const SettingWish& wish, Draw& draw, std::uint64_t noise_se
 }
 
 double size_for_gap(const Setting& setting, double smallest, double largest, double wanted,
-                    const std::function<std::vector<Machine>(double)>& at)
+                    const std::function<std::vector<Machine>(double)>& at, double most)
 {
     double size = std::sqrt(smallest * largest);
     for (int i = 0; i < most_searches; ++i) {
@@ -154,7 +158,7 @@ double size_for_gap(const Setting& setting, double smallest, double largest, dou
         size = next;
     }
     const double gap = setting.gap_of(at(size));
-    if (gap < smallest_gap || gap > largest_gap) throw Unusable("no size of the effect gives the wanted gap");
+    if (gap < smallest_gap || gap > most) throw Unusable("no size of the effect gives the wanted gap");
     return size;
 }
 

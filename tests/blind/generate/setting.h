@@ -1,11 +1,13 @@
 // What a case is before anything is wrong with it: joint, motions, columns, noise, and what simulations of it differ
 // by.
 #pragma once
+#include "tests/blind/generate/dirty.h"
 #include "tests/blind/generate/gap.h"
 #include "tests/blind/generate/nominal.h"
 #include "tests/blind/generate/random.h"
 
 #include <functional>
+#include <optional>
 #include <stdexcept>
 
 namespace blind {
@@ -31,6 +33,7 @@ struct Setting {
     int stride = 1;
     bool noise_stated = true;
     std::uint64_t noise_seed = 0;
+    std::optional<Dirt> dirt;
 
     std::vector<Signal> signals;  ///< what a simulation of the closed loop predicts and the columns show
     Ensemble ensemble;            ///< the nominal joint, simulated with different noise
@@ -48,15 +51,16 @@ struct Setting {
 struct SettingWish {
     std::string kind, columns;
     std::vector<std::string> families;
-    bool may_change_gains = true;
+    bool may_change_gains = true, dirty = false;
+    bool forms = true;  ///< the mechanism can show forms that are not the catalogue's
 };
 Setting draw_setting(const SettingWish& wish, Draw& draw, std::uint64_t noise_seed);
 
 inline constexpr double smallest_gap = 2, largest_gap = 40;  // floors
 
 /// The size between its bounds at which the machines `at` that size are `wanted` floors from nominal; bounds may keep
-/// it from that. Throws Unusable if the gap is then below smallest_gap or above largest_gap.
+/// it from that. Throws Unusable if the gap is then below smallest_gap or above `most`.
 double size_for_gap(const Setting& setting, double smallest, double largest, double wanted,
-                    const std::function<std::vector<Machine>(double)>& at);
+                    const std::function<std::vector<Machine>(double)>& at, double most = largest_gap);
 
 }  // namespace blind

@@ -1,0 +1,36 @@
+// What a motion can show before it is made: the least size of every effect that it reveals, and what it cannot tell
+// apart.
+#pragma once
+#include "analysis/base/parallel_for.h"
+#include "analysis/joint/joint.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stickslip::gap {
+
+struct EffectPower {
+    std::string name, parameter;
+    double least_size = not_set;  ///< in `unit`; not set: no size within its bounds shows. Of a limit: the largest one
+    std::string unit;
+};
+
+struct Power {
+    std::vector<EffectPower> effects;
+    std::vector<std::pair<std::string, std::string>> inseparable;
+};
+
+/// A reference position over time, on the joint's own period.
+struct PlannedMotion {
+    std::vector<double> time, position;
+};
+
+/// An effect shows where it changes what a slow observer of the record is surprised by, at any of its bandwidths and in
+/// any record, by five times the noise (the rule by which records are called insufficient); gains and filter of the
+/// controller, which a logged command shows to the digit, from where the audit names them. Two effects are inseparable
+/// where, each at its least size, what one leaves of the other is below the noise. Throws std::invalid_argument without
+/// a period, a noise or a gain.
+Power power_of(const Joint& joint, const PlannedMotion& motion, const ParallelFor& parallel);
+
+}  // namespace stickslip::gap

@@ -1,0 +1,136 @@
+#include "sweep/files/records/impossible_signals.h"
+
+#include "analysis/diagnosis/audit/audit.h"
+#include "analysis/diagnosis/records/ticks.h"
+#include "analysis/diagnosis/rig/rig.h"
+#include "sweep/files/text/toml_input.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip::files {
+namespace {
+
+struct Extremes {
+    double low = infinity, high = -infinity;
+    double largest() const { return std::max(std::abs(low), std::abs(high)); }
+};
+
+Extremes extremes_of(const std::vector<double>& values)
+{
+    Extremes e;
+    for (const double v : values) {
+        if (v < e.low) e.low = v;
+        if (v > e.high) e.high = v;
+    }
+    return e;
+}
+
+/// Where a signal goes beyond a limit that holds for it by definition or by the document.
+void beyond_limits(const Record& r, const Joint& joint, std::vector<Suspicion>& found)
+{
+    constexpr double rounding = 1.01;
+    const bool duty = joint.actuator.kind == ActuatorKind::dc_motor && joint.actuator.signal == DriveSignal::duty;
+    if (duty && !r.drive.empty())
+        if (const double most = extremes_of(r.drive).largest(); most > rounding)
+            found.push_back({"duty reaches " + number_text(most) +
+                                 ", a duty cycle is at most 1; duty = { scale = … } under [record.columns] converts "
+                                 "per cent or counts",
+                             true});
+    const auto& commanded = r.effort_command.empty() ? r.drive : r.effort_command;
+    const double limit = joint.control.effort_limit;
+    if (commanded.empty() || !std::isfinite(limit) || (duty && limit <= 1)) return;
+    if (const double most = extremes_of(commanded).largest(); most > rounding * limit)
+        found.push_back({"the logged command reaches " + number_text(most) + ", control.effort_limit is " +
+                             number_text(limit) +
+                             ": the limit, or the unit of the command, is not that of this record; [record.files] can "
+                             "give another limit",
+                         true});
+}
+
+/// Counts of 2^n whose upper half is what negative numbers look like when their sign was lost: two heaps, one from 0
+/// upwards, one from 2^n downwards, and nothing between.
+void two_s_complement(const char* name, const std::vector<double>& values, std::vector<Suspicion>& found)
+{
+    constexpr std::size_t few = 20;
+    if (values.size() < few) return;
+    std::vector<double> sorted;
+    for (const double v : values)
+        if (std::isfinite(v)) sorted.push_back(v);
+    std::sort(sorted.begin(), sorted.end());
+    if (sorted.size() < few || sorted.front() < 0) return;
+    const double step = gap::grid_of(sorted);
+    if (!(step > 0)) return;
+    const auto jump = std::adjacent_find(sorted.begin(), sorted.end(), [&](double a, double b) {
+        constexpr double nothing_between = 0.5;  // of all that there is
+        return b - a > nothing_between * sorted.back();
+    });
+    if (jump == sorted.end()) return;
+    const double below = *jump / step, above = *std::next(jump) / step, most = sorted.back() / step;
+    for (const int bits : {8, 10, 12, 16, 24, 32}) {
+        const double whole = std::exp2(bits);
+        constexpr double near_top = 0.02;
+        if (most > whole || whole - most > near_top * whole || above < 0.5 * whole || below > 0.5 * whole) continue;
+        found.push_back({std::string(name) + " lies between 0 and " + number_text(*jump) + " and between " +
+                             number_text(*std::next(jump)) + " and " + number_text(sorted.back()) +
+                             ": negative numbers read as unsigned ones (two's complement of " + std::to_string(bits) +
+                             " bits) are suspected; take " + number_text(whole * step) + " off the upper half",
+                         true});
+        return;
+    }
+}
+
+/// An effort that is never negative although what asks for it is, and follows its size.
+void magnitude_only(const Record& r, std::vector<Suspicion>& found)
+{
+    const auto& asked = r.effort_command.empty() ? r.drive : r.effort_command;
+    const auto& effort = r.effort_measured.empty() ? r.current : r.effort_measured;
+    if (asked.size() != effort.size() || effort.empty()) return;
+    const Extremes given = extremes_of(asked), got = extremes_of(effort);
+    constexpr double both_ways = 0.2;
+    if (got.low < 0 || got.high <= 0 || std::min(-given.low, given.high) < both_ways * given.largest()) return;
+    double size = 0, sign = 0, squares = 0, asked_squares = 0;
+    for (std::size_t k = 0; k < effort.size(); ++k) {
+        if (!std::isfinite(asked[k]) || !std::isfinite(effort[k])) continue;
+        size += std::abs(asked[k]) * effort[k], sign += asked[k] * effort[k];
+        squares += effort[k] * effort[k], asked_squares += asked[k] * asked[k];
+    }
+    const double whole = std::sqrt(squares * asked_squares);
+    constexpr double follows = 0.8, does_not = 0.6;
+    if (!(whole > 0) || size < follows * whole || std::abs(sign) > does_not * whole) return;
+    found.push_back({std::string(r.effort_measured.empty() ? "current" : "effort_measured") +
+                         " is never negative although the command is: its magnitude was logged; leave the column away, "
+                         "or give it the sign of the command",
+                     true});
+}
+
+/// Without control.period nothing says how fast the loop is; but no log of a joint has a row every half second.
+void slow_clock(const Record& r, const Joint& joint, bool time_unit_named, std::vector<Suspicion>& found)
+{
+    constexpr double too_slow = 0.5;  // s
+    if (is_set(joint.control.period) || time_unit_named || r.rows() < 3 || gap::is_rig(r)) return;
+    const double step = gap::median_step(r.time);
+    if (step < too_slow) return;
+    found.push_back({"suspected milliseconds: rows are " + number_text(step) +
+                         " s apart; time = { unit = \"ms\" } under [record.columns] says so, unit = \"s\" that it is "
+                         "right",
+                     true});
+}
+
+}  // namespace
+
+std::vector<Suspicion> impossible_signals(const Record& record, const Joint& joint, bool time_unit_named)
+{
+    std::vector<Suspicion> found;
+    slow_clock(record, joint, time_unit_named, found);
+    beyond_limits(record, joint, found);
+    two_s_complement("effort_measured", record.effort_measured, found);
+    two_s_complement("effort_command", record.effort_command, found);
+    two_s_complement("the drive signal", record.drive, found);
+    two_s_complement("current", record.current, found);
+    two_s_complement("position", record.position, found);
+    magnitude_only(record, found);
+    return found;
+}
+
+}  // namespace stickslip::files

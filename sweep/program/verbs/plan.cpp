@@ -1,0 +1,108 @@
+// stickslip plan: before measuring, what a motion can show of a joint and what it cannot tell apart.
+#include "sweep/study/plan.h"
+#include "sweep/files/json/verdict_json.h"
+#include "sweep/files/text/bad_input.h"
+#include "sweep/files/text/series_file.h"
+#include "sweep/files/text/whole_file.h"
+#include "sweep/files/toml/joint_file.h"
+#include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/parallel.h"
+#include "sweep/program/verbs/verbs.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace stickslip {
+namespace {
+
+struct Options {
+    std::string joint, trajectory, directory;
+    int threads = 0;
+    bool json = false;
+};
+
+Json power_json(const gap::Power& power)
+{
+    Json json = {{"effects", Json::array()}, {"inseparable", Json::array()}};
+    for (const auto& e : power.effects)
+        json["effects"].push_back({{"name", e.name},
+                                   {"least_size", json_number(e.least_size)},
+                                   {"unit", e.unit},
+                                   {"parameter", e.name + "." + e.parameter}});
+    for (const auto& [one, other] : power.inseparable) json["inseparable"].push_back({one, other});
+    return json;
+}
+
+void write_motion(const std::filesystem::path& file, const gap::SafeMotion& motion)
+{
+    std::string text = "time,reference_position\n";
+    for (std::size_t k = 0; k < motion.time.size(); ++k)
+        text += fmt::format("{},{}\n", motion.time[k], motion.position[k]);
+    write_whole(file, text);
+}
+
+void print(const gap::Power& power)
+{
+    fmt::print("least size that this motion shows (five times the noise)\n");
+    for (const auto& e : power.effects)
+        fmt::print("  {:<30} {}\n", e.name,
+                   is_set(e.least_size)
+                       ? fmt::format("{:.3g} {}  ({})", e.least_size, e.unit == "1" ? "" : e.unit, e.parameter)
+                       : "no size that is usual");
+    for (const auto& [one, other] : power.inseparable)
+        fmt::print("  {} and {} cannot be told apart by it\n", one, other);
+}
+
+int run(const Options& options)
+{
+    const Joint joint = read_joint(options.joint);
+    const Series reference = read_series(options.trajectory, "reference_position",
+                                         SeriesQuantity{Quantity::position, joint.mechanism.motion});
+    const ThreadLimit limit(options.threads);
+    const PlanAnswer answer = [&] {
+        try {
+            return plan(joint, reference.time, reference.value, !options.directory.empty(), parallel_for_each);
+        } catch (const std::invalid_argument& e) {
+            throw BadInput(options.joint + ": " + e.what());
+        }
+    }();
+    Json json = {{"format", "stickslip-plan/1"}};
+    json.update(power_json(answer.power));
+    if (answer.better) {
+        json["better_motion"] = {{"description", answer.better->description}, {"file", "next-motion.csv"}};
+        json["better_motion"].update(power_json(answer.of_better));
+    }
+    if (!options.directory.empty()) {
+        const std::filesystem::path directory = options.directory;
+        write_whole(directory / "plan.json", json.dump(2) + "\n");
+        std::filesystem::remove(directory / "next-motion.csv");
+        if (answer.better) write_motion(directory / "next-motion.csv", *answer.better);
+    }
+    if (options.json) {
+        fmt::print("{}\n", json.dump(2));
+        return exit_done;
+    }
+    print(answer.power);
+    if (answer.better) fmt::print("more is told by: {} (next-motion.csv)\n", answer.better->description);
+    return exit_done;
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<Options>();
+    auto* verb = app.add_subcommand("plan", "Say before measuring what a motion can show of a joint");
+    verb->add_option("JOINT", options->joint, "nominal joint, TOML, with control.period and [sensor]")->required();
+    verb->add_option("TRAJECTORY", options->trajectory, "CSV or .csv.gz with time and reference_position")->required();
+    verb->add_option("-o,--output", options->directory,
+                     "write plan.json here and look for a motion that tells more apart (next-motion.csv)");
+    verb->add_option("--threads", options->threads, "threads, 0 for all; the answer does not depend on it");
+    verb->add_flag("--json", options->json, "print plan.json");
+    verb->footer("Example: stickslip plan joint.toml trajectory.csv --json\nExit codes: 0 done, 2 bad input.");
+    verb->callback([options, &invocation] { invocation.exit_code = run(*options); });
+}
+
+}  // namespace stickslip

@@ -1,0 +1,63 @@
+#include "analysis/diagnosis/audit/audit.h"
+#include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/plant/simulator.h"
+#include "tests/analysis/diagnosis/small_machine.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace stickslip;
+using namespace stickslip::gap;
+
+namespace {
+
+/// A free mass of 2 kg without a command, simulated open-chain; where it is after one second.
+double drifted_to(const Record& known)
+{
+    Joint j = test::nominal_joint();
+    j.mechanism.inertia = 2;
+    CoulombViscous none;
+    none.coulomb = none.viscous = 0;
+    j.friction.law = none;
+    Record r = known;
+    for (int k = 0; k <= 1000; ++k) {
+        r.time.push_back(1e-3 * k), r.position.push_back(0), r.effort_command.push_back(0);
+    }
+    const Ticks ticks = on_clock(r, j);
+    Innovation run;
+    predict(flatten(j), ticks, ticks.command, 0, run);
+    return -run.position.back();
+}
+
+}  // namespace
+
+TEST_CASE("a known load and a known inertia move the mass by Newton's law", "[gap]")
+{
+    Record r;
+    r.load_effort.assign(1001, 3);
+    CHECK(drifted_to(r) == Approx(0.5 * 3 / 2.0).epsilon(1e-3));
+    r.inertia.assign(1001, 6);
+    CHECK(drifted_to(r) == Approx(0.5 * 3 / 6.0).epsilon(1e-3));
+    for (std::size_t k = 0; k < 1001; ++k) r.load_effort[k] = 3e-3 * static_cast<double>(k);  // F = 3 t: q = t³/(2·6)
+    CHECK(drifted_to(r) == Approx(3.0 / 6 / 6).epsilon(5e-3));
+}
+
+TEST_CASE("a logged feed-forward is no fault of the controller, an unlogged one is not taken for a gain", "[gap]")
+{
+    Record r = test::record_of({}, 1, 4);
+    for (std::size_t k = 0; k < r.rows(); ++k) {
+        r.feed_forward.push_back(4 * std::sin(2 * r.time[k]));
+        r.effort_command[k] += r.feed_forward[k];
+    }
+    const auto audited = [](const Record& record) {
+        std::vector<std::string> notes;
+        std::vector<Case> cases{prepare(record, test::nominal_joint(), notes)};
+        return audit(cases);
+    };
+    const auto with = audited(r);
+    CHECK(with.command_explained);
+    CHECK(with.findings.empty());
+    r.feed_forward.clear();
+    CHECK_FALSE(audited(r).command_explained);
+}

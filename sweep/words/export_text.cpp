@@ -12,11 +12,13 @@ std::string delay_text(const ExportAnswer& answer)
     switch (answer.to) {
         case Simulator::mjcf:
             return steps +
-                   "; delay= of an actuator holds back the target, not the feedback inside position and velocity servos: "
+                   "; delay= of an actuator holds back the target, not the feedback inside position and velocity "
+                   "servos: "
                    "close the loop outside and use the <motor> in the comment, whose delay holds back the effort";
         case Simulator::isaaclab:
             return steps +
-                   "; DelayedPDActuatorCfg holds back the target by that, the feedback is not delayed: close the loop in "
+                   "; DelayedPDActuatorCfg holds back the target by that, the feedback is not delayed: close the loop "
+                   "in "
                    "your own actuator class for the dead time of the joint file";
         case Simulator::ros2_control:
             return "dead time belongs to the hardware, not to the controller's parameters";
@@ -30,7 +32,8 @@ std::string friction_text(Simulator to, Lost why)
     const std::string name = simulator_name(to);
     switch (why) {
         case Lost::static_rise:
-            return name + " has one level for rest and motion: friction above the Coulomb level at rest and low speed is lost";
+            return name +
+                   " has one level for rest and motion: friction above the Coulomb level at rest and low speed is lost";
         case Lost::memory:
             return name + " has no friction that remembers: the level is that of steady sliding, its memory is lost";
         case Lost::presliding:
@@ -61,9 +64,11 @@ std::string loop_text(Simulator to, Lost why)
         case Lost::estimate:
             return name + " feeds back the true velocity, not the controller's filtered estimate";
         case Lost::sensor:
-            return name + " feeds back the true position: noise, quantisation and errors of the encoder are not in the loop";
+            return name +
+                   " feeds back the true position: noise, quantisation and errors of the encoder are not in the loop";
         case Lost::feedback_side:
-            return "a servo here measures the body that it pushes; close the loop on the link outside and command the motor's effort";
+            return "a servo here measures the body that it pushes; close the loop on the link outside and command the "
+                   "motor's effort";
         case Lost::supply:
             return "the limit is kept as a constant effort, without its dependence on speed and current";
         default:
@@ -106,7 +111,8 @@ std::string lost_text(const ExportAnswer& answer, const NotExpressible& lost)
         case Lost::three_bodies:
             return "the middle body joined the motor, its spring on the motor's side is rigid";
         case Lost::backlash:
-            return simulator_name(answer.to) + " takes two joints for it in the robot's asset: export --to mjcf, urdf or sdf writes them";
+            return simulator_name(answer.to) +
+                   " takes two joints for it in the robot's asset: export --to mjcf, urdf or sdf writes them";
         case Lost::delay_of_target:
             return delay_text(answer);
         case Lost::static_rise:

@@ -14,7 +14,8 @@ class MjcfReader {
     Robot read()
     {
         const auto root = input_.file.root();
-        for (const auto& option : root.children("option")) robot_.gravity = input_.file.vector(option, "gravity", robot_.gravity);
+        for (const auto& option : root.children("option"))
+            robot_.gravity = input_.file.vector(option, "gravity", robot_.gravity);
         std::vector<SolidPart> of_the_world;
         for (const auto& world : root.children("worldbody"))
             contents(world, -1, "", Eigen::Isometry3d::Identity(), of_the_world);
@@ -63,7 +64,8 @@ class MjcfReader {
         std::vector<SolidPart> parts;
         const auto inertial = node.child("inertial");
         const bool own = inertial && input_.inertia_from_geoms != "true";
-        contents(node, index, node.attribute("childclass").as_string(childclass.c_str()), Eigen::Isometry3d::Identity(), parts);
+        contents(node, index, node.attribute("childclass").as_string(childclass.c_str()), Eigen::Isometry3d::Identity(),
+                 parts);
         if (own) parts = {inertial_part(input_, inertial)};
         set_inertia(robot_.bodies[static_cast<std::size_t>(index)], parts);
     }
@@ -71,7 +73,8 @@ class MjcfReader {
     void add_joint(pugi::xml_node node, int body, const std::string& childclass, const Eigen::Isometry3d& frame)
     {
         input_.apply_defaults(node, childclass);
-        const std::string type = std::string(node.name()) == "freejoint" ? "free" : node.attribute("type").as_string("hinge");
+        const std::string type =
+            std::string(node.name()) == "freejoint" ? "free" : node.attribute("type").as_string("hinge");
         if (type == "free" || type == "ball") return;  // stands where it is drawn
         RobotJoint joint;
         joint.name = node.attribute("name").as_string();
@@ -129,7 +132,8 @@ class MjcfReader {
                 joint.k_v = bias.size() > 2 ? -gear * bias[2] : 0;
             }
             if (const auto range = input_.file.numbers(node, "forcerange"); range.size() == 2)
-                joint.effort = std::min(joint.effort, std::abs(joint.gear) * std::max(std::abs(range[0]), std::abs(range[1])));
+                joint.effort =
+                    std::min(joint.effort, std::abs(joint.gear) * std::max(std::abs(range[0]), std::abs(range[1])));
         }
     }
 

@@ -23,10 +23,12 @@ Shape capsule(double r, double h)
     return {whole, {across, across, (c / 2 + 0.4 * s) * r * r}};
 }
 
-Shape shape_of(const MjcfInput& input, const pugi::xml_node& geom, const std::string& type, const std::vector<double>& size)
+Shape shape_of(const MjcfInput& input, const pugi::xml_node& geom, const std::string& type,
+               const std::vector<double>& size)
 {
     const auto need = [&](std::size_t count) {
-        if (size.size() < count) input.file.fail(geom, "size needs " + std::to_string(count) + " numbers for a " + type);
+        if (size.size() < count)
+            input.file.fail(geom, "size needs " + std::to_string(count) + " numbers for a " + type);
     };
     if (type == "sphere") {
         need(1);
@@ -43,10 +45,10 @@ Shape shape_of(const MjcfInput& input, const pugi::xml_node& geom, const std::st
         const double x = size[0] * size[0], y = size[1] * size[1], z = size[2] * size[2];
         const bool box = type == "box";
         const double share = box ? 1. / 3 : 0.2;
-        return {(box ? 8 : 4. / 3 * pi) * size[0] * size[1] * size[2],
-                Eigen::Vector3d(y + z, x + z, x + y) * share};
+        return {(box ? 8 : 4. / 3 * pi) * size[0] * size[1] * size[2], Eigen::Vector3d(y + z, x + z, x + y) * share};
     }
-    input.file.fail(geom, "is a " + type + " and its body has no <inertial>; state mass and inertia there, or mass=\"0\"");
+    input.file.fail(geom,
+                    "is a " + type + " and its body has no <inertial>; state mass and inertia there, or mass=\"0\"");
 }
 
 }  // namespace

@@ -66,7 +66,8 @@ void MjcfInput::collect(const pugi::xml_node& element, const std::string& parent
 void MjcfInput::apply_defaults(pugi::xml_node node, const std::string& childclass) const
 {
     const std::string given = node.attribute("class").as_string(childclass.empty() ? "main" : childclass.c_str());
-    if (!classes_.count(given) && given != "main") file.fail(node, "names the default class \"" + given + "\", which does not exist");
+    if (!classes_.count(given) && given != "main")
+        file.fail(node, "names the default class \"" + given + "\", which does not exist");
     for (std::string name = given; !name.empty();) {
         const auto found = classes_.find(name);
         if (found != classes_.end())
@@ -118,7 +119,8 @@ Eigen::Matrix3d MjcfInput::orientation(const pugi::xml_node& node) const
         return R;
     }
     if (node.attribute("zaxis"))
-        return Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), file.vector(node, "zaxis", {0, 0, 1})).toRotationMatrix();
+        return Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), file.vector(node, "zaxis", {0, 0, 1}))
+            .toRotationMatrix();
     return Eigen::Matrix3d::Identity();
 }
 

@@ -30,8 +30,9 @@ void require_inertia(const Robot& robot)
                 mass += robot.bodies[b].mass;
         const auto& body = robot.bodies[static_cast<std::size_t>(joint.body)];
         if (mass <= 0)
-            throw BadInput(body.place + ": " + body.name + " is moved by joint \"" + joint.name +
-                           "\" and has no inertia, nor has anything on it; expected is an <inertial> with mass and inertia");
+            throw BadInput(
+                body.place + ": " + body.name + " is moved by joint \"" + joint.name +
+                "\" and has no inertia, nor has anything on it; expected is an <inertial> with mass and inertia");
     }
 }
 
@@ -41,7 +42,8 @@ Robot read_robot(const std::filesystem::path& file)
 {
     const std::string root = files::XmlFile(file).root().name();
     if (root != "robot" && root != "mujoco" && root != "mujocoinclude")
-        throw BadInput(file.string() + ": its outermost element is <" + root + ">, expected is <robot> (URDF) or <mujoco> (MJCF)");
+        throw BadInput(file.string() + ": its outermost element is <" + root +
+                       ">, expected is <robot> (URDF) or <mujoco> (MJCF)");
     Robot robot = root == "robot" ? files::read_urdf(file) : files::read_mjcf(file);
     if (movable(robot).empty()) throw BadInput(file.string() + ": has no joint that moves");
     require_inertia(robot);
@@ -72,11 +74,12 @@ std::vector<double> read_pose(const Robot& robot, const std::filesystem::path& f
     files::Complaints complaints(file.string());
     const auto names = movable(robot);
     for (const auto& [name, node] : files::in_file_order(table)) {
-        const auto found = std::find_if(robot.joints.begin(), robot.joints.end(),
-                                        [&](const RobotJoint& j) { return j.name == name; });
+        const auto found =
+            std::find_if(robot.joints.begin(), robot.joints.end(), [&](const RobotJoint& j) { return j.name == name; });
         if (found == robot.joints.end() || found->kind == RobotJointKind::fixed) {
-            complaints.add(node->source(), name, "is no joint of the robot; joints are " + files::listed(names) +
-                                                     files::did_you_mean(name, names));
+            complaints.add(
+                node->source(), name,
+                "is no joint of the robot; joints are " + files::listed(names) + files::did_you_mean(name, names));
             continue;
         }
         const Motion motion = found->kind == RobotJointKind::hinge ? Motion::revolute : Motion::prismatic;

@@ -14,7 +14,8 @@ Eigen::Isometry3d origin(const XmlFile& file, const pugi::xml_node& of)
     const Eigen::Vector3d xyz = file.vector(node, "xyz", {0, 0, 0}), rpy = file.vector(node, "rpy", {0, 0, 0});
     Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
     frame.translate(xyz);
-    frame.rotate(Eigen::AngleAxisd(rpy.z(), Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(rpy.y(), Eigen::Vector3d::UnitY()) *
+    frame.rotate(Eigen::AngleAxisd(rpy.z(), Eigen::Vector3d::UnitZ()) *
+                 Eigen::AngleAxisd(rpy.y(), Eigen::Vector3d::UnitY()) *
                  Eigen::AngleAxisd(rpy.x(), Eigen::Vector3d::UnitX()));
     return frame;
 }
@@ -91,7 +92,8 @@ class TreeBuilder {
             if (!into_.count(name)) add(link, -1, {});
         if (robot_.bodies.size() < links_.size())
             for (const auto& [name, node] : into_)
-                if (!placed_.count(name)) file_.fail(node, "lies in a loop: its links hang on each other, expected is a tree");
+                if (!placed_.count(name))
+                    file_.fail(node, "lies in a loop: its links hang on each other, expected is a tree");
     }
 
   private:
@@ -115,7 +117,8 @@ class TreeBuilder {
         const std::string name = link.attribute("name").as_string();
         placed_[name] = index;
         robot_.bodies.push_back(std::move(body));
-        for (const auto& node : from_[name]) add(links_[node.child("child").attribute("link").as_string()], index, node);
+        for (const auto& node : from_[name])
+            add(links_[node.child("child").attribute("link").as_string()], index, node);
     }
 
     const XmlFile& file_;

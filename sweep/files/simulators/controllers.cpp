@@ -1,4 +1,5 @@
-// What takes gains and numbers alone: the actuator configuration of Isaac Lab, the controller parameters of ros2_control.
+// What takes gains and numbers alone: the actuator configuration of Isaac Lab, the controller parameters of
+// ros2_control.
 #include "sweep/files/simulators/simulator_text.h"
 
 #include <fmt/format.h>
@@ -30,13 +31,14 @@ std::string isaaclab_text(const ExportAnswer& a, const std::string& name)
         "        viscous_friction={:.9g},\n",
         f.breakaway, f.coulomb, f.viscous);
     if (j.effort_limit < infinity)
-        text += fmt::format("        {}={:.9g},\n", delayed || dc ? "effort_limit" : "effort_limit_sim", j.effort_limit);
+        text +=
+            fmt::format("        {}={:.9g},\n", delayed || dc ? "effort_limit" : "effort_limit_sim", j.effort_limit);
     if (dc)
         text += fmt::format("        saturation_effort={:.9g},\n        velocity_limit={:.9g},\n", j.stall_effort,
                             j.no_load_speed);
     if (delayed)
-        text += fmt::format("        min_delay={0},  # physics steps of {1:g} s\n        max_delay={0},\n", a.delay_steps,
-                            a.timestep);
+        text += fmt::format("        min_delay={0},  # physics steps of {1:g} s\n        max_delay={0},\n",
+                            a.delay_steps, a.timestep);
     text += "    ),\n}\n";
     if (!j.reference_velocity) text += "# the loop damps velocity itself: leave the velocity target at 0\n";
     return text;
@@ -63,7 +65,9 @@ std::string ros2_control_text(const ExportAnswer& a, const std::string& name)
         "        p: {:#.9g}\n"
         "        i: {:#.9g}\n"
         "        d: {:#.9g}\n",
-        j.ratio != 1 ? fmt::format(", at the joint's side of the gear (shaft gains times N² = {:.9g})", j.ratio * j.ratio) : "",
+        j.ratio != 1
+            ? fmt::format(", at the joint's side of the gear (shaft gains times N² = {:.9g})", j.ratio * j.ratio)
+            : "",
         std::lround(rate), name, name, name, name, j.k_p, j.k_i, j.k_v);
     if (j.k_i != 0 && j.effort_limit < infinity) text += fmt::format("        i_clamp: {:#.9g}\n", j.effort_limit);
     return text;

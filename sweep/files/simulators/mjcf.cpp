@@ -27,7 +27,8 @@ std::string body(const ExportAnswer& a, const std::string& name, double inertia,
     Pendulum p = link ? pendulum(j, inertia) : Pendulum{1e-6, 0, 0, 1e-12};
     std::string extra = armature > 0 ? fmt::format(" armature=\"{:.9g}\"", armature) : "";
     if (j.effort_limit < infinity && (!link || !j.two_bodies() || !std::isfinite(j.stiffness)))
-        extra += fmt::format(" actuatorfrclimited=\"true\" actuatorfrcrange=\"{:.9g} {:.9g}\"", -j.effort_limit, j.effort_limit);
+        extra += fmt::format(" actuatorfrclimited=\"true\" actuatorfrcrange=\"{:.9g} {:.9g}\"", -j.effort_limit,
+                             j.effort_limit);
     const bool turns = j.motion == Motion::revolute;
     return fmt::format(
         "    <body name=\"{0}_body\">\n"
@@ -43,7 +44,8 @@ std::string tendon(const SimulatorJoint& j, const std::string& name)
     return fmt::format(
         "  <!-- Elastic transmission{1}: at the joint's side, between the two hinges. -->\n"
         "  <tendon>\n"
-        "    <fixed name=\"{0}_transmission\" stiffness=\"{2:.9g}\" damping=\"{3:.9g}\" springlength=\"{4:.9g} {5:.9g}\">\n"
+        "    <fixed name=\"{0}_transmission\" stiffness=\"{2:.9g}\" damping=\"{3:.9g}\" springlength=\"{4:.9g} "
+        "{5:.9g}\">\n"
         "      <joint joint=\"{0}_motor\" coef=\"1\"/>\n"
         "      <joint joint=\"{0}\" coef=\"-1\"/>\n"
         "    </fixed>\n"
@@ -59,7 +61,8 @@ std::string actuators(const ExportAnswer& a, const std::string& name, const std:
     if (!j.feedback_link) {
         servo = fmt::format("    <position name=\"{}_position\" joint=\"{}\" kp=\"{:.9g}\"/>\n", name, driven, j.k_p);
         if (j.k_v != 0)
-            servo += fmt::format("    <velocity name=\"{}_velocity\" joint=\"{}\" kv=\"{:.9g}\"/>\n", name, driven, j.k_v);
+            servo +=
+                fmt::format("    <velocity name=\"{}_velocity\" joint=\"{}\" kv=\"{:.9g}\"/>\n", name, driven, j.k_v);
     }
     const std::string use = j.reference_velocity
                                 ? "k_p (target − q) + k_v (target velocity − v): set both controls"
@@ -68,12 +71,12 @@ std::string actuators(const ExportAnswer& a, const std::string& name, const std:
         a.delay_steps > 0 ? fmt::format(" delay=\"{:g}\" nsample=\"{}\"", j.delay, a.delay_steps + 1) : "";
     const std::string motor =
         fmt::format("<motor name=\"{}_effort\" joint=\"{}\" gear=\"{:.9g}\"{}/>", name, driven, j.ratio, delay);
-    if (j.feedback_link)
-        return "  <actuator>\n    " + motor + "\n  </actuator>\n";
+    if (j.feedback_link) return "  <actuator>\n    " + motor + "\n  </actuator>\n";
     return fmt::format(
         "  <!-- {}.{} -->\n  <actuator>\n{}  </actuator>\n"
         "  <!-- With a loop of your own, effort at the motor's shaft{}: {} -->\n",
-        use, j.ratio != 1 ? fmt::format(" Gains are those at the motor's shaft times N² = {:.9g}", j.ratio * j.ratio) : "",
+        use,
+        j.ratio != 1 ? fmt::format(" Gains are those at the motor's shaft times N² = {:.9g}", j.ratio * j.ratio) : "",
         servo, a.delay_steps > 0 ? ", delayed (MuJoCo 3.5 and later)" : "", motor);
 }
 
@@ -86,7 +89,8 @@ std::string mjcf_text(const ExportAnswer& a, const std::string& name)
     DryFriction motor = j.motor;
     motor.viscous += j.back_emf;
     std::string text = fmt::format(
-        "<!-- Paste body or joint attributes, tendon and actuators into your robot; the file also loads as it stands. -->\n"
+        "<!-- Paste body or joint attributes, tendon and actuators into your robot; the file also loads as it stands. "
+        "-->\n"
         "<mujoco model=\"{}\">\n"
         "  <compiler angle=\"radian\"/>\n"
         "  <!-- Euler: the implicit integrators misread the damping of a tendon. -->\n"

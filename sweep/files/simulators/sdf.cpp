@@ -13,7 +13,9 @@ std::string link(const std::string& name, const Pendulum& p)
         "      <inertial>\n"
         "        <pose>{:.9g} 0 {:.9g} 0 0 0</pose>\n"
         "        <mass>{:.9g}</mass>\n"
-        "        <inertia><ixx>{4:.9g}</ixx><iyy>{4:.9g}</iyy><izz>{4:.9g}</izz><ixy>0</ixy><ixz>0</ixz><iyz>0</iyz></inertia>\n"
+        "        "
+        "<inertia><ixx>{4:.9g}</ixx><iyy>{4:.9g}</iyy><izz>{4:.9g}</izz><ixy>0</ixy><ixz>0</ixz><iyz>0</iyz></"
+        "inertia>\n"
         "      </inertial>\n"
         "    </link>\n",
         name, p.x, p.z, p.mass, p.own_inertia);
@@ -33,7 +35,8 @@ std::string joint(const SimulatorJoint& j, const std::string& name, const std::s
         "        <dynamics><damping>{:.9g}</damping><friction>{:.9g}</friction></dynamics>\n"
         "      </axis>\n"
         "    </joint>\n",
-        name, turns ? "revolute" : "prismatic", parent, child, turns ? "0 -1 0" : "1 0 0", limits, f.viscous, f.coulomb);
+        name, turns ? "revolute" : "prismatic", parent, child, turns ? "0 -1 0" : "1 0 0", limits, f.viscous,
+        f.coulomb);
 }
 
 std::string effort_limit(const SimulatorJoint& j)
@@ -44,11 +47,13 @@ std::string effort_limit(const SimulatorJoint& j)
 
 std::string controller(const SimulatorJoint& j, const std::string& name)
 {
-    const auto limit = j.effort_limit < infinity
-                           ? fmt::format("      <cmd_max>{0:.9g}</cmd_max>\n      <cmd_min>-{0:.9g}</cmd_min>\n", j.effort_limit)
-                           : "";
+    const auto limit =
+        j.effort_limit < infinity
+            ? fmt::format("      <cmd_max>{0:.9g}</cmd_max>\n      <cmd_min>-{0:.9g}</cmd_min>\n", j.effort_limit)
+            : "";
     return fmt::format(
-        "    <plugin filename=\"gz-sim-joint-position-controller-system\" name=\"gz::sim::systems::JointPositionController\">\n"
+        "    <plugin filename=\"gz-sim-joint-position-controller-system\" "
+        "name=\"gz::sim::systems::JointPositionController\">\n"
         "      <joint_name>{}</joint_name>\n"
         "      <p_gain>{:.9g}</p_gain>\n"
         "      <i_gain>{:.9g}</i_gain>\n"

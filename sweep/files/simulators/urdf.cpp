@@ -34,8 +34,11 @@ std::string hinge(const SimulatorJoint& j, const std::string& name, const std::s
         "{}"
         "    <dynamics damping=\"{:.9g}\" friction=\"{:.9g}\"/>\n"
         "  </joint>\n",
-        name, !turns ? "prismatic" : limited ? "revolute" : "continuous", parent, child, turns ? "0 -1 0" : "1 0 0",
-        limits, f.viscous, f.coulomb);
+        name,
+        !turns    ? "prismatic"
+        : limited ? "revolute"
+                  : "continuous",
+        parent, child, turns ? "0 -1 0" : "1 0 0", limits, f.viscous, f.coulomb);
 }
 
 /// URDF wants a velocity with every limit and a travel with every slide; joint.toml has neither.
@@ -44,8 +47,9 @@ std::string travel(const SimulatorJoint& j)
     const std::string effort = j.effort_limit < infinity ? fmt::format("{:.9g}", j.effort_limit) : "1e9";
     const std::string speed = j.no_load_speed < infinity ? fmt::format("{:.9g}", j.no_load_speed) : "1e9";
     const bool slides = j.motion == Motion::prismatic;
-    return fmt::format("    <!-- 1e9: no limit is known; put in your robot's -->\n    <limit {}effort=\"{}\" velocity=\"{}\"/>\n",
-                       slides ? "lower=\"-1e9\" upper=\"1e9\" " : "", effort, speed);
+    return fmt::format(
+        "    <!-- 1e9: no limit is known; put in your robot's -->\n    <limit {}effort=\"{}\" velocity=\"{}\"/>\n",
+        slides ? "lower=\"-1e9\" upper=\"1e9\" " : "", effort, speed);
 }
 
 }  // namespace

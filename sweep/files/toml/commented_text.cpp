@@ -56,7 +56,8 @@ std::string commented_toml(const std::vector<Key>& keys, Motion motion)
             tables.push_back({path, key.in_row});
             table = tables.end() - 1;
         }
-        const bool set = !key.value.empty() && (key.in_force() || key.kind == KeyKind::choice || key.need == Need::required);
+        const bool set =
+            !key.value.empty() && (key.in_force() || key.kind == KeyKind::choice || key.need == Need::required);
         const bool of_note = set && (key.in_force() || key.need == Need::required);
         std::string line = (set ? "" : "# ") + name + " = " + value_text(key, set ? key.value : key.standard);
         if (key.kind == KeyKind::number && !set && key.standard.empty()) line = "# " + name + " =";
@@ -84,7 +85,8 @@ std::string commented_toml(const std::vector<Key>& keys, Motion motion)
 
 std::string commented_joint(const Joint& joint)
 {
-    return "# A joint for stickslip, SI units. Lines that begin with # are keys at their default: remove the # to set them,\n"
+    return "# A joint for stickslip, SI units. Lines that begin with # are keys at their default: remove the # to set "
+           "them,\n"
            "# and that of the [table] above them. The numbers are an example: put in those of your joint.\n\n" +
            commented_toml(keys(joint), joint.mechanism.motion);
 }
@@ -93,7 +95,8 @@ std::string commented_spec(const Joint& joint)
 {
     const auto& c = joint.control;
     const auto axis = [](const std::string& path, double low, double high, int points) {
-        return fmt::format("\"{}\" = {{ from = {:g}, to = {:g}, points = {}, scale = \"log\" }}\n", path, low, high, points);
+        return fmt::format("\"{}\" = {{ from = {:g}, to = {:g}, points = {}, scale = \"log\" }}\n", path, low, high,
+                           points);
     };
     const double k_v = c.k_v > 0 ? c.k_v : 1;
     std::string text =

@@ -73,8 +73,9 @@ void add_export(CLI::App& app, Invocation& invocation)
     verb->add_option("--timestep", options->timestep,
                      "time step of the simulator in s; default: its usual one, shorter where the joint needs it")
         ->check(CLI::PositiveNumber);
-    verb->add_option("--link-inertia", options->link_inertia,
-                     "one mass: the part of the inertia that the robot's links have about this axis; the rest is armature")
+    verb->add_option(
+            "--link-inertia", options->link_inertia,
+            "one mass: the part of the inertia that the robot's links have about this axis; the rest is armature")
         ->check(CLI::PositiveNumber);
     verb->add_option("--speed", options->speed,
                      "velocity at which friction without a Coulomb level of its own is read; default: control.V0")

@@ -39,9 +39,17 @@ nlohmann::ordered_json import_json(const ImportAnswer& answer, const std::string
             {"inertia", d.inertia},
             {"armature", j.armature},
             {"moved_mass", d.mass},
-            {"gravity", {{"amplitude", d.gravity_amplitude}, {"phase", d.gravity_phase}, {"effort", d.gravity_effort}, {"stiffness", d.gravity_stiffness}}},
+            {"gravity",
+             {{"amplitude", d.gravity_amplitude},
+              {"phase", d.gravity_phase},
+              {"effort", d.gravity_effort},
+              {"stiffness", d.gravity_stiffness}}},
             {"friction", {{"coulomb", j.friction}, {"viscous", j.damping}}},
-            {"limits", {{"lower", finite(j.low)}, {"upper", finite(j.high)}, {"velocity", finite(j.velocity)}, {"effort", finite(j.effort)}}},
+            {"limits",
+             {{"lower", finite(j.low)},
+              {"upper", finite(j.high)},
+              {"velocity", finite(j.velocity)},
+              {"effort", finite(j.effort)}}},
             {"gear", j.gear},
             {"missing", answer.missing}};
 }
@@ -52,8 +60,8 @@ int import_verb(const Options& options)
     const auto pose = read_pose(robot, options.pose);
     auto answer = import_joint(robot, joint_named(robot, options.joint, options.robot), pose);
     if (answer.loop)
-        throw BadInput(answer.loop->place + ": " + answer.loop->what + " closes a loop through joint \"" + options.joint +
-                       "\"; expected is a joint that moves freely while all others stand still");
+        throw BadInput(answer.loop->place + ": " + answer.loop->what + " closes a loop through joint \"" +
+                       options.joint + "\"; expected is a joint that moves freely while all others stand still");
     for (const auto& setting : options.settings) apply_setting(answer.joint, setting);
     std::erase_if(answer.missing, [&](const std::string& path) {
         return std::any_of(options.settings.begin(), options.settings.end(),
@@ -69,8 +77,7 @@ int import_verb(const Options& options)
         out << text;
         if (!out.flush()) throw BadInput(options.file + ": cannot be written");
     }
-    for (const auto& path : answer.missing)
-        fmt::print(stderr, "Still to fill in: {} (or --set {}=…)\n", path, path);
+    for (const auto& path : answer.missing) fmt::print(stderr, "Still to fill in: {} (or --set {}=…)\n", path, path);
     return exit_done;
 }
 
@@ -86,7 +93,8 @@ void add_import(CLI::App& app, Invocation& invocation)
     verb->add_option("--set", options->settings, "fill in or change a number: path=value");
     verb->add_option("-o,--output", options->file, "file to write; default: standard output");
     verb->add_flag("--json", options->json, "machine-readable, stable names");
-    verb->footer("Example: stickslip import robot.urdf --joint elbow --at pose.toml --set control.k_p=200 -o joint.toml");
+    verb->footer(
+        "Example: stickslip import robot.urdf --joint elbow --at pose.toml --set control.k_p=200 -o joint.toml");
     verb->callback([options, &invocation] { invocation.exit_code = import_verb(*options); });
 }
 

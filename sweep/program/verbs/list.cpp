@@ -137,13 +137,15 @@ Json parameter_list(const std::string& file, const std::string& law)
 /// Every key, numbers and words, with its default: of the given file, or of a model with a law on every body.
 Json key_list(const std::string& file, const std::string& model, const std::string& law)
 {
-    const auto chosen = std::find_if(std::begin(models), std::end(models), [&](const auto& m) { return m.name == model; });
-    const Joint joint =
-        file.empty() ? starting_joint(chosen->value, law, Motion::prismatic) : read_joint(file);
+    const auto chosen =
+        std::find_if(std::begin(models), std::end(models), [&](const auto& m) { return m.name == model; });
+    const Joint joint = file.empty() ? starting_joint(chosen->value, law, Motion::prismatic) : read_joint(file);
     Json json = Json::array();
     for (const auto& key : keys(joint))
         json.push_back({{"path", key.path},
-                        {"default", key.need == Need::required ? "required" : key.standard.empty() ? "-" : key.standard},
+                        {"default", key.need == Need::required ? "required"
+                                    : key.standard.empty()     ? "-"
+                                                               : key.standard},
                         {"allowed", allowed_values(key, joint.mechanism.motion)},
                         {"help", key.help}});
     return json;
@@ -190,7 +192,8 @@ void add_list(CLI::App& app, Invocation&)
 {
     auto options = std::make_shared<Options>();
     auto* verb = app.add_subcommand("list", "What there is: friction laws, joints, effects, parameters, keys");
-    verb->add_option("WHAT", options->what, "laws | joints | effects | parameters | keys (numbers and words, with defaults)")
+    verb->add_option("WHAT", options->what,
+                     "laws | joints | effects | parameters | keys (numbers and words, with defaults)")
         ->required()
         ->check(CLI::IsMember({"laws", "joints", "effects", "parameters", "keys"}));
     verb->add_option("--joint", options->joint, "list the parameters or keys of this joint file");

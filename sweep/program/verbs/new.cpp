@@ -48,8 +48,8 @@ int new_file(const Options& options)
     std::ofstream out(options.file, std::ios::binary);
     out << text;
     if (!out.flush()) throw BadInput(options.file + ": cannot be written");
-    fmt::print("{}: try it with  stickslip {} {}\n", options.file,
-               options.what == "joint" ? "evaluate" : "sweep", options.file);
+    fmt::print("{}: try it with  stickslip {} {}\n", options.file, options.what == "joint" ? "evaluate" : "sweep",
+               options.file);
     return exit_done;
 }
 
@@ -60,10 +60,14 @@ void add_new(CLI::App& app, Invocation& invocation)
     auto options = std::make_shared<Options>();
     auto* verb = app.add_subcommand("new", "Write a commented joint or sweep file that runs, to fill in");
     verb->add_option("WHAT", options->what, "joint | spec")->required()->check(CLI::IsMember({"joint", "spec"}));
-    verb->add_option("--model", options->model, "lumped model")->check(CLI::IsMember(names_of(models)))->capture_default_str();
+    verb->add_option("--model", options->model, "lumped model")
+        ->check(CLI::IsMember(names_of(models)))
+        ->capture_default_str();
     std::vector<std::string> names;
     for (const auto& law : laws()) names.emplace_back(law.name);
-    verb->add_option("--law", options->law, "friction law, on every body")->check(CLI::IsMember(names))->capture_default_str();
+    verb->add_option("--law", options->law, "friction law, on every body")
+        ->check(CLI::IsMember(names))
+        ->capture_default_str();
     verb->add_option("--motion", options->motion, "what the joint does")
         ->check(CLI::IsMember(names_of(motions)))
         ->capture_default_str();

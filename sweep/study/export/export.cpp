@@ -120,8 +120,8 @@ const Rule* rule_of(const std::string& path)
 /// Whether a simulator with mechanism takes this key of a law, and if not, what is lost.
 std::optional<Lost> law_key(Simulator to, const std::string& law, std::string_view key)
 {
-    const auto* rule = std::find_if(std::begin(law_rules), std::end(law_rules),
-                                    [&](const LawRule& r) { return r.name == law; });
+    const auto* rule =
+        std::find_if(std::begin(law_rules), std::end(law_rules), [&](const LawRule& r) { return r.name == law; });
     if (rule == std::end(law_rules)) return Lost::no_element;
     if (to == Simulator::ros2_control) return Lost::mechanism_elsewhere;
     if (key == "law") return rule->rest == Lost::no_element ? std::nullopt : std::optional(rule->rest);
@@ -151,10 +151,10 @@ std::optional<Lost> lost(const Key& key, Simulator to, std::string& law)
 double timestep_for(const SimulatorJoint& s, Simulator to)
 {
     constexpr double share = 0.3;  // of 1/ω: semi-implicit Euler's own damping is then below 5 %
-    const double usual = to == Simulator::isaaclab       ? 0.005
-                         : to == Simulator::mjcf         ? 0.002
+    const double usual = to == Simulator::isaaclab                           ? 0.005
+                         : to == Simulator::mjcf                             ? 0.002
                          : to == Simulator::ros2_control && is_set(s.period) ? s.period
-                                                         : 0.001;
+                                                                             : 0.001;
     double fastest = std::sqrt(s.k_p / s.inertia());
     if (s.two_bodies() && std::isfinite(s.stiffness)) {
         fastest = std::max(fastest, std::sqrt(s.k_p / s.armature));

@@ -17,28 +17,28 @@ inline constexpr Choice<Simulator> simulators[] = {{"mjcf", Simulator::mjcf},
 
 /// Why a key of the joint does not reach the simulator.
 enum class Lost {
-    no_element,          ///< nothing in the target stands for it
-    from_the_robot,      ///< the robot's own description has it
-    joined_to_link,      ///< reflected inertia became part of the link's
-    rigid,               ///< compliance: motor and link move as one
-    three_bodies,        ///< the middle body joined the motor
-    backlash,            ///< no dead band
-    static_rise,         ///< friction above the Coulomb level at rest and low speed
-    memory,              ///< friction that remembers
-    presliding,          ///< friction that springs before it slides
-    direction,           ///< different in both directions
-    position_dependent,  ///< locked to position
-    time_dependent,      ///< changes in time
-    load_dependent,      ///< grows with the transmitted effort
-    gains_elsewhere,     ///< the target describes mechanism only
-    mechanism_elsewhere, ///< the target describes control only
-    delay_of_target,     ///< the simulator delays what is commanded, not what the loop feeds back
-    lag,                 ///< of the actuator
-    sampling,            ///< the simulator's loop runs at its own time step
-    estimate,            ///< the controller's filter of velocity
-    sensor,              ///< noise and quantisation inside the loop
-    feedback_side,       ///< loop closed at the link around a motor
-    supply,              ///< limits by voltage and current
+    no_element,           ///< nothing in the target stands for it
+    from_the_robot,       ///< the robot's own description has it
+    joined_to_link,       ///< reflected inertia became part of the link's
+    rigid,                ///< compliance: motor and link move as one
+    three_bodies,         ///< the middle body joined the motor
+    backlash,             ///< no dead band
+    static_rise,          ///< friction above the Coulomb level at rest and low speed
+    memory,               ///< friction that remembers
+    presliding,           ///< friction that springs before it slides
+    direction,            ///< different in both directions
+    position_dependent,   ///< locked to position
+    time_dependent,       ///< changes in time
+    load_dependent,       ///< grows with the transmitted effort
+    gains_elsewhere,      ///< the target describes mechanism only
+    mechanism_elsewhere,  ///< the target describes control only
+    delay_of_target,      ///< the simulator delays what is commanded, not what the loop feeds back
+    lag,                  ///< of the actuator
+    sampling,             ///< the simulator's loop runs at its own time step
+    estimate,             ///< the controller's filter of velocity
+    sensor,               ///< noise and quantisation inside the loop
+    feedback_side,        ///< loop closed at the link around a motor
+    supply,               ///< limits by voltage and current
     not_position_control,
 };
 

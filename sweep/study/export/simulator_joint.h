@@ -14,9 +14,9 @@ struct DryFriction {
 struct SimulatorJoint {
     Motion motion = Motion::prismatic;
     double link_inertia = 0;
-    double armature = 0;                                        ///< N² J of the motor
+    double armature = 0;                                                ///< N² J of the motor
     double ratio = 1, stiffness = infinity, damping = 0, backlash = 0;  ///< between motor and link
-    DryFriction motor, link;                                    ///< of one mass: all on the link
+    DryFriction motor, link;                                            ///< of one mass: all on the link
     double gravity_amplitude = 0, gravity_phase = 0;
     double k_p = 0, k_v = 0, k_i = 0;
     double back_emf = 0;  ///< damping by a DC motor's back-EMF; comes on top of `motor.viscous`

@@ -14,7 +14,8 @@ struct ImportAnswer {
     RobotJoint described;
     double position = 0;               ///< of the joint at this pose
     std::vector<std::string> missing;  ///< paths of required numbers that no robot description has
-    const RobotClosure* loop = nullptr;  ///< what ties the joint to the rest, into the robot: nothing else is then valid
+    const RobotClosure* loop =
+        nullptr;  ///< what ties the joint to the rest, into the robot: nothing else is then valid
 };
 
 ImportAnswer import_joint(const Robot& robot, int joint, const std::vector<double>& pose);

@@ -30,7 +30,8 @@ Placed place(const Robot& robot, const std::vector<double>& pose)
             if (joint.kind == RobotJointKind::slide) frame.pretranslate(Eigen::Vector3d(moved * at.axis[index]));
             if (joint.kind != RobotJointKind::hinge) continue;
             const auto& p = at.anchor[index];
-            frame = Eigen::Translation3d(p) * Eigen::AngleAxisd(moved, at.axis[index]) * Eigen::Translation3d(-p) * frame;
+            frame =
+                Eigen::Translation3d(p) * Eigen::AngleAxisd(moved, at.axis[index]) * Eigen::Translation3d(-p) * frame;
         }
         at.body[b] = frame;
     }

@@ -27,11 +27,11 @@ struct RobotJoint {
 
 struct RobotBody {
     std::string name;
-    int parent = -1;  ///< -1: the world
+    int parent = -1;                                          ///< -1: the world
     Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();  ///< in the frame of the parent
     std::vector<int> joints;                                  ///< that move it, in order
     double mass = 0;
-    Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of mass
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();   ///< of mass
     Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about the centre of mass, axes of the body
     std::string place;
 };

@@ -15,19 +15,39 @@ struct Example {
     double prismatic, revolute;
 };
 constexpr Example examples[] = {
-    {"inertia", 1, 0.05},         {"motor_inertia", 0.3, 0.02}, {"link_inertia", 1, 0.05},
-    {"lever_arm", 0.1, 0.1},      {"transmission_inertia", 0.1, 0.005},
-    {"stiffness", 1e6, 1e4},      {"damping", 20, 0.2},
-    {"k_p", 6e4, 600},            {"k_v", 10, 0.5},             {"V0", 1e-3, 0.05},
+    {"inertia", 1, 0.05},
+    {"motor_inertia", 0.3, 0.02},
+    {"link_inertia", 1, 0.05},
+    {"lever_arm", 0.1, 0.1},
+    {"transmission_inertia", 0.1, 0.005},
+    {"stiffness", 1e6, 1e4},
+    {"damping", 20, 0.2},
+    {"k_p", 6e4, 600},
+    {"k_v", 10, 0.5},
+    {"V0", 1e-3, 0.05},
     // friction
-    {"f0", 60, 0.6},              {"A", 1, 0.01},               {"B", 1.5, 0.015},
-    {"L", 1e-5, 5e-4},            {"V_star", 1e-3, 0.05},       {"coulomb", 60, 0.6},
-    {"viscous", 10, 0.02},        {"kinetic", 60, 0.6},         {"static", 66, 0.66},
-    {"c0", 60, 0.6},              {"c1", 10, 0.02},             {"c2", 6, 0.06},
-    {"c3", 2e-3, 0.1},            {"sigma0", 1e7, 5e3},         {"sigma1", 300, 1},
-    {"sigma2", 10, 0.02},         {"stribeck_velocity", 2e-3, 0.1},
-    {"yield", 60, 0.6},           {"lag", 1e-3, 1e-3},          {"f_v", 500, 0.2},
-    {"weight", 2e5, 50},          {"rate", 500, 500},
+    {"f0", 60, 0.6},
+    {"A", 1, 0.01},
+    {"B", 1.5, 0.015},
+    {"L", 1e-5, 5e-4},
+    {"V_star", 1e-3, 0.05},
+    {"coulomb", 60, 0.6},
+    {"viscous", 10, 0.02},
+    {"kinetic", 60, 0.6},
+    {"static", 66, 0.66},
+    {"c0", 60, 0.6},
+    {"c1", 10, 0.02},
+    {"c2", 6, 0.06},
+    {"c3", 2e-3, 0.1},
+    {"sigma0", 1e7, 5e3},
+    {"sigma1", 300, 1},
+    {"sigma2", 10, 0.02},
+    {"stribeck_velocity", 2e-3, 0.1},
+    {"yield", 60, 0.6},
+    {"lag", 1e-3, 1e-3},
+    {"f_v", 500, 0.2},
+    {"weight", 2e5, 50},
+    {"rate", 500, 500},
 };
 
 const Example* example_of(std::string_view path, Model model)
@@ -39,7 +59,8 @@ const Example* example_of(std::string_view path, Model model)
     while (!path.empty() && path.back() >= '0' && path.back() <= '9') path.remove_suffix(1);
     if (path.ends_with('.')) path.remove_suffix(1);
     const auto name = path.substr(path.rfind('.') + 1);
-    const auto found = std::find_if(std::begin(examples), std::end(examples), [&](const Example& e) { return e.key == name; });
+    const auto found =
+        std::find_if(std::begin(examples), std::end(examples), [&](const Example& e) { return e.key == name; });
     return found == std::end(examples) ? nullptr : found;
 }
 

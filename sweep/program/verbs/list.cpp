@@ -135,7 +135,7 @@ Json parameter_list(const std::string& file, const std::string& law)
 }
 
 /// Every key, numbers and words, with its default: of the given file, or of a model with a law on every body.
-Json key_list(const std::string& file, const std::string& model, const std::string& law)
+Json key_list(const std::string& file, const std::string& model, const std::string& law, bool with_values)
 {
     const auto chosen =
         std::find_if(std::begin(models), std::end(models), [&](const auto& m) { return m.name == model; });

@@ -1,7 +1,9 @@
 // stickslip new: a commented file that runs, to be filled with one's own numbers.
 #include "analysis/friction/law.h"
 #include "sweep/files/text/bad_input.h"
+#include "sweep/files/toml/asked_axes.h"
 #include "sweep/files/toml/commented_text.h"
+#include "sweep/files/toml/joint_file.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/study/start/starting_joint.h"
@@ -17,8 +19,9 @@ namespace stickslip {
 namespace {
 
 struct Options {
-    std::string what, model = "single-mass", law = "rate-and-state", motion = "prismatic", file;
-    bool force = false;
+    std::string what, model = "single-mass", law = "rate-and-state", motion = "prismatic", from, file;
+    std::vector<std::string> settings;
+    bool force = false, plain = false;
 };
 
 template <class Enum, std::size_t n>
@@ -37,8 +40,15 @@ Enum value_of(const Choice<Enum> (&choices)[n], const std::string& name)
 
 int new_file(const Options& options)
 {
-    const Joint joint = starting_joint(value_of(models, options.model), options.law, value_of(motions, options.motion));
-    const std::string text = options.what == "joint" ? commented_joint(joint) : commented_spec(joint);
+    Joint joint = options.from.empty()
+                      ? starting_joint(value_of(models, options.model), options.law, value_of(motions, options.motion))
+                      : read_spec_or_joint(options.from, {}).design;
+    apply_settings(joint, options.settings);
+    if (options.plain && options.what == "spec")
+        throw BadInput("--plain: is for joints; a new spec has comments that say what may stand in it");
+    const std::string text = options.plain             ? joint_text(joint)
+                             : options.what == "joint" ? commented_joint(joint)
+                                                       : commented_spec(joint);
     if (options.file.empty()) {
         fmt::print("{}", text);
         return exit_done;
@@ -71,9 +81,14 @@ void add_new(CLI::App& app, Invocation& invocation)
     verb->add_option("--motion", options->motion, "what the joint does")
         ->check(CLI::IsMember(names_of(motions)))
         ->capture_default_str();
+    verb->add_option("--from", options->from, "start from this joint or spec instead of an example");
+    verb->add_option("--set", options->settings, "change a number or word: path=value");
+    verb->add_flag("--plain", options->plain, "only what differs from its default, without comments");
     verb->add_option("-o,--output", options->file, "file to write; default: standard output");
     verb->add_flag("--force", options->force, "replace the file if it exists");
-    verb->footer("Example: stickslip new joint --motion revolute --model two-mass --law stribeck -o joint.toml");
+    verb->footer(
+        "Example: stickslip new joint --motion revolute --model two-mass --law stribeck -o joint.toml\n"
+        "Example: stickslip new joint --from joint.toml --set control.k_p=2e4 --plain -o stiffer.toml");
     verb->callback([options, &invocation] { invocation.exit_code = new_file(*options); });
 }
 

@@ -294,8 +294,7 @@ Ticks on_clock(const Record& record, const Joint& joint)
         if (!r.torque_enable.empty()) t.enabled[k] = r.torque_enable[row] > 0.5;
     }
     for (std::size_t k = 0; k + 1 < n; ++k) t.step[k] = t.time[k + 1] - t.time[k];
-    if (m == 2 && !t.lost && t.has_velocity &&
-        joint.control.velocity_estimate.form != EstimateForm::exact &&
+    if (m == 2 && !t.lost && t.has_velocity && joint.control.velocity_estimate.form != EstimateForm::exact &&
         joint.control.velocity_estimate.average == 1)
         rebuild_halves(t, joint);
     if (t.has_reference) fill_reference_rate(r, t);

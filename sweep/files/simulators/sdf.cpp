@@ -9,10 +9,10 @@ namespace {
 std::string link(const std::string& name, const Pendulum& p)
 {
     return fmt::format(
-        "    <link name=\"{}\">\n"
+        "    <link name=\"{0}\">\n"
         "      <inertial>\n"
-        "        <pose>{:.9g} 0 {:.9g} 0 0 0</pose>\n"
-        "        <mass>{:.9g}</mass>\n"
+        "        <pose>{1:.9g} 0 {2:.9g} 0 0 0</pose>\n"
+        "        <mass>{3:.9g}</mass>\n"
         "        "
         "<inertia><ixx>{4:.9g}</ixx><iyy>{4:.9g}</iyy><izz>{4:.9g}</izz><ixy>0</ixy><ixz>0</ixz><iyz>0</iyz></"
         "inertia>\n"

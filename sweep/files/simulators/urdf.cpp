@@ -12,11 +12,11 @@ namespace {
 std::string link(const std::string& name, const Pendulum& p)
 {
     return fmt::format(
-        "  <link name=\"{}\">\n"
+        "  <link name=\"{0}\">\n"
         "    <inertial>\n"
-        "      <origin xyz=\"{:.9g} 0 {:.9g}\" rpy=\"0 0 0\"/>\n"
-        "      <mass value=\"{:.9g}\"/>\n"
-        "      <inertia ixx=\"{3:.9g}\" ixy=\"0\" ixz=\"0\" iyy=\"{3:.9g}\" iyz=\"0\" izz=\"{3:.9g}\"/>\n"
+        "      <origin xyz=\"{1:.9g} 0 {2:.9g}\" rpy=\"0 0 0\"/>\n"
+        "      <mass value=\"{3:.9g}\"/>\n"
+        "      <inertia ixx=\"{4:.9g}\" ixy=\"0\" ixz=\"0\" iyy=\"{4:.9g}\" iyz=\"0\" izz=\"{4:.9g}\"/>\n"
         "    </inertial>\n"
         "  </link>\n",
         name, p.x, p.z, p.mass, p.own_inertia);

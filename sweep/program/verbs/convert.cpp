@@ -1,5 +1,5 @@
-// stickslip convert: a record in CSV from a log. The readers are those of the Python package, so that each format is read in
-// one place; this verb finds them.
+// stickslip convert: a record in CSV from a log. The readers are those of the Python package, so that each format is
+// read in one place; this verb finds them.
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/verbs.h"
 
@@ -33,7 +33,8 @@ int convert(const Options& options)
     for (auto& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     execvp("python3", arguments.data());
-    fmt::print(stderr, "stickslip convert: python3 cannot be started ({}); install it with the Python package of stickslip\n",
+    fmt::print(stderr,
+               "stickslip convert: python3 cannot be started ({}); install it with the Python package of stickslip\n",
                std::strerror(errno));
     return exit_bad_input;
 }

@@ -110,7 +110,8 @@ TEST_CASE("export: every law loses what it remembers, on every simulator")
         const Joint joint = starting_joint(Model::single_mass, std::string(law.name), Motion::revolute);
         for (const auto& target : simulators) {
             const auto answer = export_joint(joint, target.value);
-            const bool plain = law.name == std::string_view("coulomb-viscous") && target.value != Simulator::ros2_control;
+            const bool plain =
+                law.name == std::string_view("coulomb-viscous") && target.value != Simulator::ros2_control;
             CHECK(lost(answer, "friction.law") == !plain);
             CHECK(std::isfinite(answer.joint.friction().coulomb));
             CHECK(simulator_text(answer, "elbow").find("elbow") != std::string::npos);
@@ -125,8 +126,9 @@ TEST_CASE("export: delay in steps of the simulator")
     ExportOptions options;
     options.timestep = 0.002;
     CHECK(export_joint(joint, Simulator::mjcf, options).delay_steps == 3);
-    CHECK(simulator_text(export_joint(joint, Simulator::mjcf, options), "elbow").find("delay=\"0.006\" nsample=\"4\"") !=
-          std::string::npos);
+    CHECK(
+        simulator_text(export_joint(joint, Simulator::mjcf, options), "elbow").find("delay=\"0.006\" nsample=\"4\"") !=
+        std::string::npos);
 }
 
 TEST_CASE("export: one mass can be divided into the robot's link and armature")

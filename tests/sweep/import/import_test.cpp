@@ -21,8 +21,8 @@ std::filesystem::path written(const TemporaryDirectory& room, const std::string&
     return file;
 }
 
-// Two links in the vertical plane, turning about −y, hanging down at zero: masses 2 and 1 kg at 0.3 and 0.2 m, link 1 is
-// 0.5 m long, inertias 0.04 and 0.01 kg m² about their centres.
+// Two links in the vertical plane, turning about −y, hanging down at zero: masses 2 and 1 kg at 0.3 and 0.2 m, link 1
+// is 0.5 m long, inertias 0.04 and 0.01 kg m² about their centres.
 constexpr double m1 = 2, m2 = 1, c1 = 0.3, c2 = 0.2, l1 = 0.5, I1 = 0.04, I2 = 0.01, g = 9.81;
 
 const char* const arm_urdf = R"(<?xml version="1.0"?>
@@ -59,7 +59,9 @@ void check_shoulder(const AxisDynamics& d, double elbow, double shoulder)
 {
     const double inertia = I1 + m1 * c1 * c1 + I2 + m2 * (l1 * l1 + c2 * c2 + 2 * l1 * c2 * std::cos(elbow));
     CHECK(d.inertia == Approx(inertia).epsilon(1e-12));
-    const auto effort = [&](double q) { return -(m1 * c1 + m2 * l1) * g * std::sin(q) - m2 * c2 * g * std::sin(q + elbow); };
+    const auto effort = [&](double q) {
+        return -(m1 * c1 + m2 * l1) * g * std::sin(q) - m2 * c2 * g * std::sin(q + elbow);
+    };
     CHECK(d.gravity_effort == Approx(effort(shoulder)).epsilon(1e-12));
     for (const double q : {-1.0, 0.0, 0.4, 2.5})
         CHECK(-d.gravity_amplitude * std::sin(q + d.gravity_phase) == Approx(effort(q)).epsilon(1e-12).margin(1e-12));
@@ -130,15 +132,16 @@ TEST_CASE("import: solids of even density have the inertia of their closed form"
     const TemporaryDirectory room;
     const auto inertia = [&](const std::string& geom) {
         const Robot robot = read_robot(written(room, "solid.xml",
-                                               "<mujoco><worldbody><body><joint name=\"j\" axis=\"0 0 1\"/><geom " + geom +
-                                                   "/></body></worldbody></mujoco>"));
+                                               "<mujoco><worldbody><body><joint name=\"j\" axis=\"0 0 1\"/><geom " +
+                                                   geom + "/></body></worldbody></mujoco>"));
         return axis_dynamics(robot, 0, {0}).inertia;
     };
     CHECK(inertia("type=\"sphere\" size=\"0.1\" mass=\"2\" pos=\"1 0 0\"") == Approx(0.4 * 2 * 0.01 + 2));
     CHECK(inertia("type=\"box\" size=\"0.1 0.2 0.3\" mass=\"3\"") == Approx(3 * (0.04 + 0.16) / 12));
     CHECK(inertia("type=\"cylinder\" size=\"0.1 0.3\" mass=\"3\"") == Approx(3 * 0.01 / 2));
     // a rod across the axis, fromto: m l²/12 + m r²/4
-    CHECK(inertia("type=\"cylinder\" size=\"0.1\" fromto=\"-0.3 0 0 0.3 0 0\" mass=\"3\"") == Approx(3 * (0.36 / 12 + 0.01 / 4)));
+    CHECK(inertia("type=\"cylinder\" size=\"0.1\" fromto=\"-0.3 0 0 0.3 0 0\" mass=\"3\"") ==
+          Approx(3 * (0.36 / 12 + 0.01 / 4)));
     // density of water by default; a capsule without length is a ball
     CHECK(inertia("type=\"sphere\" size=\"0.1\"") == Approx(0.4 * 0.01 * 1000 * 4. / 3 * std::acos(-1.0) * 1e-3));
     CHECK(inertia("type=\"capsule\" size=\"0.1 1e-9\" mass=\"2\"") == Approx(0.4 * 2 * 0.01));
@@ -148,22 +151,27 @@ TEST_CASE("import: what cannot be used is refused by file and line")
 {
     const TemporaryDirectory room;
     const Robot robot = read_robot(written(room, "arm.urdf", arm_urdf));
-    CHECK_THROWS_WITH(joint_named(robot, "elbwo", "arm.urdf"), Catch::Contains("shoulder, elbow") && Catch::Contains("did you mean"));
+    CHECK_THROWS_WITH(joint_named(robot, "elbwo", "arm.urdf"),
+                      Catch::Contains("shoulder, elbow") && Catch::Contains("did you mean"));
     CHECK_THROWS_WITH(read_pose(robot, written(room, "pose.toml", "elbwo = 1\n")), Catch::Contains("pose.toml:1"));
     CHECK_THROWS_WITH(read_pose(robot, written(room, "mm.toml", "elbow = \"3 mm\"\n")), Catch::Contains("rad"));
 
     const std::string loop = replaced(arm_urdf, "<child link=\"tip\"/>", "<child link=\"upper\"/>");
     CHECK_THAT(complaint(room, "loop.urdf", loop), Catch::Contains("loop") && Catch::Contains("loop.urdf:14"));
-    const std::string light = replaced(replaced(arm_urdf, "<mass value=\"1\"/>", "<mass value=\"0\"/>"), "ixx=\"0.01\"", "ixx=\"0\"");
+    const std::string light =
+        replaced(replaced(arm_urdf, "<mass value=\"1\"/>", "<mass value=\"0\"/>"), "ixx=\"0.01\"", "ixx=\"0\"");
     CHECK_THAT(complaint(room, "light.urdf", light), Catch::Contains("elbow") && Catch::Contains("no inertia"));
-    CHECK_THAT(complaint(room, "number.urdf", replaced(arm_urdf, "0 0 -0.5", "0 0 x")), Catch::Contains("number.urdf:13"));
+    CHECK_THAT(complaint(room, "number.urdf", replaced(arm_urdf, "0 0 -0.5", "0 0 x")),
+               Catch::Contains("number.urdf:13"));
     CHECK_THAT(complaint(room, "xacro.urdf", replaced(arm_urdf, "0 0 -0.5", "0 0 ${l}")), Catch::Contains("xacro"));
     CHECK_THAT(complaint(room, "cut.urdf", std::string(arm_urdf).substr(0, 400)), Catch::Contains("is no XML"));
     CHECK_THAT(complaint(room, "other.xml", "<sdf/>"), Catch::Contains("<sdf>"));
-    CHECK_THAT(complaint(room, "mesh.xml", "<mujoco><worldbody><body><joint/><geom mesh=\"m\"/></body></worldbody></mujoco>"),
-               Catch::Contains("mesh"));
+    CHECK_THAT(
+        complaint(room, "mesh.xml", "<mujoco><worldbody><body><joint/><geom mesh=\"m\"/></body></worldbody></mujoco>"),
+        Catch::Contains("mesh"));
 
-    const std::string tied = replaced(arm_mjcf, "</worldbody>", "</worldbody><equality><connect body1=\"lower\" anchor=\"0 0 0\"/></equality>");
+    const std::string tied = replaced(arm_mjcf, "</worldbody>",
+                                      "</worldbody><equality><connect body1=\"lower\" anchor=\"0 0 0\"/></equality>");
     const Robot closed = read_robot(written(room, "tied.xml", tied));
     CHECK(import_joint(closed, 0, {0, 0}).loop != nullptr);
 }

@@ -69,6 +69,10 @@ std::string loop_text(Simulator to, Lost why)
         case Lost::feedback_side:
             return "a servo here measures the body that it pushes; close the loop on the link outside and command the "
                    "motor's effort";
+        case Lost::integral:
+            return name + " takes gains on the error and its rate; integrate in a controller of your own";
+        case Lost::feed_forward:
+            return name + " adds nothing for the motion that is commanded; add it to the commanded effort yourself";
         case Lost::supply:
             return "the limit is kept as a constant effort, without its dependence on speed and current";
         default:

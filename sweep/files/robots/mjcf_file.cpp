@@ -2,6 +2,8 @@
 #include "sweep/files/robots/mjcf_inertia.h"
 #include "sweep/files/robots/robot_file.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace stickslip::files {

@@ -60,7 +60,7 @@ std::string commented_toml(const std::vector<Key>& keys, Motion motion)
             !key.value.empty() && (key.in_force() || key.kind == KeyKind::choice || key.need == Need::required);
         const bool of_note = set && (key.in_force() || key.need == Need::required);
         std::string line = (set ? "" : "# ") + name + " = " + value_text(key, set ? key.value : key.standard);
-        if (key.kind == KeyKind::number && !set && key.standard.empty()) line = "# " + name + " =";
+        if (key.kind != KeyKind::text && !set && key.standard.empty()) line = "# " + name + " =";
         table->lines += fmt::format("{:<32} # {}: {}\n", line, allowed_values(key, motion), key.help);
         table->anything_set = table->anything_set || of_note;
     }

@@ -1,6 +1,6 @@
 #include "sweep/study/export/simulator_joint.h"
 
-#include "analysis/joint/parameters.h"
+#include "analysis/joint/gains.h"
 #include "analysis/joint/reduction.h"
 
 #include <algorithm>
@@ -131,10 +131,11 @@ void take_drive(SimulatorJoint& s, const Joint& joint)
     const double measured = c.feedback == Feedback::motor || joint.mechanism.model == Model::single_mass ? N : 1;
     const double loop = shaft * N * measured;
     s.feedback_link = measured == 1 && joint.mechanism.model != Model::single_mass && c.feedback == Feedback::link;
-    s.k_p = c.k_p * loop;
-    s.k_v = c.k_v * loop;
-    Joint copy = joint;
-    if (const double* k_i = find_parameter(copy, "control.k_i"); k_i && is_set(*k_i)) s.k_i = *k_i * loop;
+    const Gains gains = gains_of(c);
+    s.k_p = gains.k_p * loop;
+    s.k_v = gains.k_v * loop;
+    s.k_i = gains.k_i * loop;
+    s.integral_limit = c.integral_limit * std::abs(shaft) * N;
     s.effort_limit = std::min({c.effort_limit * std::abs(shaft), a.limit, s.stall_effort / N}) * N;
     s.reference_velocity = c.reference_velocity;
     s.period = c.period;

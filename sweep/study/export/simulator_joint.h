@@ -18,7 +18,7 @@ struct SimulatorJoint {
     double ratio = 1, stiffness = infinity, damping = 0, backlash = 0;  ///< between motor and link
     DryFriction motor, link;                                            ///< of one mass: all on the link
     double gravity_amplitude = 0, gravity_phase = 0;
-    double k_p = 0, k_v = 0, k_i = 0;
+    double k_p = 0, k_v = 0, k_i = 0, integral_limit = infinity;
     double back_emf = 0;  ///< damping by a DC motor's back-EMF; comes on top of `motor.viscous`
     double effort_limit = infinity;
     double no_load_speed = infinity, stall_effort = infinity;  ///< DC motor at its supply voltage

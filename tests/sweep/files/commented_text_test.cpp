@@ -39,7 +39,9 @@ TEST_CASE("new: every line that is commented out can be put in at its default")
         const auto equals = line.find(" = ");
         const bool table = line.starts_with("# [") && line.ends_with("]");
         const bool key = line.starts_with("# ") && equals != std::string::npos && line.find(' ', 2) == equals;
-        open += (table || key ? line.substr(2) : line) + "\n";
+        const auto value = key ? line.find_first_not_of(' ', equals + 2) : std::string::npos;
+        const bool has_default = value != std::string::npos && line[value] != '#';
+        open += (table || (key && has_default) ? line.substr(2) : line) + "\n";
     }
     CHECK(open.find("\n[sensor]\n") != std::string::npos);
     CHECK(canonical_text(read_joint_text(open, "opened")) == canonical_text(joint));

@@ -54,12 +54,15 @@ TEST_CASE("export writes text for each simulator, and what is lost to standard e
     const auto text = stickslip("export " + joint + " --to urdf 2>/dev/null");
     CHECK(text.output.find("Not in this text") == std::string::npos);
     CHECK_THAT(stickslip("export " + joint + " --to mjfc").output, Catch::Contains("did you mean mjcf"));
-    CHECK_THAT(stickslip("export " + joint + " --to mjcf --link-inertia 1e3").output, Catch::Contains("--link-inertia"));
+    CHECK_THAT(stickslip("export " + joint + " --to mjcf --link-inertia 1e3").output,
+               Catch::Contains("--link-inertia"));
     // well formed, as another program sees it
     for (const std::string to : {"mjcf", "urdf", "sdf"})
-        CHECK(shell("\"" STICKSLIP "\" export " + joint + " --to " + to +
-                    " 2>/dev/null | python3 -c 'import sys, xml.dom.minidom as x; x.parseString(sys.stdin.buffer.read())'")
-                  .exit_code == 0);
+        CHECK(
+            shell(
+                "\"" STICKSLIP "\" export " + joint + " --to " + to +
+                " 2>/dev/null | python3 -c 'import sys, xml.dom.minidom as x; x.parseString(sys.stdin.buffer.read())'")
+                .exit_code == 0);
     CHECK(shell("\"" STICKSLIP "\" export " + joint +
                 " --to isaaclab 2>/dev/null | python3 -c 'import ast, sys; ast.parse(sys.stdin.read())'")
               .exit_code == 0);

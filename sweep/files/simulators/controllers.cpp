@@ -69,8 +69,7 @@ std::string ros2_control_text(const ExportAnswer& a, const std::string& name)
             ? fmt::format(", at the joint's side of the gear (shaft gains times N² = {:.9g})", j.ratio * j.ratio)
             : "",
         std::lround(rate), name, name, name, name, j.k_p, j.k_i, j.k_v);
-    if (j.k_i != 0 && j.integral_limit < infinity)
-        text += fmt::format("        i_clamp: {:#.9g}\n", j.integral_limit);
+    if (j.k_i != 0 && j.integral_limit < infinity) text += fmt::format("        i_clamp: {:#.9g}\n", j.integral_limit);
     return text;
 }
 

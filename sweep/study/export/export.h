@@ -39,7 +39,7 @@ enum class Lost {
     sensor,               ///< noise and quantisation inside the loop
     feedback_side,        ///< loop closed at the link around a motor
     supply,               ///< limits by voltage and current
-    integral,  ///< on the error, its limits and what it does at them
+    integral,             ///< on the error, its limits and what it does at them
     feed_forward,
     not_position_control,
 };

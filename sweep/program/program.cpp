@@ -106,6 +106,10 @@ int run_program(int argc, char** argv, Cluster* cluster)
     add_merge(app, invocation);
     add_report(app, invocation);
     add_simulate(app, invocation);
+    add_new(app, invocation);
+    add_convert(app, invocation);
+    add_import(app, invocation);
+    add_export(app, invocation);
     add_diagnose(app, invocation);
     add_plan(app, invocation);
     add_blind(app, invocation);

@@ -73,9 +73,7 @@ bool find_missing_k_v(std::vector<Case>& cases, double limit, double misfit_with
     std::vector<double> each;
     for (const auto& c : cases) {
         if (c.joint.control.k_v != 0) return false;
-        Sums s;
-        add_rows(c, c.joint.control.velocity_estimate.tau, 0, limit, s);
-        const auto answer = s.solve(true);
+        const auto answer = regression_of(c, c.joint.control.velocity_estimate.tau, limit).solve(true);
         each.push_back(answer.kv);
         k_v += answer.kv / static_cast<double>(cases.size()),
             misfit += answer.misfit / static_cast<double>(cases.size());

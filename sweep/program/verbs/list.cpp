@@ -1,8 +1,11 @@
 // stickslip list: what there is to choose from.
 #include "analysis/diagnosis/fit/effect.h"
+#include "analysis/joint/keys.h"
 #include "analysis/joint/parameters.h"
+#include "sweep/files/toml/commented_text.h"
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/study/start/starting_joint.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -131,6 +134,23 @@ Json parameter_list(const std::string& file, const std::string& law)
     return json;
 }
 
+/// Every key, numbers and words, with its default: of the given file, or of a model with a law on every body.
+Json key_list(const std::string& file, const std::string& model, const std::string& law, bool with_values)
+{
+    const auto chosen =
+        std::find_if(std::begin(models), std::end(models), [&](const auto& m) { return m.name == model; });
+    const Joint joint = file.empty() ? starting_joint(chosen->value, law, Motion::prismatic) : read_joint(file);
+    Json json = Json::array();
+    for (const auto& key : keys(joint))
+        json.push_back({{"path", key.path},
+                        {"default", key.need == Need::required ? "required"
+                                    : key.standard.empty()     ? "-"
+                                                               : key.standard},
+                        {"allowed", allowed_values(key, joint.mechanism.motion)},
+                        {"help", key.help}});
+    return json;
+}
+
 /// A heading and one line an entry, columns as wide as their widest text.
 void print_columns(Json list)
 {
@@ -162,7 +182,7 @@ void print_columns(Json list)
 }
 
 struct Options {
-    std::string what, joint, law = "rate-and-state";
+    std::string what, joint, law = "rate-and-state", model = "single-mass";
     bool json = false;
 };
 
@@ -171,15 +191,25 @@ struct Options {
 void add_list(CLI::App& app, Invocation&)
 {
     auto options = std::make_shared<Options>();
-    auto* verb = app.add_subcommand("list", "What there is: friction laws, joints, effects, parameters");
-    verb->add_option("WHAT", options->what, "laws | joints | effects | parameters")
+    auto* verb = app.add_subcommand("list", "What there is: friction laws, joints, effects, parameters, keys");
+    verb->add_option("WHAT", options->what,
+                     "laws | joints | effects | parameters | keys (numbers and words, with defaults)")
         ->required()
-        ->check(CLI::IsMember({"laws", "joints", "effects", "parameters"}));
-    verb->add_option("--joint", options->joint, "list the parameters of this joint file");
-    verb->add_option("--law", options->law, "list the parameters of a single mass with this law")
+        ->check(CLI::IsMember({"laws", "joints", "effects", "parameters", "keys"}));
+    verb->add_option("--joint", options->joint, "list the parameters or keys of this joint file");
+    std::vector<std::string> law_names, model_names;
+    for (const auto& law : laws()) law_names.emplace_back(law.name);
+    for (const auto& model : models) model_names.emplace_back(model.name);
+    verb->add_option("--law", options->law, "without a file: list those of a joint with this law")
+        ->check(CLI::IsMember(law_names))
+        ->capture_default_str();
+    verb->add_option("--model", options->model, "without a file: list the keys of this model")
+        ->check(CLI::IsMember(model_names))
         ->capture_default_str();
     verb->add_flag("--json", options->json, "machine-readable, stable names");
-    verb->footer("Example: stickslip list parameters --law stribeck");
+    verb->footer(
+        "Example: stickslip list parameters --law stribeck\n"
+        "Example: stickslip list keys --model two-mass --law lugre");
     verb->callback([options] {
         const Json list = options->what == "laws"      ? law_list()
                           : options->what == "joints"  ? joint_list()

@@ -1,0 +1,16 @@
+"""stickslip: where a robot's joint slides and where it sticks.
+
+>>> import stickslip
+>>> joint = stickslip.Joint.example()
+>>> stickslip.evaluate(joint).at("linear.state_variable.stable")
+"""
+from .answers import Answer
+from .joint import Joint, Key
+from .logs import read_log
+from .plots import plot_boundary, plot_effects, plot_map, plot_motion
+from .program import Interrupted, StickslipError, executable, version
+from .verbs import boundary, design, diagnose, evaluate, export, import_robot, margins, read_answer, simulate, sweep
+
+__all__ = ["Answer", "Interrupted", "Joint", "Key", "StickslipError", "boundary", "design", "diagnose", "evaluate",
+           "executable", "export", "import_robot", "margins", "plot_boundary", "plot_effects", "plot_map", "plot_motion",
+           "read_answer", "read_log", "simulate", "sweep", "version"]

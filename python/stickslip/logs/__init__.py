@@ -1,0 +1,43 @@
+"""Logs as they are, as data frames in the columns of a record: t, reference, position, velocity, effort_measured, ….
+
+>>> frame = stickslip.read_log("run.mcap", joint="elbow")
+>>> frame.attrs["guessed"]      # what the log does not say and the reader assumed
+"""
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Callable
+
+from ..program import StickslipError
+from . import arrays, bam, mcap, parquet, rosbag, sage
+
+if TYPE_CHECKING:
+    import pandas
+
+_BY_SUFFIX: dict[str, Callable[..., "pandas.DataFrame"]] = {
+    ".mcap": mcap.read, ".bag": rosbag.read, ".parquet": parquet.read, ".json": bam.read, ".npz": arrays.read_npz,
+    ".mat": arrays.read_mat, ".h5": arrays.read_hdf5, ".hdf5": arrays.read_hdf5, ".nc": arrays.read_netcdf,
+}
+
+
+def read_log(file: str | Path, joint: str | None = None, **options: Any) -> "pandas.DataFrame":
+    """Reads one joint's record from a log; the format follows from the suffix, a folder is SAGE's. `joint` is its name
+    where the log has several. Options are those of the format's reader (topics, column names)."""
+    path = Path(file)
+    if not path.exists():
+        raise StickslipError(f"{path}: there is no such file")
+    reader = sage.read if path.is_dir() else _BY_SUFFIX.get(path.suffix.lower())
+    if reader is None and path.name.lower().endswith((".csv", ".csv.gz")):
+        import pandas
+
+        return pandas.read_csv(path)
+    if reader is None:
+        raise StickslipError(f"{path}: got a file {path.suffix or 'without suffix'}, expected {', '.join(_BY_SUFFIX)}, .csv or a folder of SAGE")
+    try:
+        return reader(path, joint=joint, **options)
+    except StickslipError:
+        raise
+    except MemoryError:
+        raise StickslipError(f"{path}: is damaged: a size in it exceeds memory") from None
+    except Exception as error:  # whatever a parser trips over in a damaged file
+        raise StickslipError(f"{path}: is damaged or of another kind than its suffix says: {error}") from error

@@ -1,0 +1,74 @@
+"""A record out of the messages of a bag, whatever its container."""
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Iterable
+
+from ..program import StickslipError
+from . import ros_messages
+from .common import frame_of, held, joint_index
+
+Message = tuple[str, str, float, bytes]  # topic, type, time of receipt [s], data
+
+
+def record(path: Path, messages: Iterable[Message], cdr: bool, joint: str | None, topic: str | None, command: str | None):
+    """`topic` is the one of JointState messages, `command` one of numbers, of Float64MultiArray in the order of the joints
+    or of JointState: its position is then the reference."""
+    states: dict[str, list[tuple[float, ros_messages.JointState]]] = {}
+    numbers: dict[str, list[tuple[float, list[float]]]] = {}
+    seen: dict[str, str] = {}
+    for name, kind, received, data in messages:
+        plain = seen[name] = ros_messages.plain_type(kind)
+        if plain == "sensor_msgs/JointState":
+            states.setdefault(name, []).append((received, ros_messages.joint_state(data, cdr)))
+        elif name == command and plain == "std_msgs/Float64MultiArray":
+            numbers.setdefault(name, []).append((received, ros_messages.multi_array(data, cdr)))
+        elif name == command:
+            numbers.setdefault(name, []).append((received, [ros_messages.value(kind, data, cdr)]))
+    listed = ", ".join(f"{n} ({t})" for n, t in sorted(seen.items())) or "none"
+    candidates = [name for name in states if name != command]
+    if topic is None:
+        if len(candidates) != 1:
+            raise StickslipError(f"{path}: has {len(candidates)} topics of sensor_msgs/JointState, expected one; say which with topic=; topics are {listed}")
+        topic = candidates[0]
+    if topic not in states:
+        raise StickslipError(f"{path}: has no JointState on topic {topic}; topics are {listed}")
+    if command is not None and command not in numbers and command not in states:
+        raise StickslipError(f"{path}: has no messages on the command topic {command}; topics are {listed}")
+    return _columns(path, states, numbers, topic, command, joint)
+
+
+def _columns(path, states, numbers, topic, command, joint):
+    first = states[topic][0][1]
+    index = joint_index(f"{path}: topic {topic}", first.names, joint)
+    name = first.names[index]
+    t: list[float] = []
+    columns: dict[str, list[float]] = {"position": [], "velocity": [], "effort_measured": []}
+    guessed = ["units are those of REP 103 (rad, m, N·m, N): the messages do not say"]
+    received = [r for r, _ in states[topic]]
+    stamped = all(s.stamp > 0 for _, s in states[topic])
+    if not stamped:
+        guessed.append("messages have no stamp: time is that of receipt")
+    for when, state in states[topic]:
+        if name not in state.names:
+            continue
+        i = state.names.index(name)
+        t.append(state.stamp if stamped else when)
+        for column, values in (("position", state.position), ("velocity", state.velocity), ("effort_measured", state.effort)):
+            columns[column].append(values[i] if i < len(values) else float("nan"))
+    columns = {key: values for key, values in columns.items() if any(v == v for v in values)}
+    if "position" not in columns:
+        raise StickslipError(f"{path}: topic {topic} has no position of {name}")
+    if command in states:
+        sent = [(r, s.position[s.names.index(name)]) for r, s in states[command] if name in s.names and s.names.index(name) < len(s.position)]
+    else:
+        lists = numbers.get(command, [])
+        if any(len(v) not in (1, len(first.names)) for _, v in lists):
+            raise StickslipError(f"{path}: topic {command} has {len(lists[0][1])} numbers a message, topic {topic} has {len(first.names)} joints")
+        sent = [(r, v[0] if len(v) == 1 else v[index]) for r, v in lists]
+    if sent:
+        guessed.append(f"reference is the last message of {command} received before each row")
+        columns["reference"] = held(received[:len(t)], [r for r, _ in sent], [v for _, v in sent])
+    else:
+        guessed.append("no command topic was named: the record has no reference")
+    return frame_of(path, {"t": t, **columns}, guessed)

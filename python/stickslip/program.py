@@ -1,0 +1,63 @@
+"""The program that computes everything. Each call is a process of its own: answers are the program's JSON, an interrupt
+ends it cleanly, and other threads of Python go on meanwhile."""
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+from pathlib import Path
+from typing import Any, Sequence
+
+DONE, CHECK_FAILED, BAD_INPUT, INTERRUPTED, UNDECIDED = range(5)
+
+
+class StickslipError(Exception):
+    """The program refused the input. The message says file, line, what it got and what it expected."""
+
+
+class Interrupted(StickslipError):
+    """The program stopped before it was done, for want of space or by a signal; a sweep can be resumed."""
+
+
+def executable() -> str:
+    """Path of the program: STICKSLIP_PROGRAM, the one of this wheel, or `stickslip` on the PATH."""
+    asked = os.environ.get("STICKSLIP_PROGRAM")
+    own = Path(__file__).parent / "bin" / "stickslip"
+    found = asked or (str(own) if own.exists() else shutil.which("stickslip"))
+    if not found:
+        raise StickslipError("the program stickslip was not found: install its package, or set STICKSLIP_PROGRAM to its path")
+    return found
+
+
+def run(arguments: Sequence[Any], allowed: Sequence[int] = (DONE, CHECK_FAILED, UNDECIDED)) -> subprocess.CompletedProcess:
+    """Runs `stickslip ARGUMENTS` and returns what it printed. Ctrl-C (or the stop button of a notebook) interrupts the
+    program, waits for it to keep what it has, and raises KeyboardInterrupt."""
+    command = [executable(), *map(str, arguments)]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, encoding="utf-8",
+                               start_new_session=True)
+    try:
+        out, err = process.communicate()
+    except BaseException:
+        process.send_signal(signal.SIGINT)
+        try:
+            process.wait(timeout=20)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+        raise
+    if process.returncode not in allowed:
+        message = err.strip() or out.strip() or f"ended with {process.returncode}"
+        raise (Interrupted if process.returncode == INTERRUPTED else StickslipError)(message)
+    return subprocess.CompletedProcess(command, process.returncode, out, err)
+
+
+def answer_of(arguments: Sequence[Any], **options: Any) -> Any:
+    """The JSON that `stickslip ARGUMENTS --json` prints."""
+    return json.loads(run([*arguments, "--json"], **options).stdout)
+
+
+def version() -> str:
+    """Version of the program, "0.2.0"."""
+    return run(["--version"]).stdout.split()[-1]

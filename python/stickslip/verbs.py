@@ -1,0 +1,185 @@
+"""One function a verb of the program. Each takes a Joint, a file, TOML text or a dict."""
+from __future__ import annotations
+
+import json
+import tempfile
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Iterator, Mapping, Sequence, Union
+
+from . import program, toml_text
+from .answers import Answer
+from .joint import Joint
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+JointLike = Union[Joint, str, Path, Mapping[str, Any]]
+SpecLike = Union[str, Path, Mapping[str, Any]]
+
+
+@contextmanager
+def _input(given: JointLike | SpecLike) -> Iterator[Path]:
+    """A file that the program can read. Text with a line break is TOML, other text a path."""
+    if isinstance(given, Joint):
+        with given.as_file() as file:
+            yield file
+    elif isinstance(given, Mapping) or (isinstance(given, str) and "\n" in given):
+        with tempfile.TemporaryDirectory(prefix="stickslip-") as folder:
+            file = Path(folder) / "input.toml"
+            file.write_text(given if isinstance(given, str) else toml_text.dumps(given), encoding="utf-8")
+            yield file
+    elif isinstance(given, (str, Path)):
+        yield Path(given)
+    else:
+        raise TypeError(f"got {type(given).__name__}, expected a Joint, a file, TOML text or a dict")
+
+
+def _settings(settings: Mapping[str, Any] | None) -> list[str]:
+    words: list[str] = []
+    for path, value in (settings or {}).items():
+        words += ["--set", f"{path}={value if isinstance(value, str) else toml_text._value(value, path)}"]
+    return words
+
+
+def evaluate(joint: JointLike, settings: Mapping[str, Any] | None = None) -> Answer:
+    """Both linear theories, critical gains, spectrum and the nonlinear outcome of one joint.
+
+    `settings` changes keys first: evaluate(joint, {"control.k_p": 2e4}). answer.at("nonlinear.outcome") is
+    "stable-sliding", "stick-slip", …; answer.at("linear.state_variable.k_cr") the critical gain [N/m or N·m/rad] or None.
+    """
+    with _input(joint) as file:
+        return Answer(program.answer_of(["evaluate", file, *_settings(settings)]))
+
+
+def sweep(spec: SpecLike, directory: str | Path | None = None, report: bool = False, threads: int = 0) -> "xarray.Dataset":
+    """Computes every point of a sweep; the dataset has the axes of the spec as coordinates.
+
+    In a `directory` the results stay (results.nc; with `report` the page, too), and an interrupted sweep goes on when it
+    is called again. Without one they live in memory alone.
+    """
+    import xarray
+
+    with _input(spec) as file, tempfile.TemporaryDirectory(prefix="stickslip-") as temporary:
+        folder = Path(directory) if directory else Path(temporary) / "sweep"
+        command: list[Any] = ["sweep", file, "-o", folder, "--threads", threads]
+        answer = program.answer_of(command if report else [*command, "--no-report"])
+        with xarray.open_dataset(answer["results"]) as dataset:
+            loaded = dataset.load()
+    loaded.attrs["undecided_points"] = answer["undecided"]
+    if answer.get("report"):
+        loaded.attrs["report"] = answer["report"]
+    return loaded
+
+
+def simulate(joint: JointLike, settings: Mapping[str, Any] | None = None, **options: Any) -> "pandas.DataFrame":
+    """One motion from a disturbance on: columns time, excess_position, velocity, friction, stuck, indexed by row.
+
+    Options are those of the command line with underscores: simulate(joint, disturbance="velocity", size=1e-3,
+    duration=2.0). Units stand in `frame.attrs["units"]`.
+    """
+    import pandas
+
+    words: list[Any] = []
+    for name, value in options.items():
+        words += ["--" + name.replace("_", "-"), value]
+    with _input(joint) as file, tempfile.TemporaryDirectory(prefix="stickslip-") as folder:
+        run = program.run(["simulate", file, "-o", folder, *_settings(settings), *words])
+        table = Path(folder) / "trajectory.csv"
+        if not table.exists():
+            raise program.StickslipError(run.stdout.strip() or run.stderr.strip())
+        frame = pandas.read_csv(table)
+    units = {}
+    for column in list(frame.columns):
+        name, _, unit = column.partition(" [")
+        units[name] = unit.rstrip("]")
+    frame.columns = list(units)
+    frame.attrs.update(units=units, verdict=run.stdout.splitlines()[0] if run.stdout else "")
+    return frame
+
+
+def boundary(joint: JointLike | SpecLike, along: str | Sequence[str] = (), over: Sequence[str] = (),
+             kind: str | Sequence[str] = (), settings: Mapping[str, Any] | None = None, **options: Any) -> Answer:
+    """Located boundaries along an axis ("control.k_p=1e3..1e6") or over two of them."""
+    words: list[Any] = []
+    for name, given in (("along", along), ("over", over), ("kind", kind)):
+        values = [given] if isinstance(given, str) else list(given)
+        if values:
+            words += ["--" + name, *values]
+    for name, value in options.items():
+        words += ["--" + name.replace("_", "-"), value]
+    with _input(joint) as file:
+        return Answer(program.answer_of(["boundary", file, *words, *_settings(settings)]))
+
+
+def margins(joint: JointLike, uncertain: Mapping[str, Any] | None = None, settings: Mapping[str, Any] | None = None) -> Answer:
+    """How far a design is from its boundaries; `uncertain` gives shares: {"friction.L": "20%"}."""
+    words: list[Any] = []
+    for path, share in (uncertain or {}).items():
+        words += ["--uncertain", f"{path}={share}"]
+    with _input(joint) as file:
+        return Answer(program.answer_of(["margins", file, *words, *_settings(settings)]))
+
+
+def design(joint: JointLike | SpecLike, require: Mapping[str, Any] | None = None, settings: Mapping[str, Any] | None = None) -> Answer:
+    """Best k_p and k_v under requirements: design(joint, {"position_noise": "1 um", "margin": 0.2})."""
+    words: list[Any] = []
+    for key, value in (require or {}).items():
+        words += ["--require", f"{key}={value}"]
+    with _input(joint) as file:
+        return Answer(program.answer_of(["design", file, *words, *_settings(settings)]))
+
+
+def diagnose(joint: JointLike, records: Mapping[str, Any], directory: str | Path | None = None, report: bool = False,
+             threads: int = 0, log: Mapping[str, Any] | None = None) -> Answer:
+    """Where the gap between a joint and its records lies and what causes it.
+
+    `records` names them: pandas data frames, dicts of columns, CSV files or logs (`log` has the options of read_log:
+    {"joint": "elbow"}). Columns are those of a record: t, reference,
+    position, velocity, effort_command, effort_measured, …, in SI units unless the joint's [record] table says otherwise.
+    With a `directory`, diagnosis.json, the page (`report`) and the next experiment stay there.
+    """
+    from .records import write_record
+
+    if not isinstance(records, Mapping) or not records:
+        raise TypeError("records: expected a dict of at least one data frame, {\"run1\": frame}")
+    with _input(joint) as file, tempfile.TemporaryDirectory(prefix="stickslip-") as temporary:
+        files = [write_record(name, record, Path(temporary), log or {}) for name, record in records.items()]
+        folder = Path(directory) if directory else Path(temporary) / "diagnosis"
+        folder.mkdir(parents=True, exist_ok=True)
+        command: list[Any] = ["diagnose", file, *files, "-o", folder, "--threads", threads]
+        try:
+            return Answer(program.answer_of(command if report else [*command, "--no-report"]))
+        except program.StickslipError as error:
+            raise program.StickslipError(str(error).replace(temporary + "/", "")) from None
+
+
+def export(joint: JointLike, to: str, name: str = "joint", settings: Mapping[str, Any] | None = None, **options: Any) -> Answer:
+    """Elements of a simulator (mjcf, urdf, sdf, isaaclab, ros2_control) as answer["text"], and what they cannot say."""
+    words: list[Any] = []
+    for key, value in options.items():
+        words += ["--" + key.replace("_", "-"), value]
+    with _input(joint) as file:
+        return Answer(program.answer_of(["export", file, "--to", to, "--name", name, *words, *_settings(settings)]))
+
+
+def import_robot(robot: str | Path, joint: str, at: Mapping[str, float] | None = None,
+                 settings: Mapping[str, Any] | None = None) -> Joint:
+    """The joint of a URDF or MJCF at a pose, with reflected inertia and gravity. Gains that the robot's description does
+    not have come from `settings`: import_robot("arm.urdf", "elbow", settings={"control.k_p": 200})."""
+    with tempfile.TemporaryDirectory(prefix="stickslip-") as folder:
+        words: list[Any] = []
+        if at:
+            pose = Path(folder) / "pose.toml"
+            pose.write_text(toml_text.dumps(dict(at)), encoding="utf-8")
+            words = ["--at", pose]
+        answer = program.answer_of(["import", robot, "--joint", joint, *words, *_settings(settings)])
+    if answer["missing"]:
+        raise program.StickslipError(f"{robot}: joint {joint!r} lacks {', '.join(answer['missing'])}; give them in settings")
+    return Joint(answer["text"])
+
+
+def read_answer(file: str | Path) -> Answer:
+    """An answer that the program wrote: diagnosis.json, boundary.json, …"""
+    return Answer(json.loads(Path(file).read_text(encoding="utf-8")))

@@ -1,0 +1,51 @@
+#include "sweep/files/json/export_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+nlohmann::ordered_json number(double value)
+{
+    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+nlohmann::ordered_json friction_json(const DryFriction& f)
+{
+    return {{"coulomb", f.coulomb}, {"viscous", f.viscous}, {"static", f.breakaway}};
+}
+
+}  // namespace
+
+nlohmann::ordered_json export_json(const ExportAnswer& answer, const std::string& text,
+                                   const std::function<std::string(const NotExpressible&)>& why)
+{
+    const auto& j = answer.joint;
+    nlohmann::ordered_json json = {{"format", "stickslip-export/1"},
+                                   {"to", std::string(simulators[static_cast<std::size_t>(answer.to)].name)},
+                                   {"text", text}};
+    json["numbers"] = {{"link_inertia", j.link_inertia},
+                       {"armature", j.armature},
+                       {"gear", j.ratio},
+                       {"stiffness", number(j.stiffness)},
+                       {"damping", j.damping},
+                       {"backlash", j.backlash},
+                       {"friction", friction_json(j.friction())},
+                       {"motor_friction", friction_json(j.motor)},
+                       {"link_friction", friction_json(j.link)},
+                       {"kp", j.k_p},
+                       {"kv", j.k_v},
+                       {"ki", j.k_i},
+                       {"effort_limit", number(j.effort_limit)},
+                       {"delay", j.delay},
+                       {"timestep", answer.timestep},
+                       {"delay_steps", answer.delay_steps}};
+    auto& lost = json["not_expressible"] = nlohmann::ordered_json::array();
+    for (const auto& n : answer.not_expressible) lost.push_back({{"key", n.key}, {"why", why(n)}});
+    json["gap_left"] = answer.gap_left ? nlohmann::ordered_json(*answer.gap_left) : nlohmann::ordered_json(nullptr);
+    return json;
+}
+
+}  // namespace stickslip

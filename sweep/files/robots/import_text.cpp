@@ -1,0 +1,70 @@
+#include "sweep/files/robots/import_text.h"
+
+#include "analysis/joint/parameters.h"
+#include "sweep/files/toml/joint_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+std::string with(double value, Quantity quantity, Motion motion)
+{
+    return fmt::format("{:.6g} {}", value, unit_of(quantity, motion));
+}
+
+std::string limits_text(const RobotJoint& j, Motion motion)
+{
+    std::string text;
+    if (std::isfinite(j.low) && std::isfinite(j.high))
+        text += fmt::format("# travel {:.6g} to {}\n", j.low, with(j.high, Quantity::position, motion));
+    if (std::isfinite(j.velocity)) text += "# top speed " + with(j.velocity, Quantity::velocity, motion) + "\n";
+    if (j.gear != 1) text += fmt::format("# gear of the actuator: {:.6g}\n", j.gear);
+    return text;
+}
+
+/// Lines for what is missing, in the table where it belongs.
+std::string with_missing(std::string text, const ImportAnswer& answer)
+{
+    Joint joint = answer.joint;
+    for (const auto& p : parameters(joint)) {
+        if (std::find(answer.missing.begin(), answer.missing.end(), p.path) == answer.missing.end()) continue;
+        const auto dot = p.path.rfind('.');
+        const std::string header = "[" + p.path.substr(0, dot) + "]\n";
+        const auto line = fmt::format("# {} =    # {}, required: {}; the robot's description does not have it\n",
+                                      p.path.substr(dot + 1), unit_of(p.quantity, joint.mechanism.motion), p.help);
+        const auto at = text.find(header);
+        if (at == std::string::npos)
+            text += "\n" + header + line;
+        else
+            text.insert(at + header.size(), line);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string import_text(const ImportAnswer& answer, const std::string& robot_file, const std::string& pose_file)
+{
+    const auto& d = answer.dynamics;
+    const Motion motion = answer.joint.mechanism.motion;
+    std::string text = fmt::format("# Joint \"{}\" of {}, all other joints standing still {}.\n", answer.described.name,
+                                   robot_file, pose_file.empty() ? "at their zero" : "as in " + pose_file);
+    text += fmt::format("# The joint moves {} {} of {:.6g} kg: inertia {} about it, armature {}.\n", d.bodies,
+                        d.bodies == 1 ? "body" : "bodies", d.mass, with(d.inertia, Quantity::inertia, motion),
+                        with(answer.described.armature, Quantity::inertia, motion));
+    text += fmt::format("# At {} gravity is {}", with(answer.position, Quantity::position, motion),
+                        with(d.gravity_effort, Quantity::effort, motion));
+    text += motion == Motion::revolute
+                ? ", its stiffness " + with(d.gravity_stiffness, Quantity::stiffness, motion) + ".\n"
+                : ".\n";
+    text += limits_text(answer.described, motion);
+    if (answer.described.friction == 0)
+        text += "# Friction is 0 in the robot's description: put in what was measured.\n";
+    return with_missing(text + "\n" + joint_text(answer.joint), answer);
+}
+
+}  // namespace stickslip

@@ -1,0 +1,76 @@
+// What takes gains and numbers alone: the actuator configuration of Isaac Lab, the controller parameters of
+// ros2_control.
+#include "sweep/files/simulators/simulator_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace stickslip::files {
+
+std::string isaaclab_text(const ExportAnswer& a, const std::string& name)
+{
+    const auto& j = a.joint;
+    const auto f = j.friction();
+    const bool delayed = a.delay_steps > 0, dc = j.no_load_speed < infinity && !delayed;
+    const std::string kind = delayed ? "DelayedPDActuatorCfg" : dc ? "DCMotorCfg" : "ImplicitActuatorCfg";
+    std::string text = fmt::format(
+        "# Isaac Lab 2.3 with Isaac Sim 5: friction is an effort [{0}]. In `actuators` of an ArticulationCfg:\n"
+        "from isaaclab.actuators import {1}\n\n"
+        "actuators = {{\n"
+        "    \"{2}\": {1}(\n"
+        "        joint_names_expr=[\"{2}\"],\n"
+        "        stiffness={3:.9g},{4}\n"
+        "        damping={5:.9g},\n",
+        unit_of(Quantity::effort, j.motion), kind, name, j.k_p,
+        j.ratio != 1 ? fmt::format("  # at the motor's shaft, times N² = {:.9g}", j.ratio * j.ratio) : "", j.k_v);
+    if (j.armature > 0) text += fmt::format("        armature={:.9g},\n", j.armature);
+    text += fmt::format(
+        "        friction={:.9g},  # at rest\n"
+        "        dynamic_friction={:.9g},\n"
+        "        viscous_friction={:.9g},\n",
+        f.breakaway, f.coulomb, f.viscous);
+    if (j.effort_limit < infinity)
+        text +=
+            fmt::format("        {}={:.9g},\n", delayed || dc ? "effort_limit" : "effort_limit_sim", j.effort_limit);
+    if (dc)
+        text += fmt::format("        saturation_effort={:.9g},\n        velocity_limit={:.9g},\n", j.stall_effort,
+                            j.no_load_speed);
+    if (delayed)
+        text += fmt::format("        min_delay={0},  # physics steps of {1:g} s\n        max_delay={0},\n",
+                            a.delay_steps, a.timestep);
+    text += "    ),\n}\n";
+    if (!j.reference_velocity) text += "# the loop damps velocity itself: leave the velocity target at 0\n";
+    return text;
+}
+
+std::string ros2_control_text(const ExportAnswer& a, const std::string& name)
+{
+    const auto& j = a.joint;
+    const double rate = 1 / a.timestep;
+    std::string text = fmt::format(
+        "# joint_trajectory_controller with an effort interface: effort = p e + i ∫e + d ė{}\n"
+        "controller_manager:\n"
+        "  ros__parameters:\n"
+        "    update_rate: {}\n"
+        "    {}_controller:\n"
+        "      type: joint_trajectory_controller/JointTrajectoryController\n"
+        "{}_controller:\n"
+        "  ros__parameters:\n"
+        "    joints: [{}]\n"
+        "    command_interfaces: [effort]\n"
+        "    state_interfaces: [position, velocity]\n"
+        "    gains:\n"
+        "      {}:\n"
+        "        p: {:#.9g}\n"
+        "        i: {:#.9g}\n"
+        "        d: {:#.9g}\n",
+        j.ratio != 1
+            ? fmt::format(", at the joint's side of the gear (shaft gains times N² = {:.9g})", j.ratio * j.ratio)
+            : "",
+        std::lround(rate), name, name, name, name, j.k_p, j.k_i, j.k_v);
+    if (j.k_i != 0 && j.integral_limit < infinity) text += fmt::format("        i_clamp: {:#.9g}\n", j.integral_limit);
+    return text;
+}
+
+}  // namespace stickslip::files

@@ -1,0 +1,46 @@
+#include "sweep/files/simulators/simulator_text.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace stickslip {
+
+std::string simulator_text(const ExportAnswer& answer, const std::string& name)
+{
+    switch (answer.to) {
+        case Simulator::mjcf:
+            return files::mjcf_text(answer, name);
+        case Simulator::urdf:
+            return files::urdf_text(answer, name);
+        case Simulator::sdf:
+            return files::sdf_text(answer, name);
+        case Simulator::isaaclab:
+            return files::isaaclab_text(answer, name);
+        case Simulator::ros2_control:
+            return files::ros2_control_text(answer, name);
+    }
+    return "";
+}
+
+files::Pendulum files::pendulum(const SimulatorJoint& joint, double inertia)
+{
+    Pendulum p;
+    if (joint.motion == Motion::prismatic) {
+        p.mass = inertia;
+        p.own_inertia = inertia * 1e-3;  // a sliding body never turns
+        return p;
+    }
+    p.own_inertia = inertia;
+    if (joint.gravity_amplitude == 0) return p;
+    constexpr double g = 9.81;
+    const double amplitude = std::abs(joint.gravity_amplitude);
+    const double arm = 0.5 * inertia * g / amplitude;  // then mass · arm² is half of the inertia
+    const double phase = joint.gravity_phase + (joint.gravity_amplitude < 0 ? std::numbers::pi : 0);
+    p.mass = amplitude / (g * arm);
+    p.x = arm * std::sin(phase);
+    p.z = -arm * std::cos(phase);
+    p.own_inertia = inertia - p.mass * arm * arm;
+    return p;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,62 @@
+// stickslip convert: a record in CSV from a log. The readers are those of the Python package, so that each format is
+// read in one place; this verb finds them.
+#include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/verbs.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace stickslip {
+namespace {
+
+struct Options {
+    std::string log, csv, joint, topic, command, time, episode;
+};
+
+int convert(const Options& options)
+{
+    std::vector<std::string> words{"python3", "-m", "stickslip.convert", options.log, options.csv};
+    const std::pair<const char*, const std::string*> named[] = {{"--joint", &options.joint},
+                                                                {"--topic", &options.topic},
+                                                                {"--command", &options.command},
+                                                                {"--time", &options.time},
+                                                                {"--episode", &options.episode}};
+    for (const auto& [name, value] : named)
+        if (!value->empty()) words.insert(words.end(), {name, *value});
+    std::vector<char*> arguments;
+    for (auto& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    execvp("python3", arguments.data());
+    fmt::print(stderr,
+               "stickslip convert: python3 cannot be started ({}); install it with the Python package of stickslip\n",
+               std::strerror(errno));
+    return exit_bad_input;
+}
+
+}  // namespace
+
+void add_convert(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<Options>();
+    auto* verb = app.add_subcommand(
+        "convert", "Make a record in CSV from a log: MCAP, ROS 1 bag, Parquet, SAGE, BAM, .npz, .mat, HDF5, NetCDF");
+    verb->add_option("IN", options->log, "log, or folder of SAGE")->required();
+    verb->add_option("OUT", options->csv, "record to write, .csv or .csv.gz")->required();
+    verb->add_option("--joint", options->joint, "name of the joint, where the log has several");
+    verb->add_option("--topic", options->topic, "ROS: topic of the joint states");
+    verb->add_option("--command", options->command, "ROS: topic of the commands");
+    verb->add_option("--time", options->time, "arrays: which one is the time");
+    verb->add_option("--episode", options->episode, "LeRobot: which episode");
+    verb->footer(
+        "Example: stickslip convert run.mcap run.csv --joint elbow --command /position_commands\n"
+        "Needs the Python package of stickslip (python3 -m stickslip.convert is the same).");
+    verb->callback([options, &invocation] { invocation.exit_code = convert(*options); });
+}
+
+}  // namespace stickslip

@@ -1,0 +1,88 @@
+// stickslip export: a joint as elements of a simulator's robot description.
+#include "sweep/files/json/export_json.h"
+#include "sweep/files/simulators/simulator_text.h"
+#include "sweep/files/text/bad_input.h"
+#include "sweep/files/toml/joint_file.h"
+#include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/verbs.h"
+#include "sweep/words/export_text.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+#include <stdexcept>
+
+namespace stickslip {
+namespace {
+
+struct Options {
+    std::string joint, to, name = "joint";
+    std::vector<std::string> settings;
+    double timestep = not_set, link_inertia = not_set, speed = not_set;
+    bool json = false;
+};
+
+Simulator simulator_of(const std::string& name)
+{
+    for (const auto& s : simulators)
+        if (s.name == name) return s.value;
+    throw BadInput("--to: got \"" + name + "\"");  // the command line has checked it
+}
+
+int export_verb(const Options& options)
+{
+    Joint joint = read_joint(options.joint);
+    apply_settings(joint, options.settings);
+    ExportOptions wanted;
+    wanted.timestep = options.timestep;
+    wanted.split.link_inertia = options.link_inertia;
+    wanted.split.speed = options.speed;
+    ExportAnswer answer;
+    try {
+        answer = export_joint(joint, simulator_of(options.to), wanted);
+    } catch (const std::invalid_argument& e) {
+        throw BadInput(fmt::format("--link-inertia: got {}, but {}", options.link_inertia, e.what()));
+    }
+    const auto text = simulator_text(answer, options.name);
+    const auto why = [&](const NotExpressible& n) { return lost_text(answer, n); };
+    if (options.json) {
+        fmt::print("{}\n", export_json(answer, text, why).dump(2));
+        return exit_done;
+    }
+    fmt::print("{}", text);
+    // the text may go into a file; what is missing in it is for whoever reads the terminal
+    if (!answer.not_expressible.empty()) fmt::print(stderr, "Not in this text:\n");
+    for (const auto& n : answer.not_expressible) fmt::print(stderr, "  {}: {}\n", n.key, why(n));
+    return exit_done;
+}
+
+}  // namespace
+
+void add_export(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<Options>();
+    auto* verb = app.add_subcommand(
+        "export", "Write a joint as elements of a robot simulator, and say what the simulator cannot express");
+    verb->add_option("JOINT", options->joint, "joint description, TOML")->required();
+    std::vector<std::string> names;
+    for (const auto& s : simulators) names.emplace_back(s.name);
+    verb->add_option("--to", options->to, "which simulator")->required()->check(CLI::IsMember(names));
+    verb->add_option("--set", options->settings, "change a number first: path=value");
+    verb->add_option("--name", options->name, "name of the joint in the text")->capture_default_str();
+    verb->add_option("--timestep", options->timestep,
+                     "time step of the simulator in s; default: its usual one, shorter where the joint needs it")
+        ->check(CLI::PositiveNumber);
+    verb->add_option(
+            "--link-inertia", options->link_inertia,
+            "one mass: the part of the inertia that the robot's links have about this axis; the rest is armature")
+        ->check(CLI::PositiveNumber);
+    verb->add_option("--speed", options->speed,
+                     "velocity at which friction without a Coulomb level of its own is read; default: control.V0")
+        ->check(CLI::PositiveNumber);
+    verb->add_flag("--json", options->json, "machine-readable, stable names");
+    verb->footer("Example: stickslip export corrected-joint.toml --to mjcf --name elbow > elbow.xml");
+    verb->callback([options, &invocation] { invocation.exit_code = export_verb(*options); });
+}
+
+}  // namespace stickslip

@@ -1,0 +1,101 @@
+// stickslip import: one joint of a robot's description as joint.toml.
+#include "sweep/files/robots/import_text.h"
+#include "sweep/files/robots/robot_file.h"
+#include "sweep/files/text/bad_input.h"
+#include "sweep/files/toml/joint_file.h"
+#include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/verbs.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <memory>
+
+namespace stickslip {
+namespace {
+
+struct Options {
+    std::string robot, joint, pose, file;
+    std::vector<std::string> settings;
+    bool json = false;
+};
+
+nlohmann::ordered_json finite(double value)
+{
+    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+nlohmann::ordered_json import_json(const ImportAnswer& answer, const std::string& text)
+{
+    const auto& d = answer.dynamics;
+    const auto& j = answer.described;
+    return {{"format", "stickslip-import/1"},
+            {"joint", j.name},
+            {"text", text},
+            {"position", answer.position},
+            {"inertia", d.inertia},
+            {"armature", j.armature},
+            {"moved_mass", d.mass},
+            {"gravity",
+             {{"amplitude", d.gravity_amplitude},
+              {"phase", d.gravity_phase},
+              {"effort", d.gravity_effort},
+              {"stiffness", d.gravity_stiffness}}},
+            {"friction", {{"coulomb", j.friction}, {"viscous", j.damping}}},
+            {"limits",
+             {{"lower", finite(j.low)},
+              {"upper", finite(j.high)},
+              {"velocity", finite(j.velocity)},
+              {"effort", finite(j.effort)}}},
+            {"gear", j.gear},
+            {"missing", answer.missing}};
+}
+
+int import_verb(const Options& options)
+{
+    const Robot robot = read_robot(options.robot);
+    const auto pose = read_pose(robot, options.pose);
+    auto answer = import_joint(robot, joint_named(robot, options.joint, options.robot), pose);
+    if (answer.loop)
+        throw BadInput(answer.loop->place + ": " + answer.loop->what + " closes a loop through joint \"" +
+                       options.joint + "\"; expected is a joint that moves freely while all others stand still");
+    for (const auto& setting : options.settings) apply_setting(answer.joint, setting);
+    std::erase_if(answer.missing, [&](const std::string& path) {
+        return std::any_of(options.settings.begin(), options.settings.end(),
+                           [&](const std::string& s) { return s.starts_with(path + "="); });
+    });
+    const auto text = import_text(answer, options.robot, options.pose);
+    if (options.json) fmt::print("{}\n", import_json(answer, text).dump(2));
+    if (options.json && options.file.empty()) return exit_done;
+    if (options.file.empty()) {
+        fmt::print("{}", text);
+    } else {
+        std::ofstream out(options.file, std::ios::binary);
+        out << text;
+        if (!out.flush()) throw BadInput(options.file + ": cannot be written");
+    }
+    for (const auto& path : answer.missing) fmt::print(stderr, "Still to fill in: {} (or --set {}=…)\n", path, path);
+    return exit_done;
+}
+
+}  // namespace
+
+void add_import(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<Options>();
+    auto* verb = app.add_subcommand("import", "Make joint.toml of one joint of a robot: URDF or MJCF");
+    verb->add_option("ROBOT", options->robot, "robot description, URDF or MJCF")->required();
+    verb->add_option("--joint", options->joint, "name of the joint")->required();
+    verb->add_option("--at", options->pose, "pose: TOML with joint = coordinate; others stand at their zero");
+    verb->add_option("--set", options->settings, "fill in or change a number: path=value");
+    verb->add_option("-o,--output", options->file, "file to write; default: standard output");
+    verb->add_flag("--json", options->json, "machine-readable, stable names");
+    verb->footer(
+        "Example: stickslip import robot.urdf --joint elbow --at pose.toml --set control.k_p=200 -o joint.toml");
+    verb->callback([options, &invocation] { invocation.exit_code = import_verb(*options); });
+}
+
+}  // namespace stickslip

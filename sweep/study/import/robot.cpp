@@ -1,0 +1,86 @@
+#include "sweep/study/import/robot.h"
+
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+/// Where bodies and axes are at a pose, in the world.
+struct Placed {
+    std::vector<Eigen::Isometry3d> body;
+    std::vector<Eigen::Vector3d> axis, anchor;  ///< by joint
+};
+
+Placed place(const Robot& robot, const std::vector<double>& pose)
+{
+    Placed at;
+    at.body.resize(robot.bodies.size());
+    at.axis.resize(robot.joints.size());
+    at.anchor.resize(robot.joints.size());
+    for (std::size_t b = 0; b < robot.bodies.size(); ++b) {
+        const auto& body = robot.bodies[b];
+        Eigen::Isometry3d frame =
+            body.parent < 0 ? body.frame : at.body[static_cast<std::size_t>(body.parent)] * body.frame;
+        for (const int i : body.joints) {
+            const auto index = static_cast<std::size_t>(i);
+            const auto& joint = robot.joints[index];
+            at.axis[index] = frame.linear() * joint.axis;
+            at.anchor[index] = frame * joint.anchor;
+            const double moved = pose[index] - joint.reference;
+            if (joint.kind == RobotJointKind::slide) frame.pretranslate(Eigen::Vector3d(moved * at.axis[index]));
+            if (joint.kind != RobotJointKind::hinge) continue;
+            const auto& p = at.anchor[index];
+            frame =
+                Eigen::Translation3d(p) * Eigen::AngleAxisd(moved, at.axis[index]) * Eigen::Translation3d(-p) * frame;
+        }
+        at.body[b] = frame;
+    }
+    return at;
+}
+
+}  // namespace
+
+bool moves(const Robot& robot, int joint, int body)
+{
+    const int moved = robot.joints[static_cast<std::size_t>(joint)].body;
+    for (; body >= 0; body = robot.bodies[static_cast<std::size_t>(body)].parent)
+        if (body == moved) return true;
+    return false;
+}
+
+AxisDynamics axis_dynamics(const Robot& robot, int joint, const std::vector<double>& pose)
+{
+    const Placed at = place(robot, pose);
+    const auto index = static_cast<std::size_t>(joint);
+    const Eigen::Vector3d axis = at.axis[index], anchor = at.anchor[index];
+    AxisDynamics d;
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // Σ m (c − p)
+    const bool hinge = robot.joints[index].kind == RobotJointKind::hinge;
+    for (std::size_t b = 0; b < robot.bodies.size(); ++b) {
+        if (!moves(robot, joint, static_cast<int>(b))) continue;
+        const auto& body = robot.bodies[b];
+        const Eigen::Vector3d arm = at.body[b] * body.centre - anchor;
+        const Eigen::Vector3d own = at.body[b].linear().transpose() * axis;
+        d.inertia += hinge ? body.mass * axis.cross(arm).squaredNorm() + own.dot(body.inertia * own) : body.mass;
+        d.mass += body.mass;
+        moment += body.mass * arm;
+        ++d.bodies;
+    }
+    if (!hinge) {
+        d.gravity_effort = d.mass * axis.dot(robot.gravity);
+        return d;
+    }
+    // the effort of gravity turns with the moment: T0 cos(q − q0) + T1 sin(q − q0) = −A sin(q + phase)
+    const double T0 = axis.dot(moment.cross(robot.gravity));
+    const double T1 = axis.dot(axis.cross(moment).cross(robot.gravity));
+    d.gravity_effort = T0;
+    d.gravity_stiffness = -T1;
+    d.gravity_amplitude = std::hypot(T0, T1);
+    if (d.gravity_amplitude > 1e-12 * d.mass * robot.gravity.norm())
+        d.gravity_phase = std::remainder(std::atan2(-T0, -T1) - pose[index], 2 * std::acos(-1.0));
+    else
+        d.gravity_amplitude = 0;
+    return d;
+}
+
+}  // namespace stickslip

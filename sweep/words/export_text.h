@@ -1,0 +1,15 @@
+// What a simulator cannot say of a joint, in words.
+#pragma once
+#include "sweep/study/export/export.h"
+
+#include <string>
+
+namespace stickslip {
+
+/// "MuJoCo", "Isaac Lab".
+std::string simulator_name(Simulator to);
+
+/// Why the key is lost, and what to do where something can be done.
+std::string lost_text(const ExportAnswer& answer, const NotExpressible& lost);
+
+}  // namespace stickslip

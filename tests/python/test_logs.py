@@ -1,0 +1,136 @@
+import shutil
+
+import log_samples as sample
+import numpy
+import pytest
+
+import stickslip
+from stickslip import StickslipError
+
+
+def check(frame, torque=True):
+    assert numpy.allclose(frame["t"], sample.T, atol=1e-6)
+    assert numpy.allclose(frame["position"], sample.Q[:, 1], atol=1e-12)
+    assert numpy.allclose(frame["velocity"], sample.DQ[:, 1], atol=1e-12)
+    assert numpy.allclose(frame["reference"], sample.COMMAND[:, 1], atol=1e-12)
+    if torque:
+        assert numpy.allclose(frame["effort_measured"], sample.TAU[:, 1], atol=1e-12)
+
+
+@pytest.mark.parametrize("chunked", [True, False])
+def test_mcap(tmp_path, chunked):
+    frame = stickslip.read_log(sample.mcap(tmp_path / "run.mcap", chunked), joint="elbow", command="/commands")
+    check(frame)
+    assert any("REP 103" in g for g in frame.attrs["guessed"])
+
+
+@pytest.mark.parametrize("packed", [True, False])
+def test_rosbag(tmp_path, packed):
+    check(stickslip.read_log(sample.rosbag(tmp_path / "run.bag", packed), joint="elbow", command="/elbow/command"))
+
+
+def test_sage(tmp_path):
+    check(stickslip.read_log(sample.sage(tmp_path / "run"), joint="elbow"))
+
+
+def test_bam(tmp_path):
+    frame = stickslip.read_log(sample.bam(tmp_path / "run.json"))
+    check(frame, torque=False)
+    assert frame.attrs["log"]["kp"] == 32
+
+
+def test_arrays(tmp_path):
+    columns = {"t": sample.T, "joint_names": numpy.array(sample.NAMES), "position": sample.Q, "velocity": sample.DQ,
+               "reference": sample.COMMAND, "tau": sample.TAU}
+    numpy.savez(tmp_path / "run.npz", **columns)
+    check(stickslip.read_log(tmp_path / "run.npz", joint="elbow"))
+    h5py = pytest.importorskip("h5py")
+    with h5py.File(tmp_path / "run.h5", "w") as file:
+        for name, values in columns.items():
+            file.create_dataset("log/" + name, data=values.astype("S") if values.dtype.kind == "U" else values)
+    with pytest.raises(StickslipError, match="has the joints"):
+        stickslip.read_log(tmp_path / "run.h5")
+    io = pytest.importorskip("scipy.io")
+    io.savemat(tmp_path / "run.mat", {"log": {k: v for k, v in columns.items() if k != "joint_names"}})
+    check(stickslip.read_log(tmp_path / "run.mat", joint="1"))
+
+
+def test_netcdf(tmp_path):
+    import xarray
+    one = {name: ("row", values[:, 1]) for name, values in (("position", sample.Q), ("velocity", sample.DQ), ("reference", sample.COMMAND), ("tau", sample.TAU))}
+    xarray.Dataset({"time": ("row", sample.T), **one}).to_netcdf(tmp_path / "run.nc")
+    check(stickslip.read_log(tmp_path / "run.nc"))
+
+
+def test_parquet_is_refused_in_words_without_pyarrow(tmp_path):
+    try:
+        import pyarrow  # noqa: F401
+    except ImportError:
+        (tmp_path / "run.parquet").write_bytes(b"PAR1")
+        with pytest.raises(StickslipError, match="pyarrow"):
+            stickslip.read_log(tmp_path / "run.parquet")
+
+
+def test_wrong_joints_are_told_with_the_right_ones(tmp_path):
+    bag = sample.mcap(tmp_path / "run.mcap")
+    with pytest.raises(StickslipError, match="no joint 'elbwo', it has shoulder, elbow; did you mean 'elbow'"):
+        stickslip.read_log(bag, joint="elbwo")
+    with pytest.raises(StickslipError, match="2 joints called 'elbow'"):
+        stickslip.read_log(sample.mcap(tmp_path / "twice.mcap", names=["elbow", "elbow"]), joint="elbow")
+    with pytest.raises(StickslipError, match="say which with joint="):
+        stickslip.read_log(bag)
+    with pytest.raises(StickslipError, match="topics are /commands"):
+        stickslip.read_log(bag, joint="elbow", topic="/other")
+    with pytest.raises(StickslipError, match="expected .mcap"):
+        (tmp_path / "run.xyz").write_text("")
+        stickslip.read_log(tmp_path / "run.xyz")
+
+
+@pytest.mark.parametrize("make, name", [(sample.mcap, "run.mcap"), (sample.rosbag, "run.bag"), (sample.bam, "run.json")])
+def test_damaged_logs_are_refused_in_words(tmp_path, make, name):
+    whole = make(tmp_path / name).read_bytes()
+    random = numpy.random.default_rng(1)
+    for _ in range(60):
+        cut = tmp_path / ("cut-" + name)
+        cut.write_bytes(whole[:int(random.integers(0, len(whole) - 1))])
+        with pytest.raises(StickslipError, match="cut-run"):
+            stickslip.read_log(cut, joint="elbow")
+    for _ in range(60):  # a flipped byte may leave a readable log, never another exception
+        data = bytearray(whole)
+        data[int(random.integers(0, len(data)))] ^= int(random.integers(1, 256))
+        cut.write_bytes(bytes(data))
+        try:
+            stickslip.read_log(cut, joint="elbow")
+        except StickslipError as error:
+            assert "cut-run" in str(error) or "chunks" in str(error)
+
+
+def test_damaged_folders_of_sage(tmp_path):
+    folder = sample.sage(tmp_path / "run")
+    text = (folder / "state_motor.csv").read_text()
+    (folder / "state_motor.csv").write_text(text.replace("]", "", 1).replace("STATE_MOTOR,1000,\"[", "STATE_MOTOR,1000,\"[x", 1))
+    with pytest.raises(StickslipError, match="state_motor.csv: row 1"):
+        stickslip.read_log(folder, joint="elbow")
+    (folder / "joint_list.txt").write_text("a\nelbow\nc\n")
+    (folder / "state_motor.csv").write_text(text)
+    with pytest.raises(StickslipError, match="2 values, joint_list.txt has 3"):
+        stickslip.read_log(folder, joint="elbow")
+    shutil.rmtree(folder)
+    folder.mkdir()
+    with pytest.raises(StickslipError, match="joint_list.txt"):
+        stickslip.read_log(folder)
+
+
+def test_convert_is_a_verb_of_the_program(tmp_path):
+    import os
+    import subprocess
+    from pathlib import Path
+
+    bag = sample.mcap(tmp_path / "run.mcap")
+    paths = os.environ | {"PYTHONPATH": str(Path(stickslip.__file__).parents[1])}
+    words = [stickslip.executable(), "convert", str(bag), str(tmp_path / "run.csv"), "--joint", "elbow", "--command", "/commands"]
+    done = subprocess.run(words, capture_output=True, text=True, env=paths)
+    assert done.returncode == 0 and "40 rows" in done.stdout and "REP 103" in done.stderr
+    check(stickslip.read_log(tmp_path / "run.csv"))
+    done = subprocess.run([*words[:3], str(tmp_path / "run.txt")], capture_output=True, text=True, env=paths)
+    assert done.returncode == 2 and "expected a name that ends in .csv" in done.stderr

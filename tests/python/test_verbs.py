@@ -1,0 +1,111 @@
+import os
+import signal
+import subprocess
+import sys
+import textwrap
+import time
+
+import numpy
+import pandas
+import pytest
+
+import stickslip
+from stickslip import Joint, StickslipError
+
+REFERENCE = {"joint": {"motion": "prismatic", "model": "single-mass", "inertia": 1.0},
+             "control": {"kind": "position", "k_p": 6e4, "k_v": 10.0, "V0": 1e-3},
+             "friction": {"law": "rate-and-state", "f0": 60.0, "A": 1.0, "B": 1.5, "L": 1e-5, "V_star": 1e-3}}
+
+
+def critical_gain(k_v):
+    """One mass, one state: k_cr = ((B − A − k_v V)/L)(1 + m V²/(L (A + k_v V))), by hand."""
+    A, B, L, V, m = 1.0, 1.5, 1e-5, 1e-3, 1.0
+    return (B - A - k_v * V) / L * (1 + m * V * V / (L * (A + k_v * V)))
+
+
+def test_evaluate_against_the_closed_form():
+    for k_v in (0.0, 10.0, 200.0):
+        answer = stickslip.evaluate(REFERENCE, {"control.k_v": k_v})
+        assert answer.at("linear.state_variable.k_cr") == pytest.approx(critical_gain(k_v), rel=1e-9)
+    assert "k_cr" in answer._repr_html_()
+    with pytest.raises(KeyError, match="linear"):
+        answer.at("linaer.stable")
+
+
+def test_a_sweep_is_a_dataset_whose_sign_is_that_of_the_closed_form():
+    spec = {**REFERENCE, "axes": {"control.k_p": {"from": 1e4, "to": 2e5, "points": 9, "scale": "log"}, "control.k_v": [0.0, 10.0, 200.0]}}
+    dataset = stickslip.sweep(spec)
+    assert dataset.sizes["control.k_p"] == 9 and dataset.attrs["undecided_points"] == 0
+    abscissa = dataset["spectral_abscissa"]
+    for k_v in (0.0, 10.0, 200.0):
+        stable = abscissa.sel({"control.k_v": k_v}) <= 0
+        assert list(stable.values) == list(dataset["control.k_p"].values > critical_gain(k_v))
+
+
+def test_simulate_is_a_data_frame():
+    frame = stickslip.simulate(Joint.from_dict(REFERENCE), {"control.k_p": 2e4, "control.k_v": 0.0})
+    assert {"time", "velocity", "friction"} <= set(frame.columns)
+    assert frame["time"].is_monotonic_increasing and len(frame) > 100
+    assert frame.attrs["units"]["velocity"] == "m/s"
+
+
+def test_boundary_and_margins():
+    answer = stickslip.boundary(REFERENCE, along="control.k_p=1e4..1e6", kind="linear")
+    found = [p["value"] for ray in answer["rays"] for p in ray["points"]]
+    assert found and min(abs(k / critical_gain(10.0) - 1) for k in found) < 1e-9
+    assert stickslip.margins(REFERENCE)
+
+
+def test_bad_input_says_where():
+    with pytest.raises(StickslipError, match="inertia"):
+        stickslip.evaluate({**REFERENCE, "joint": {"motion": "prismatic", "model": "single-mass"}})
+    with pytest.raises(StickslipError, match=r"run: column 'position', row 2: got 'x', expected a number"):
+        stickslip.diagnose(REFERENCE, {"run": pandas.DataFrame({"t": [0, 1, 2], "position": [0, 1, "x"]})})
+    with pytest.raises(StickslipError, match="row 1: has no value"):
+        stickslip.diagnose(REFERENCE, {"run": {"t": [0.0, numpy.nan]}})
+    with pytest.raises(StickslipError, match="datetime"):
+        stickslip.diagnose(REFERENCE, {"run": pandas.DataFrame({"t": pandas.to_datetime([0, 1])})})
+    with pytest.raises(TypeError, match="records"):
+        stickslip.diagnose(REFERENCE, {})
+
+
+def test_export_and_import(tmp_path):
+    text = stickslip.export(REFERENCE, "mjcf", name="elbow")["text"]
+    robot = tmp_path / "elbow.xml"
+    robot.write_text(text)
+    joint = stickslip.import_robot(robot, "elbow", settings={"control.V0": 1e-3})
+    assert joint["joint.inertia"] == pytest.approx(1.0) and joint["friction.coulomb"] == pytest.approx(60.0)
+    assert joint["control.k_p"] == pytest.approx(6e4)
+
+
+def test_an_interrupt_reaches_the_program(tmp_path):
+    script = textwrap.dedent(f"""
+        import sys; sys.path.insert(0, {str(next(p for p in sys.path if p.endswith('/python')))!r})
+        import stickslip
+        spec = {{**{REFERENCE!r}, "axes": {{"control.k_p": {{"from": 1e3, "to": 1e6, "points": 2000}}, "control.k_v": {{"from": 0, "to": 100, "points": 2000}}}}}}
+        try:
+            stickslip.sweep(spec, {str(tmp_path / 'out')!r})
+        except KeyboardInterrupt:
+            print("interrupted")
+    """)
+    process = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True, env=os.environ)
+    for _ in range(600):  # the run's folder appears when it has begun
+        if (tmp_path / "out" / "plan.json").exists() or process.poll() is not None:
+            break
+        time.sleep(0.1)
+    process.send_signal(signal.SIGINT)
+    out, _ = process.communicate()
+    assert out.strip() == "interrupted"
+
+
+def test_plots(tmp_path):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    spec = {**REFERENCE, "axes": {"control.k_p": {"from": 1e4, "to": 2e5, "points": 9, "scale": "log"}, "control.k_v": [1.0, 10.0, 100.0]}}
+    ax = stickslip.plot_map(stickslip.sweep(spec), "control.k_p", "control.k_v")
+    assert ax.get_xscale() == "log"
+    ax = stickslip.plot_motion(stickslip.simulate(REFERENCE))
+    assert ax.get_ylabel() == "velocity [m/s]"
+    ax.figure.savefig(tmp_path / "motion.png")
+    answer = stickslip.boundary(REFERENCE, over=["control.k_p=1e4..1e6", "control.k_v=1..100"], kind="linear", guard=4)
+    assert stickslip.plot_boundary(answer).lines

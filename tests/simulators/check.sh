@@ -1,0 +1,5 @@
+#!/bin/sh
+# check.sh STICKSLIP NODE: needs MuJoCo's WebAssembly build, which `npm ci` fetches.
+cd "$(dirname "$0")" || exit 1
+[ -d node_modules/@mujoco/mujoco ] || { echo "skipped: run npm ci in tests/simulators"; exit 77; }
+exec "$2" check.mjs "$1"

@@ -1,0 +1,177 @@
+// One joint of a robot against closed forms of planar arms, from both formats.
+#include <catch2/catch.hpp>
+
+#include "sweep/files/robots/import_text.h"
+#include "sweep/files/robots/robot_file.h"
+#include "sweep/files/text/bad_input.h"
+#include "sweep/files/toml/joint_file.h"
+#include "tests/temporary_directory.h"
+
+#include <cmath>
+#include <fstream>
+
+using namespace stickslip;
+
+namespace {
+
+std::filesystem::path written(const TemporaryDirectory& room, const std::string& name, const std::string& text)
+{
+    const auto file = room.path() / name;
+    std::ofstream(file) << text;
+    return file;
+}
+
+// Two links in the vertical plane, turning about −y, hanging down at zero: masses 2 and 1 kg at 0.3 and 0.2 m, link 1
+// is 0.5 m long, inertias 0.04 and 0.01 kg m² about their centres.
+constexpr double m1 = 2, m2 = 1, c1 = 0.3, c2 = 0.2, l1 = 0.5, I1 = 0.04, I2 = 0.01, g = 9.81;
+
+const char* const arm_urdf = R"(<?xml version="1.0"?>
+<robot name="arm">
+  <link name="base"/>
+  <link name="upper"><inertial><origin xyz="0 0 -0.3"/><mass value="2"/>
+    <inertia ixx="0.04" ixy="0" ixz="0" iyy="0.04" iyz="0" izz="0.04"/></inertial></link>
+  <link name="lower"/>
+  <link name="tip"><inertial><origin xyz="0 0 0"/><mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+  <joint name="shoulder" type="revolute"><parent link="base"/><child link="upper"/><axis xyz="0 -1 0"/>
+    <limit lower="-2" upper="2" effort="30" velocity="3"/><dynamics damping="0.7" friction="0.4"/></joint>
+  <joint name="elbow" type="continuous"><parent link="upper"/><child link="lower"/><origin xyz="0 0 -0.5"/><axis xyz="0 -1 0"/></joint>
+  <joint name="mount" type="fixed"><parent link="lower"/><child link="tip"/><origin xyz="0 0 -0.2" rpy="0.3 0.2 0.1"/></joint>
+</robot>
+)";
+
+const char* const arm_mjcf = R"(<mujoco>
+  <compiler angle="degree"/>
+  <default><joint axis="0 -1 0"/><default class="heavy"><joint armature="0.5" damping="0.7" frictionloss="0.4"/></default></default>
+  <worldbody><body name="upper">
+    <inertial pos="0 0 -0.3" mass="2" diaginertia="0.04 0.04 0.04"/>
+    <joint name="shoulder" class="heavy" range="-90 90"/>
+    <body name="lower" pos="0 0 -0.5">
+      <inertial pos="0 0 -0.2" mass="1" fullinertia="0.01 0.01 0.01 0 0 0"/>
+      <joint name="elbow" ref="30"/>
+    </body>
+  </body></worldbody>
+  <actuator><position joint="elbow" kp="80" kv="2" forcerange="-5 5"/></actuator>
+</mujoco>
+)";
+
+void check_shoulder(const AxisDynamics& d, double elbow, double shoulder)
+{
+    const double inertia = I1 + m1 * c1 * c1 + I2 + m2 * (l1 * l1 + c2 * c2 + 2 * l1 * c2 * std::cos(elbow));
+    CHECK(d.inertia == Approx(inertia).epsilon(1e-12));
+    const auto effort = [&](double q) {
+        return -(m1 * c1 + m2 * l1) * g * std::sin(q) - m2 * c2 * g * std::sin(q + elbow);
+    };
+    CHECK(d.gravity_effort == Approx(effort(shoulder)).epsilon(1e-12));
+    for (const double q : {-1.0, 0.0, 0.4, 2.5})
+        CHECK(-d.gravity_amplitude * std::sin(q + d.gravity_phase) == Approx(effort(q)).epsilon(1e-12).margin(1e-12));
+    const double h = 1e-5;
+    CHECK(d.gravity_stiffness == Approx(-(effort(shoulder + h) - effort(shoulder - h)) / (2 * h)).epsilon(1e-8));
+}
+
+std::string complaint(const TemporaryDirectory& room, const std::string& name, const std::string& text)
+{
+    try {
+        read_robot(written(room, name, text));
+    } catch (const BadInput& bad) {
+        return bad.what();
+    }
+    return "";
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by)
+{
+    return text.replace(text.find(what), what.size(), by);
+}
+
+}  // namespace
+
+TEST_CASE("import: a two-link arm from URDF has the inertia and gravity of its closed form")
+{
+    const TemporaryDirectory room;
+    const Robot robot = read_robot(written(room, "arm.urdf", arm_urdf));
+    const int shoulder = joint_named(robot, "shoulder", "arm.urdf"), elbow = joint_named(robot, "elbow", "arm.urdf");
+    for (const double bent : {0.0, 0.9, -2.0})
+        for (const double at : {0.0, 0.7}) {
+            std::vector<double> pose(2);
+            pose[static_cast<std::size_t>(shoulder)] = at;
+            pose[static_cast<std::size_t>(elbow)] = bent;
+            check_shoulder(axis_dynamics(robot, shoulder, pose), bent, at);
+            CHECK(axis_dynamics(robot, elbow, pose).inertia == Approx(I2 + m2 * c2 * c2));
+        }
+    const auto answer = import_joint(robot, shoulder, {0.0, 0.0});
+    CHECK(answer.joint.control.effort_limit == 30);
+    CHECK(std::get<CoulombViscous>(answer.joint.friction.law).coulomb == 0.4);
+    CHECK(answer.missing == std::vector<std::string>{"control.k_p"});
+    CHECK(import_text(answer, "arm.urdf", "").find("# k_p =") != std::string::npos);
+}
+
+TEST_CASE("import: the same arm from MJCF, with defaults, degrees and a servo")
+{
+    const TemporaryDirectory room;
+    const Robot robot = read_robot(written(room, "arm.xml", arm_mjcf));
+    const int shoulder = joint_named(robot, "shoulder", "arm.xml"), elbow = joint_named(robot, "elbow", "arm.xml");
+    const double ref = std::acos(-1.0) / 6;
+    const auto pose = read_pose(robot, written(room, "pose.toml", "shoulder = \"40 deg\"\n"));
+    CHECK(pose[static_cast<std::size_t>(elbow)] == Approx(ref));
+    check_shoulder(axis_dynamics(robot, shoulder, pose), 0, 40 * std::acos(-1.0) / 180);
+    const auto upper = import_joint(robot, shoulder, pose);
+    CHECK(upper.joint.mechanism.inertia == Approx(upper.dynamics.inertia + 0.5));
+    CHECK(upper.described.high == Approx(std::acos(-1.0) / 2));
+    const auto lower = import_joint(robot, elbow, pose);
+    CHECK(lower.joint.control.k_p == 80);
+    CHECK(lower.joint.control.k_v == 2);
+    CHECK(lower.joint.control.effort_limit == 5);
+    CHECK(lower.missing.empty());
+    const Joint read = read_joint_text(import_text(lower, "arm.xml", ""), "imported");
+    CHECK(read.mechanism.inertia == Approx(0.05));
+}
+
+TEST_CASE("import: solids of even density have the inertia of their closed form")
+{
+    const TemporaryDirectory room;
+    const auto inertia = [&](const std::string& geom) {
+        const Robot robot = read_robot(written(room, "solid.xml",
+                                               "<mujoco><worldbody><body><joint name=\"j\" axis=\"0 0 1\"/><geom " +
+                                                   geom + "/></body></worldbody></mujoco>"));
+        return axis_dynamics(robot, 0, {0}).inertia;
+    };
+    CHECK(inertia("type=\"sphere\" size=\"0.1\" mass=\"2\" pos=\"1 0 0\"") == Approx(0.4 * 2 * 0.01 + 2));
+    CHECK(inertia("type=\"box\" size=\"0.1 0.2 0.3\" mass=\"3\"") == Approx(3 * (0.04 + 0.16) / 12));
+    CHECK(inertia("type=\"cylinder\" size=\"0.1 0.3\" mass=\"3\"") == Approx(3 * 0.01 / 2));
+    // a rod across the axis, fromto: m l²/12 + m r²/4
+    CHECK(inertia("type=\"cylinder\" size=\"0.1\" fromto=\"-0.3 0 0 0.3 0 0\" mass=\"3\"") ==
+          Approx(3 * (0.36 / 12 + 0.01 / 4)));
+    // density of water by default; a capsule without length is a ball
+    CHECK(inertia("type=\"sphere\" size=\"0.1\"") == Approx(0.4 * 0.01 * 1000 * 4. / 3 * std::acos(-1.0) * 1e-3));
+    CHECK(inertia("type=\"capsule\" size=\"0.1 1e-9\" mass=\"2\"") == Approx(0.4 * 2 * 0.01));
+}
+
+TEST_CASE("import: what cannot be used is refused by file and line")
+{
+    const TemporaryDirectory room;
+    const Robot robot = read_robot(written(room, "arm.urdf", arm_urdf));
+    CHECK_THROWS_WITH(joint_named(robot, "elbwo", "arm.urdf"),
+                      Catch::Contains("shoulder, elbow") && Catch::Contains("did you mean"));
+    CHECK_THROWS_WITH(read_pose(robot, written(room, "pose.toml", "elbwo = 1\n")), Catch::Contains("pose.toml:1"));
+    CHECK_THROWS_WITH(read_pose(robot, written(room, "mm.toml", "elbow = \"3 mm\"\n")), Catch::Contains("rad"));
+
+    const std::string loop = replaced(arm_urdf, "<child link=\"tip\"/>", "<child link=\"upper\"/>");
+    CHECK_THAT(complaint(room, "loop.urdf", loop), Catch::Contains("loop") && Catch::Contains("loop.urdf:12"));
+    const std::string light =
+        replaced(replaced(arm_urdf, "<mass value=\"1\"/>", "<mass value=\"0\"/>"), "ixx=\"0.01\"", "ixx=\"0\"");
+    CHECK_THAT(complaint(room, "light.urdf", light), Catch::Contains("elbow") && Catch::Contains("no inertia"));
+    CHECK_THAT(complaint(room, "number.urdf", replaced(arm_urdf, "0 0 -0.5", "0 0 x")),
+               Catch::Contains("number.urdf:11"));
+    CHECK_THAT(complaint(room, "xacro.urdf", replaced(arm_urdf, "0 0 -0.5", "0 0 ${l}")), Catch::Contains("xacro"));
+    CHECK_THAT(complaint(room, "cut.urdf", std::string(arm_urdf).substr(0, 400)), Catch::Contains("is no XML"));
+    CHECK_THAT(complaint(room, "other.xml", "<sdf/>"), Catch::Contains("<sdf>"));
+    CHECK_THAT(
+        complaint(room, "mesh.xml", "<mujoco><worldbody><body><joint/><geom mesh=\"m\"/></body></worldbody></mujoco>"),
+        Catch::Contains("mesh"));
+
+    const std::string tied = replaced(arm_mjcf, "</worldbody>",
+                                      "</worldbody><equality><connect body1=\"lower\" anchor=\"0 0 0\"/></equality>");
+    const Robot closed = read_robot(written(room, "tied.xml", tied));
+    CHECK(import_joint(closed, 0, {0, 0}).loop != nullptr);
+}

@@ -74,8 +74,8 @@ bool find_missing_k_v(std::vector<Case>& cases, double limit, double misfit_with
     for (const auto& c : cases) {
         if (c.joint.control.k_v != 0) return false;
         const auto answer = regression_of(c, c.joint.control.velocity_estimate.tau, limit).solve(true);
-        each.push_back(answer.kv);
-        k_v += answer.kv / static_cast<double>(cases.size()),
+        each.push_back(answer.k_v);
+        k_v += answer.k_v / static_cast<double>(cases.size()),
             misfit += answer.misfit / static_cast<double>(cases.size());
     }
     const bool agree = std::all_of(each.begin(), each.end(), [&](double x) { return x > 0.5 * k_v && x < 2 * k_v; });

@@ -2,6 +2,8 @@
 
 #include "analysis/joint/gains.h"
 
+#include <cmath>
+
 namespace stickslip {
 namespace {
 
@@ -17,12 +19,124 @@ LoopKind loop_kind(const Joint& joint)
 {
     const auto& c = joint.control;
     const auto& a = joint.actuator;
-    if (!feeds_back(joint)) return a.kind == ActuatorKind::dc_motor ? LoopKind::continuous : LoopKind::ideal;
+    if (!feeds_back(joint)) return LoopKind::ideal;
     if (is_set(c.period)) return LoopKind::sampled;
     const bool late = c.delay > 0 || a.lag > 0 || c.velocity_estimate.tau > 0;
     const bool other = gains_of(c).k_i != 0 || a.effort_gain != 1 || joint.sensor.position_scale != 1 ||
-                       a.kind == ActuatorKind::dc_motor;
+                       a.sag_effort < infinity || a.kind == ActuatorKind::dc_motor;
     return late || other ? LoopKind::continuous : LoopKind::ideal;
+}
+
+namespace {
+
+/// Collects what a loop uses and what it cannot.
+struct Collector {
+    LoopUse use;
+    bool acts;  ///< the loop feeds anything back
+
+    void take(bool present, const char* key)
+    {
+        if (!present) return;
+        if (acts)
+            use.used.emplace_back(key);
+        else
+            leave(true, key, WhyNot::no_feedback, false);
+    }
+    void leave(bool present, const char* key, WhyNot why, bool matters)
+    {
+        if (present) use.not_used.push_back({key, why, matters});
+    }
+};
+
+void take_controller(Collector& c, const Joint& joint)
+{
+    const auto& control = joint.control;
+    const auto& estimate = control.velocity_estimate;
+    const bool sampled = is_set(control.period), cascade = control.structure == Structure::cascade;
+    const bool estimates = gains_of(control).k_v != 0 && control.kind == ControlKind::position;
+    c.take(cascade, "control.position_gain");
+    c.take(cascade, "control.velocity_gain");
+    c.take(cascade && is_set(control.velocity_integral_gain), "control.velocity_integral_gain");
+    c.take(cascade && is_set(control.velocity_reset_time), "control.velocity_reset_time");
+    c.take(!cascade && control.k_i != 0, "control.k_i");
+    c.take(sampled, "control.period");
+    c.take(control.delay > 0, "control.delay");
+    if (estimates) {
+        c.take(sampled && estimate.form != EstimateForm::unstated, "control.velocity_estimate.form");
+        c.take(estimate.tau > 0 && !(sampled && estimate.form == EstimateForm::exact), "control.velocity_estimate.tau");
+        c.take(sampled && estimate.average > 1, "control.velocity_estimate.average");
+        c.leave(!sampled && estimate.average > 1, "control.velocity_estimate.average", WhyNot::needs_period, true);
+    } else {
+        c.leave(estimate.tau > 0, "control.velocity_estimate.tau", WhyNot::no_feedback, false);
+        c.leave(estimate.average > 1, "control.velocity_estimate.average", WhyNot::no_feedback, false);
+    }
+    c.leave(!control.reference_velocity, "control.reference_velocity", WhyNot::reference_only, false);
+    const auto& f = control.feed_forward;
+    c.leave(f.velocity != 1 || f.acceleration != 0 || f.coulomb != 0, "control.feed_forward", WhyNot::reference_only,
+            false);
+    c.leave(f.gravity, "control.feed_forward.gravity", WhyNot::reference_only, false);
+    c.leave(control.effort_limit < infinity, "control.effort_limit", WhyNot::small_signal, false);
+    c.leave(control.integral_limit < infinity, "control.integral_limit", WhyNot::small_signal, false);
+    c.leave(control.integral_band < infinity, "control.integral_band", WhyNot::small_signal, false);
+    c.leave(control.anti_windup != AntiWindup::none, "control.anti_windup", WhyNot::small_signal, false);
+    c.leave(control.dead_zone > 0, "control.dead_zone", WhyNot::small_signal, true);
+}
+
+void take_drive(Collector& c, const Joint& joint)
+{
+    const auto& a = joint.actuator;
+    const bool motor = a.kind == ActuatorKind::dc_motor;
+    c.take(a.effort_gain != 1, "actuator.effort_gain");
+    c.take(a.lag > 0, "actuator.lag");
+    for (const char* key : {"actuator.k_t", "actuator.k_e", "actuator.resistance"}) c.take(motor, key);
+    c.take(motor && is_set(a.supply_voltage), "actuator.supply_voltage");
+    c.take(motor && a.supply_resistance > 0, "actuator.supply_resistance");
+    c.take(!motor && a.sag_effort < infinity, "actuator.sag_effort");
+    c.leave(a.limit < infinity, "actuator.limit", WhyNot::small_signal, false);
+    const auto& s = joint.sensor;
+    c.take(s.position_scale != 1, "sensor.position_scale");
+    c.leave(s.encoder_quantum > 0, "sensor.encoder_quantum", WhyNot::rounding, false);
+    c.leave(s.position_noise > 0, "sensor.position_noise", WhyNot::rounding, false);
+    c.leave(s.position_offset != 0, "sensor.position_offset", WhyNot::reference_only, false);
+}
+
+/// Whether a force of this slope per displacement is more than a hundredth of the loop's own stiffness.
+bool noticed(const Joint& joint, double slope)
+{
+    constexpr double share = 0.01;
+    return std::abs(slope) > share * std::abs(gains_of(joint.control).k_p);
+}
+
+void leave_surroundings(Collector& c, const Joint& joint)
+{
+    const auto& l = joint.load;
+    const auto& m = joint.mechanism;
+    c.leave(l.gravity_amplitude != 0, "load.gravity_amplitude", WhyNot::place, noticed(joint, l.gravity_amplitude));
+    c.leave(l.cogging.amplitude != 0, "load.cogging", WhyNot::place,
+            noticed(joint, l.cogging.amplitude * l.cogging.periods));
+    c.leave(l.disturbance.amplitude != 0, "load.disturbance", WhyNot::time, false);
+    if (m.model == Model::single_mass) {
+        c.leave(joint.friction.ripple.amplitude != 0, "friction.ripple", WhyNot::place,
+                noticed(joint, joint.friction.ripple.amplitude * joint.friction.ripple.periods));
+        c.leave(joint.friction.drift.amplitude != 0, "friction.drift", WhyNot::time, false);
+    }
+    c.leave(m.model == Model::two_mass && m.transmission.backlash > 0, "joint.transmission.backlash", WhyNot::play,
+            true);
+    const bool chain = m.model == Model::three_mass || m.model == Model::lever;
+    c.leave(chain && m.motor_transmission.backlash > 0, "joint.motor_transmission.backlash", WhyNot::play, true);
+    c.leave(chain && m.transmission_link.backlash > 0, "joint.transmission_link.backlash", WhyNot::play, true);
+}
+
+}  // namespace
+
+LoopUse loop_use(const Joint& joint)
+{
+    Collector c{{}, feeds_back(joint)};
+    c.use.kind = loop_kind(joint);
+    take_controller(c, joint);
+    take_drive(c, joint);
+    leave_surroundings(c, joint);
+    return std::move(c.use);
 }
 
 Joint with_ideal_loop(Joint joint)

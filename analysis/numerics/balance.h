@@ -7,8 +7,9 @@ namespace stickslip {
 
 /// Parlett-Reinsch balancing by powers of two, so that the eigenvalue solver sees entries of one size.
 /// Source: Parlett & Reinsch, Balancing a matrix for calculation of eigenvalues and eigenvectors (1969).
+/// `units`, where given, is multiplied by the scale D of D⁻¹ A D.
 template <class Matrix>
-void balance(Matrix& matrix)
+void balance(Matrix& matrix, Eigen::VectorXd* units = nullptr)
 {
     for (bool changed = true; changed;) {
         changed = false;
@@ -20,6 +21,7 @@ void balance(Matrix& matrix)
             if (column * factor + row / factor >= 0.95 * (column + row)) continue;
             matrix.col(i) *= factor;
             matrix.row(i) /= factor;
+            if (units) (*units)[i] *= factor;
             changed = true;
         }
     }

@@ -9,6 +9,7 @@
 #include "analysis/stability/joint_crossings.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/linear_friction.h"
+#include "analysis/stability/real_loop.h"
 #include "analysis/stability/steady.h"
 #include "analysis/stability/winding.h"
 
@@ -32,6 +33,7 @@ double instability(const Joint& joint, Theory theory)
     if (theory == Theory::state_variable) return side_of_stability(joint);
     const auto steady = steady_sliding(joint);
     if (steady.reason != Reason::none) return missing;
+    if (loop_kind(joint) != LoopKind::ideal) return real_growth(joint, steady.velocity, true);
     return spectral_abscissa(velocity_only(linear_joint(joint, steady.velocity)));
 }
 

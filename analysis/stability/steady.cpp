@@ -1,5 +1,6 @@
 #include "analysis/stability/steady.h"
 
+#include "analysis/joint/gains.h"
 #include "analysis/stability/linear_joint.h"
 
 namespace stickslip {
@@ -36,7 +37,7 @@ SteadySliding steady_sliding(const Joint& joint)
     }
     // friction that grows with the transmitted effort T: T = f_ss + μ T
     const double share = 1 - (chain.bodies == 1 ? joint.friction.load_coefficient : 0);
-    s.deflection = s.friction / share / joint.control.k_p;
+    s.deflection = s.friction / share / gains_of(joint.control).k_p;
     if (!std::isfinite(s.friction) || !(share > 0)) s.reason = Reason::no_steady_state;
     return s;
 }

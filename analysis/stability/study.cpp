@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "analysis/stability/frequency_search.h"
+#include "analysis/stability/real_loop.h"
 #include "analysis/stability/stable_gains.h"
 #include "analysis/stability/steady.h"
 
@@ -49,10 +50,14 @@ LinearStudy linear_study(const Joint& joint)
     const double V = std::abs(steady.velocity), reach = std::pow(10, study_decades);
     const auto linear = linear_joint(joint, steady.velocity);
     const bool thorough = linear.rational() || search_effort() >= effort_of_late_studies;
-    study.compliance = std::abs(disturbance_response(linear, 0));
-    study.peak = response_peak(linear);
     const auto gains = stable_gains(joint);
-    study.margins = loop_margins(linear, gains.crossings);
+    if (loop_kind(joint) == LoopKind::ideal) {
+        study.compliance = std::abs(disturbance_response(linear, 0));
+        study.peak = response_peak(linear);
+        study.margins = loop_margins(linear, gains.crossings);
+    } else if (const auto margins = real_margins(joint, steady.velocity); growth_rate(joint) < 0) {
+        study.margins = {margins.gain_below, margins.gain_above, margins.lag, margins.crossover};
+    }
     if (!known_at_one_velocity(joint)) {
         const bool back = steady.velocity < 0;
         const auto [low, high] = study.velocities =

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "analysis/joint/gains.h"
 #include "analysis/stability/critical_gain.h"
 #include "analysis/stability/joint_crossings.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/neutral.h"
+#include "analysis/stability/real_loop.h"
 #include "analysis/stability/spectrum.h"
 #include "analysis/stability/stable_gains.h"
 #include "analysis/stability/steady.h"
@@ -137,11 +139,31 @@ LinearMass linear_mass(const Joint& joint, double V)
     return mass;
 }
 
+namespace {
+
+/// Steady sliding that the limits of controller and actuator leave possible.
+SteadySliding possible_sliding(const Joint& joint)
+{
+    auto steady = steady_sliding(joint);
+    const auto& a = joint.actuator;
+    const bool limited = joint.control.effort_limit < infinity || a.limit < infinity || a.sag_effort < infinity ||
+                         (a.kind == ActuatorKind::dc_motor && is_set(a.supply_voltage));
+    if (limited && steady.reason == Reason::none && !limits_leave(joint, steady.velocity))
+        steady.reason = Reason::limit_too_low;
+    return steady;
+}
+
+}  // namespace
+
 LinearVerdict linear_verdict(const Joint& joint)
 {
     LinearVerdict verdict;
-    verdict.steady = steady_sliding(joint);
+    verdict.loop = loop_use(joint);
+    verdict.steady = possible_sliding(joint);
     if (verdict.steady.reason != Reason::none) return verdict;
+    if (verdict.loop.kind != LoopKind::ideal) return real_verdict(joint, std::move(verdict));
+    // a cascade without an integral, after the loop is known to be the ideal one
+    if (joint.control.structure == Structure::cascade) return linear_verdict(with_gains(joint));
     if (!is_plain_mass(joint)) return joint_verdict(joint, std::move(verdict));
     const auto mass = linear_mass(joint, verdict.steady.velocity);
     if (!mass.friction.rational()) return joint_verdict(joint, std::move(verdict));
@@ -171,8 +193,10 @@ LinearVerdict linear_verdict(const Joint& joint)
 
 double growth_rate(const Joint& joint)
 {
-    const auto steady = steady_sliding(joint);
+    const auto steady = possible_sliding(joint);
     if (steady.reason != Reason::none) return missing;
+    if (loop_kind(joint) != LoopKind::ideal) return real_growth(joint, steady.velocity, false);
+    if (joint.control.structure == Structure::cascade) return growth_rate(with_gains(joint));
     if (is_plain_mass(joint)) {
         const auto mass = linear_mass(joint, steady.velocity);
         if (mass.friction.rational()) return spectral_abscissa(mass);
@@ -183,9 +207,11 @@ double growth_rate(const Joint& joint)
 PointResult linear_point(const Joint& joint)
 {
     PointResult point;
-    const auto steady = steady_sliding(joint);
+    const auto steady = possible_sliding(joint);
     point.reason = steady.reason;
     if (steady.reason != Reason::none) return point;
+    if (loop_kind(joint) != LoopKind::ideal) return real_point(joint, steady.velocity);
+    if (joint.control.structure == Structure::cascade) return linear_point(with_gains(joint));
     if (!is_plain_mass(joint)) return joint_point(joint, steady.velocity);
     const auto mass = linear_mass(joint, steady.velocity);
     if (!mass.friction.rational()) return joint_point(joint, steady.velocity);

@@ -2,6 +2,7 @@
 
 #include "analysis/results/text.h"
 #include "sweep/words/line_figure.h"
+#include "sweep/words/loop_text.h"
 
 #include <cmath>
 
@@ -88,7 +89,7 @@ std::string verdict_text(const Joint& joint, const LinearVerdict& v, bool bistab
                 " × the critical gain k_{cr} = " + stiffness(memory.k_cr, motion) + ".";
     else
         text += stable_gains(joint, memory);
-    return text + other_theory(joint, v);
+    return text + other_theory(joint, v) + loop_text(v.loop);
 }
 
 Table linear_table(const Joint& joint, const LinearVerdict& v)
@@ -111,6 +112,11 @@ Table linear_table(const Joint& joint, const LinearVerdict& v)
                   row("kernel integral ∫g", v.state_variable.kernel_integral, Quantity::damping),
                   row("critical position gain k_{cr}", v.state_variable.k_cr, Quantity::stiffness),
                   row("spectral abscissa max Re s", v.state_variable.spectral_abscissa, Quantity::rate)};
+    table.rows.insert(table.rows.begin(), {"loop", loop_name(v.loop.kind)});
+    if (is_set(v.state_variable.gain_margin_db))
+        table.rows.push_back({"gain margin", plain_number(v.state_variable.gain_margin_db) + " dB"});
+    if (is_set(v.state_variable.phase_margin_deg))
+        table.rows.push_back({"phase margin", plain_number(v.state_variable.phase_margin_deg) + "°"});
     if (std::isnan(v.state_variable.k_cr))
         table.rows.push_back(
             {"stable k_{p}", intervals_text(v.state_variable.stable_intervals, Quantity::stiffness, motion)});

@@ -4,6 +4,7 @@
 #include "analysis/numerics/root.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/neutral.h"
+#include "analysis/stability/real_loop.h"
 #include "analysis/stability/spectrum.h"
 #include "analysis/stability/steady.h"
 
@@ -18,6 +19,7 @@ double instability(const Joint& joint, Curve::Kind theory)
     if (theory == Curve::Kind::velocity_only) {
         const auto steady = steady_sliding(joint);
         if (steady.reason != Reason::none) return missing;
+        if (loop_kind(joint) != LoopKind::ideal) return real_growth(joint, steady.velocity, true);
         const auto& c = joint.control;
         if (joint.mechanism.model != Model::single_mass || c.force_gain != 0 || c.contact_stiffness != 0)
             return spectral_abscissa(velocity_only(linear_joint(joint, steady.velocity)));
@@ -29,7 +31,7 @@ double instability(const Joint& joint, Curve::Kind theory)
 
 std::optional<bool> is_stable(const Joint& joint, Curve::Kind theory)
 {
-    if (joint.mechanism.model != Model::single_mass) {
+    if (joint.mechanism.model != Model::single_mass && loop_kind(joint) == LoopKind::ideal) {
         const auto steady = steady_sliding(joint);
         if (steady.reason != Reason::none) return {};
         auto linear = linear_joint(joint, steady.velocity);

@@ -1,5 +1,6 @@
 #include "sweep/files/json/verdict_json.h"
 
+#include "sweep/words/loop_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <cmath>
@@ -23,8 +24,9 @@ Json intervals_json(const std::vector<Interval>& list)
 
 Json state_variable_json(const StateVariableVerdict& v)
 {
-    Json eigenvalues = Json::array(), crossings = Json::array();
+    Json eigenvalues = Json::array(), multipliers = Json::array(), crossings = Json::array();
     for (const auto& s : v.eigenvalues) eigenvalues.push_back({json_number(s.real()), json_number(s.imag())});
+    for (const auto& z : v.multipliers) multipliers.push_back({json_number(z.real()), json_number(z.imag())});
     for (const auto& c : v.crossings)
         crossings.push_back({{"k_p", json_number(c.k_p)}, {"omega", json_number(c.omega)}, {"direction", c.direction}});
     return {
@@ -37,6 +39,9 @@ Json state_variable_json(const StateVariableVerdict& v)
          v.all_eigenvalues ? Json(nullptr)
                            : Json("memory that is a delay or a table has infinitely many: these are the rightmost "
                                   "ones, and no other lies right of the last of them")},
+        {"multipliers", v.multipliers.empty() ? Json(nullptr) : multipliers},
+        {"gain_margin_db", json_number(v.gain_margin_db)},
+        {"phase_margin_deg", json_number(v.phase_margin_deg)},
         {"f_v", json_number(v.f_v)},
         {"kernel_integral", json_number(v.kernel_integral)},
         {"crossings", crossings},
@@ -44,6 +49,14 @@ Json state_variable_json(const StateVariableVerdict& v)
         {"k_cr", json_number(v.k_cr)},
         {"searched_to", json_number(v.searched_to)},
         {"doubtful_omega", intervals_json(v.doubtful)}};
+}
+
+Json loop_json(const LoopUse& loop)
+{
+    Json unused = Json::array();
+    for (const auto& term : loop.not_used)
+        unused.push_back({{"key", term.key}, {"why", why_text(term.why)}, {"matters", term.matters}});
+    return {{"kind", loop_name(loop.kind)}, {"used", loop.used}, {"not_used", unused}};
 }
 
 }  // namespace
@@ -59,7 +72,8 @@ Json verdict_json(const LinearVerdict& verdict)
     Json json = {{"steady",
                   {{"velocity", json_number(steady.velocity)},
                    {"friction", json_number(steady.friction)},
-                   {"deflection", json_number(steady.deflection)}}}};
+                   {"deflection", json_number(steady.deflection)}}},
+                 {"loop", loop_json(verdict.loop)}};
     if (steady.reason != Reason::none) {
         json["linear"] = nullptr;
         json["reason"] = reason_text(steady.reason);

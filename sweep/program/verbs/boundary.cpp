@@ -1,5 +1,6 @@
 // stickslip boundary: where exactly the boundaries lie.
 #include "analysis/boundary/kinds/outside.h"
+#include "analysis/loop/loop_use.h"
 #include "sweep/files/json/boundary_json.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/whole_file.h"
@@ -23,7 +24,11 @@ namespace {
 
 int locate(const BoundaryOptions& options, const Invocation& invocation)
 {
-    const auto asked = read_spec_or_joint(options.input, options.settings);
+    auto asked = read_spec_or_joint(options.input, options.settings);
+    if (options.ideal_loop) {
+        asked.design = with_ideal_loop(asked.design);
+        asked.spec.joint = with_ideal_loop(asked.spec.joint);
+    }
     const auto questions = boundary_questions(asked, options);
     const ThreadLimit limit(options.threads);
     BoundaryAnswer answer;
@@ -132,6 +137,8 @@ void add_boundary(CLI::App& app, Invocation& invocation)
     verb->add_option("--max-undecided", options->max_undecided,
                      "exit 4 if a larger share of the scanned points has no verdict")
         ->capture_default_str();
+    verb->add_flag("--ideal-loop", options->ideal_loop,
+                   "the paper's loop: no sampling, dead time, filter, lag or integral");
     verb->add_flag("--json", options->json, "print boundary.json instead of text");
     verb->footer(
         "Examples:\n"

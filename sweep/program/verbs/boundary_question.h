@@ -15,7 +15,7 @@ struct BoundaryOptions {
     std::string disturbance;
     double size = missing, precision = not_set, max_undecided = 0.05;
     int guard = 0, threads = 0;  ///< guard 0: that of the spec, else of the kind
-    bool json = false;
+    bool ideal_loop = false, json = false;
 };
 
 /// One kind along one axis, or over two.

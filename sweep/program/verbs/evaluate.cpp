@@ -1,4 +1,5 @@
 // stickslip evaluate: everything the theory says about one joint.
+#include "analysis/loop/loop_use.h"
 #include "analysis/results/text.h"
 #include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/simulation/set_point/set_point.h"
@@ -36,7 +37,7 @@ struct Options {
     DisturbanceOption disturbance;
     SurroundingsOption surroundings;
     double effort = 1;
-    bool json = false;
+    bool json = false, ideal_loop = false;
 };
 
 /// The motion under the asked disturbance, where one is asked and the joint slides.
@@ -97,7 +98,11 @@ void print_rows(const Table& table)
 
 int evaluate(const Options& options, const Invocation& invocation)
 {
-    const auto asked = read_spec_or_joint(options.joint, options.settings);
+    auto asked = read_spec_or_joint(options.joint, options.settings);
+    if (options.ideal_loop) {
+        asked.design = with_ideal_loop(asked.design);
+        asked.spec.joint = with_ideal_loop(asked.spec.joint);
+    }
     const Joint& joint = asked.design;
     set_search_effort(options.effort);
     const auto verdict = linear_verdict(joint);
@@ -176,6 +181,8 @@ void add_evaluate(CLI::App& app, Invocation& invocation)
     verb->add_option("--effort", options->effort,
                      "how much searching, per the usual: more crossings and reductions of friction that answers late")
         ->check(CLI::PositiveNumber);
+    verb->add_flag("--ideal-loop", options->ideal_loop,
+                   "the paper's loop: no sampling, dead time, filter, lag or integral");
     verb->add_flag("--json", options->json, "machine-readable, stable names");
     verb->footer(
         "Example: stickslip evaluate examples/02-ball-screw/joint-with-memory.toml --set control.k_p=2e4 --json\n"

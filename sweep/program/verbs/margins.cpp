@@ -1,4 +1,5 @@
 // stickslip margins: how far a design is from its boundaries.
+#include "analysis/loop/loop_use.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/whole_file.h"
 #include "sweep/files/toml/asked_axes.h"
@@ -21,12 +22,16 @@ struct Options {
     std::string input, directory, shape = "box";
     std::vector<std::string> settings, uncertain, over;
     int guard = 12, threads = 0;
-    bool json = false;
+    bool json = false, ideal_loop = false;
 };
 
 int margins(const Options& options, const Invocation& invocation)
 {
-    const auto asked = read_spec_or_joint(options.input, options.settings);
+    auto asked = read_spec_or_joint(options.input, options.settings);
+    if (options.ideal_loop) {
+        asked.design = with_ideal_loop(asked.design);
+        asked.spec.joint = with_ideal_loop(asked.spec.joint);
+    }
     const ThreadLimit limit(options.threads);
     auto answer = margins_of(asked.design);
     answer.title = asked.spec.title;
@@ -89,6 +94,8 @@ void add_margins(CLI::App& app, Invocation& invocation)
         ->capture_default_str();
     verb->add_option("-o,--output", options->directory, "write margins.json and report.html here");
     verb->add_option("--threads", options->threads, "0: all cores")->capture_default_str();
+    verb->add_flag("--ideal-loop", options->ideal_loop,
+                   "the paper's loop: no sampling, dead time, filter, lag or integral");
     verb->add_flag("--json", options->json, "print margins.json instead of text");
     verb->footer(
         "Example: stickslip margins examples/01-reference-joint/spec.toml --uncertain friction.L=20% --uncertain "

@@ -1,4 +1,5 @@
 // stickslip sweep: from a spec to results.nc and report.html.
+#include "analysis/loop/loop_use.h"
 #include "analysis/results/text.h"
 #include "analysis/stability/verdict.h"
 #include "sweep/engine/run_directory.h"
@@ -30,7 +31,7 @@ struct Options {
     std::string spec, directory = "out", shard, timestamp;
     int threads = 0;
     double max_undecided = 0.05;
-    bool fresh = false, json = false, no_report = false;
+    bool fresh = false, json = false, no_report = false, ideal_loop = false;
 };
 
 /// "2/7": the second of seven shards.
@@ -62,6 +63,7 @@ int sweep(const Options& options, Invocation& invocation)
     const auto date = timestamp(options.timestamp);
     const bool embedded = options.spec.empty();
     Spec spec = embedded ? read_spec_text(embedded_spec(), "(embedded example)") : read_spec(options.spec);
+    if (options.ideal_loop) spec.joint = with_ideal_loop(spec.joint);
     choose_charts(spec);
 
     for (const auto& path : idle_axes(design_joint(spec), spec.axes))
@@ -154,6 +156,8 @@ void add_sweep(CLI::App& app, Invocation& invocation)
     verb->add_flag("--no-report", options->no_report, "write results.nc only");
     verb->add_option("--timestamp", options->timestamp,
                      "date on the page: now, or seconds since 1970; default: SOURCE_DATE_EPOCH, else none");
+    verb->add_flag("--ideal-loop", options->ideal_loop,
+                   "the paper's loop: no sampling, dead time, filter, lag or integral");
     verb->add_flag("--json", options->json, "machine-readable summary");
     verb->footer(
         "Example: stickslip sweep examples/02-ball-screw/spec-with-memory.toml -o out\n"

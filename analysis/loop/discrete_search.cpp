@@ -1,0 +1,265 @@
+#include "analysis/loop/discrete_search.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <numbers>
+
+#include "analysis/numerics/balance.h"
+#include "analysis/numerics/interval.h"
+#include "analysis/numerics/root.h"
+
+namespace stickslip {
+namespace {
+
+using Complex = std::complex<double>;
+using std::numbers::pi;
+constexpr double narrowest = 1e-11;  // of an angle: bands that are given up
+constexpr int most_bands = 200'000;
+
+Eigen::VectorXcd eigenvalues_of(Eigen::MatrixXd matrix)
+{
+    if (!matrix.allFinite()) return {};
+    balance(matrix);
+    return matrix.eigenvalues();
+}
+
+/// The same loop in units in which its entries are of one size.
+DiscreteLoop balanced(DiscreteLoop loop)
+{
+    Eigen::VectorXd units = Eigen::VectorXd::Ones(loop.input.size());
+    balance(loop.difference, &units);
+    loop.input = loop.input.cwiseQuotient(units);
+    loop.output = loop.output.cwiseProduct(units.transpose());
+    return loop;
+}
+
+/// z − 1 at z = e^{iφ}, without what 1 takes from it.
+Complex beside_one(double angle)
+{
+    return Complex(0, 2 * std::sin(angle / 2)) * std::polar(1.0, angle / 2);
+}
+
+/// T along the unit circle, and how much its phase can turn.
+class Circle {
+  public:
+    explicit Circle(const DiscreteLoop& loop) : loop_(balanced(loop))
+    {
+        const Eigen::VectorXcd poles = eigenvalues_of(loop_.difference);
+        poles_.assign(poles.begin(), poles.end());
+        const auto n = loop_.input.size();
+        Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n + 1, n + 1), b = a;
+        a.topLeftCorner(n, n) = loop_.difference;
+        a.topRightCorner(n, 1) = loop_.input;
+        a.bottomLeftCorner(1, n) = loop_.output;
+        b.topLeftCorner(n, n).setIdentity();
+        Eigen::GeneralizedEigenSolver<Eigen::MatrixXd> solver(a, b, false);
+        sound_ = solver.info() == Eigen::Success;
+        constexpr double far = 1e9;
+        for (Eigen::Index i = 0; sound_ && i <= n; ++i) {
+            const Complex alpha = solver.alphas()[i];
+            const double beta = solver.betas()[i];
+            if (std::abs(alpha) < far * std::abs(beta)) zeros_.push_back(alpha / beta);
+        }
+        start_ = pi;
+        for (const auto* roots : {&poles_, &zeros_})
+            for (const Complex& r : *roots)
+                if (std::abs(r) > 1e-10) start_ = std::min(start_, 1e-4 * std::abs(r));
+    }
+
+    const DiscreteLoop& loop() const { return loop_; }
+    /// Whether poles and zeros are known.
+    bool sound() const { return sound_; }
+    double start() const { return start_; }
+    Complex at(double angle) const { return transfer(loop_, angle); }
+    /// arg(−T): zero where a positive gain puts a multiplier there.
+    double phase(double angle) const { return std::arg(-at(angle)); }
+
+    /// How far the phase may travel within a band at most.
+    double travel(const Band& band) const
+    {
+        const double half = band.width() / 2;
+        double sum = std::abs(static_cast<double>(zeros_.size()) - static_cast<double>(poles_.size())) * half;
+        for (const auto* roots : {&poles_, &zeros_})
+            for (const Complex& r : *roots) sum += std::abs(turn(r, band) - half);
+        return 1.001 * sum + 1e-9;
+    }
+    /// Bounds of its slope.
+    Band slope(const Band& band) const
+    {
+        Band sum(0.5 * (static_cast<double>(zeros_.size()) - static_cast<double>(poles_.size())));
+        for (const Complex& r : zeros_) sum = sum + kernel(r, band);
+        for (const Complex& r : poles_) sum = sum - kernel(r, band);
+        return sum;
+    }
+
+  private:
+    /// By how much arg(z − r) grows, r counted from 1.
+    static double turn(const Complex& root, const Band& band)
+    {
+        const Complex r = root + 1.0;
+        double change = std::arg((beside_one(band.high) - root) / (beside_one(band.low) - root));
+        if (std::abs(r) < 1 && change < 0) change += 2 * pi;
+        if (std::abs(r) > 1 && change > band.width() / 2) change -= 2 * pi;
+        return change;
+    }
+    /// (1 − |r|²)/(2 |z − r|²): its slope but for the half that all roots share.
+    static Band kernel(const Complex& root, const Band& band)
+    {
+        const double off = -2 * root.real() - std::norm(root);  // 1 − |r|²
+        const double distance = std::abs(beside_one(band.middle()) - root), half = band.width() / 2;
+        const double nearest = std::pow(std::max(0.0, distance - half), 2), farthest = std::pow(distance + half, 2);
+        const double a = off / (2 * std::max(nearest, 1e-300)), b = off / (2 * farthest);
+        return {std::min(a, b), std::max(a, b)};
+    }
+
+    DiscreteLoop loop_;
+    std::vector<Complex> poles_, zeros_;  ///< counted from z = 1
+    double start_;
+    bool sound_ = false;
+};
+
+void take(const Circle& circle, double angle, int direction, CircleCrossings& found)
+{
+    const double gain = -1 / circle.at(angle).real();
+    const double exact = angle == pi || angle == 0 ? gain : (-1.0 / circle.at(angle)).real();
+    if (exact > 0 && std::isfinite(exact)) found.crossings.push_back({exact, angle / circle.loop().period, direction});
+}
+
+}  // namespace
+
+Complex transfer(const DiscreteLoop& loop, double angle)
+{
+    Eigen::MatrixXcd matrix = -loop.difference.cast<Complex>();
+    matrix.diagonal().array() += beside_one(angle);
+    return (loop.output.cast<Complex>() * matrix.partialPivLu().solve(loop.input.cast<Complex>()))(0);
+}
+
+std::vector<Complex> multipliers(const DiscreteLoop& loop, double gain)
+{
+    const Eigen::VectorXcd values = eigenvalues_of(loop.closed(gain));
+    std::vector<Complex> z;
+    for (const Complex& v : values) z.push_back(1.0 + v);
+    std::sort(z.begin(), z.end(), [](const Complex& a, const Complex& b) {
+        return std::abs(a) != std::abs(b) ? std::abs(a) > std::abs(b) : a.imag() > b.imag();
+    });
+    return z;
+}
+
+double sampled_growth(const DiscreteLoop& loop, double gain)
+{
+    const Eigen::VectorXcd values = eigenvalues_of(loop.closed(gain));
+    if (values.size() == 0) return not_set;
+    double most = -infinity;
+    // ln|1 + v|² = log1p(2 Re v + |v|²)
+    for (const Complex& v : values) most = std::max(most, 0.5 * std::log1p(2 * v.real() + std::norm(v)));
+    constexpr double rounding = 4e-15;
+    if (std::abs(most) < rounding * static_cast<double>(values.size())) return 0;
+    return most / loop.period;
+}
+
+CircleCrossings circle_crossings(const DiscreteLoop& loop)
+{
+    CircleCrossings found;
+    const Circle circle(loop);
+    if (!circle.sound()) {
+        found.doubtful.push_back({0, pi / loop.period});
+        return found;
+    }
+    // a real multiplier at 1, unless T is nothing or has no end there
+    const double still = circle.at(0).real(), beside = std::abs(circle.at(circle.start()));
+    constexpr double alike = 1e-6;
+    if (still < 0 && std::abs(still) > alike * beside && std::abs(still) < beside / alike)
+        take(circle, 0, circle.slope(Band(0)).high < 0 ? 1 : -1, found);
+    std::vector<Band> open;
+    const int pieces = 32;
+    double high = pi;
+    for (int i = 1; i <= pieces; ++i) {
+        const double low = i == pieces ? circle.start() : high * std::pow(circle.start() / pi, 1.0 / pieces);
+        open.push_back({low, high});
+        high = low;
+    }
+    for (int used = 0; !open.empty(); ++used) {
+        const Band band = open.back();
+        open.pop_back();
+        if (used > most_bands) {
+            found.doubtful.push_back({band.low / loop.period, pi / loop.period});
+            break;
+        }
+        const double low = circle.phase(band.low), end = circle.phase(band.high);
+        const double travel = circle.travel(band);
+        const bool last = band.high == pi;
+        if (std::abs(low) + std::abs(end) > travel) continue;
+        const Band slope = circle.slope(band);
+        if (!slope.contains_zero() && travel < pi) {
+            const int direction = slope.high < 0 ? 1 : -1;
+            if (last && circle.at(pi).real() < 0) {
+                take(circle, pi, direction, found);
+            } else if (std::signbit(low) != std::signbit(end)) {
+                const auto phase = [&](double angle) { return circle.phase(angle); };
+                take(circle, bracketed_root(phase, band.low, low, band.high, end, 1e-15).value, direction, found);
+            }
+            continue;
+        }
+        if (band.width() <= narrowest * band.high) {
+            found.doubtful.push_back({band.low / loop.period, band.high / loop.period});
+            continue;
+        }
+        open.push_back({band.middle(), band.high});
+        open.push_back({band.low, band.middle()});
+    }
+    std::sort(found.crossings.begin(), found.crossings.end(),
+              [](const Crossing& a, const Crossing& b) { return a.k_p < b.k_p; });
+    return found;
+}
+
+std::vector<Interval> stable_gains(const DiscreteLoop& loop, const std::vector<Crossing>& crossings)
+{
+    std::vector<double> bounds{0};
+    for (const auto& c : crossings) bounds.push_back(c.k_p);
+    bounds.push_back(infinity);
+    std::vector<Interval> intervals;
+    for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
+        const double low = bounds[i], high = bounds[i + 1];
+        const double probe = high == infinity ? (low == 0 ? 1 : 2 * low) : low == 0 ? high / 2 : std::sqrt(low * high);
+        if (!(sampled_growth(loop, probe) < 0)) continue;
+        if (!intervals.empty() && intervals.back().high == low)
+            intervals.back().high = high;
+        else
+            intervals.push_back({low, high});
+    }
+    return intervals;
+}
+
+CommandMargins command_margins(const DiscreteLoop& loop)
+{
+    CommandMargins margins{not_set, not_set, infinity, not_set, 0, infinity};
+    const bool stable = sampled_growth(loop, 1) < 0;
+    for (const auto& c : circle_crossings(loop).crossings) {
+        if (c.k_p < 1) margins.gain_below = std::max(margins.gain_below, c.k_p);
+        if (c.k_p > 1) margins.gain_above = std::min(margins.gain_above, c.k_p);
+        const double db = std::abs(20 * std::log10(c.k_p));
+        if (!(std::abs(margins.gain_db) <= db)) margins.gain_db = stable ? db : -db;
+    }
+    const Circle circle(loop);
+    const auto excess = [&](double angle) { return std::log(std::abs(circle.at(angle))); };
+    constexpr int points = 2000;
+    double low = circle.start(), at_low = excess(low), nearest = not_set;
+    for (int i = 1; i <= points; ++i) {
+        const double high = i == points ? pi : circle.start() * std::pow(pi / circle.start(), double(i) / points);
+        const double at_high = excess(high);
+        if (std::signbit(at_low) != std::signbit(at_high)) {
+            const double angle = bracketed_root(excess, low, at_low, high, at_high, 1e-12).value;
+            const double to_one = circle.phase(angle);  // arg(−L): positive before −1 is reached by lag
+            const double lag = to_one > 0 ? to_one : to_one + 2 * pi;
+            if (lag < margins.lag) margins.lag = lag, margins.crossover = angle / loop.period;
+            if (!(std::abs(nearest) <= std::abs(to_one))) nearest = to_one;
+            if (!stable && to_one < 0 && !(nearest < 0)) nearest = to_one;
+        }
+        low = high, at_low = at_high;
+    }
+    if (stable && std::isfinite(margins.lag)) margins.phase_deg = margins.lag * 180 / pi;
+    if (!stable) margins.phase_deg = nearest * 180 / pi;
+    return margins;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,276 @@
+#include "analysis/loop/late_loop.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <numbers>
+#include <optional>
+
+#include "analysis/numerics/balance.h"
+#include "analysis/numerics/root.h"
+
+namespace stickslip {
+namespace {
+
+using Complex = std::complex<double>;
+using std::numbers::pi;
+
+/// row (s − A)⁻¹ input and its derivative by s, without dead time.
+struct Response {
+    Complex value, slope;
+};
+Response response(const LateLoop& loop, const Eigen::RowVectorXd& row, Complex s)
+{
+    Eigen::MatrixXcd matrix = -loop.A.cast<Complex>();
+    matrix.diagonal().array() += s;
+    const auto lu = matrix.partialPivLu();
+    const Eigen::VectorXcd once = lu.solve(loop.input.cast<Complex>());
+    return {(row.cast<Complex>() * once)(0), -(row.cast<Complex>() * lu.solve(once))(0)};
+}
+
+/// 1 + L(s) and its derivative, all gains closed.
+Response closing(const LateLoop& loop, double gain, Complex s)
+{
+    const auto r = response(loop, gain * loop.output - loop.held, s);
+    const Complex late = std::exp(-s * loop.delay);
+    return {1.0 + r.value * late, (r.slope - loop.delay * r.value) * late};
+}
+
+Eigen::VectorXcd eigenvalues_of(Eigen::MatrixXd matrix)
+{
+    if (!matrix.allFinite()) return {};
+    balance(matrix);
+    return matrix.eigenvalues();
+}
+
+/// The transport of the command through the dead time at Chebyshev nodes, the newest first.
+Eigen::MatrixXd with_past(const LateLoop& loop, double gain, int nodes)
+{
+    const auto n = loop.A.rows();
+    const Eigen::RowVectorXd command = loop.held - gain * loop.output;
+    if (loop.delay == 0) return loop.A + loop.input * command;
+    // differentiation on x_j = cos(jπ/N), here from −delay to 0
+    const auto x = [&](int j) { return std::cos(j * pi / nodes); };
+    const auto c = [&](int j) { return (j == 0 || j == nodes ? 2.0 : 1.0) * (j % 2 ? -1 : 1); };
+    Eigen::MatrixXd D = Eigen::MatrixXd::Zero(nodes + 1, nodes + 1);
+    for (int i = 0; i <= nodes; ++i)
+        for (int j = 0; j <= nodes; ++j)
+            if (i != j) D(i, j) = c(i) / c(j) / (x(i) - x(j));
+    for (int i = 0; i <= nodes; ++i) D(i, i) = -D.row(i).sum();
+    D *= 2 / loop.delay;
+    Eigen::MatrixXd M = Eigen::MatrixXd::Zero(n + nodes, n + nodes);
+    M.topLeftCorner(n, n) = loop.A;
+    M.col(n + nodes - 1).head(n) = loop.input;
+    M.bottomRightCorner(nodes, nodes) = D.bottomRightCorner(nodes, nodes);
+    M.bottomLeftCorner(nodes, n) = D.col(0).tail(nodes) * command;
+    return M;
+}
+
+/// How many roots lie right of Re s = σ: those of A and the turns of 1 + L. Nothing where a root lies on the line.
+std::optional<int> roots_right_of(const LateLoop& loop, double gain, double sigma)
+{
+    int right = 0;
+    double size = 0;
+    for (const Complex& s : eigenvalues_of(loop.A)) {
+        right += s.real() > sigma;
+        size = std::max(size, std::abs(s));
+    }
+    const auto value = [&](double omega) { return closing(loop, gain, {sigma, omega}).value; };
+    double end = 10 * size + 1;
+    while (std::abs(value(end) - 1.0) > 1e-3 || std::abs(value(1.7 * end) - 1.0) > 1e-3)
+        if ((end *= 2) > 1e12 * (1 + size)) return std::nullopt;
+    const double widest = loop.delay > 0 ? 0.3 / loop.delay : end;
+    double turned = 0, omega = 0, step = 1e-4 * (end / 10);
+    Complex at = value(0);
+    constexpr int most = 400'000;
+    for (int used = 0; omega < end; ++used) {
+        if (used > most || !std::isfinite(std::abs(at))) return std::nullopt;
+        const double next = std::min(end, omega + std::min(step, widest));
+        const Complex middle = value(0.5 * (omega + next)), there = value(next);
+        const double first = std::arg(middle / at), second = std::arg(there / middle);
+        if (std::abs(first) > 0.3 || std::abs(second) > 0.3 || std::abs(first - second) > 0.1) {
+            step = (next - omega) / 2;
+            if (step < 1e-13 * end) return std::nullopt;
+            continue;
+        }
+        turned += first + second;
+        omega = next, at = there;
+        step *= 1.6;
+    }
+    turned -= std::arg(at);
+    return right - static_cast<int>(std::lround(turned / pi));
+}
+
+}  // namespace
+
+LateLoop late_loop(const LoopPlant& plant, double delay, double tau, const LoopGains& base, const LoopGains& turned)
+{
+    const int n = static_cast<int>(plant.A.rows());
+    const bool filter = tau > 0 && (base.estimates() || turned.estimates());
+    const bool integrates = base.integral != 0 || turned.integral != 0;
+    const int size = n + filter + integrates;
+    const auto wide = [&](const Eigen::RowVectorXd& row) {
+        Eigen::RowVectorXd all = Eigen::RowVectorXd::Zero(size);
+        all.head(n) = row;
+        return all;
+    };
+    LateLoop loop;
+    loop.delay = delay;
+    loop.A = Eigen::MatrixXd::Zero(size, size);
+    loop.A.topLeftCorner(n, n) = plant.A;
+    loop.input = Eigen::VectorXd::Zero(size);
+    loop.input.head(n) = plant.B;
+    const Eigen::RowVectorXd reading = wide(plant.C);
+    Eigen::RowVectorXd velocity = wide(plant.C_v), travelled = reading, sum = Eigen::RowVectorXd::Zero(size);
+    if (filter) {
+        travelled = Eigen::RowVectorXd::Unit(size, n);
+        velocity = (reading - travelled) / tau;
+        loop.A.row(n) = velocity;
+    }
+    if (integrates) {
+        sum = Eigen::RowVectorXd::Unit(size, n + filter);
+        loop.A.row(n + filter) = reading;
+    }
+    const auto feedback = [&](const LoopGains& g) {
+        return Eigen::RowVectorXd(g.position * reading + g.velocity * velocity + g.integral * sum +
+                                  g.travelled * travelled);
+    };
+    loop.held = -feedback(base);
+    loop.output = feedback(turned);
+    return loop;
+}
+
+std::vector<Complex> roots(const LateLoop& loop, double gain)
+{
+    constexpr int nodes = 32;
+    const Eigen::VectorXcd raw = eigenvalues_of(with_past(loop, gain, nodes));
+    std::vector<Complex> found;
+    if (raw.size() == 0) return found;
+    for (Complex s : raw) {
+        const Complex start = s;
+        bool settled = false;
+        for (int i = 0; i < 12 && !settled; ++i) {
+            const auto F = closing(loop, gain, s);
+            const Complex step = F.value / F.slope;
+            if (!std::isfinite(std::abs(step))) break;
+            s -= step;
+            settled = std::abs(step) <= 1e-14 * std::abs(s);
+        }
+        const bool near = std::abs(s - start) < 1e-2 * (1 + std::abs(start));
+        if (loop.delay == 0) {
+            found.push_back(settled && std::abs(s - start) < 1e-6 * std::abs(start) ? s : start);
+        } else if (near && settled) {
+            const auto same = [&](Complex other) { return std::abs(other - s) < 1e-9 * (1e-6 + std::abs(s)); };
+            if (std::none_of(found.begin(), found.end(), same)) found.push_back(s);
+        }
+    }
+    std::sort(found.begin(), found.end(),
+              [](Complex a, Complex b) { return a.real() != b.real() ? a.real() > b.real() : a.imag() > b.imag(); });
+    return found;
+}
+
+double late_growth(const LateLoop& loop, double gain)
+{
+    const auto all = roots(loop, gain);
+    if (all.empty()) return not_set;
+    double size = 0;
+    for (const auto& s : all) size = std::max(size, std::abs(s));
+    double most = all.front().real();
+    if (loop.delay > 0) {
+        const double beside = most + 1e-7 * (std::abs(most) + 1e-3 * std::abs(all.front()));
+        const auto right = roots_right_of(loop, gain, beside);
+        if (!right || *right != 0) return not_set;
+    }
+    constexpr double rounding = 1e-14;
+    return std::abs(most) < rounding * (loop.delay > 0 ? std::abs(all.front()) : size) ? 0 : most;
+}
+
+Complex transfer(const LateLoop& loop, double omega)
+{
+    return response(loop, loop.output, {0, omega}).value * std::exp(Complex(0, -omega * loop.delay));
+}
+
+namespace {
+
+/// −T of the turned gain, the base closed: a positive real number where a positive gain puts a root at iω.
+Complex towards_axis(const LateLoop& loop, double omega)
+{
+    const auto out = response(loop, loop.output, {0, omega}), held = response(loop, loop.held, {0, omega});
+    const Complex late = std::exp(Complex(0, -omega * loop.delay));
+    return -out.value * late / (1.0 - held.value * late);
+}
+
+struct Reach {
+    double from, to;
+};
+Reach features(const LateLoop& loop)
+{
+    double low = infinity, high = 0;
+    const Eigen::MatrixXd closed = loop.A + loop.input * loop.held;
+    for (const auto& matrix : {loop.A, closed})
+        for (const Complex& s : eigenvalues_of(matrix)) {
+            high = std::max(high, std::abs(s));
+            if (std::abs(s) > 0) low = std::min(low, std::abs(s));
+        }
+    for (const Complex& s : eigenvalues_of(closed))
+        if (std::abs(s) < 1e-9 * high) low = std::min(low, 1e-6 * high);
+    if (loop.delay > 0) low = std::min(low, 1 / loop.delay);
+    constexpr double turns = 50 * pi, far = 1e4, above = 30;
+    return {1e-4 * low, loop.delay > 0 ? std::max(turns / loop.delay, above * high) : far * high};
+}
+
+}  // namespace
+
+AxisCrossings axis_crossings(const LateLoop& loop)
+{
+    AxisCrossings found;
+    if (!loop.A.allFinite()) return found;
+    const Reach reach = features(loop);
+    const auto phase = [&](double omega) { return std::arg(towards_axis(loop, omega)); };
+    const double widest = loop.delay > 0 ? 0.3 / loop.delay : reach.to;
+    double omega = reach.from, at = phase(omega), step = 0.1 * omega;
+    const auto turn = [](double from, double to) { return std::remainder(to - from, 2 * pi); };
+    while (omega < reach.to) {
+        const double next = std::min(reach.to, omega + std::min(step, widest));
+        const double middle = phase(0.5 * (omega + next)), there = phase(next);
+        const double first = turn(at, middle), second = turn(middle, there);
+        const bool coarse = std::abs(first) > 0.3 || std::abs(second) > 0.3 || std::abs(first - second) > 0.1;
+        if (coarse && next - omega > 1e-12 * next) {
+            step = (next - omega) / 2;
+            continue;
+        }
+        if (coarse) found.doubtful.push_back({omega, next});
+        if (!coarse && std::signbit(at) != std::signbit(there) && std::abs(at) < 1) {
+            const double root = bracketed_root(phase, omega, at, next, there, 1e-15).value;
+            const double gain = 1 / towards_axis(loop, root).real();
+            if (gain > 0) found.crossings.push_back({gain, root, there < at ? 1 : -1});
+        }
+        omega = next, at = there;
+        step *= 1.6;
+    }
+    // further up each turn of the dead time asks for more gain still
+    if (loop.delay > 0) found.searched_to = 0.5 / std::abs(towards_axis(loop, reach.to));
+    std::erase_if(found.crossings, [&](const Crossing& c) { return c.k_p > found.searched_to; });
+    std::sort(found.crossings.begin(), found.crossings.end(),
+              [](const Crossing& a, const Crossing& b) { return a.k_p < b.k_p; });
+    return found;
+}
+
+std::vector<Interval> stable_gains(const LateLoop& loop, const AxisCrossings& all)
+{
+    std::vector<double> bounds{0};
+    for (const auto& c : all.crossings) bounds.push_back(c.k_p);
+    if (all.searched_to > bounds.back()) bounds.push_back(all.searched_to);
+    std::vector<Interval> intervals;
+    for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
+        const double low = bounds[i], high = bounds[i + 1];
+        const double probe = high == infinity ? (low == 0 ? 1 : 2 * low) : low == 0 ? high / 2 : std::sqrt(low * high);
+        if (!(late_growth(loop, probe) < 0)) continue;
+        if (!intervals.empty() && intervals.back().high == low)
+            intervals.back().high = high;
+        else
+            intervals.push_back({low, high});
+    }
+    return intervals;
+}
+
+}  // namespace stickslip

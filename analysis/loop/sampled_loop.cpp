@@ -1,0 +1,149 @@
+#include "analysis/loop/sampled_loop.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/numerics/balance.h"
+
+namespace stickslip {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::RowVectorXd;
+
+/// What a whole period makes of the state, and of the commands that act in its first part and in the rest.
+struct Period {
+    MatrixXd difference;  ///< e^{AT} − 1
+    Eigen::VectorXd late, fresh;
+};
+
+Period over_period(const LoopPlant& plant, double before, double after)
+{
+    const MatrixXd rest = integral_of_exponential(plant.A, after);
+    MatrixXd E = plant.A * rest;
+    Period p{E, Eigen::VectorXd::Zero(plant.B.size()), rest * plant.B};
+    if (before == 0) return p;
+    const MatrixXd first = integral_of_exponential(plant.A, before);
+    const Eigen::VectorXd pushed = first * plant.B;
+    const MatrixXd E_first = plant.A * first;
+    p.late = pushed + E * pushed;
+    p.difference = E + E_first + E * E_first;
+    return p;
+}
+
+/// Where each part of the state stands.
+struct Layout {
+    int plant, readings, filter, integral, commands, size;
+};
+
+Layout layout_of(const LoopPlant& plant, const LoopTiming& timing, bool estimates, bool integrates, bool travels,
+                 int held)
+{
+    Layout at{};
+    at.plant = static_cast<int>(plant.A.rows());
+    at.readings = at.plant;
+    at.filter = at.readings + (estimates && !timing.exact ? timing.average - 1 : 0);
+    at.integral = at.filter + (timing.exact ? travels : estimates);
+    at.commands = at.integral + integrates;
+    at.size = at.commands + held;
+    return at;
+}
+
+}  // namespace
+
+MatrixXd integral_of_exponential(const MatrixXd& given, double h)
+{
+    const auto n = given.rows();
+    MatrixXd A = h * given;
+    Eigen::VectorXd units = Eigen::VectorXd::Ones(n);
+    balance(A, &units);
+    const double size = A.cwiseAbs().rowwise().sum().maxCoeff();
+    int doublings = 0;
+    if (std::isfinite(size) && size > 0.5) doublings = static_cast<int>(std::ceil(std::log2(size / 0.5)));
+    A *= std::exp2(-doublings);
+    // Σ A^k/(k+1)! by Horner; |A| ≤ 1/2 leaves less than rounding behind the last term
+    constexpr int terms = 13;
+    const MatrixXd one = MatrixXd::Identity(n, n);
+    MatrixXd sum = one;
+    for (int k = terms; k >= 1; --k) sum = one + A * sum / (k + 1);
+    for (int i = 0; i < doublings; ++i) {
+        // ∫ over 2h = (1 + e^{Ah}) ∫ over h, with e^{Ah} = 1 + A ∫; both in units of their own h
+        sum = (sum + 0.5 * (A * sum) * sum).eval();
+        A *= 2;
+    }
+    return h * (units.asDiagonal() * sum * units.cwiseInverse().asDiagonal());
+}
+
+DiscreteLoop sampled_loop(const LoopPlant& plant, const LoopTiming& t, const LoopGains& base, const LoopGains& turned)
+{
+    constexpr double whole = 1e-12;  // of a tick: what rounding of delay/period is
+    const double ticks = t.delay / t.period;
+    const int late = static_cast<int>(std::floor(ticks + whole));
+    const double fraction = std::max(0.0, ticks - late) > whole ? ticks - late : 0;
+    const auto period = over_period(plant, fraction * t.period, (1 - fraction) * t.period);
+
+    const bool estimates = base.estimates() || turned.estimates();
+    const bool travels = base.travelled != 0 || turned.travelled != 0;
+    const bool integrates = base.integral != 0 || turned.integral != 0;
+    const int held = late + (fraction > 0);
+    const Layout at = layout_of(plant, t, estimates, integrates, travels, held);
+    const auto unit = [&](int i) { return RowVectorXd(RowVectorXd::Unit(at.size, i)); };
+    const auto of_plant = [&](const RowVectorXd& row) {
+        RowVectorXd wide = RowVectorXd::Zero(at.size);
+        wide.head(at.plant) = row;
+        return wide;
+    };
+
+    DiscreteLoop loop;
+    loop.period = t.period;
+    MatrixXd& D = loop.difference;
+    D = MatrixXd::Zero(at.size, at.size);
+    D.topLeftCorner(at.plant, at.plant) = period.difference;
+    const RowVectorXd reading = of_plant(plant.C);
+    RowVectorXd velocity = RowVectorXd::Zero(at.size), travelled = velocity, sum = velocity;
+    if (estimates && t.exact) {
+        velocity = of_plant(plant.C_v);
+        if (travels) {
+            travelled = unit(at.filter) + t.period * velocity;
+            D.row(at.filter) = t.period * velocity;
+        }
+    } else if (estimates) {
+        // the filtered mean position S is all that the estimate remembers: T v_k = S_k − S_{k−1}
+        RowVectorXd mean = reading / t.average;
+        for (int i = at.readings; i < at.filter; ++i) mean += unit(i) / t.average;
+        const double share = t.period / (t.tau + t.period);
+        D.row(at.filter) = share * (mean - unit(at.filter));
+        velocity = D.row(at.filter) / t.period;
+        travelled = unit(at.filter) + D.row(at.filter);
+        for (int i = at.readings; i < at.filter; ++i) D.row(i) = (i == at.readings ? reading : unit(i - 1)) - unit(i);
+    }
+    if (integrates) {
+        D.row(at.integral) = t.period * reading;
+        sum = unit(at.integral) + D.row(at.integral);
+    }
+    const auto command = [&](const LoopGains& g) {
+        return RowVectorXd(
+            -(g.position * reading + g.velocity * velocity + g.integral * sum + g.travelled * travelled));
+    };
+    // the command of `back` ticks ago; the newest is not yet a state
+    loop.input = Eigen::VectorXd::Zero(at.size);
+    const RowVectorXd newest = command(base);
+    const auto drive = [&](const Eigen::VectorXd& push, int back) {
+        if (back == 0) {
+            D.topRows(at.plant) += push * newest;
+            loop.input.head(at.plant) += push;
+        } else {
+            D.col(at.commands + back - 1).head(at.plant) += push;
+        }
+    };
+    drive(period.fresh, late);
+    if (fraction > 0) drive(period.late, late + 1);
+    for (int i = 0; i < held; ++i) {
+        D.row(at.commands + i) = (i == 0 ? newest : unit(at.commands + i - 1)) - unit(at.commands + i);
+        if (i == 0) loop.input[at.commands] = 1;
+    }
+    loop.output = -command(turned);
+    return loop;
+}
+
+}  // namespace stickslip

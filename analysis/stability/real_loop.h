@@ -1,0 +1,51 @@
+// The loop that a joint has, about steady sliding: its linear mechanism under a controller that is sampled, late,
+// filtered or integrates. One function chooses the loop; verdict.h asks it.
+#pragma once
+#include <optional>
+#include <variant>
+
+#include "analysis/loop/discrete_search.h"
+#include "analysis/loop/late_loop.h"
+#include "analysis/stability/linear_joint.h"
+#include "analysis/stability/verdict.h"
+
+namespace stickslip {
+
+/// What the actuator makes of a small command at the effort of steady sliding: effort = gain · u − drag · v, in joint
+/// coordinates. Reading: `scale` per joint displacement.
+struct Actuation {
+    double gain = 1, drag = 0, scale = 1;
+};
+
+/// At the commanded velocity. NaN where the supply cannot bring the effort up.
+Actuation actuation(const Joint& joint, double velocity, double effort);
+
+/// The effort on the motor, in joint coordinates, that slides the joint steadily, its load taken off.
+double steady_effort(const Joint& joint, double velocity);
+
+/// Whether the limits of controller and actuator leave that effort: without it there is no steady sliding.
+bool limits_leave(const Joint& joint, double velocity);
+
+/// The gain that windows and crossings are given in.
+enum class TurnedGain { k_p, k_v, all };
+
+/// The joint about steady sliding at V under its loop, with one gain open and its present value. A friction with
+/// memory that is no state, and a force loop with anything turned but all of it, have none.
+struct RealLoop {
+    std::variant<DiscreteLoop, LateLoop> loop;
+    double gain = 1;
+};
+std::optional<RealLoop> real_loop(const Joint& joint, const LinearJoint& linear, double velocity, TurnedGain turned);
+
+/// max Re s, or max ln|z|/T.
+double growth(const RealLoop& loop);
+
+/// The loop opened at the command; all NaN where there is none.
+CommandMargins real_margins(const Joint& joint, double velocity);
+
+/// Both theories under the joint's own loop, in the terms of the ideal one.
+LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict);
+double real_growth(const Joint& joint, double velocity, bool velocity_only_friction);
+PointResult real_point(const Joint& joint, double velocity);
+
+}  // namespace stickslip

@@ -1,0 +1,62 @@
+#include "sweep/words/loop_text.h"
+
+#include <algorithm>
+
+namespace stickslip {
+namespace {
+
+void add(std::string& list, const std::string& item)
+{
+    list += (list.empty() ? "" : ", ") + item;
+}
+
+}  // namespace
+
+std::string loop_name(LoopKind kind)
+{
+    return kind == LoopKind::ideal ? "ideal" : kind == LoopKind::continuous ? "continuous" : "sampled";
+}
+
+std::string why_text(WhyNot why)
+{
+    switch (why) {
+        case WhyNot::small_signal:
+            return "small motions about steady sliding do not reach it";
+        case WhyNot::rounding:
+            return "it is no linear term: sliding holds up to a jitter of its size";
+        case WhyNot::place:
+            return "it depends on position: steady sliding has no one linear system";
+        case WhyNot::time:
+            return "it depends on time alone and moves no root";
+        case WhyNot::play:
+            return "the linear theory takes the play as closed";
+        case WhyNot::needs_period:
+            return "it needs control.period";
+        case WhyNot::no_feedback:
+            return "the loop feeds nothing back through it";
+        case WhyNot::reference_only:
+            return "it acts on the reference alone and moves no root";
+        case WhyNot::unsupported:
+            return "this loop is not computed with such friction";
+    }
+    return "unknown";
+}
+
+std::string loop_text(const LoopUse& loop)
+{
+    std::string used, matters, rest;
+    for (const auto& key : loop.used) add(used, key);
+    for (const auto& term : loop.not_used) add(term.matters ? matters : rest, term.key);
+    std::string text;
+    if (loop.kind != LoopKind::ideal) text += " The loop is " + loop_name(loop.kind) + ", with " + used + ".";
+    if (!matters.empty()) text += " Left out, though it may change the verdict: " + matters + ".";
+    if (!rest.empty()) text += " No part of the linear verdict: " + rest + ".";
+    return text;
+}
+
+bool leaves_out_what_matters(const LoopUse& loop)
+{
+    return std::any_of(loop.not_used.begin(), loop.not_used.end(), [](const UnusedTerm& t) { return t.matters; });
+}
+
+}  // namespace stickslip

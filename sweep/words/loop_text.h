@@ -1,0 +1,21 @@
+// Which loop a verdict is about, in words.
+#pragma once
+#include "analysis/loop/loop_use.h"
+
+#include <string>
+
+namespace stickslip {
+
+/// "ideal", "continuous", "sampled".
+std::string loop_name(LoopKind kind);
+
+/// Why a term of the joint is no part of the linear verdict.
+std::string why_text(WhyNot why);
+
+/// A sentence with what the loop used and what it could not; empty for an ideal loop that leaves nothing out.
+std::string loop_text(const LoopUse& loop);
+
+/// Whether something that matters was left out: such a verdict is no clean yes.
+bool leaves_out_what_matters(const LoopUse& loop);
+
+}  // namespace stickslip

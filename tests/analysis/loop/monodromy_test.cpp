@@ -1,0 +1,195 @@
+// The monodromy of the sampled loop against a controller written out tick by tick: random joints of every kind.
+#include "analysis/stability/joint_spectrum.h"
+#include "analysis/stability/real_loop.h"
+#include "tests/analysis/friction/sample_laws.h"
+#include "tests/analysis/simulation/joints.h"
+
+#include <catch2/catch.hpp>
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include <cmath>
+#include <deque>
+#include <random>
+
+using namespace stickslip;
+
+namespace {
+
+/// All that a loop remembers between two ticks, and one tick of it as INTERFACE §2 says: read, estimate, command, hold.
+struct TickByTick {
+    Eigen::MatrixXd A;
+    Eigen::VectorXd B;
+    int measured, bodies;
+    double T, delay, tau, scale;
+    int average;
+    bool exact;
+    LoopGains g;
+
+    struct Memory {
+        Eigen::VectorXd x;
+        std::deque<double> readings;  ///< newest first, `average` of them
+        double velocity = 0, sum = 0;
+        std::deque<double> commands;  ///< newest first
+    };
+    int ticks() const { return static_cast<int>(std::ceil(delay / T - 1e-9)); }
+    int size() const { return static_cast<int>(A.rows()) + average + 2 + ticks(); }
+
+    Memory unpack(const Eigen::VectorXd& v) const
+    {
+        Memory m;
+        int i = static_cast<int>(A.rows());
+        m.x = v.head(i);
+        for (int k = 0; k < average; ++k) m.readings.push_back(v[i++]);
+        m.velocity = v[i++];
+        m.sum = v[i++];
+        for (int k = 0; k < ticks(); ++k) m.commands.push_back(v[i++]);
+        return m;
+    }
+    Eigen::VectorXd pack(const Memory& m) const
+    {
+        Eigen::VectorXd v(size());
+        int i = static_cast<int>(A.rows());
+        v.head(i) = m.x;
+        for (const double r : m.readings) v[i++] = r;
+        v[i++] = m.velocity;
+        v[i++] = m.sum;
+        for (const double c : m.commands) v[i++] = c;
+        return v;
+    }
+    Eigen::VectorXd held(const Eigen::VectorXd& x, double w, double h) const
+    {
+        const auto n = A.rows();
+        Eigen::MatrixXd wide = Eigen::MatrixXd::Zero(n + 1, n + 1);
+        wide.topLeftCorner(n, n) = A * h;
+        wide.topRightCorner(n, 1) = B * h;
+        Eigen::VectorXd from(n + 1);
+        from << x, w;
+        return (wide.exp() * from).head(n);
+    }
+    Eigen::VectorXd tick(const Eigen::VectorXd& v) const
+    {
+        Memory m = unpack(v);
+        const double y = scale * m.x[measured];
+        double before = 0, now = y;
+        for (int k = 0; k < average; ++k) before += m.readings[static_cast<std::size_t>(k)];
+        for (int k = 0; k + 1 < average; ++k) now += m.readings[static_cast<std::size_t>(k)];
+        m.velocity = exact ? scale * m.x[bodies + measured]
+                           : m.velocity + T / (tau + T) * ((now - before) / average / T - m.velocity);
+        m.readings.push_front(y);
+        m.readings.pop_back();
+        m.sum += T * y;
+        m.commands.push_front(-(g.position * y + g.velocity * m.velocity + g.integral * m.sum));
+        const int whole = ticks();
+        const double early = delay - (whole - 1) * T;  // of the older command within this tick
+        if (whole > 0 && early < T * (1 - 1e-9)) {
+            m.x = held(m.x, m.commands[static_cast<std::size_t>(whole)], early);
+            m.x = held(m.x, m.commands[static_cast<std::size_t>(whole - 1)], T - early);
+        } else {
+            m.x = held(m.x, m.commands[static_cast<std::size_t>(whole)], T);
+        }
+        m.commands.pop_back();
+        return pack(m);
+    }
+    double growth() const
+    {
+        Eigen::MatrixXd M(size(), size());
+        for (int i = 0; i < size(); ++i) M.col(i) = tick(Eigen::VectorXd::Unit(size(), i));
+        return std::log(M.eigenvalues().cwiseAbs().maxCoeff()) / T;
+    }
+};
+
+double between(std::mt19937_64& random, double low, double high)
+{
+    const double share = static_cast<double>(random() >> 11) * 0x1p-53;
+    return low * std::pow(high / low, share);
+}
+
+Joint random_joint(std::mt19937_64& random)
+{
+    const auto pick = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+    static const auto laws = samples::laws();
+    const auto draw = [&] {
+        for (;;) {
+            const auto& law = laws[static_cast<std::size_t>(pick(static_cast<int>(laws.size())))].law;
+            if (!info(law).needs_history) return law;
+        }
+    };
+    Joint j = example_joint(between(random, 1e3, 1e6), between(random, 1, 1e3), between(random, 1e-4, 1e-2));
+    j.mechanism.inertia = between(random, 0.1, 10);
+    j.friction.law = draw();
+    if (pick(3) == 0) {
+        auto& m = j.mechanism;
+        m.model = Model::two_mass;
+        m.motor_inertia = between(random, 0.1, 3);
+        m.link_inertia = between(random, 0.1, 3);
+        m.transmission.stiffness = between(random, 1e5, 1e7);
+        m.transmission.damping = between(random, 1, 100);
+        j.frictions.motor.law = draw();
+        j.frictions.link.law = draw();
+        j.control.feedback = pick(2) ? Feedback::link : Feedback::motor;
+    }
+    auto& c = j.control;
+    c.period = between(random, 2e-5, 3e-3);
+    c.delay = pick(2) ? c.period * pick(4) : c.period * between(random, 0.01, 5);
+    if (pick(2)) c.k_i = between(random, 1e3, 1e7);
+    if (pick(2)) c.velocity_estimate.tau = between(random, 1e-4, 1e-2);
+    if (pick(2)) c.velocity_estimate.average = 1 + pick(4);
+    c.velocity_estimate.form = pick(4) ? EstimateForm::backward_difference : EstimateForm::exact;
+    if (pick(2)) j.actuator.lag = between(random, 1e-4, 1e-2);
+    if (pick(2)) j.actuator.effort_gain = between(random, 0.3, 3);
+    if (pick(3) == 0) j.sensor.position_scale = between(random, 0.8, 1.2);
+    return j;
+}
+
+TickByTick written_out(const Joint& j)
+{
+    LinearJoint open = linear_joint(j, j.control.V0);
+    open.k_p = open.k_v = 0;
+    const Eigen::MatrixXd mechanism = state_matrix(open);
+    const auto n = mechanism.rows();
+    const bool lag = j.actuator.lag > 0;
+    TickByTick t;
+    t.A = Eigen::MatrixXd::Zero(n + lag, n + lag);
+    t.A.topLeftCorner(n, n) = mechanism;
+    t.B = Eigen::VectorXd::Zero(n + lag);
+    const double push = j.actuator.effort_gain / open.inertia[0];
+    if (lag) {
+        t.A(open.bodies, n) = push;
+        t.A(n, n) = -1 / j.actuator.lag;
+        t.B[n] = 1 / j.actuator.lag;
+    } else {
+        t.B[open.bodies] = push;
+    }
+    const auto& c = j.control;
+    t.measured = c.feedback == Feedback::link ? open.link() : 0;
+    t.bodies = open.bodies;
+    t.T = c.period, t.delay = c.delay, t.tau = c.velocity_estimate.tau;
+    t.scale = j.sensor.position_scale;
+    t.average = static_cast<int>(c.velocity_estimate.average);
+    t.exact = c.velocity_estimate.form == EstimateForm::exact;
+    t.g = {c.k_p, c.k_v, c.k_i, 0};
+    return t;
+}
+
+}  // namespace
+
+TEST_CASE("The monodromy of random sampled joints is that of a controller written out tick by tick")
+{
+    std::mt19937_64 random(20231);
+    int compared = 0, wrong = 0, apart = 0;
+    while (compared < 2000) {
+        const Joint j = random_joint(random);
+        const double growth = growth_rate(j);
+        const double told = written_out(j).growth();
+        if (!std::isfinite(growth) || !std::isfinite(told)) continue;
+        ++compared;
+        const double rounding = 1e-7 * (std::abs(told) + 1e-3 / j.control.period);
+        if (std::abs(growth - told) <= rounding) continue;
+        ++apart;
+        if ((growth < 0) != (told < 0)) ++wrong;
+        UNSCOPED_INFO("growth " << growth << " told " << told << " T " << j.control.period << " delay "
+                                << j.control.delay << " bodies " << (j.mechanism.model == Model::two_mass ? 2 : 1));
+    }
+    CHECK(apart == 0);
+    CHECK(wrong == 0);
+}

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "analysis/joint/gains.h"
 #include "analysis/stability/frequency_search.h"
 #include "analysis/stability/real_loop.h"
 #include "analysis/stability/stable_gains.h"
@@ -42,8 +43,10 @@ bool known_at_one_velocity(const Joint& joint)
     return false;
 }
 
-LinearStudy linear_study(const Joint& joint)
+LinearStudy linear_study(const Joint& given)
 {
+    const bool cascade = given.control.structure == Structure::cascade;
+    const Joint joint = cascade ? with_gains(given) : given;
     LinearStudy study;
     const auto steady = steady_sliding(joint);
     if (steady.reason != Reason::none) return study;

@@ -1,6 +1,7 @@
 #include "sweep/report/pages/first_screen.h"
 
 #include "analysis/results/text.h"
+#include "sweep/words/loop_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <algorithm>
@@ -44,6 +45,8 @@ DesignVerdict design_verdict(const Joint& joint, const LinearVerdict& linear, Re
     } else if (!linear.state_variable.stable) {
         verdict.tone = Tone::bad;
     } else if (region == Region::bistable) {
+        verdict.tone = Tone::warning;
+    } else if (leaves_out_what_matters(linear.loop)) {
         verdict.tone = Tone::warning;
     }
     return verdict;

@@ -108,7 +108,7 @@ Report linear_report(const Joint& joint, const JointAnswer& answer)
     report.sections.push_back(std::move(design));
     report.not_checked = {
         "Terms locked to position or time (ripple, cogging, drift, periodic forces) are no part of the linear theory.",
-        "Sampling, delay, saturation and quantisation of a digital loop."};
+        "Limits, dead zones and quantisation: a linear verdict is about motions that do not reach them."};
     return report;
 }
 

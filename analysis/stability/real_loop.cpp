@@ -27,7 +27,7 @@ LinearJoint opened(const Joint& joint, LinearJoint linear)
 
 LoopPlant plant_of(const Joint& joint, const LinearJoint& linear, double velocity)
 {
-    const auto acts = actuation(joint, velocity, steady_effort(joint, velocity));
+    const auto acts = actuation(joint, velocity, steady_effort(joint));
     const LinearJoint open = opened(joint, linear);
     const int n = open.bodies, states = open.states(), lag = joint.actuator.lag > 0;
     LoopPlant plant;
@@ -152,18 +152,12 @@ CommandMargins late_margins(const LateLoop& loop)
     return margins;
 }
 
-bool has_states_only(const LinearJoint& linear)
-{
-    return linear.rational();
-}
-
 }  // namespace
 
-double steady_effort(const Joint& joint, double V)
+double steady_effort(const Joint& joint)
 {
     const auto steady = steady_sliding(joint);
     const double share = joint.mechanism.model == Model::single_mass ? 1 - joint.friction.load_coefficient : 1;
-    (void)V;
     return steady.friction / share - joint.load.constant;
 }
 
@@ -202,7 +196,7 @@ bool limits_leave(const Joint& joint, double velocity)
     const auto& a = joint.actuator;
     const auto& c = joint.control;
     if (c.kind == ControlKind::force) return true;
-    const double effort = std::abs(steady_effort(joint, velocity)), N = chain_of(joint).body[0].ratio;
+    const double effort = std::abs(steady_effort(joint)), N = chain_of(joint).body[0].ratio;
     if (a.kind == ActuatorKind::effort) {
         const double left = a.sag_effort < infinity ? 1 - effort / a.sag_effort : 1;
         return left > 0 && effort <= a.limit && effort / left <= std::abs(a.effort_gain) * c.effort_limit;
@@ -219,7 +213,7 @@ bool limits_leave(const Joint& joint, double velocity)
 
 std::optional<RealLoop> real_loop(const Joint& joint, const LinearJoint& linear, double velocity, TurnedGain turned)
 {
-    if (!has_states_only(linear)) return {};
+    if (!linear.rational()) return {};
     const auto gains = split(joint, turned);
     if (!gains) return {};
     const auto plant = plant_of(joint, linear, velocity);
@@ -246,6 +240,15 @@ CommandMargins real_margins(const Joint& joint, double velocity)
     if (!loop) return {missing, missing, missing, missing, missing, missing};
     if (const auto* sampled = std::get_if<DiscreteLoop>(&loop->loop)) return command_margins(*sampled);
     return late_margins(std::get<LateLoop>(loop->loop));
+}
+
+void add_margins(const Joint& joint, LinearVerdict& verdict)
+{
+    if (verdict.steady.reason != Reason::none || joint.control.kind != ControlKind::position) return;
+    if (!std::isnan(verdict.state_variable.phase_margin_deg)) return;
+    const auto margins = real_margins(joint, verdict.steady.velocity);
+    verdict.state_variable.gain_margin_db = margins.gain_db;
+    verdict.state_variable.phase_margin_deg = margins.phase_deg;
 }
 
 double real_growth(const Joint& joint, double velocity, bool velocity_only_friction)
@@ -301,6 +304,10 @@ LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
         return verdict;
     }
     memory.spectral_abscissa = growth(*all);
+    if (!std::isfinite(memory.spectral_abscissa)) {
+        verdict.steady.reason = Reason::not_finite;
+        return verdict;
+    }
     if (const auto* sampled = std::get_if<DiscreteLoop>(&all->loop)) {
         memory.multipliers = multipliers(*sampled, 1);
         for (const Complex& z : memory.multipliers)
@@ -315,10 +322,6 @@ LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
         const auto margins = late_margins(late);
         memory.gain_margin_db = margins.gain_db;
         memory.phase_margin_deg = margins.phase_deg;
-    }
-    if (!std::isfinite(memory.spectral_abscissa)) {
-        verdict.steady.reason = Reason::not_finite;
-        return verdict;
     }
     memory.stable = memory.spectral_abscissa < 0;
     memory.neutral = memory.spectral_abscissa == 0;

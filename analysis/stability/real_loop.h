@@ -21,7 +21,7 @@ struct Actuation {
 Actuation actuation(const Joint& joint, double velocity, double effort);
 
 /// The effort on the motor, in joint coordinates, that slides the joint steadily, its load taken off.
-double steady_effort(const Joint& joint, double velocity);
+double steady_effort(const Joint& joint);
 
 /// Whether the limits of controller and actuator leave that effort: without it there is no steady sliding.
 bool limits_leave(const Joint& joint, double velocity);
@@ -42,6 +42,9 @@ double growth(const RealLoop& loop);
 
 /// The loop opened at the command; all NaN where there is none.
 CommandMargins real_margins(const Joint& joint, double velocity);
+
+/// Fills in the margins of an ideal loop, which verdicts do without as they take long beside it.
+void add_margins(const Joint& joint, LinearVerdict& verdict);
 
 /// Both theories under the joint's own loop, in the terms of the ideal one.
 LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict);

@@ -112,7 +112,7 @@ Table linear_table(const Joint& joint, const LinearVerdict& v)
                   row("kernel integral ∫g", v.state_variable.kernel_integral, Quantity::damping),
                   row("critical position gain k_{cr}", v.state_variable.k_cr, Quantity::stiffness),
                   row("spectral abscissa max Re s", v.state_variable.spectral_abscissa, Quantity::rate)};
-    table.rows.insert(table.rows.begin(), {"loop", loop_name(v.loop.kind)});
+    if (v.loop.kind != LoopKind::ideal) table.rows.push_back({"loop", loop_name(v.loop.kind)});
     if (is_set(v.state_variable.gain_margin_db))
         table.rows.push_back({"gain margin", plain_number(v.state_variable.gain_margin_db) + " dB"});
     if (is_set(v.state_variable.phase_margin_deg))

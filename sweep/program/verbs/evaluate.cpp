@@ -1,9 +1,11 @@
 // stickslip evaluate: everything the theory says about one joint.
+#include "analysis/joint/gains.h"
 #include "analysis/loop/loop_use.h"
 #include "analysis/results/text.h"
 #include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/simulation/set_point/set_point.h"
 #include "analysis/stability/frequency_search.h"
+#include "analysis/stability/real_loop.h"
 #include "analysis/stability/verdict.h"
 #include "sweep/engine/build.h"
 #include "sweep/files/json/nonlinear_json.h"
@@ -105,7 +107,10 @@ int evaluate(const Options& options, const Invocation& invocation)
     }
     const Joint& joint = asked.design;
     set_search_effort(options.effort);
-    const auto verdict = linear_verdict(joint);
+    auto verdict = linear_verdict(joint);
+    add_margins(joint, verdict);
+    // pages and studies turn k_p, which a cascade has only as part of its sum of gains
+    const Joint summed = joint.control.structure == Structure::cascade ? with_gains(joint) : joint;
     NonlinearOptions nonlinear_options;
     nonlinear_options.bifurcation = true;
     nonlinear_options.disturbance = options.disturbance.disturbance(asked.spec.nonlinear);
@@ -113,16 +118,16 @@ int evaluate(const Options& options, const Invocation& invocation)
     const auto nonlinear = nonlinear_verdict(joint, nonlinear_options);
     const bool decided = verdict.steady.reason == Reason::none;
     std::optional<LinearStudy> study;
-    if (options.json || !options.directory.empty()) study = linear_study(joint);
+    if (options.json || !options.directory.empty()) study = linear_study(summed);
     const auto& force = options.surroundings.force;
-    const auto motion = decided ? disturbed(joint, force) : std::nullopt;
-    const auto loads = decided ? loaded(joint, options.surroundings) : std::nullopt;
+    const auto motion = decided ? disturbed(summed, force) : std::nullopt;
+    const auto loads = decided ? loaded(summed, options.surroundings) : std::nullopt;
     const auto rest = resting(joint);
     const bool only_rest = rest && (joint.control.V0 == 0 || (!is_set(joint.control.V0) && !decided));
     const Motion units = joint.mechanism.motion;
     std::filesystem::path page;
     if (!options.directory.empty()) {
-        auto report = linear_report(joint, answer_joint(joint, verdict, nonlinear, *study));
+        auto report = linear_report(summed, answer_joint(summed, verdict, nonlinear, *study));
         report.provenance = {{"version", program_version()}, {"command", invocation.command}};
         if (motion)
             for (auto& section : report.sections)
@@ -135,7 +140,7 @@ int evaluate(const Options& options, const Invocation& invocation)
     if (options.json) {
         nlohmann::ordered_json json = {{"format", "stickslip-evaluate/1"}};
         json.update(verdict_json(verdict));
-        if (decided) json["linear"].update(study_json(joint, *study));
+        if (decided) json["linear"].update(study_json(summed, *study));
         if (motion) json["linear"]["forced"] = motion_json(force, *motion);
         if (loads) json["linear"]["normal_load"] = load_json(*loads);
         json["nonlinear"] = nonlinear_json(nonlinear);
@@ -145,8 +150,8 @@ int evaluate(const Options& options, const Invocation& invocation)
         if (rest) fmt::print("{}\n", plain_text(set_point_text(*rest, units)));
         if (rest) print_rows(set_point_table(*rest, units));
         if (!only_rest) {
-            fmt::print("{}\n", plain_text(verdict_text(joint, verdict)));
-            print_rows(linear_table(joint, verdict));
+            fmt::print("{}\n", plain_text(verdict_text(summed, verdict)));
+            print_rows(linear_table(summed, verdict));
             print_rows(nonlinear_table(joint, nonlinear));
         }
         if (motion)

@@ -148,6 +148,8 @@ Joint with_ideal_loop(Joint joint)
     c.delay = 0;
     c.velocity_estimate = {};
     c.effort_limit = infinity;
+    c.dead_zone = 0;
+    c.feed_forward = {};
     joint.actuator = {};
     joint.sensor = {};
     return joint;

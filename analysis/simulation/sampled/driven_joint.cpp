@@ -10,6 +10,8 @@ namespace {
 /// Share of its level by which a state may change by itself, as of bristles that carry a nearly flat curve.
 constexpr double least_share = 0.01;
 
+constexpr double slowest_clock = 1;  ///< rad/s, of the scale of positions where hardly a spring holds them
+
 constexpr double aged_speed = 1e-3;  ///< of the motion's: the sliding that contacts at rest remember
 
 /// Changes by which slopes are taken that no law states: of a level and of a drive signal, per itself.
@@ -99,7 +101,7 @@ DrivenJoint::DrivenJoint(const Joint& joint, double frame, double speed, LoopSid
     for (int i = 0; i + 1 < n; ++i) play |= backlash_[i] > 0;
     switches_ = rests || play ? 2 * n - 1 : 0;
     const double force_unit = std::abs(joint.control.k_p) * std::abs(speed);  // by 1/ω
-    const double omega = std::sqrt(std::max(std::abs(joint.control.k_p), 1e-300) / inertia);
+    const double omega = std::max(std::sqrt(std::abs(joint.control.k_p) / inertia), slowest_clock);
     if (joint.actuator.lag > 0) lag_index_ = size_++;
     if (timed) clock_index_ = size_++;
     for (int i = 0; i < n; ++i) {

@@ -67,6 +67,8 @@ class DrivenJoint {
     void switch_values(const double* y, double* values) const;
     /// The equations that hold after the zero of one of them.
     void pass(int which, double* y);
+    /// A body that seemed to break away and does not.
+    void hold(int i) { modes[i] = Mode::stuck; }
     /// And those that hold at y, whatever was before: call it where `arriving` or the state jumps.
     void enter(double* y);
 

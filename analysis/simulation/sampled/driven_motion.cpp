@@ -35,23 +35,30 @@ bool DrivenMotion::step_to(double left)
 }
 
 /// A body that breaks away starts where its own switch is zero: a step that ends beyond the zero again would hide it, and
-/// is shortened until it does not. False where even the shortest does.
-bool DrivenMotion::keep_launches()
+/// is shortened until it does not. A body that does so in the shortest stays: what drives it has turned.
+bool DrivenMotion::keep_launches(double left)
 {
     std::array<double, 2 * max_bodies> after{};
     const auto hidden = [&] {
         joint.switch_values(step_.y1.data(), after.data());
         for (int i = 0; i < joint.bodies(); ++i)
-            if (before_[i] == 0 && after[i] < 0) return true;
-        return false;
+            if (before_[i] == 0 && after[i] < 0 && joint.modes[i] != DrivenJoint::Mode::stuck) return i;
+        return -1;
     };
-    for (int halvings = 0; halvings < 40; ++halvings) {
-        if (!hidden()) return true;
+    constexpr int halvings = 40;
+    for (int tries = 0; tries < halvings; ++tries) {
+        if (hidden() < 0) return true;
         step_.h *= 0.5;
         ++steps;
         if (!step_.take(joint)) return false;
     }
-    return false;
+    for (int i = hidden(); i >= 0; i = hidden()) {
+        joint.hold(i);
+        joint.switch_values(y.data(), before_.data());
+        step_.forget();
+        if (!step_to(left)) return false;
+    }
+    return true;
 }
 
 /// The switch that changes its sign first within the step, −1 for none.

@@ -42,7 +42,7 @@ class DrivenMotion {
 
   private:
     bool step_to(double left);
-    bool keep_launches();
+    bool keep_launches(double left);
     int first_switch(double& fraction) const;
     void land_on(int which, double fraction);
 
@@ -59,17 +59,23 @@ bool DrivenMotion::advance(double t, double duration, Observer&& observe)
     constexpr double resolved = 1e-14;        // of the duration
     constexpr long most_steps = 100'000;      // of one piece of a tick
     double done = 0;
+    step_.forget();
+    step_.implicit_only = options_.fixed_step > 0;
     int idle = 0;
     long taken = 0;
     while (done < duration) {
         if (joint.switches() > 0) joint.switch_values(y.data(), before_.data());
         if (!step_to(duration - done)) return false;
-        if (joint.switches() > 0 && !keep_launches()) return false;
+        if (joint.switches() > 0 && !keep_launches(duration - done)) return false;
         double fraction = 1;
         const int which = joint.switches() > 0 ? first_switch(fraction) : -1;
         if (which >= 0) land_on(which, fraction);
         observe(DrivenStep{t + done, step_, joint});
         y = step_.y1;
+        if (which >= 0)
+            step_.forget();
+        else
+            step_.carry();
         const bool last = which < 0 && step_.h >= duration - done;
         done = last ? duration : done + step_.h;
         if (step_.h > resolved * duration) idle = 0;

@@ -1,6 +1,7 @@
 #include "analysis/simulation/sampled/loop_verdict.h"
 
 #include "analysis/joint/gains.h"
+#include "analysis/loop/loop_use.h"
 #include "analysis/simulation/sampled/loop_start.h"
 #include "analysis/simulation/sampled/loop_trajectory.h"
 #include "analysis/stability/steady.h"
@@ -75,11 +76,10 @@ bool has_real_loop(const Joint& joint)
     const auto& c = joint.control;
     const auto& a = joint.actuator;
     const auto& s = joint.sensor;
-    const bool integrates = c.structure == Structure::cascade || c.k_i != 0;
     const bool nonlinear = c.dead_zone > 0 || c.feed_forward.coulomb != 0 || c.feed_forward.velocity != 1;
-    return integrates || nonlinear || is_set(c.period) || c.delay > 0 || a.lag > 0 || c.velocity_estimate.tau > 0 || c.effort_limit < infinity ||
-           a.limit < infinity || a.kind == ActuatorKind::dc_motor || a.sag_effort < infinity || a.effort_gain != 1 ||
-           s.encoder_quantum > 0 || s.position_noise > 0 || s.position_scale != 1;
+    return loop_kind(joint) != LoopKind::ideal || nonlinear || c.structure == Structure::cascade ||
+           c.effort_limit < infinity ||
+           a.limit < infinity || a.sag_effort < infinity || s.encoder_quantum > 0 || s.position_noise > 0;
 }
 
 LoopVerdict loop_verdict(const Joint& asked, const LoopQuestion& question)

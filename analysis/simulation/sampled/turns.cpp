@@ -51,8 +51,8 @@ void TurnWatch::operator()(const DrivenStep& s)
     const double sign = V0_ < 0 ? -1 : 1;
     visit(v0, y0[link]);
     // a turning point of the speed
-    DrivenState rate, y;
-    joint.rate(y1, rate.data());
+    DrivenState room, y;
+    const double* rate = s.step.last_rate(joint, room);
     const auto xi = hermite_turning(y0[row], y1[row], s.step.first_rate()[row], rate[row], h);
     if (xi) {
         s.step.dense(*xi, y.data());

@@ -8,9 +8,10 @@
 
 namespace stickslip {
 
-/// c_0 + c_1 s + …, without allocation. Large enough for a characteristic polynomial of three bodies times its mirror.
+/// c_0 + c_1 s + …, without allocation. Large enough for a characteristic polynomial of three bodies and six
+/// neighbours times its mirror.
 struct Polynomial {
-    static constexpr int capacity = 2 * (6 + 3 * max_states) + 2;
+    static constexpr int capacity = 2 * (6 + 3 * max_states + 12) + 2;
     int size = 1;
     std::array<double, capacity> c;
 

@@ -7,7 +7,7 @@ namespace stickslip {
 
 std::string_view name_of(BoundaryKind kind)
 {
-    constexpr std::string_view names[] = {"velocity-only", "linear", "v-min", "fold", "outcome"};
+    constexpr std::string_view names[] = {"velocity-only", "linear", "v-min", "fold", "outcome", "hunting"};
     return names[static_cast<int>(kind)];
 }
 
@@ -53,6 +53,7 @@ Curve curve_of(const FollowedBoundary& boundary)
             curve.kind = Curve::Kind::fold;
             break;
         case BoundaryKind::outcome:
+        case BoundaryKind::hunting:
             curve.kind = Curve::Kind::outcome;
             break;
     }

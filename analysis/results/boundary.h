@@ -15,12 +15,14 @@ enum class BoundaryKind {
     state_variable,  ///< linear theory with memory
     v_min,           ///< the same along the commanded velocity: the least at which sliding is stable
     fold,            ///< limit cycles exist at all, stable or not
-    outcome          ///< the stated disturbance ends in steady sliding
+    outcome,         ///< the stated disturbance ends in steady sliding
+    hunting          ///< a set point is hunted about
 };
 inline constexpr BoundaryKind boundary_kinds[] = {BoundaryKind::velocity_only, BoundaryKind::state_variable,
-                                                  BoundaryKind::v_min, BoundaryKind::fold, BoundaryKind::outcome};
+                                                  BoundaryKind::v_min, BoundaryKind::fold, BoundaryKind::outcome,
+                                                  BoundaryKind::hunting};
 
-/// "velocity-only", "linear", "v-min", "fold", "outcome".
+/// "velocity-only", "linear", "v-min", "fold", "outcome", "hunting".
 std::string_view name_of(BoundaryKind kind);
 
 /// How a point was located.

@@ -88,6 +88,13 @@ inline Characteristic<Dual<Complex>> characteristic_at(const LinearJoint& j, Com
         resistance[i] = {j.friction[i].f_v - transfer(j.friction[i], s), -transfer_slope(j.friction[i], s)};
         scale[i] = Dual<Complex>(1.0);
     }
+    for (const auto& n : j.neighbour) {
+        // −(m_jk s²)²/D_k = s · (−m_jk² s³/D_k)
+        const Complex D = (n.inertia * s + n.damping) * s + n.stiffness, slope = 2.0 * n.inertia * s + n.damping;
+        const Complex share = -n.coupling * n.coupling * s * s * s / D;
+        auto& own = resistance[j.link()];
+        own = own + Dual<Complex>(share, -n.coupling * n.coupling * 3.0 * s * s / D - share * slope / D);
+    }
     return characteristic(j, Dual<Complex>(s, 1.0), resistance, scale);
 }
 

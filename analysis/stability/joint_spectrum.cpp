@@ -68,6 +68,33 @@ bool further_right(const Complex& a, const Complex& b)
 
 }  // namespace
 
+namespace {
+
+/// The neighbours' rows and what they push the link with. A, without them, has the link's acceleration at its own
+/// inertia; m_kk ẍ_k + m_jk ẍ = −c v_k − k x_k leaves (m − Σ m_jk²/m_kk) ẍ = F + Σ m_jk/m_kk (c v_k + k x_k).
+void couple_neighbours(const LinearJoint& j, Eigen::MatrixXd& A)
+{
+    const int row = j.bodies + j.link(), first = j.states() - 2 * j.neighbour.size;
+    double free = j.inertia[j.link()];
+    for (const auto& n : j.neighbour) free -= n.coupling * n.coupling / n.inertia;
+    A.row(row) *= j.inertia[j.link()] / free;
+    for (int i = 0; i < j.neighbour.size; ++i) {
+        const auto& n = j.neighbour[i];
+        A(row, first + 2 * i) += n.coupling / n.inertia * n.stiffness / free;
+        A(row, first + 2 * i + 1) += n.coupling / n.inertia * n.damping / free;
+    }
+    for (int i = 0; i < j.neighbour.size; ++i) {
+        const auto& n = j.neighbour[i];
+        const int x = first + 2 * i, v = x + 1;
+        A(x, v) = 1;
+        A.row(v) = -n.coupling / n.inertia * A.row(row);
+        A(v, x) -= n.stiffness / n.inertia;
+        A(v, v) -= n.damping / n.inertia;
+    }
+}
+
+}  // namespace
+
 Eigen::MatrixXd state_matrix(const LinearJoint& j)
 {
     const int n = j.bodies;
@@ -90,6 +117,7 @@ Eigen::MatrixXd state_matrix(const LinearJoint& j)
             A(state, state) = f.lambda[k];
         }
     }
+    if (j.neighbour.size > 0) couple_neighbours(j, A);
     return A;
 }
 
@@ -106,6 +134,12 @@ RationalCharacteristic rational_characteristic(const LinearJoint& j)
         }
         denominator[i] = product;
         resistance[i] = Polynomial(f.f_v) * product - numerator;
+    }
+    for (const auto& n : j.neighbour) {
+        const Polynomial s(0, 1), D = Polynomial(n.stiffness) + s * (Polynomial(n.damping) + Polynomial(n.inertia) * s);
+        auto &own = resistance[j.link()], &product = denominator[j.link()];
+        own = own * D - Polynomial(n.coupling * n.coupling) * s * s * s * product;
+        product = product * D;
     }
     const auto parts = characteristic(j, Polynomial(0, 1), resistance, denominator);
     return {trimmed(parts.a), trimmed(parts.b)};

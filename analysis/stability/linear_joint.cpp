@@ -6,7 +6,7 @@ namespace stickslip {
 
 int LinearJoint::states() const
 {
-    int sum = 2 * bodies;
+    int sum = 2 * (bodies + neighbour.size);
     for (int i = 0; i < bodies; ++i) sum += friction[i].states;
     return sum;
 }
@@ -74,6 +74,43 @@ LinearFriction noticed(LinearFriction friction, double inertia)
 
 }  // namespace
 
+namespace {
+
+/// σ' = N(s) x, N = n0 + n1 s + n2 s², of friction μ σ whose state a change of σ takes α σ' out of (Linker & Dieterich
+/// 1992; Dupont & Bapna 1994): μ N − α N s/(s − λ) beside the joint. The first part is a stiffness, a damping and an
+/// inertia; N/(s − λ) = n2 s + (n1 + n2 λ) + (n0 + n1 λ + n2 λ²)/(s − λ) puts the second into inertia, direct effect and
+/// the weight of the state. Of several states each takes its share of the whole memory.
+void press(LinearJoint& linear, const NormalLoad& load, double mu)
+{
+    const int link = linear.link();
+    auto& f = linear.friction[link];
+    const double n0 = load.displacement, n1 = load.velocity, n2 = load.acceleration;
+    linear.inertia[link] += mu * n2;
+    f.f_v += mu * n1;
+    linear.contact[link] += mu * n0;
+    const double whole = kernel_integral(f);
+    if (load.alpha == 0 || f.states == 0 || whole == 0) return;
+    for (int i = 0; i < f.states; ++i) {
+        const double lambda = f.lambda[i], share = f.weight(i) / -lambda / whole, taken = load.alpha * share;
+        if (taken == 0) continue;
+        linear.inertia[link] -= taken * n2;
+        linear.state_inertia -= taken * n2;
+        linear.state_slope += taken * n0 / lambda;
+        f.f_v -= taken * (n1 + n2 * lambda);
+        // −taken (n0 + n1 λ + n2 λ²)/(s − λ) joins h b/(s − λ)
+        f.h[i] -= taken * (n0 + n1 * lambda + n2 * lambda * lambda) / f.b[i];
+    }
+}
+
+}  // namespace
+
+double friction_per_load(const Joint& joint, double V)
+{
+    if (is_set(joint.normal.mu)) return joint.normal.mu;
+    const Friction& friction = joint.mechanism.model == Model::single_mass ? joint.friction : joint.frictions.link;
+    return std::abs(steady_force(friction, V)) / friction.normal_load;
+}
+
 LinearJoint linear_joint(const Joint& joint, double V)
 {
     const auto& c = joint.control;
@@ -91,6 +128,8 @@ LinearJoint linear_joint(const Joint& joint, double V)
         linear.inertia[0] /= share;
         linear.friction[0] = scaled(std::move(linear.friction[0]), 1 / share);
     }
+    if (joint.normal.moves()) press(linear, joint.normal, friction_per_load(joint, V));
+    for (const auto& n : joint.neighbour) linear.neighbour.push_back({n.inertia, n.coupling, n.k_v, n.k_p});
     for (int i = 0; i < chain.bodies; ++i)
         if (linear.friction[i].delays.size > 0)
             linear.friction[i] = noticed(std::move(linear.friction[i]), linear.inertia[i]);
@@ -99,7 +138,7 @@ LinearJoint linear_joint(const Joint& joint, double V)
     linear.k_p = c.k_p;
     linear.k_v = c.k_v;
     const int link = linear.link();
-    linear.contact[link] = c.contact_stiffness;
+    linear.contact[link] += c.contact_stiffness;
     if (c.kind == ControlKind::force) {
         linear.measured = link;
         linear.actuated[link] = 1;
@@ -119,6 +158,9 @@ LinearJoint velocity_only(LinearJoint joint)
         curve.f_v = steady_slope(joint.friction[i]);
         joint.friction[i] = curve;
     }
+    joint.inertia[joint.link()] -= joint.state_inertia;
+    joint.friction[joint.link()].f_v -= joint.state_slope;
+    joint.state_inertia = joint.state_slope = 0;
     return joint;
 }
 

@@ -11,6 +11,12 @@ namespace stickslip {
 
 inline constexpr int max_bodies = 3;
 
+/// A joint beside this one that the mass matrix couples to its link, under its own linear loop: on the link it acts like
+/// −(m_jk s²)²/D_k(s), D_k = m_kk s² + c s + k.
+struct LinearNeighbour {
+    double inertia = 0, coupling = 0, damping = 0, stiffness = 0;
+};
+
 /// M s² x + K x + D s x + (f_v − G) s x + k_c w x_link + u (k_p + k_v s) x_measured = disturbance, all in joint
 /// coordinates. Bodies in order motor, transmission, link. u: the loop's force per body: 1 on the motor for position
 /// control; for force control, where k_p and k_v are the finger between link and surface, 1 on the link and the force
@@ -24,9 +30,13 @@ struct LinearJoint {
     int measured = 0;
     double k_p = 0, k_v = 0;
     std::array<LinearFriction, max_bodies> friction;
+    ShortList<LinearNeighbour, max_neighbours> neighbour;
+    /// What a moving normal load takes out of the state of the link's friction, as inertia and as slope at low
+    /// frequency: not part of the velocity-only theory, which has no state.
+    double state_inertia = 0, state_slope = 0;
 
     int link() const { return bodies - 1; }
-    int states() const;     ///< 2 a body and those of the frictions
+    int states() const;     ///< 2 a body and a neighbour, and those of the frictions
     bool rational() const;  ///< no delays and tables: finitely many roots
 
     /// K_ik without the loop, contact included.
@@ -64,6 +74,9 @@ struct Chain {
 /// Reflects every model to joint coordinates: Fig. 4 → Fig. 5 by the table of §3 (M'_m = N² M_m, M_tr = J_tr/d²,
 /// k'_m-tr = N² k_m-tr). The frictions of `joint` are referred to, not copied.
 Chain chain_of(const Joint& joint);
+
+/// μ of a normal load that moves: normal.mu, or the steady friction at V per friction.normal_load where that is a force.
+double friction_per_load(const Joint& joint, double V);
 
 /// The joint about steady sliding of all its bodies at V (joint side; the motor slides at N V and its friction comes
 /// back N² times as large: δf'_m = N δf_m(N ẋ')).

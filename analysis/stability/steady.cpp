@@ -13,6 +13,19 @@ Reason obstacle(const Friction& friction, double V)
     return has_response(friction) ? Reason::none : Reason::unsupported;
 }
 
+/// Neighbours beside friction that answers late have no search for their roots, and a normal load that follows the
+/// transmitted effort no linear form here.
+Reason coupling_obstacle(const Joint& joint, const Chain& chain)
+{
+    if (joint.normal.from_load != 0) return Reason::unsupported;
+    if (joint.neighbour.size == 0) return Reason::none;
+    for (int i = 0; i < chain.bodies; ++i) {
+        const auto& law = info(chain.body[i].friction->law);
+        if (law.needs_history || law.linear_only) return Reason::unsupported;
+    }
+    return Reason::none;
+}
+
 }  // namespace
 
 SteadySliding steady_sliding(const Joint& joint)
@@ -24,6 +37,8 @@ SteadySliding steady_sliding(const Joint& joint)
         return s;
     }
     const Chain chain = chain_of(joint);
+    s.reason = coupling_obstacle(joint, chain);
+    if (s.reason != Reason::none) return s;
     s.friction = 0;
     for (int i = 0; i < chain.bodies; ++i) {
         const auto& body = chain.body[i];

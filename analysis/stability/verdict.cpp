@@ -124,7 +124,7 @@ PointResult joint_point(const Joint& joint, double V)
 bool is_plain_mass(const Joint& joint)
 {
     return joint.mechanism.model == Model::single_mass && joint.control.force_gain == 0 &&
-           joint.control.contact_stiffness == 0;
+           joint.control.contact_stiffness == 0 && !joint.normal.moves() && joint.neighbour.size == 0;
 }
 
 LinearMass linear_mass(const Joint& joint, double V)

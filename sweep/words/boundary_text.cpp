@@ -30,8 +30,9 @@ std::string throughout(const LocatedRay& ray)
 {
     if (ray.kind == BoundaryKind::fold) return "";
     const double judged = 1 - static_cast<double>(ray.undecided) / ray.nodes;
-    const char* side = ray.stable_share == 0               ? ": unstable "
-                       : ray.stable_share > judged - 1e-12 ? ": stable "
+    const bool rests = ray.kind == BoundaryKind::hunting;
+    const char* side = ray.stable_share == 0               ? (rests ? ": hunts " : ": unstable ")
+                       : ray.stable_share > judged - 1e-12 ? (rests ? ": does not hunt " : ": stable ")
                                                            : nullptr;
     if (!side) return "";
     if (ray.neutral_share > 0 && ray.stable_share == 0)

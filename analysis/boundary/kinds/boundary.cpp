@@ -6,6 +6,7 @@
 #include "analysis/boundary/trace/locate.h"
 #include "analysis/joint/parameters.h"
 #include "analysis/numerics/root.h"
+#include "analysis/simulation/set_point/set_point.h"
 #include "analysis/stability/verdict.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace {
 
 bool is_linear(BoundaryKind kind)
 {
-    return kind != BoundaryKind::fold && kind != BoundaryKind::outcome;
+    return kind != BoundaryKind::fold && kind != BoundaryKind::outcome && kind != BoundaryKind::hunting;
 }
 
 double& number_at(Joint& joint, const std::string& path)
@@ -285,9 +286,22 @@ void keep_least(FollowedBoundary& boundary)
 
 }  // namespace
 
+double hunting_side(const Joint& joint)
+{
+    switch (set_point(joint).hunting) {
+        case Hunting::yes:
+            return 1;
+        case Hunting::no:
+            return -1;
+        case Hunting::undecided:
+            break;
+    }
+    return missing;
+}
+
 double default_precision(BoundaryKind kind)
 {
-    return is_linear(kind) ? 1e-10 : kind == BoundaryKind::fold ? 1e-6 : 1e-4;
+    return is_linear(kind) ? 1e-10 : kind == BoundaryKind::outcome ? 1e-4 : 1e-6;
 }
 
 int default_scan(BoundaryKind kind)
@@ -307,6 +321,8 @@ double side_of(const Joint& joint, const BoundaryRequest& request)
             return finite(instability(joint, Curve::Kind::state_variable));
         case BoundaryKind::outcome:
             return outcome_side(joint, request.disturbance);
+        case BoundaryKind::hunting:
+            return hunting_side(joint);
         case BoundaryKind::fold:
             break;
     }

@@ -16,7 +16,7 @@ struct BoundaryRequest {
     ParallelFor parallel;  ///< empty: one after the other
 };
 
-/// 1e-10 for the linear theories, 1e-6 for folds, 1e-4 for outcomes.
+/// 1e-10 for the linear theories, 1e-6 for folds and hunting, 1e-4 for outcomes.
 double default_precision(BoundaryKind kind);
 /// 200 intervals for the linear theories, 40 where each point is a motion; a linear theory is asked at 8 a decade at
 /// least.
@@ -30,7 +30,10 @@ LocatedRay locate_boundaries(const Joint& joint, const Axis& axis, const Boundar
 /// The same over a chart, followed. v_min: the y axis has to be control.V0.
 FollowedBoundary follow_boundaries(const Joint& joint, const Axis& x, const Axis& y, const BoundaryRequest& request);
 
-/// The side of a joint: negative where stable (no limit cycle; the disturbance dies out), positive where not, NaN where
+/// Whether the joint hunts at a set point, as a side.
+double hunting_side(const Joint& joint);
+
+/// The side of a joint: negative where stable (no limit cycle; the disturbance dies out; no hunting), positive where not, NaN where
 /// it cannot be told. Continuous for the linear kinds.
 double side_of(const Joint& joint, const BoundaryRequest& request);
 

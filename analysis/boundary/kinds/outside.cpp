@@ -9,7 +9,7 @@ constexpr double rough = 1e-3;  ///< precision of an outcome that only has to be
 
 double widening(BoundaryKind kind)
 {
-    return kind == BoundaryKind::fold ? 30 : kind == BoundaryKind::outcome ? 10 : 1000;
+    return kind == BoundaryKind::fold ? 30 : kind == BoundaryKind::outcome || kind == BoundaryKind::hunting ? 10 : 1000;
 }
 
 }  // namespace

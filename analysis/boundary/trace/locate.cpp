@@ -21,7 +21,8 @@ double instability(const Joint& joint, Curve::Kind theory)
         if (steady.reason != Reason::none) return missing;
         if (loop_kind(joint) != LoopKind::ideal) return real_growth(joint, steady.velocity, true);
         const auto& c = joint.control;
-        if (joint.mechanism.model != Model::single_mass || c.force_gain != 0 || c.contact_stiffness != 0)
+        if (joint.mechanism.model != Model::single_mass || c.force_gain != 0 || c.contact_stiffness != 0 ||
+            joint.normal.moves() || joint.neighbour.size > 0)
             return spectral_abscissa(velocity_only(linear_joint(joint, steady.velocity)));
         const auto mass = linear_mass(joint, steady.velocity);
         return std::max(-velocity_only_damping(mass, mass.k_v), -mass.k_p);

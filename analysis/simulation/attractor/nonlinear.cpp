@@ -88,6 +88,8 @@ bool held_by_spring(const LateFlow& flow)
 std::string_view why_unsupported(const Joint& joint)
 {
     if (answers_late(joint)) return "friction that answers late is followed without memory on top of it";
+    if (joint.normal.moves()) return "a normal load that moves with the joint is part of the linear theory only";
+    if (joint.neighbour.size > 0) return "neighbours are part of the linear theory only";
     const auto& m = joint.mechanism;
     if (m.transmission.backlash + m.motor_transmission.backlash + m.transmission_link.backlash > 0)
         return "play in a transmission has no steady sliding to disturb";

@@ -276,7 +276,8 @@ ChainOrReason chain_flow(const Joint& joint, bool with_late_friction)
     }
     flow.total_states_ = next - 2 * chain.bodies;
     const auto& m = joint.mechanism;
-    if (m.transmission.backlash + m.motor_transmission.backlash + m.transmission_link.backlash > 0)
+    if (m.transmission.backlash + m.motor_transmission.backlash + m.transmission_link.backlash > 0 ||
+        joint.normal.moves() || joint.neighbour.size > 0)
         result.reason = Reason::unsupported;
     if (result.reason != Reason::none) return result;
     for (int i = 0; i < chain.bodies; ++i) {

@@ -221,7 +221,8 @@ SlidingOrReason sliding_flow(const Joint& joint)
 {
     SlidingOrReason result;
     auto& flow = result.flow;
-    if (joint.mechanism.model != Model::single_mass || has_unsteady_terms(joint.friction, joint.load)) {
+    if (joint.mechanism.model != Model::single_mass || has_unsteady_terms(joint.friction, joint.load) ||
+        joint.normal.moves() || joint.neighbour.size > 0) {
         result.reason = Reason::unsupported;
         return result;
     }

@@ -30,7 +30,7 @@ inline bool plain(const Friction& f, const Load& l)
 inline bool single(const Joint& joint)
 {
     return joint.mechanism.model == Model::single_mass && joint.control.contact_stiffness == 0 &&
-           joint.control.force_gain == 0;
+           joint.control.force_gain == 0 && !joint.normal.moves() && joint.neighbour.size == 0;
 }
 
 /// Share of rtol that holds while its growth is measured.

@@ -21,6 +21,7 @@
 #include "sweep/report/pages/linear_report.h"
 #include "sweep/report/pages/load_section.h"
 #include "sweep/report/pages/write_report.h"
+#include "sweep/words/neighbour_text.h"
 #include "sweep/words/set_point_text.h"
 #include "sweep/words/verdict_text.h"
 
@@ -125,6 +126,7 @@ int evaluate(const Options& options, const Invocation& invocation)
     const auto rest = resting(joint);
     const bool only_rest = rest && (joint.control.V0 == 0 || (!is_set(joint.control.V0) && !decided));
     const Motion units = joint.mechanism.motion;
+    const auto near = near_modes(joint);
     std::filesystem::path page;
     if (!options.directory.empty()) {
         auto report = linear_report(summed, answer_joint(summed, verdict, nonlinear, *study));
@@ -135,6 +137,7 @@ int evaluate(const Options& options, const Invocation& invocation)
         if (rest && only_rest) report.verdict = set_point_text(*rest, units);
         if (rest) report.sections.insert(report.sections.end() - 1, set_point_section(*rest, units));
         if (loads) report.sections.insert(report.sections.end() - 1, load_section(joint, *loads));
+        for (const auto& mode : near) report.alerts.push_back(near_mode_alert(mode, units));
         page = write_report(report, options.directory);
     }
     if (options.json) {
@@ -144,6 +147,11 @@ int evaluate(const Options& options, const Invocation& invocation)
         if (motion) json["linear"]["forced"] = motion_json(force, *motion);
         if (loads) json["linear"]["normal_load"] = load_json(*loads);
         json["nonlinear"] = nonlinear_json(nonlinear);
+        for (const auto& mode : near)
+            json["warnings"].push_back({{"code", "neighbour-mode"},
+                                        {"neighbour", mode.neighbour},
+                                        {"omega", mode.omega},
+                                        {"friction_omega", mode.friction}});
         if (rest) json["set_point"] = set_point_json(*rest);
         fmt::print("{}\n", json.dump(2));
     } else {
@@ -154,6 +162,7 @@ int evaluate(const Options& options, const Invocation& invocation)
             print_rows(linear_table(summed, verdict));
             print_rows(nonlinear_table(joint, nonlinear));
         }
+        for (const auto& mode : near) fmt::print("warning: {}\n", plain_text(near_mode_text(mode, units)));
         if (motion)
             fmt::print("  {:<40} {} at {}\n", "largest linear answer to the force",
                        with_unit(motion->peak, Quantity::position, joint.mechanism.motion),

@@ -1,10 +1,14 @@
 // stickslip simulate: one motion of one joint, as numbers and pictures.
 #include "analysis/simulation/simulate.h"
+#include "analysis/results/text.h"
 #include "analysis/simulation/attractor/nonlinear.h"
+#include "analysis/simulation/motion_measures.h"
 #include "analysis/stability/steady.h"
 
 #include "sweep/engine/build.h"
+#include "sweep/files/json/motion_json.h"
 #include "sweep/files/records/reference_file.h"
+#include "sweep/files/text/whole_file.h"
 #include "sweep/files/toml/asked_axes.h"
 #include "sweep/program/verbs/disturbance_option.h"
 #include "sweep/program/verbs/exit_code.h"
@@ -71,6 +75,30 @@ std::filesystem::path write_trajectory(const Joint& joint, const Trajectory& t, 
     return file;
 }
 
+/// Overshoot, settling time and stairs, on the terminal and as motion.json beside the motion.
+void tell_measures(const MotionMeasures& m, Motion motion, const std::filesystem::path& directory)
+{
+    write_whole(directory / "motion.json", motion_json(m).dump(2) + "\n");
+    const auto tell = [&](const char* name, double value, Quantity quantity) {
+        if (is_set(value)) fmt::print("{:<11} {}\n", name, with_unit(value, quantity, motion, 4));
+    };
+    tell("overshoot:", m.overshoot, Quantity::position);
+    tell("settles in:", m.settling_time, Quantity::time);
+    tell("stairs of:", m.stair_height, Quantity::position);
+    tell("stairs at:", m.stair_rate, Quantity::rate);
+}
+
+/// Of a motion about steady sliding, whose positions count from the steady path.
+MotionMeasures measured(const Trajectory& trajectory, double velocity)
+{
+    std::vector<double> reference, position;
+    for (std::size_t i = 0; i < trajectory.time.size(); ++i) {
+        reference.push_back(velocity * trajectory.time[i]);
+        position.push_back(reference.back() + trajectory.position[i]);
+    }
+    return measure_motion(trajectory.time, reference, position);
+}
+
 /// --reference: the record that the joint's controller would have logged.
 int record_joint(const Options& options)
 {
@@ -79,6 +107,8 @@ int record_joint(const Options& options)
     const auto record = record_along(joint, reference, options.surroundings.force.seed, options.tolerance);
     if (record.time.empty()) throw BadInput(options.joint + ": cannot follow a reference: " + std::string(record.why));
     fmt::print("record:     {}\n", write_record(record, options.directory).string());
+    tell_measures(measure_motion(record.time, record.reference_position, record.position), joint.mechanism.motion,
+                  options.directory);
     if (record.reason == Reason::none) return exit_done;
     fmt::print("it ends at {} s: {}\n", record.time.back(), record.why);
     return exit_undecided;
@@ -104,6 +134,7 @@ int simulate_joint(const Options& options, const Invocation& invocation)
     fmt::print("{}\n", plain_text(report.verdict));
     if (trajectory.time.empty()) return exit_undecided;
     fmt::print("trajectory: {}\n", write_trajectory(joint, trajectory, options.directory).string());
+    tell_measures(measured(trajectory, commanded_velocity(joint)), joint.mechanism.motion, options.directory);
     fmt::print("report:     {}\n", write_report(report, options.directory).string());
     return trajectory.reason == Reason::none ? exit_done : exit_undecided;
 }

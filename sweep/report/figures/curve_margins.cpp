@@ -26,6 +26,8 @@ std::string kind_words(BoundaryKind kind)
             return "fold of limit cycles";
         case BoundaryKind::v_min:
             return "least stable velocity";
+        case BoundaryKind::hunting:
+            return "boundary of hunting";
         case BoundaryKind::outcome:
             break;
     }

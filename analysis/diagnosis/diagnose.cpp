@@ -292,6 +292,7 @@ void tell_interrupted(const std::string& stage, const Joint& joint, DiagnosisRes
     d.interrupted = true;
     d.verdict = Verdict::unknown;
     d.effects.clear();
+    d.ladder.clear();
     d.ambiguous_with.clear();
     d.next_experiment = {};
     result.after = joint;

@@ -57,7 +57,7 @@ Matrix closed_matrix(const LinearJoint& j, Complex s)
 }
 
 /// The principal minor of the bodies of `set` (a bit each); 1 for none.
-Complex minor(const Matrix& Z, unsigned set)
+Complex principal_minor(const Matrix& Z, unsigned set)
 {
     std::array<int, max_bodies> at{};
     int n = 0;
@@ -157,9 +157,9 @@ class Line {
             double product = 1;
             for (int i = 0; i < joint_.bodies; ++i)
                 if (set >> i & 1) product *= delayed_[i] * size + std::min(table_[i] * size, variation_[i]);
-            if (product > 0) sum += product * std::abs(minor(Z, all & ~set));
+            if (product > 0) sum += product * std::abs(principal_minor(Z, all & ~set));
         }
-        return sum / std::abs(minor(Z, all));
+        return sum / std::abs(principal_minor(Z, all));
     }
 
     const LinearJoint& joint_;

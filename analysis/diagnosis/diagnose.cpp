@@ -104,10 +104,11 @@ Prepared audited(const Joint& joint, const std::vector<Record>& usable, Diagnosi
 void judge_quiet(const Prepared& p, const ParallelFor& parallel, Diagnosis& d)
 {
     d.verdict = could_have_shown(p.cases, p.scales, parallel) ? Verdict::no_gap : Verdict::insufficient_data;
-    d.reasons.push_back(
-        d.verdict == Verdict::no_gap
-            ? "the nominal joint predicts every record to the noise"
-            : "no effect of usual size would have shown itself at five times the noise under this excitation");
+    if (d.verdict == Verdict::no_gap)
+        d.reasons.push_back({"the nominal joint predicts every record to the noise", Note::Code::within_noise});
+    else
+        d.reasons.push_back(
+            "no effect of usual size would have shown itself at five times the noise under this excitation");
 }
 
 /// The ladder's answer, the drive force that it leaves included.
@@ -269,7 +270,7 @@ void find(const Joint& joint, const std::vector<Record>& records, const Parallel
     progress("auditing the controller", 0.02);
     Prepared prepared = audited(joint, usable, d);
     if (auto suspicion = another_joint(prepared.audit); !suspicion.empty()) {
-        d.reasons.push_back(std::move(suspicion));
+        d.reasons.push_back({std::move(suspicion), Note::Code::contradiction});
         return;
     }
     settle_jumps(prepared.cases, {}, {});

@@ -143,9 +143,24 @@ struct DiagnosedTrace {
 };
 
 /// Everything that the report and diagnosis.json say. Boundary numbers are added by who can compute maps.
+/// A sentence for people, with the code that behaviour may depend on: nothing is decided by its wording.
+struct Note {
+    enum class Code {
+        plain,
+        contradiction,  ///< record and joint contradict each other: nothing was concluded
+        within_noise    ///< the nominal joint predicts every record to the noise
+    };
+    Code code = Code::plain;
+    std::string text;
+
+    Note(std::string sentence, Code meaning = Code::plain) : code(meaning), text(std::move(sentence)) {}
+    Note(const char* sentence) : text(sentence) {}
+    operator const std::string&() const { return text; }
+};
+
 struct Diagnosis {
     Verdict verdict = Verdict::insufficient_data;
-    std::vector<std::string> reasons;
+    std::vector<Note> reasons;
     bool interrupted = false;  ///< on request: what was found until then stands here
     std::vector<RecordRole> records;
     std::vector<Share> signals, regimes;

@@ -126,7 +126,7 @@ std::vector<std::string> gathered_notes(const Diagnosis& d)
     std::vector<std::pair<std::string, int>> counted;
     std::vector<std::string> firsts;
     const auto said_as_reason = [&](const std::string& note) {
-        return std::any_of(d.reasons.begin(), d.reasons.end(), [&](const auto& r) { return r.ends_with(note); });
+        return std::any_of(d.reasons.begin(), d.reasons.end(), [&](const Note& r) { return r.text.ends_with(note); });
     };
     for (const auto& note : d.notes) {
         if (said_as_reason(note)) continue;

@@ -72,10 +72,11 @@ bool withdraw_no_gap(Diagnosis& d)
     constexpr double far_from_noise = 1.5;
     if (d.verdict != Verdict::no_gap || !(d.overall.before > far_from_noise)) return false;
     d.verdict = Verdict::unknown;
-    d.reasons.back() =
+    std::erase_if(d.reasons, [](const Note& note) { return note.code == Note::Code::within_noise; });
+    d.reasons.push_back(
         "predicted from row to row the nominal joint stays within the noise, but simulated as a whole "
         "it is " +
-        floors(d.overall.before) + " floors away: these rows are too few or too far apart to say why";
+        floors(d.overall.before) + " floors away: these rows are too few or too far apart to say why");
     return true;
 }
 

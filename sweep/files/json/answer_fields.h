@@ -1,6 +1,6 @@
 // The fields of every struct of an answer, each once: what answer.json says and how it is read back.
 #pragma once
-#include "sweep/files/json/archive.h"
+#include "sweep/files/json/answer_names.h"
 #include "sweep/study/sweep_answer.h"
 
 namespace stickslip {
@@ -93,16 +93,30 @@ template <class A>
 void fields(A& a, Like<StateVariableVerdict> auto& v)
 {
     a("stable", v.stable), a("neutral", v.neutral), a("spectral_abscissa", v.spectral_abscissa);
-    a("eigenvalues", v.eigenvalues), a("all_eigenvalues", v.all_eigenvalues), a("f_v", v.f_v);
-    a("kernel_integral", v.kernel_integral), a("crossings", v.crossings);
+    a("eigenvalues", v.eigenvalues), a("multipliers", v.multipliers), a("all_eigenvalues", v.all_eigenvalues);
+    a("f_v", v.f_v), a("kernel_integral", v.kernel_integral), a("gain_margin_db", v.gain_margin_db);
+    a("phase_margin_deg", v.phase_margin_deg), a("crossings", v.crossings);
     a("stable_intervals", v.stable_intervals), a("k_cr", v.k_cr), a("searched_to", v.searched_to);
     a("doubtful", v.doubtful);
+}
+
+template <class A>
+void fields(A& a, Like<UnusedTerm> auto& v)
+{
+    a("key", v.key), a("why", v.why), a("matters", v.matters);
+}
+
+template <class A>
+void fields(A& a, Like<LoopUse> auto& v)
+{
+    a("kind", v.kind), a("used", v.used), a("not_used", v.not_used);
 }
 
 template <class A>
 void fields(A& a, Like<LinearVerdict> auto& v)
 {
     a("steady", v.steady), a("velocity_only", v.velocity_only), a("state_variable", v.state_variable);
+    a("loop", v.loop);
 }
 
 template <class A>

@@ -1,60 +1,82 @@
-// The names of codes in answers, in the order of their enumerators; those of points are the names in results.nc.
+// The names of codes in answers; those of points are the names in results.nc.
 #pragma once
 #include "analysis/results/boundary.h"
+#include "analysis/results/point.h"
 #include "analysis/simulation/attractor/nonlinear.h"
 #include "sweep/files/json/archive.h"
 
 namespace stickslip::archive {
 
+/// As in a column of results.nc.
+inline std::string_view column_name(std::string_view column, std::size_t code)
+{
+    const auto name = code < 256 ? code_name(column, static_cast<std::uint8_t>(code)) : std::string_view("unknown");
+    return name == "unknown" ? std::string_view() : name;
+}
+
 template <>
 struct Names<Region> {
-    static constexpr std::array<std::string_view, 7> list{"stable",   "memory_only", "velocity_only", "unstable",
-                                                          "bistable", "undecided",   "neutral"};
-};
-template <>
-struct Names<Curve::Kind> {
-    static constexpr std::array<std::string_view, 4> list{"velocity_only", "state_variable", "fold", "outcome"};
+    static std::string_view at(std::size_t code) { return column_name("region", code); }
 };
 template <>
 struct Names<Outcome> {
-    static constexpr std::array<std::string_view, 10> list{"not_asked",   "stable-sliding", "stick-slip", "limit-cycle",
-                                                           "reversal",    "period-n",       "irregular",  "undecided",
-                                                           "linear-only", "solver-failure"};
-};
-template <>
-struct Names<NonlinearRegion> {
-    static constexpr std::array<std::string_view, 4> list{"undecided", "stable", "bistable", "stick-slip"};
-};
-template <>
-struct Names<Criticality> {
-    static constexpr std::array<std::string_view, 4> list{"none", "supercritical", "subcritical", "degenerate"};
-};
-template <>
-struct Names<DecisionPath> {
-    static constexpr std::array<std::string_view, 5> list{"none", "lanes", "cvode", "shooting", "method-of-steps"};
+    static std::string_view at(std::size_t code) { return column_name("outcome", code); }
 };
 template <>
 struct Names<Reason> {
-    static constexpr std::array<std::string_view, 11> list{
-        "none",          "no_velocity",   "law_needs_motion", "no_steady_state", "not_finite", "linear_only",
-        "not_converged", "solver_failed", "unsupported",      "neutral",         "diverges"};
+    static std::string_view at(std::size_t code) { return column_name("reason", code); }
+};
+template <>
+struct Names<DecisionPath> {
+    static std::string_view at(std::size_t code) { return column_name("path", code); }
+};
+
+/// One of a list in the order of the enumerators.
+template <std::size_t n>
+std::string_view listed_name(const std::array<std::string_view, n>& names, std::size_t code)
+{
+    return code < n ? names[code] : std::string_view();
+}
+
+template <>
+struct Names<Curve::Kind> {
+    static std::string_view at(std::size_t code)
+    {
+        constexpr std::array<std::string_view, 4> names{"velocity_only", "state_variable", "fold", "outcome"};
+        return listed_name(names, code);
+    }
+};
+template <>
+struct Names<NonlinearRegion> {
+    static std::string_view at(std::size_t code)
+    {
+        constexpr std::array<std::string_view, 4> names{"undecided", "stable", "bistable", "stick-slip"};
+        return listed_name(names, code);
+    }
+};
+template <>
+struct Names<Criticality> {
+    static std::string_view at(std::size_t code)
+    {
+        constexpr std::array<std::string_view, 4> names{"none", "supercritical", "subcritical", "degenerate"};
+        return listed_name(names, code);
+    }
 };
 template <>
 struct Names<LocationMethod> {
-    static constexpr std::array<std::string_view, 3> list{"interpolation", "bisection", "shooting"};
+    static std::string_view at(std::size_t code)
+    {
+        constexpr std::array<std::string_view, 3> names{"interpolation", "bisection", "shooting"};
+        return listed_name(names, code);
+    }
 };
 template <>
 struct Names<DisturbanceKind> {
-    static constexpr std::array<std::string_view, 6> list{"position", "velocity", "impulse",
-                                                          "offset",   "state",    "start"};
-};
-template <>
-struct Names<Quantity> {
-    static constexpr std::array<std::string_view, 22> list{
-        "number",      "time",           "rate",      "angular_frequency", "position",   "velocity",        "effort",
-        "effort_rate", "impulse",        "stiffness", "damping",           "inertia",    "per_position",    "angle",
-        "length",      "rotary_inertia", "voltage",   "current",           "resistance", "torque_constant", "back_emf",
-        "temperature"};
+    static std::string_view at(std::size_t code)
+    {
+        constexpr std::array<std::string_view, 6> names{"position", "velocity", "impulse", "offset", "state", "start"};
+        return listed_name(names, code);
+    }
 };
 
 }  // namespace stickslip::archive

@@ -28,10 +28,10 @@ concept Like = std::same_as<std::remove_const_t<T>, Of>;
 /// A copy of the text that lives as long as the program: what string_view fields of read answers point to.
 std::string_view kept(const std::string& text);
 
-// Names of codes; a type without names of its own is written as its number.
+/// The name of a code, empty beyond the last one; a type without names of its own is written as its number.
 template <class Code>
 struct Names {
-    static constexpr std::array<std::string_view, 0> list{};
+    static std::string_view at(std::size_t) { return {}; }
 };
 
 struct Writer;
@@ -79,20 +79,18 @@ template <class Code>
 Json written_code(Code code)
 {
     const auto number = static_cast<std::size_t>(code);
-    const auto& names = Names<Code>::list;
-    if (number < names.size()) return std::string(names[number]);
-    return number;
+    const auto name = Names<Code>::at(number);
+    return name.empty() ? Json(number) : Json(std::string(name));
 }
 
 template <class Code>
 Code read_code(const Json& json)
 {
     if (json.is_number_unsigned()) return static_cast<Code>(json.get<std::size_t>());
-    const auto& names = Names<Code>::list;
     if (json.is_string())
-        for (std::size_t i = 0; i < names.size(); ++i)
-            if (names[i] == json.get_ref<const std::string&>()) return static_cast<Code>(i);
-    throw std::invalid_argument("an unknown code");
+        for (std::size_t i = 0; !Names<Code>::at(i).empty(); ++i)
+            if (Names<Code>::at(i) == json.get_ref<const std::string&>()) return static_cast<Code>(i);
+    throw std::invalid_argument("is no known code");
 }
 
 template <class T>

@@ -110,7 +110,8 @@ Json diagnosis_json(const Diagnosis& d, const Joint& before, const Joint& after)
     json["format"] = "stickslip-diagnosis/2";
     json["verdict"] = name_of(d.verdict);
     if (d.interrupted) json["interrupted"] = true;
-    json["reasons"] = d.reasons;
+    json["reasons"] = Json::array();
+    for (const auto& reason : d.reasons) json["reasons"].push_back(reason.text);
     json["records"] = Json::array();
     for (const auto& r : d.records) json["records"].push_back({{"file", r.file}, {"role", r.role}});
     json["where"] = {{"signals", shares_json(d.signals)}, {"regimes", shares_json(d.regimes)}};

@@ -1,7 +1,6 @@
 #include "sweep/files/json/sweep_answer_file.h"
 
 #include "sweep/files/json/answer_fields.h"
-#include "sweep/files/json/answer_names.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/whole_file.h"
 
@@ -14,7 +13,8 @@ void write_sweep_answer(const SweepAnswer& answer, const std::filesystem::path& 
 {
     archive::Json json = {{"format", sweep_answer_format}};
     json.update(archive::written(answer));
-    write_whole(directory / sweep_answer_name, json.dump() + "\n");
+    write_whole(directory / sweep_answer_name,
+                json.dump(-1, ' ', false, archive::Json::error_handler_t::replace) + "\n");
 }
 
 std::optional<SweepAnswer> read_sweep_answer(const std::filesystem::path& directory, std::string_view plan_id)
@@ -25,7 +25,10 @@ std::optional<SweepAnswer> read_sweep_answer(const std::filesystem::path& direct
     const std::string text((std::istreambuf_iterator<char>(file)), {});
     const auto json = archive::Json::parse(text, nullptr, false);
     if (!json.is_object()) throw BadInput(path.string() + ": is no answer of a sweep; remove it to have it made again");
-    if (json.value("format", "") != sweep_answer_format || json.value("plan_id", "") != plan_id) return std::nullopt;
+    const auto says = [&](const char* key, std::string_view text) {
+        return json.contains(key) && json[key].is_string() && json[key].get_ref<const std::string&>() == text;
+    };
+    if (!says("format", sweep_answer_format) || !says("plan_id", plan_id)) return std::nullopt;
     try {
         SweepAnswer answer;
         archive::read(json, answer);

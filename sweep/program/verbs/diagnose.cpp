@@ -164,7 +164,7 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
         return exit_code_of(d, false);
     }
     fmt::print("{}\n", outcome_sentence(answer));
-    for (const auto& reason : d.reasons) fmt::print("  {}\n", reason);
+    for (const auto& reason : d.reasons) fmt::print("  {}\n", reason.text);
     for (const auto& f : answer.laws)
         fmt::print("  {:<16} {:<18} probability {:.3f}  misjudges {} of {} held-out rows\n", f.rival->law,
                    f.rival->effect, f.posterior, f.misjudged, answer.outcomes.size());
@@ -205,7 +205,8 @@ int diagnose(const Options& options, const Invocation& invocation)
         if (!contradictions.empty()) {
             gap::DiagnosisResult refused{{}, joint};
             refused.diagnosis.motion = joint.mechanism.motion;
-            refused.diagnosis.reasons = contradictions;
+            for (const auto& text : contradictions)
+                refused.diagnosis.reasons.push_back({text, Note::Code::contradiction});
             return refused;
         }
         StageLine line;
@@ -234,7 +235,7 @@ int diagnose(const Options& options, const Invocation& invocation)
         return exit_code_of(d, !contradictions.empty());
     }
     fmt::print("{}\n", diagnosis_sentence(d));
-    for (const auto& reason : d.reasons) fmt::print("  {}\n", reason);
+    for (const auto& reason : d.reasons) fmt::print("  {}\n", reason.text);
     for (const auto& warning : warnings)
         if (contradictions.empty() && warning.starts_with("suspected")) fmt::print("  {}\n", warning);
     for (const auto& cause : d.effects)

@@ -168,7 +168,7 @@ std::string diagnosis_sentence(const Diagnosis& d)
             return "There is a gap, and nothing in the catalogue explains it.";
         default: {
             const bool suspected = std::any_of(d.reasons.begin(), d.reasons.end(),
-                                               [](const auto& r) { return r.find("suspected") != std::string::npos; });
+                                               [](const Note& r) { return r.code == Note::Code::contradiction; });
             return suspected ? "Nothing was concluded: records and joint do not fit together."
                              : "These records do not hold enough to conclude anything.";
         }
@@ -187,7 +187,7 @@ Report diagnosis_report(const Diagnosis& d, const Joint& before, const Joint& af
     r.tone = d.verdict == Verdict::no_gap ? Tone::good : d.verdict == Verdict::gap ? Tone::warning : Tone::bad;
     // that nothing is wrong is the verdict already, and no warning
     if (d.verdict != Verdict::no_gap)
-        for (const auto& reason : d.reasons) r.alerts.push_back({Tone::warning, reason});
+        for (const auto& reason : d.reasons) r.alerts.push_back({Tone::warning, reason.text});
     r.not_checked = gathered_notes(d);
     r.provenance = std::move(provenance);
     // nothing was concluded: pages of empty tables would hide the reason

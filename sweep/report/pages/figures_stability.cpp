@@ -38,6 +38,7 @@ Figure regions()
     auto map = stability_map(prismatic, slice, answer);
     map.title = "Regions of stability (§4)";
     map.has_design = false;
+    map.command.clear();  // no joint file lies beside this page
     Figure figure;
     figure.id = "regions";
     figure.finding =

@@ -174,6 +174,6 @@ TEST_CASE("a record in which nothing of the controller is as documented is suspe
     const auto d = diagnose(nominal_joint(), {record_of(other, 1)}, in_order).diagnosis;
     CHECK(d.verdict == Verdict::insufficient_data);
     REQUIRE(d.reasons.size() == 1);
-    CHECK(d.reasons[0].find("another joint") != std::string::npos);
-    CHECK(d.reasons[0].find("gain-k_p.factor = 1.083") != std::string::npos);
+    CHECK(d.reasons[0].text.find("another joint") != std::string::npos);
+    CHECK(d.reasons[0].text.find("gain-k_p.factor = 1.083") != std::string::npos);
 }

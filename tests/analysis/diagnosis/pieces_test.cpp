@@ -41,7 +41,7 @@ Diagnosis answer(const Record& record)
 
 void names_inertia(const Diagnosis& d)
 {
-    for (const auto& reason : d.reasons) UNSCOPED_INFO(reason);
+    for (const auto& reason : d.reasons) UNSCOPED_INFO(reason.text);
     CHECK(d.verdict == Verdict::gap);
     REQUIRE_FALSE(d.effects.empty());
     CHECK(d.effects[0].names == std::vector<std::string>{"inertia"});

@@ -1,13 +1,14 @@
 // Answers written and read back, number for number.
 #include "analysis/results/point.h"
 #include "sweep/files/json/answer_fields.h"
-#include "sweep/files/json/answer_names.h"
 
 #include <catch2/catch.hpp>
 
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <typeinfo>
+#include <utility>
 
 using namespace stickslip;
 
@@ -66,14 +67,69 @@ TEST_CASE("an answer comes back whole: lists, options, codes, texts that live el
     CHECK(archive::written(back) == archive::written(answer));
 }
 
-TEST_CASE("codes of an answer have the names of the columns of results.nc", "[answer]")
+namespace {
+
+/// Becomes anything that an aggregate begins with.
+struct Anything {
+    template <class T>
+    operator T() const;
+};
+template <std::size_t>
+using Each = Anything;
+
+template <class T, std::size_t... i>
+constexpr bool made_of(std::index_sequence<i...>)
 {
-    for (std::uint8_t i = 0; i < 7; ++i)
-        CHECK(archive::written(static_cast<Region>(i)) == std::string(code_name("region", i)));
-    for (std::uint8_t i = 0; i < 11; ++i)
-        CHECK(archive::written(static_cast<Reason>(i)) == std::string(code_name("reason", i)));
-    for (std::uint8_t i = 0; i < 10; ++i)
-        CHECK(archive::written(static_cast<Outcome>(i)) == std::string(code_name("outcome", i)));
+    return requires
+    {
+        T{Each<i>{}...};
+    };
+}
+
+/// How many members an aggregate has.
+template <class T, std::size_t n = 40>
+constexpr std::size_t members()
+{
+    if constexpr (n == 0 || made_of<T>(std::make_index_sequence<n>{}))
+        return n;
+    else
+        return members<T, n - 1>();
+}
+
+template <class T>
+void check_complete()
+{
+    CAPTURE(typeid(T).name());
+    CHECK(archive::written(T{}).size() == members<T>());
+}
+
+}  // namespace
+
+TEST_CASE("every member of every struct of an answer is written", "[answer]")
+{
+    // a new member that its list of fields forgets would be missing from pages drawn again
+    check_complete<LinearVerdict>();
+    check_complete<SteadySliding>();
+    check_complete<VelocityOnlyVerdict>();
+    check_complete<StateVariableVerdict>();
+    check_complete<LoopUse>();
+    check_complete<NonlinearVerdict>();
+    check_complete<LinearStudy>();
+    check_complete<StableVelocities>();
+    check_complete<Comparison>();
+    check_complete<LoopMargins>();
+    check_complete<ReductionStudy>();
+    check_complete<LinearDetails>();
+    check_complete<RootLocus>();
+    check_complete<JointAnswer>();
+    check_complete<NearestBoundary>();
+    check_complete<Margin>();
+    check_complete<BoundaryPoint>();
+    check_complete<Curve>();
+    check_complete<MapAnswer>();
+    check_complete<LargeDisturbances>();
+    check_complete<GainSurface>();
+    check_complete<SweepAnswer>();
 }
 
 TEST_CASE("an answer that lacks a field, or has another thing in its place, says where", "[answer]")

@@ -167,7 +167,7 @@ TEST_CASE("a page without a gap shows no shares of noise, and a suspicion is sai
     for (const auto& s : page.sections) CHECK(s.id != "where");
 
     Diagnosis foreign;
-    foreign.reasons = {"a.csv: suspected degrees: position moves too far"};
+    foreign.reasons = {Note("a.csv: suspected degrees: position moves too far", Note::Code::contradiction)};
     foreign.notes = {"suspected degrees: position moves too far", "a column was ignored"};
     const auto refused = diagnosis_report(foreign, j, j, {});
     CHECK_THAT(refused.verdict, Contains("do not fit together"));

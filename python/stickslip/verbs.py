@@ -73,20 +73,27 @@ def sweep(spec: SpecLike, directory: str | Path | None = None, report: bool = Fa
     return loaded
 
 
-def simulate(joint: JointLike, settings: Mapping[str, Any] | None = None, **options: Any) -> "pandas.DataFrame":
-    """One motion from a disturbance on: columns time, excess_position, velocity, friction, stuck, indexed by row.
+def simulate(joint: JointLike, settings: Mapping[str, Any] | None = None, reference: Any = None, **options: Any) -> "pandas.DataFrame":
+    """One motion from a disturbance on: columns time, excess_position, velocity, friction, stuck.
 
-    Options are those of the command line with underscores: simulate(joint, disturbance="velocity", size=1e-3,
-    duration=2.0). Units stand in `frame.attrs["units"]`.
+    With a `reference` (data frame or CSV with time and reference_position) the joint follows it in its sampled loop, and
+    the frame is the record that its controller would have logged, ready for `diagnose`. Options are those of the command
+    line with underscores: simulate(joint, disturbance="velocity", size=1e-3, duration=2.0). Units stand in
+    `frame.attrs["units"]`.
     """
     import pandas
+
+    from .records import write_record
 
     words: list[Any] = []
     for name, value in options.items():
         words += ["--" + name.replace("_", "-"), value]
-    with _input(joint) as file, tempfile.TemporaryDirectory(prefix="stickslip-") as folder:
+    with _input(joint) as file, tempfile.TemporaryDirectory(prefix="stickslip-") as temporary:
+        folder = Path(temporary) / "motion"
+        if reference is not None:
+            words += ["--reference", write_record("reference", reference, Path(temporary), {})]
         run = program.run(["simulate", file, "-o", folder, *_settings(settings), *words])
-        table = Path(folder) / "trajectory.csv"
+        table = folder / ("record.csv" if reference is not None else "trajectory.csv")
         if not table.exists():
             raise program.StickslipError(run.stdout.strip() or run.stderr.strip())
         frame = pandas.read_csv(table)
@@ -136,7 +143,7 @@ def diagnose(joint: JointLike, records: Mapping[str, Any], directory: str | Path
     """Where the gap between a joint and its records lies and what causes it.
 
     `records` names them: pandas data frames, dicts of columns, CSV files or logs (`log` has the options of read_log:
-    {"joint": "elbow"}). Columns are those of a record: t, reference,
+    {"joint": "elbow"}). Columns are those of a record: time, reference_position,
     position, velocity, effort_command, effort_measured, …, in SI units unless the joint's [record] table says otherwise.
     With a `directory`, diagnosis.json, the page (`report`) and the next experiment stay there.
     """

@@ -9,10 +9,10 @@ from stickslip import StickslipError
 
 
 def check(frame, torque=True):
-    assert numpy.allclose(frame["t"], sample.T, atol=1e-6)
+    assert numpy.allclose(frame["time"], sample.T, atol=1e-6)
     assert numpy.allclose(frame["position"], sample.Q[:, 1], atol=1e-12)
     assert numpy.allclose(frame["velocity"], sample.DQ[:, 1], atol=1e-12)
-    assert numpy.allclose(frame["reference"], sample.COMMAND[:, 1], atol=1e-12)
+    assert numpy.allclose(frame["reference_position"], sample.COMMAND[:, 1], atol=1e-12)
     if torque:
         assert numpy.allclose(frame["effort_measured"], sample.TAU[:, 1], atol=1e-12)
 

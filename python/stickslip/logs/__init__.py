@@ -1,4 +1,4 @@
-"""Logs as they are, as data frames in the columns of a record: t, reference, position, velocity, effort_measured, ….
+"""Logs as they are, as data frames in the columns of a record: time, reference_position, position, velocity, effort_measured, ….
 
 >>> frame = stickslip.read_log("run.mcap", joint="elbow")
 >>> frame.attrs["guessed"]      # what the log does not say and the reader assumed

@@ -8,7 +8,7 @@ from ..program import StickslipError
 from .common import frame_of, joint_index
 
 _TIMES = ("t", "time", "timestamp", "timestamps", "Time", "T")
-_SAME = {"q": "position", "qd": "velocity", "dq": "velocity", "q_ref": "reference", "q_des": "reference", "tau": "effort_measured",
+_SAME = {"q": "position", "qd": "velocity", "dq": "velocity", "q_ref": "reference_position", "q_des": "reference_position", "reference": "reference_position", "tau": "effort_measured",
          "torque": "effort_measured", "effort": "effort_measured", "joint_positions": "position", "joint_velocities": "velocity",
          "joint_efforts": "effort_measured", "positions": "position", "velocities": "velocity", "torques": "effort_measured",
          "command": "effort_command", "u": "effort_command"}
@@ -25,7 +25,7 @@ def columns_of(path: Path, arrays: Mapping[str, Any], joint: str | None, time: s
         raise StickslipError(f"{path}: has no time among {', '.join(arrays) or 'nothing'}; say which array it is with time=")
     rows = len(found[key])
     names = [str(n) for n in numpy.ravel(arrays["joint_names"])] if "joint_names" in arrays else []
-    out, guessed = {"t": found[key].astype(float)}, []
+    out, guessed = {"time": found[key].astype(float)}, []
     for name, value in found.items():
         if name == key or len(value) != rows:
             continue

@@ -7,7 +7,7 @@ from pathlib import Path
 from ..program import StickslipError
 from .common import frame_of
 
-_COLUMNS = {"timestamp": "t", "goal_position": "reference", "position": "position", "speed": "velocity", "torque_enable": "torque_enable",
+_COLUMNS = {"timestamp": "time", "goal_position": "reference_position", "position": "position", "speed": "velocity", "torque_enable": "torque_enable",
             "input_volts": "supply_voltage", "temp": "temperature"}
 
 

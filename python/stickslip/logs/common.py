@@ -32,24 +32,24 @@ def frame_of(source: Path | str, columns: dict[str, Any], guessed: Sequence[str]
     lengths = {name: len(values) for name, values in columns.items()}
     if len(set(lengths.values())) > 1:
         raise StickslipError(f"{source}: columns differ in length: " + ", ".join(f"{n} {k}" for n, k in lengths.items()))
-    if "t" not in columns:
+    if "time" not in columns:
         raise StickslipError(f"{source}: has no time")
     frame = pandas.DataFrame({name: numpy.asarray(values, dtype=float) for name, values in columns.items()})
     guessed = list(guessed)
     complete = frame.dropna(axis=1, how="all").dropna()
     if len(complete) < len(frame):
         guessed.append(f"{len(frame) - len(complete)} of {len(frame)} rows lack a value and were left out")
-    if not complete["t"].is_monotonic_increasing:
-        complete = complete.sort_values("t", kind="stable")
+    if not complete["time"].is_monotonic_increasing:
+        complete = complete.sort_values("time", kind="stable")
         guessed.append("rows were not in order of time and were sorted")
-    twice = complete["t"].duplicated()
+    twice = complete["time"].duplicated()
     if bool(twice.any()):
         complete = complete[~twice]
         guessed.append(f"{int(twice.sum())} rows with the time of the one before were left out")
     complete = complete.reset_index(drop=True)
     if complete.empty:
         raise StickslipError(f"{source}: has no complete row")
-    complete["t"] -= complete["t"].iloc[0]
+    complete["time"] -= complete["time"].iloc[0]
     complete.attrs["guessed"] = guessed
     return complete
 

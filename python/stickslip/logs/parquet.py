@@ -44,4 +44,4 @@ def read(path: Path, joint: str | None = None, episode: int | None = None, **opt
     names = _joint_names(path, "observation.state") or [str(i) for i in range(state.shape[1])]
     index = joint_index(str(path), names, joint)
     guessed = ["observation.state read as position, action as reference, both in rad: many data sets hold degrees or per cent of travel"]
-    return frame_of(path, {"t": table["timestamp"].to_numpy(), "reference": action[:, index], "position": state[:, index]}, guessed)
+    return frame_of(path, {"time": table["timestamp"].to_numpy(), "reference_position": action[:, index], "position": state[:, index]}, guessed)

@@ -68,7 +68,7 @@ def _columns(path, states, numbers, topic, command, joint):
         sent = [(r, v[0] if len(v) == 1 else v[index]) for r, v in lists]
     if sent:
         guessed.append(f"reference is the last message of {command} received before each row")
-        columns["reference"] = held(received[:len(t)], [r for r, _ in sent], [v for _, v in sent])
+        columns["reference_position"] = held(received[:len(t)], [r for r, _ in sent], [v for _, v in sent])
     else:
         guessed.append("no command topic was named: the record has no reference")
-    return frame_of(path, {"t": t, **columns}, guessed)
+    return frame_of(path, {"time": t, **columns}, guessed)

@@ -48,7 +48,7 @@ def read(path: Path, joint: str | None = None):
     scale = 1e-6 if micro else 1.0
     guessed = [f"times read as {'µs' if micro else 's'}, from their step", "angles read as rad: the log does not say",
                "reference is the last position that was sent before each row"]
-    columns = {"t": [v * scale for v in t], "reference": held(t, t_sent, [p[index] for p in sent["positions"]]),
+    columns = {"time": [v * scale for v in t], "reference_position": held(t, t_sent, [p[index] for p in sent["positions"]]),
                "position": [p[index] for p in state["positions"]], "velocity": [p[index] for p in state["velocities"]],
                "effort_measured": [p[index] for p in state["torques"]]}
     return frame_of(path, columns, guessed)

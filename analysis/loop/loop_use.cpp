@@ -118,7 +118,7 @@ void leave_surroundings(Collector& c, const Joint& joint)
     if (m.model == Model::single_mass) {
         c.leave(joint.friction.ripple.amplitude != 0, "friction.ripple", WhyNot::place,
                 noticed(joint, joint.friction.ripple.amplitude * joint.friction.ripple.periods));
-        c.leave(joint.friction.drift.amplitude != 0, "friction.drift", WhyNot::time, false);
+        c.leave(joint.friction.drift.change != 0, "friction.drift", WhyNot::time, false);
     }
     c.leave(m.model == Model::two_mass && m.transmission.backlash > 0, "joint.transmission.backlash", WhyNot::play,
             true);

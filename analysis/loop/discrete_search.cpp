@@ -232,34 +232,10 @@ std::vector<Interval> stable_gains(const DiscreteLoop& loop, const std::vector<C
 
 CommandMargins command_margins(const DiscreteLoop& loop)
 {
-    CommandMargins margins{not_set, not_set, infinity, not_set, 0, infinity};
-    const bool stable = sampled_growth(loop, 1) < 0;
-    for (const auto& c : circle_crossings(loop).crossings) {
-        if (c.k_p < 1) margins.gain_below = std::max(margins.gain_below, c.k_p);
-        if (c.k_p > 1) margins.gain_above = std::min(margins.gain_above, c.k_p);
-        const double db = std::abs(20 * std::log10(c.k_p));
-        if (!(std::abs(margins.gain_db) <= db)) margins.gain_db = stable ? db : -db;
-    }
     const Circle circle(loop);
-    const auto excess = [&](double angle) { return std::log(std::abs(circle.at(angle))); };
-    constexpr int points = 2000;
-    double low = circle.start(), at_low = excess(low), nearest = not_set;
-    for (int i = 1; i <= points; ++i) {
-        const double high = i == points ? pi : circle.start() * std::pow(pi / circle.start(), double(i) / points);
-        const double at_high = excess(high);
-        if (std::signbit(at_low) != std::signbit(at_high)) {
-            const double angle = bracketed_root(excess, low, at_low, high, at_high, 1e-12).value;
-            const double to_one = circle.phase(angle);  // arg(−L): positive before −1 is reached by lag
-            const double lag = to_one > 0 ? to_one : to_one + 2 * pi;
-            if (lag < margins.lag) margins.lag = lag, margins.crossover = angle / loop.period;
-            if (!(std::abs(nearest) <= std::abs(to_one))) nearest = to_one;
-            if (!stable && to_one < 0 && !(nearest < 0)) nearest = to_one;
-        }
-        low = high, at_low = at_high;
-    }
-    if (stable && std::isfinite(margins.lag)) margins.phase_deg = margins.lag * 180 / pi;
-    if (!stable) margins.phase_deg = nearest * 180 / pi;
-    return margins;
+    return command_margins(
+        sampled_growth(loop, 1) < 0, circle_crossings(loop).crossings,
+        [&](double omega) { return circle.at(omega * loop.period); }, circle.start() / loop.period, pi / loop.period);
 }
 
 }  // namespace stickslip

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "analysis/base/crossing.h"
+#include "analysis/loop/command_margins.h"
 #include "analysis/loop/sampled_loop.h"
 
 namespace stickslip {
@@ -33,11 +34,6 @@ CircleCrossings circle_crossings(const DiscreteLoop& loop);
 std::vector<Interval> stable_gains(const DiscreteLoop& loop, const std::vector<Crossing>& crossings);
 
 /// The loop opened at the command, `turned` being all of its gains and `base` none.
-struct CommandMargins {
-    double gain_db, phase_deg;      ///< as StateVariableVerdict has them; NaN where there is none
-    double lag, crossover;          ///< rad of extra lag to the boundary, and the rad/s where; of a stable loop
-    double gain_below, gain_above;  ///< factors on all gains at once
-};
 CommandMargins command_margins(const DiscreteLoop& loop);
 
 }  // namespace stickslip

@@ -273,4 +273,14 @@ std::vector<Interval> stable_gains(const LateLoop& loop, const AxisCrossings& al
     return intervals;
 }
 
+CommandMargins command_margins(const LateLoop& loop)
+{
+    double size = 0;
+    for (const auto& s : roots(loop, 1)) size = std::max(size, std::abs(s));
+    constexpr double below = 1e-7, above = 1e2;
+    return command_margins(
+        late_growth(loop, 1) < 0, axis_crossings(loop).crossings, [&](double omega) { return transfer(loop, omega); },
+        below * size, above * size);
+}
+
 }  // namespace stickslip

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "analysis/base/crossing.h"
+#include "analysis/loop/command_margins.h"
 #include "analysis/loop/sampled_loop.h"
 
 namespace stickslip {
@@ -39,6 +40,9 @@ AxisCrossings axis_crossings(const LateLoop& loop);
 
 /// The open intervals of the gain in which all roots decay.
 std::vector<Interval> stable_gains(const LateLoop& loop, const AxisCrossings& crossings);
+
+/// The loop opened at the command, `output` being all of its gains and `held` none.
+CommandMargins command_margins(const LateLoop& loop);
 
 /// L(iω)/g of the turned gains: output (iω − A)⁻¹ input e^{−iω delay}, the base not closed.
 std::complex<double> transfer(const LateLoop& loop, double omega);

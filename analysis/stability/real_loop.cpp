@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include "analysis/joint/gains.h"
-#include "analysis/numerics/root.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/steady.h"
 
@@ -113,43 +112,15 @@ std::vector<Interval> stable_intervals_of(const RealLoop& loop, std::vector<Cros
     return stable;
 }
 
+/// The mechanism slides at V_0 by what the encoder says.
+double sliding_velocity(const Joint& joint, double commanded)
+{
+    return commanded / joint.sensor.position_scale;
+}
+
 std::uint8_t code_of(double growth)
 {
     return growth < 0 ? 1 : growth == 0 ? verdict_neutral : 0;
-}
-
-/// L(iω), broken at the command, and arg(−L) with it.
-CommandMargins late_margins(const LateLoop& loop)
-{
-    CommandMargins margins{missing, missing, infinity, missing, 0, infinity};
-    const bool stable = late_growth(loop, 1) < 0;
-    for (const auto& c : axis_crossings(loop).crossings) {
-        if (c.k_p < 1) margins.gain_below = std::max(margins.gain_below, c.k_p);
-        if (c.k_p > 1) margins.gain_above = std::min(margins.gain_above, c.k_p);
-        const double db = std::abs(20 * std::log10(c.k_p));
-        if (!(std::abs(margins.gain_db) <= db)) margins.gain_db = stable ? db : -db;
-    }
-    double size = 0;
-    for (const auto& s : roots(loop, 1)) size = std::max(size, std::abs(s));
-    const auto excess = [&](double omega) { return std::log(std::abs(transfer(loop, omega))); };
-    constexpr int points = 3000;
-    const double from = 1e-7 * size, to = 1e2 * size;
-    double low = from, at_low = excess(low), nearest = missing;
-    for (int i = 1; i <= points; ++i) {
-        const double high = from * std::pow(to / from, double(i) / points), at_high = excess(high);
-        if (std::signbit(at_low) != std::signbit(at_high)) {
-            const double omega = bracketed_root(excess, low, at_low, high, at_high, 1e-12).value;
-            const double to_one = std::arg(-transfer(loop, omega));
-            const double lag = to_one > 0 ? to_one : to_one + 2 * std::numbers::pi;
-            if (lag < margins.lag) margins.lag = lag, margins.crossover = omega;
-            if (!(std::abs(nearest) <= std::abs(to_one)) || (!stable && to_one < 0 && !(nearest < 0))) nearest = to_one;
-        }
-        low = high, at_low = at_high;
-    }
-    const double degrees = 180 / std::numbers::pi;
-    if (stable && std::isfinite(margins.lag)) margins.phase_deg = margins.lag * degrees;
-    if (!stable) margins.phase_deg = nearest * degrees;
-    return margins;
 }
 
 }  // namespace
@@ -174,20 +145,20 @@ Actuation actuation(const Joint& joint, double velocity, double effort)
         }
         return acts;
     }
-    // the motor's constants are those of its own shaft, N turns of it a turn of the joint
-    const double N = chain_of(joint).body[0].ratio, k_t = a.effort_gain * a.k_t;
+    // the motor's constants are in joint coordinates, as the gains of the loop and all else
+    const double k_t = a.effort_gain * a.k_t;
     const bool duty = a.signal == DriveSignal::duty;
-    const double torque = effort / N, v = std::abs(N * velocity);
+    const double v = std::abs(velocity);
     double R = a.resistance, sagging = 0;
     if (a.supply_resistance > 0 && is_set(a.supply_voltage)) {
-        // D with torque (R + |D| R_s) = k_t (D U − k_e v)
-        const double D = (torque * a.resistance + k_t * a.k_e * v) /
-                         (k_t * a.supply_voltage - std::abs(torque) * a.supply_resistance);
+        // D with effort (R + |D| R_s) = k_t (D U − k_e v)
+        const double D = (effort * a.resistance + k_t * a.k_e * v) /
+                         (k_t * a.supply_voltage - std::abs(effort) * a.supply_resistance);
         R += std::abs(D) * a.supply_resistance;
-        sagging = std::abs(torque) * a.supply_resistance / R / (duty ? 1 : a.supply_voltage);
+        sagging = std::abs(effort) * a.supply_resistance / R / (duty ? 1 : a.supply_voltage);
     }
-    acts.gain = N * (k_t / R * (duty ? a.supply_voltage : 1) - sagging);
-    acts.drag = N * N * k_t * a.k_e / R;
+    acts.gain = (k_t / R * (duty ? a.supply_voltage : 1) - sagging);
+    acts.drag = k_t * a.k_e / R;
     return acts;
 }
 
@@ -196,15 +167,14 @@ bool limits_leave(const Joint& joint, double velocity)
     const auto& a = joint.actuator;
     const auto& c = joint.control;
     if (c.kind == ControlKind::force) return true;
-    const double effort = std::abs(steady_effort(joint)), N = chain_of(joint).body[0].ratio;
+    const double effort = std::abs(steady_effort(joint));
     if (a.kind == ActuatorKind::effort) {
         const double left = a.sag_effort < infinity ? 1 - effort / a.sag_effort : 1;
         return left > 0 && effort <= a.limit && effort / left <= std::abs(a.effort_gain) * c.effort_limit;
     }
-    const double torque = effort / N;
-    if (torque > a.limit) return false;
+    if (effort > a.limit) return false;
     const auto acts = actuation(joint, velocity, effort);
-    const double volts = (torque * a.resistance / (a.effort_gain * a.k_t)) + a.k_e * std::abs(N * velocity);
+    const double volts = (effort * a.resistance / (a.effort_gain * a.k_t)) + a.k_e * std::abs(velocity);
     const bool duty = a.signal == DriveSignal::duty;
     const double command = duty ? volts / a.supply_voltage : volts;
     const double most = is_set(a.supply_voltage) ? (duty ? 1 : a.supply_voltage) : infinity;
@@ -234,12 +204,13 @@ double growth(const RealLoop& loop)
     return late_growth(std::get<LateLoop>(loop.loop), loop.gain);
 }
 
-CommandMargins real_margins(const Joint& joint, double velocity)
+CommandMargins real_margins(const Joint& joint, double commanded)
 {
+    const double velocity = sliding_velocity(joint, commanded);
     const auto loop = real_loop(joint, linear_joint(joint, velocity), velocity, TurnedGain::all);
-    if (!loop) return {missing, missing, missing, missing, missing, missing};
+    if (!loop) return {};
     if (const auto* sampled = std::get_if<DiscreteLoop>(&loop->loop)) return command_margins(*sampled);
-    return late_margins(std::get<LateLoop>(loop->loop));
+    return command_margins(std::get<LateLoop>(loop->loop));
 }
 
 void add_margins(const Joint& joint, LinearVerdict& verdict)
@@ -251,16 +222,18 @@ void add_margins(const Joint& joint, LinearVerdict& verdict)
     verdict.state_variable.phase_margin_deg = margins.phase_deg;
 }
 
-double real_growth(const Joint& joint, double velocity, bool velocity_only_friction)
+double real_growth(const Joint& joint, double commanded, bool velocity_only_friction)
 {
+    const double velocity = sliding_velocity(joint, commanded);
     auto linear = linear_joint(joint, velocity);
     if (velocity_only_friction) linear = velocity_only(std::move(linear));
     const auto loop = real_loop(joint, linear, velocity, TurnedGain::all);
     return loop ? growth(*loop) : missing;
 }
 
-PointResult real_point(const Joint& joint, double velocity)
+PointResult real_point(const Joint& joint, double commanded)
 {
+    const double velocity = sliding_velocity(joint, commanded);
     PointResult point;
     const auto linear = linear_joint(joint, velocity);
     const auto loop = real_loop(joint, linear, velocity, TurnedGain::all);
@@ -288,7 +261,7 @@ PointResult real_point(const Joint& joint, double velocity)
 
 LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
 {
-    const double V = verdict.steady.velocity;
+    const double V = sliding_velocity(joint, verdict.steady.velocity);
     const auto linear = linear_joint(joint, V);
     auto& simple = verdict.velocity_only;
     auto& memory = verdict.state_variable;
@@ -319,7 +292,7 @@ LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
         const auto& late = std::get<LateLoop>(all->loop);
         memory.eigenvalues = roots(late, 1);
         memory.all_eigenvalues = late.delay == 0;
-        const auto margins = late_margins(late);
+        const auto margins = command_margins(late);
         memory.gain_margin_db = margins.gain_db;
         memory.phase_margin_deg = margins.phase_deg;
     }

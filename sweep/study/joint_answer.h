@@ -24,6 +24,7 @@ struct JointAnswer {
     bool slides = false;                ///< steady sliding exists; without it, all below is empty
     std::optional<NearestBoundary> nearest;
     std::optional<VelocitySearch> velocities;  ///< of a positive commanded velocity
+    std::vector<Interval> ideal_gains;         ///< stable k_p of the paper's loop, where the joint has another
     LinearDetails details;
     std::optional<RootLocus> locus;
 };

@@ -69,6 +69,15 @@ std::vector<Section> linear_sections(const Joint& joint, const LinearDetails& de
     return sections;
 }
 
+namespace {
+
+Headline gains_headline(const std::vector<Interval>& stable, const std::string& loop, Motion motion)
+{
+    return {Tone::neutral, intervals_text(stable, Quantity::stiffness, motion), "stable k_{p} " + loop};
+}
+
+}  // namespace
+
 Report linear_report(const Joint& joint, const JointAnswer& answer)
 {
     const auto& linear = answer.linear;
@@ -86,9 +95,15 @@ Report linear_report(const Joint& joint, const JointAnswer& answer)
     if (decided) {
         const auto& c = study.comparison;
         const bool stable = linear.state_variable.stable;
-        report.headlines = {nearest_headline(*answer.nearest, motion),
-                            demand("by velocity alone", c.k_v_velocity_only, joint.control.k_v, motion),
-                            demand("with memory", c.k_v_memory, joint.control.k_v, motion)};
+        report.headlines = {nearest_headline(*answer.nearest, motion)};
+        if (linear.loop.kind == LoopKind::ideal) {
+            report.headlines.push_back(demand("by velocity alone", c.k_v_velocity_only, joint.control.k_v, motion));
+            report.headlines.push_back(demand("with memory", c.k_v_memory, joint.control.k_v, motion));
+        } else {
+            report.headlines.push_back(
+                gains_headline(linear.state_variable.stable_intervals, "in the loop as it is", motion));
+            report.headlines.push_back(gains_headline(answer.ideal_gains, "under the paper's ideal loop", motion));
+        }
         if (std::isfinite(linear.state_variable.k_cr))
             report.headlines.push_back({Tone::neutral,
                                         with_unit(linear.state_variable.k_cr, Quantity::stiffness, motion),
@@ -108,7 +123,9 @@ Report linear_report(const Joint& joint, const JointAnswer& answer)
     report.sections.push_back(std::move(design));
     report.not_checked = {
         "Terms locked to position or time (ripple, cogging, drift, periodic forces) are no part of the linear theory.",
-        "Limits, dead zones and quantisation: a linear verdict is about motions that do not reach them."};
+        linear.loop.kind == LoopKind::ideal
+            ? "Sampling, delay, saturation and quantisation of a digital loop."
+            : "Limits, dead zones and quantisation: a linear verdict is about motions that do not reach them."};
     return report;
 }
 

@@ -143,7 +143,7 @@ Joint random_joint(std::mt19937_64& random)
 
 TickByTick written_out(const Joint& j)
 {
-    LinearJoint open = linear_joint(j, j.control.V0);
+    LinearJoint open = linear_joint(j, j.control.V0 / j.sensor.position_scale);
     open.k_p = open.k_v = 0;
     const Eigen::MatrixXd mechanism = state_matrix(open);
     const auto n = mechanism.rows();

@@ -2,6 +2,7 @@
 
 #include "analysis/joint/parameters.h"
 #include "analysis/simulation/points.h"
+#include "analysis/simulation/sampled/loop_verdict.h"
 #include "analysis/stability/verdict.h"
 
 #include <fmt/format.h>
@@ -11,6 +12,9 @@
 
 namespace stickslip {
 namespace {
+
+/// s, of a joint that is followed tick by tick.
+constexpr double real_loop_point_cost = 0.1;
 
 /// A chunk at a time, so that the lanes of the nonlinear evaluation are full.
 void evaluate_nonlinear(PointCursor& cursor, std::span<PointResult> rows, const NonlinearOptions& options)
@@ -77,8 +81,9 @@ std::string evaluation_text(const NonlinearSpec& spec)
                        spec.tolerance);
 }
 
-double seconds_per_point(const NonlinearSpec& spec)
+double seconds_per_point(const NonlinearSpec& spec, const Joint& joint)
 {
+    if (spec.enabled && has_real_loop(joint)) return real_loop_point_cost;
     return spec.enabled ? nonlinear_point_cost : linear_point_cost;
 }
 

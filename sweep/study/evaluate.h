@@ -24,6 +24,6 @@ std::vector<std::string> idle_axes(const Joint& joint, const std::vector<Axis>& 
 std::string evaluation_text(const NonlinearSpec& spec);
 
 /// Rough cost of a point on one core [s], for the size of chunks.
-double seconds_per_point(const NonlinearSpec& spec);
+double seconds_per_point(const NonlinearSpec& spec, const Joint& joint);
 
 }  // namespace stickslip

@@ -49,15 +49,15 @@ constexpr double too_stiff = 2.5, mild = 1;
 
 bool RosenbrockStep::take_explicit(const DrivenJoint& joint)
 {
-    using namespace dormand_prince;
+    namespace dp = dormand_prince;
     const int n = size_;
     if (!carried_) joint.rate(y0.data(), k_[0].data());
     DrivenState before;
-    for (int s = 1; s < stages; ++s) {
-        if (s == stages - 1) std::copy_n(y1.data(), n, before.data());
+    for (int s = 1; s < dp::stages; ++s) {
+        if (s == dp::stages - 1) std::copy_n(y1.data(), n, before.data());
         for (int i = 0; i < n; ++i) {
             double sum = 0;
-            for (int j = 0; j < s; ++j) sum += weight[s][j] * k_[j][i];
+            for (int j = 0; j < s; ++j) sum += dp::weight[s][j] * k_[j][i];
             y1[i] = y0[i] + h * sum;
         }
         joint.rate(y1.data(), k_[s].data());

@@ -73,7 +73,7 @@ int sweep(const Options& options, Invocation& invocation)
     PlanOptions plan_options;
     plan_options.evaluation = evaluation_text(spec.nonlinear);
     plan_options.nonlinear = spec.nonlinear.enabled;
-    plan_options.seconds_per_point = seconds_per_point(spec.nonlinear);
+    plan_options.seconds_per_point = seconds_per_point(spec.nonlinear, spec.joint);
     plan_options.title = spec.title;
     plan_options.spec = embedded ? std::string(embedded_spec()) : self_contained_text(options.spec);
     plan_options.command = embedded ? "stickslip sweep" : "stickslip sweep " + shell_word(options.spec);

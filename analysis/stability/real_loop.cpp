@@ -24,6 +24,17 @@ LinearJoint opened(const Joint& joint, LinearJoint linear)
     return linear;
 }
 
+/// What a unit of effort on the motor does to the state: neighbours on the mass matrix feel it, too.
+Eigen::VectorXd unit_push(LinearJoint linear)
+{
+    linear.actuated = {1};
+    linear.measured = 0;
+    linear.k_p = linear.k_v = 0;
+    const Eigen::VectorXd rest = state_matrix(linear).col(0);
+    linear.k_p = 1;
+    return rest - state_matrix(linear).col(0);
+}
+
 LoopPlant plant_of(const Joint& joint, const LinearJoint& linear, double velocity)
 {
     const auto acts = actuation(joint, velocity, steady_effort(joint));
@@ -32,15 +43,15 @@ LoopPlant plant_of(const Joint& joint, const LinearJoint& linear, double velocit
     LoopPlant plant;
     plant.A = Eigen::MatrixXd::Zero(states + lag, states + lag);
     plant.A.topLeftCorner(states, states) = state_matrix(open);
-    plant.A(n, n) -= acts.drag / open.inertia[0];
+    const Eigen::VectorXd push = unit_push(open);
+    plant.A.col(n).head(states) -= acts.drag * push;
     plant.B = Eigen::VectorXd::Zero(states + lag);
-    const double push = acts.gain / open.inertia[0];
     if (lag) {
-        plant.A(n, states) = push;
+        plant.A.col(states).head(states) = acts.gain * push;
         plant.A(states, states) = -1 / joint.actuator.lag;
         plant.B[states] = 1 / joint.actuator.lag;
     } else {
-        plant.B[n] = push;
+        plant.B.head(states) = acts.gain * push;
     }
     plant.C = plant.C_v = Eigen::RowVectorXd::Zero(states + lag);
     if (joint.control.kind == ControlKind::position) {

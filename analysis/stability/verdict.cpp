@@ -78,6 +78,7 @@ LinearVerdict joint_verdict(const Joint& joint, LinearVerdict verdict)
         memory.f_v += linear.friction[i].f_v;
         memory.kernel_integral += kernel_integral(linear.friction[i]);
     }
+    simple.slope -= linear.state_slope;
     simple.stable_k_v = velocity_only_gains(linear);
     simple.k_v_min = least(simple.stable_k_v);
     const auto simply = velocity_only_code(linear);

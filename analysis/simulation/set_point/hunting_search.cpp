@@ -63,9 +63,9 @@ SetPoint hunting_by_events(const StopToStop& motion, double natural, double dead
     const double low = std::max(natural * std::pow(10, -decades_below), least * (1 + precision));
     const double high = std::max(natural, least) * std::pow(10, decades_above);
     const int n = static_cast<int>(std::ceil(per_decade * std::log10(high / low)));
-    none.reason = dead_zone > 0 && dead_zone >= least ? SetPointReason::dead_zone
-                  : least > dead_zone && least > 0    ? SetPointReason::held
-                                                      : SetPointReason::slips_shrink;
+    none.reason = least > dead_zone ? SetPointReason::held
+                  : dead_zone > 0   ? SetPointReason::dead_zone
+                                    : SetPointReason::slips_shrink;
     none.rest_error = std::max(least, 0.0);
     double outer = high, f_outer = growth(motion.slip_from(high), high);
     if (f_outer > 0) return none.reason = SetPointReason::loop_unstable, none;

@@ -5,8 +5,8 @@
 
 namespace stickslip {
 
-/// u = k_p e + k_v ė + w, ẇ = k_i e, in units of effort on the mechanism, with what bounds it: errors within the dead
-/// zone count as none, the integral grows only within its band and up to its limit, the output up to its own.
+/// u = k_p e + k_v ė + w, ẇ = k_i e, in units of effort on the mechanism, with what bounds it: the dead zone takes its
+/// width from the error, as in the sampled loop, the integral grows only within its band and up to its limit, the output up to its own.
 struct Regulator {
     double inertia = not_set;
     double k_p = not_set, k_v = 0, k_i = 0;
@@ -16,7 +16,7 @@ struct Regulator {
     double tracking_time = not_set;
 
     /// The error −x as the controller counts it.
-    double error(double x) const { return std::abs(x) <= dead_zone ? 0 : -x; }
+    double error(double x) const { return std::abs(x) <= dead_zone ? 0 : std::copysign(dead_zone, x) - x; }
     /// Nothing but gains: what slip.h has in closed form.
     bool linear() const
     {

@@ -126,7 +126,7 @@ SetPoint decided(const Joint& joint)
         if (regulator.k_i < 0 || !(regulator.k_p > 0))
             return rests(SetPointReason::loop_unstable, missing, SetPointMethod::closed_form);
         const bool breaks = friction.dry.breakaway <= regulator.effort_limit;
-        const double band = breaks ? std::max(friction.dry.breakaway / regulator.k_p, regulator.dead_zone) : infinity;
+        const double band = breaks ? friction.dry.breakaway / regulator.k_p + regulator.dead_zone : infinity;
         return rests(SetPointReason::no_integral_action, band, SetPointMethod::closed_form);
     }
     const PidMass mass{regulator.inertia, regulator.k_v + regulator.drag + friction.viscous, regulator.k_p,

@@ -75,7 +75,7 @@ double StopToStop::least_start() const
 {
     if (static_ > regulator_.effort_limit) return infinity;
     // further out the proportional part helps; far out w changes sign, and the limit binds again
-    return std::max(regulator_.dead_zone, (static_ - regulator_.integral_limit) / regulator_.k_p);
+    return regulator_.dead_zone + std::max(0.0, (static_ - regulator_.integral_limit) / regulator_.k_p);
 }
 
 Stop StopToStop::slip_from(double a) const

@@ -9,12 +9,14 @@ constexpr int per_decade = 8, decades_below = 6, decades_above = 2;
 constexpr double precision = 1e-10;
 constexpr double jump = 1e-6;  ///< a fixed point left by more than this share is a jump of the map, not a cycle
 
-/// ln of the next stop's distance per that of this one: 0 at a symmetric cycle. NaN where no slip follows, or another
-/// on the same side.
+constexpr double short_of_it = -50;  ///< of a slip that does not cross the set point: less than any that does
+
+/// ln of the next stop's distance per that of this one: 0 at a symmetric cycle. NaN where no slip follows.
 double growth(const Stop& stop, double a)
 {
-    if (stop.end == Stop::End::settled) return -infinity;
-    return stop.end == Stop::End::stop && stop.x > 0 ? std::log(stop.x / a) : missing;
+    if (stop.end == Stop::End::settled) return short_of_it;
+    if (stop.end != Stop::End::stop) return missing;
+    return stop.x > 0 ? std::max(std::log(stop.x / a), short_of_it) : short_of_it;
 }
 
 /// Goes from stop to stop for some time; the largest distance of the last stops where they go on, 0 where they end.
@@ -74,7 +76,7 @@ SetPoint hunting_by_events(const StopToStop& motion, double natural, double dead
         const double f = growth(motion.slip_from(a), a);
         if (f > 0 && f_outer <= 0) {
             const auto at = [&](double v) { return growth(motion.slip_from(v), v); };
-            const double found = bracketed_root(at, a, f, outer, std::max(f_outer, -50.0), precision).value;
+            const double found = bracketed_root(at, a, f, outer, f_outer, precision).value;
             SetPoint s = cycle_at(motion, found);
             s.method = SetPointMethod::event_driven;
             s.rests_nearby = none.rest_error > 0;

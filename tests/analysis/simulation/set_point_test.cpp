@@ -173,7 +173,13 @@ TEST_CASE("a dead zone or a limit that is wide enough ends the hunting, a narrow
     joint.control.integral_limit = infinity;
     joint.control.dead_zone = 1e-4;
     CHECK(set_point(joint).hunting == Hunting::yes);
+    // the integral stops in the zone and goes on pushing: the mass is driven across, and hunts over more than the zone
     joint.control.dead_zone = 0.05;
+    s = set_point(joint);
+    CHECK(s.hunting == Hunting::yes);
+    CHECK(s.rests_nearby);
+    CHECK(s.amplitude == Approx(0.0837).epsilon(0.005));  // by Runge and Kutta in steps of 0.1 ms
+    joint.control.dead_zone = 0.2;                         // there small differences grow until a stop is within it
     s = set_point(joint);
     CHECK(s.hunting == Hunting::no);
     CHECK(s.reason == SetPointReason::dead_zone);

@@ -121,6 +121,21 @@ Eigen::MatrixXd state_matrix(const LinearJoint& j)
     return A;
 }
 
+Eigen::VectorXd rates_per_effort(const LinearJoint& j)
+{
+    Eigen::VectorXd rates = Eigen::VectorXd::Zero(j.states());
+    double& own = rates[j.bodies];
+    own = 1 / j.inertia[0];
+    if (j.link() > 0 || j.neighbour.size == 0) return rates;
+    double free = j.inertia[0];
+    for (const auto& n : j.neighbour) free -= n.coupling * n.coupling / n.inertia;
+    own = 1 / free;
+    const int first = j.states() - 2 * j.neighbour.size;
+    for (int i = 0; i < j.neighbour.size; ++i)
+        rates[first + 2 * i + 1] = -j.neighbour[i].coupling / j.neighbour[i].inertia / free;
+    return rates;
+}
+
 RationalCharacteristic rational_characteristic(const LinearJoint& j)
 {
     std::array<Polynomial, max_bodies> resistance, denominator;

@@ -33,15 +33,16 @@ LoopPlant plant_of(const Joint& joint, const LinearJoint& linear, double velocit
     LoopPlant plant;
     plant.A = Eigen::MatrixXd::Zero(states + lag, states + lag);
     plant.A.topLeftCorner(states, states) = state_matrix(open);
-    plant.A(n, n) -= acts.drag / open.inertia[0];
+    const Eigen::VectorXd per_effort = rates_per_effort(open);
+    plant.A.col(n).head(states) -= acts.drag * per_effort;
     plant.B = Eigen::VectorXd::Zero(states + lag);
-    const double push = acts.gain / open.inertia[0];
+    const Eigen::VectorXd push = acts.gain * per_effort;
     if (lag) {
-        plant.A(n, states) = push;
+        plant.A.col(states).head(states) = push;
         plant.A(states, states) = -1 / joint.actuator.lag;
         plant.B[states] = 1 / joint.actuator.lag;
     } else {
-        plant.B[n] = push;
+        plant.B.head(states) = push;
     }
     plant.C = plant.C_v = Eigen::RowVectorXd::Zero(states + lag);
     if (joint.control.kind == ControlKind::position) {

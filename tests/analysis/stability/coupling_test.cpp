@@ -109,3 +109,15 @@ TEST_CASE("a neighbour's mode near the frequency of friction is warned of", "[st
     CHECK(near[0].neighbour == 0);
     CHECK(near[0].omega == Approx(std::sqrt(4000.0)));
 }
+
+TEST_CASE("a drive's gain beside a neighbour is the same loop as its product with the controller's gains",
+          "[stability][coupling]")
+{
+    auto ideal = reference();
+    ideal.neighbour.push_back({0.5, 0.3, 2e3, 5});
+    auto driven = ideal;
+    driven.actuator.effort_gain = 2;
+    driven.control.k_p /= 2, driven.control.k_v /= 2;
+    CHECK(linear_verdict(driven).state_variable.spectral_abscissa ==
+          Approx(linear_verdict(ideal).state_variable.spectral_abscissa).epsilon(1e-6));
+}

@@ -1,0 +1,52 @@
+// Where hunting begins and ends: the linear edge under dry friction, a fold with bristles.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "analysis/boundary/kinds/boundary.h"
+#include "analysis/simulation/set_point/set_point.h"
+#include "tests/analysis/boundary/axis.h"
+
+using namespace stickslip;
+
+namespace {
+
+Joint held(const FrictionLaw& law)
+{
+    Joint joint;
+    joint.mechanism.inertia = 1;
+    joint.control.V0 = 0;
+    joint.control.k_p = 100;
+    joint.control.k_v = 20;
+    joint.control.k_i = 100;
+    joint.friction.law = law;
+    return joint;
+}
+
+}  // namespace
+
+TEST_CASE("hunting with static friction ends where the loop is unstable", "[boundary][set-point]")
+{
+    BoundaryRequest request;
+    request.kind = BoundaryKind::hunting;
+    const auto ray = locate_boundaries(held(KineticStatic{1, 1.5}), axis("control.k_i", 10, 1e5, true), request);
+    REQUIRE(ray.points.size() == 1);
+    CHECK(ray.points[0].value == Approx(20 * 100).epsilon(1e-5));  // Routh: k_v k_p = m k_i
+    CHECK(ray.points[0].direction == -1);
+    CHECK(ray.undecided == 0);
+}
+
+TEST_CASE("with LuGre hunting ends at a fold in the gain, on both sides as simulated", "[boundary][set-point]")
+{
+    BoundaryRequest request;
+    request.kind = BoundaryKind::hunting;
+    request.precision = 1e-3;
+    request.scan = 6;
+    const auto joint = held(LuGre{1e5, std::sqrt(1e5), 0.4, 1, 1.5, 1e-3});
+    const auto ray = locate_boundaries(joint, axis("control.k_p", 50, 2000, true), request);
+    REQUIRE(ray.points.size() == 1);
+    CHECK(ray.points[0].direction == -1);
+    Joint below = joint, above = joint;
+    below.control.k_p = 0.99 * ray.points[0].low, above.control.k_p = 1.01 * ray.points[0].high;
+    CHECK(set_point(below).hunting == Hunting::yes);
+    CHECK(set_point(above).hunting == Hunting::no);
+}

@@ -1,5 +1,7 @@
 #include "analysis/stability/neighbour_modes.h"
 
+#include <cmath>
+
 #include "analysis/stability/verdict.h"
 
 namespace stickslip {

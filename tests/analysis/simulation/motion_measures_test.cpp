@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "analysis/base/field.h"
 #include "analysis/simulation/motion_measures.h"
 
 using namespace stickslip;

@@ -86,6 +86,7 @@ std::vector<Fold> folds_for(const std::vector<Case>& cases, const Scales& scales
         const auto others = without(cases, {i});
         bool alone = false;
         for (std::size_t e = 0; e < cause.candidate.effects.size(); ++e) {
+            if (cause.candidate.effects[e]->stage == "correction") continue;
             const double here = worth_of(e, {cases[i]}, scales, cause);
             alone = alone || (here > 0 && worth_of(e, others, scales, cause) < hardly * here);
         }

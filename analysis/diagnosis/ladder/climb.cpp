@@ -214,7 +214,12 @@ Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t mo
 
 Ladder LadderSearch::of(const Attribution& known)
 {
-    return finished(fitter_->fit(known.candidate, fitter_->start(known.candidate, {}, known.x[ladder_level])));
+    const Eigen::VectorXd x = fitter_->start(known.candidate, {}, known.x[ladder_level]);
+    if (!two_mass_edit(known.candidate)) return finished(fitter_->fit(known.candidate, x));
+    // ten times as dear, and its search has been long
+    LevelFit found;
+    found.x = x;
+    return finished(fitter_->fit_folds(known.candidate, std::move(found)));
 }
 
 Ladder LadderSearch::finished(FittedSet set)

@@ -80,11 +80,17 @@ void SetFitter::look(Start& s, const FittedSet& below) const
 
 FittedSet SetFitter::fit(const Candidate& causes, const Eigen::VectorXd& x0) const
 {
+    const Candidate c = corrections_.beside(causes).candidate;
+    return fit_folds(causes, improve(data_.fitted(), c, scales_, x0, omega, effort, steps));
+}
+
+FittedSet SetFitter::fit_folds(const Candidate& causes, LevelFit found) const
+{
     FittedSet set;
     set.causes = causes;
     set.model = corrections_.beside(causes);
+    set.fit = std::move(found);
     const Candidate& c = set.model.candidate;
-    set.fit = improve(data_.fitted(), c, scales_, x0, omega, effort, steps);
     for (std::size_t f = 0; f < HeldOutData::folds; ++f) {
         set.x[f] = improve(data_.without(f), c, scales_, set.fit.x, omega, effort_of_fold, steps_of_fold).x;
         set.left[f] = data_.judge(f, c, in_si(c, set.x[f], scales_));

@@ -218,7 +218,9 @@ Json score_object(const Score& s)
 
 std::string score_json(const Score& s)
 {
-    return score_object(s).dump(1) + "\n";
+    Json j = {{"format", "stickslip-score/2"}};
+    j.update(score_object(s));
+    return j.dump(1) + "\n";
 }
 
 }  // namespace stickslip::blind

@@ -70,7 +70,8 @@ void add_alerts(Report& report, const SweepSummary& summary, const std::vector<c
                                                         " and " + map->y.name + "."});
     if (near) report.alerts.push_back({Tone::warning, "The design lies within a factor of 1.2 of its boundary."});
     for (const auto& [reason, count] : summary.reasons)
-        report.alerts.push_back({Tone::warning, grouped(count) + (count == 1 ? " point has" : X});
+        report.alerts.push_back({Tone::warning, grouped(count) + (count == 1 ? " point has" : " points have") +
+                                                    " no verdict: " + reason_text(reason) + "."});
 }
 
 std::vector<std::string> not_checked(const Spec& spec)

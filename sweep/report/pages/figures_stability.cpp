@@ -5,7 +5,9 @@
 #include "analysis/stability/resolution.h"
 #include "analysis/stability/steady.h"
 #include "sweep/report/figures/loop_figures.h"
+#include "sweep/report/figures/map_figures.h"
 #include "sweep/report/pages/figures_report.h"
+#include "sweep/study/map_answer.h"
 #include "sweep/study/maps.h"
 #include "sweep/words/line_figure.h"
 

@@ -184,6 +184,25 @@ TEST_CASE("long travel is suspected where nothing confirms the unit, and believe
     CHECK_THAT(named.output, !Contains("suspected degrees"));
 }
 
+TEST_CASE("an encoder on the motor turns as many times farther as the reduction says", "[program][diagnose]")
+{
+    const std::string geared =
+        "[joint]\nmotion = \"revolute\"\nmodel = \"two-mass\"\nmotor_inertia = 1e-5\nlink_inertia = 0.05\n"
+        "transmission = { stiffness = 500, damping = 0.1, ratio = 100 }\n[control]\nk_p = 4e-4\nperiod = 1e-3\n"
+        "[friction.motor]\nlaw = \"coulomb-viscous\"\ncoulomb = 1e-3\nviscous = 1e-6\n[friction.link]\n"
+        "law = \"coulomb-viscous\"\ncoulomb = 0.01\nviscous = 0.01\n[sensor]\nposition_noise = 1e-3\n";
+    std::string text = "time,position,effort_command\n";
+    for (int k = 0; k < 400; ++k)
+        text += std::to_string(1e-3 * k) + "," + std::to_string(50 * std::sin(0.02 * k)) + "," +
+                std::to_string(0.01 * std::cos(0.02 * k)) + "\n";
+    Folder folder;
+    const auto spec = folder.write("joint.toml", geared), file = folder.write("run.csv", text);
+    const auto run = stickslip("diagnose '" + spec + "' '" + file + "' --no-report -o '" + (folder / "out") + "'");
+    INFO(run.output);
+    CHECK(run.exit_code != 2);
+    CHECK_THAT(run.output, !Contains("suspected"));
+}
+
 TEST_CASE("line ends, separators, marks and remarks do not change the answer", "[program][diagnose]")
 {
     const auto replaced = [](std::string text, const std::string& a, const std::string& b) {

@@ -42,9 +42,20 @@ struct Sized {
     std::vector<double> at(double u, const Scales& scales) const
     {
         std::vector<double> scaled;
-        for (std::size_t i = 0; i < candidate.parameter_count(); ++i) scaled.push_back(candidate.parameter(i).prior);
-        scaled[parameter] = value(less_is_more ? 1 - u : u);
+        const double size = value(less_is_more ? 1 - u : u);
+        for (std::size_t i = 0; i < candidate.parameter_count(); ++i)
+            scaled.push_back(i == parameter ? size : beside(candidate.parameter(i), size));
         return in_si(candidate, to_fit(candidate, scaled), scales);
+    }
+    /// What another parameter is meanwhile: a second change is none, a second level keeps its share, a contact is
+    /// stiff, the rest is as usual.
+    double beside(const EffectParameter& p, double size) const
+    {
+        constexpr double stiff = 2e4;  // of effort over span
+        if (!p.logarithmic && p.low < 0) return 0;
+        if (p.name == "stiffness") return stiff;
+        if (p.logarithmic && p.scale == of().scale) return p.prior / of().prior * size;
+        return p.prior;
     }
     double value(double u) const
     {
@@ -65,8 +76,11 @@ struct Sized {
 Sized sized(const Effect& effect, const EffectForm& form)
 {
     Sized s{{{&effect}, {&form}, 1}};
-    const EffectParameter& p = form.parameters[0];
-    s.factor = p.name.ends_with("factor");
+    for (std::size_t i = 0; effect.name == "compliance" && i < form.parameters.size(); ++i)
+        if (form.parameters[i].name.starts_with("stiffness")) s.parameter = i;
+    const EffectParameter& p = s.of();
+    // only of a factor on something that may be more or less: a softer transmission is less, all the way down
+    s.factor = p.name == "factor";
     return s;
 }
 

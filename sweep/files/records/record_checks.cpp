@@ -224,6 +224,13 @@ class Checks {
         }
     }
 
+    /// An encoder on the motor turns as many times farther as the reduction says.
+    double motor_per_joint() const
+    {
+        const bool on_motor = joint_.mechanism.model == Model::two_mass && joint_.control.feedback == Feedback::motor;
+        return on_motor ? std::max(1.0, joint_.mechanism.transmission.ratio) : 1;
+    }
+
     static std::string rounded(double value) { return number_text(std::round(10 * value) / 10); }
 
     void travel()
@@ -234,7 +241,8 @@ class Checks {
             if (q < low) low = q;
             if (q > high) high = q;
         }
-        const double travel = high - low, limit = motion_ == Motion::revolute ? many_turns : long_axis;
+        const double travel = high - low,
+                     limit = (motion_ == Motion::revolute ? many_turns : long_axis) * motor_per_joint();
         // degrees and radians alike make a motion that a joint can be fitted to; only someone who knows can tell
         const std::string unit(unit_of(Quantity::position, motion_));
         if (travel > limit && !unit_named_ && !command_explained_)

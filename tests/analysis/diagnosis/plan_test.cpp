@@ -63,6 +63,20 @@ TEST_CASE("the least constant load that shows is the one whose surprise is five 
     CHECK(least_of(power, "gain-k_p") == Approx(0.004));
 }
 
+TEST_CASE("twice the noise doubles the least size of every effect that is linear in it", "[gap][plan]")
+{
+    const auto least = [](double noise) {
+        Joint j = servo(3, 5);
+        j.sensor.position_noise = noise;
+        return power_of(j, motion_of(6, [](double t) { return 0.05 * std::sin(2 * t); }), in_order);
+    };
+    const auto once = least(2e-6), twice = least(4e-6);
+    for (const char* name : {"constant-load", "cogging", "periodic-disturbance", "asymmetric-friction", "viscous"}) {
+        CAPTURE(name);
+        CHECK(least_of(twice, name) == Approx(2 * least_of(once, name)).epsilon(0.1));
+    }
+}
+
 TEST_CASE("a motion in one direction cannot tell a load from the Coulomb level, one to and fro can", "[gap][plan]")
 {
     const auto one_way = power_of(servo(3, 5), motion_of(6, [](double t) { return 0.02 * t; }), in_order);

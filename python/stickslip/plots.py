@@ -24,20 +24,30 @@ def _label(variable: Any) -> str:
     return f"{variable.name} [{unit}]" if unit and unit != "1" else str(variable.name)
 
 
+def _dimension(dataset: "xarray.Dataset", name: str) -> str:
+    """A dataset calls its axes by the last part of their path; either is taken."""
+    for found in dataset.dims:
+        if name in (found, dataset[found].attrs.get("path")):
+            return str(found)
+    paths = ", ".join(str(dataset[d].attrs.get("path", d)) for d in dataset.dims)
+    raise ValueError(f"{name}: is no axis of this sweep, axes are {paths}")
+
+
 def plot_map(dataset: "xarray.Dataset", x: str, y: str, variable: str = "spectral_abscissa", ax: "Axes | None" = None, **at: float) -> "Axes":
     """Stable and unstable parts of two axes of a sweep. Other axes stand at the nearest value to `at`, else in the
     middle: plot_map(ds, "control.k_p", "control.V0", **{"control.k_v": 30})."""
     ax = _axes(ax)
+    x, y = _dimension(dataset, x), _dimension(dataset, y)
+    at = {_dimension(dataset, name): value for name, value in at.items()}
     values = dataset[variable]
     for name in values.dims:
         if name in (x, y):
             continue
         values = values.sel({name: at[name]}, method="nearest") if name in at else values.isel({name: values.sizes[name] // 2})
     values = values.transpose(y, x)
-    mesh = ax.contourf(dataset[x], dataset[y], values > 0, levels=[-0.5, 0.5, 1.5], colors=[STABLE, UNSTABLE], alpha=0.55)
+    ax.contourf(dataset[x], dataset[y], values > 0, levels=[-0.5, 0.5, 1.5], colors=[STABLE, UNSTABLE], alpha=0.55, zorder=0)
     if bool((values > 0).any()) and bool((values <= 0).any()):
         ax.contour(dataset[x], dataset[y], values, levels=[0], colors=[INK])
-    mesh.set_zorder(0)
     for axis, name in ((ax.xaxis, x), (ax.yaxis, y)):
         steps = dataset[name].values
         if len(steps) > 2 and steps.min() > 0 and steps[1] / steps[0] > 1.001 and abs(steps[1] ** 2 / (steps[0] * steps[2]) - 1) < 1e-6:

@@ -124,10 +124,12 @@ def test_damaged_folders_of_sage(tmp_path):
 def test_convert_is_a_verb_of_the_program(tmp_path):
     import os
     import subprocess
+    import sys
     from pathlib import Path
 
     bag = sample.mcap(tmp_path / "run.mcap")
-    paths = os.environ | {"PYTHONPATH": str(Path(stickslip.__file__).parents[1])}
+    paths = os.environ | {"PYTHONPATH": str(Path(stickslip.__file__).parents[1]),
+                          "PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}"}
     words = [stickslip.executable(), "convert", str(bag), str(tmp_path / "run.csv"), "--joint", "elbow", "--command", "/commands"]
     done = subprocess.run(words, capture_output=True, text=True, env=paths)
     assert done.returncode == 0 and "40 rows" in done.stdout and "REP 103" in done.stderr

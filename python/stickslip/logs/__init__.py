@@ -37,6 +37,8 @@ def read_log(file: str | Path, joint: str | None = None, **options: Any) -> "pan
         return reader(path, joint=joint, **options)
     except StickslipError:
         raise
+    except ImportError as error:
+        raise StickslipError(f"{path}: reading it needs {error.name} in this Python (Debian: python3-{error.name})") from None
     except MemoryError:
         raise StickslipError(f"{path}: is damaged: a size in it exceeds memory") from None
     except Exception as error:  # whatever a parser trips over in a damaged file

@@ -214,7 +214,9 @@ void add_list(CLI::App& app, Invocation&)
         const Json list = options->what == "laws"      ? law_list()
                           : options->what == "joints"  ? joint_list()
                           : options->what == "effects" ? effect_list(options->json)
-                                                       : parameter_list(options->joint, options->law);
+                          : options->what == "keys"
+                              ? key_list(options->joint, options->model, options->law, options->json)
+                              : parameter_list(options->joint, options->law);
         if (options->json)
             fmt::print("{}\n", list.dump(2));
         else

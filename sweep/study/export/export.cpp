@@ -152,9 +152,9 @@ std::optional<Lost> lost(const Key& key, Simulator to, std::string& law)
     }
     if (!rule) return Lost::no_element;
     if (rule->said_by.find(letter(to)) != std::string_view::npos) return std::nullopt;
-    if (rule->said_by == with_mechanism || rule->said_by == "musi")
-        return to == Simulator::ros2_control ? Lost::mechanism_elsewhere : rule->why;
-    return rule->why;
+    const bool of_mechanism = path.starts_with("joint.") || path.starts_with("load.") || path.starts_with("friction.");
+    const bool elsewhere = of_mechanism || rule->said_by == "musi";
+    return to == Simulator::ros2_control && elsewhere ? Lost::mechanism_elsewhere : rule->why;
 }
 
 /// The simulator's usual step, or what the fastest motion of this joint needs: a twentieth of its period, and half the

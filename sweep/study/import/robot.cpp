@@ -77,7 +77,7 @@ AxisDynamics axis_dynamics(const Robot& robot, int joint, const std::vector<doub
     d.gravity_stiffness = -T1;
     d.gravity_amplitude = std::hypot(T0, T1);
     if (d.gravity_amplitude > 1e-12 * d.mass * robot.gravity.norm())
-        d.gravity_phase = std::remainder(std::atan2(-T0, -T1) - pose[index], 2 * std::acos(-1.0));
+        d.gravity_phase = std::remainder(std::atan2(-T0, -T1) - pose[index], 2 * std::acos(-1.0)) + 0.0;  // no −0
     else
         d.gravity_amplitude = 0;
     return d;

@@ -56,15 +56,16 @@ const Example* example_of(std::string_view path, Model model)
     const bool lever_pivot = path == "joint.transmission_inertia" && model == Model::lever;
     static constexpr Example pivot{"transmission_inertia", 1e-3, 1e-3};
     if (lever_pivot) return &pivot;
-    while (!path.empty() && path.back() >= '0' && path.back() <= '9') path.remove_suffix(1);
-    if (path.ends_with('.')) path.remove_suffix(1);
+    // "friction.B.1" is an element of B; the digit of "friction.c0" is part of its name
+    const auto element = path.substr(path.rfind('.') + 1);
+    if (element.find_first_not_of("0123456789") == std::string_view::npos) path.remove_suffix(element.size() + 1);
     const auto name = path.substr(path.rfind('.') + 1);
     const auto found =
         std::find_if(std::begin(examples), std::end(examples), [&](const Example& e) { return e.key == name; });
     return found == std::end(examples) ? nullptr : found;
 }
 
-/// One row in each list that a law needs, so that there are numbers to fill.
+/// One row in each list that a law needs, so that there are numbers to fill; delays and neighbours are a choice.
 struct RowFiller {
     void number(const Field&, double&) {}
     void numbers(const Field& f, NumberList& list)
@@ -86,7 +87,7 @@ struct RowFiller {
     template <class Struct, int capacity>
     void rows(std::string_view key, std::string_view, ShortList<Struct, capacity>& list)
     {
-        if (list.size == 0 && key != "delays") list.push_back({});
+        if (list.size == 0 && key != "delays" && key != "neighbour") list.push_back({});
     }
     template <class... Laws>
     void law(std::variant<Laws...>& law)

@@ -89,10 +89,7 @@ TEST_CASE("sampled loop: the reference design is stick-slip at 1 kHz with one ti
     const auto late = nonlinear_verdict(sampled_joint(60e3, 1e-3), {});
     CHECK(late.outcome == Outcome::limit_cycle);
     CHECK(late.region == NonlinearRegion::stick_slip);
-<<<<<<< HEAD
     CHECK(late.path == DecisionPath::ticks);
-=======
->>>>>>> 4aeeba3 (The loop as it is, tick by tick: encoder, controller, hold, dead time, lag and motor around the accurate mechanism. Outcomes and growth of sampled and late loops; records along a reference; motions under gravity, cogging, ripple, periodic forces and drift)
     CHECK(late.amplitude == Approx(18.1688e-6).epsilon(2e-5));
     CHECK(late.period == Approx(96.615e-3).epsilon(1e-5));
     CHECK(std::log(late.velocity_min / 1e-3) == Approx(-1.13878).margin(2e-5));

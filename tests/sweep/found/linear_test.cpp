@@ -69,7 +69,7 @@ TEST_CASE("W1: a critical gain is one that a user can turn to, where the velocit
     const auto ramp = found("w1-ramp");
     const auto verdict = linear_verdict(ramp).state_variable;
     REQUIRE(verdict.crossings.size() == 2);
-    CHECK(verdict.crossings[0].k_p == Approx(2027.38).epsilon(1e-6));
+    CHECK(verdict.crossings[0].k_p == Approx(2027.3848).epsilon(1e-7));
     CHECK(verdict.crossings[1].k_p == Approx(87596.64).epsilon(1e-7));
     CHECK(std::isnan(verdict.k_cr));
     check_gains(ramp, 2e2, 2e8);

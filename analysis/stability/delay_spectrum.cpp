@@ -90,7 +90,16 @@ std::vector<double> starts_of(const LineCount& line, std::size_t most)
 /// The search for the right edge of the spectrum.
 class Edge {
   public:
-    explicit Edge(const LinearJoint& joint) : joint_(joint), scale_(frequency_bound(joint, std::abs(joint.k_p))) {}
+    explicit Edge(const LinearJoint& joint) : joint_(joint), scale_(frequency_bound(joint, std::abs(joint.k_p)))
+    {
+        double longest = 0;
+        for (int i = 0; i < joint.bodies; ++i) {
+            const auto& f = joint.friction[i];
+            for (const auto& d : f.delays) longest = std::max(longest, d.time);
+            if (f.table) longest = std::max(longest, f.table->duration());
+        }
+        reach_ = 1 / longest;
+    }
 
     double abscissa()
     {
@@ -130,8 +139,9 @@ class Edge {
     /// The count at σ, or, where a root lies on the line within rounding, just beside it.
     std::optional<LineCount> look(double sigma) const
     {
-        for (const double aside : {0.0, 1e-13, 1e-11}) {
-            auto count = count_right_of(joint_, sigma + aside * scale_);
+        constexpr int most = 60'000;
+        for (const double aside : {0.0, 1e-12}) {
+            auto count = count_right_of(joint_, sigma + aside * scale_, most);
             if (count) return count;
         }
         return std::nullopt;
@@ -171,15 +181,16 @@ class Edge {
     {
         bool blocked = false;
         high_ = 0, low_ = -1e-9 * scale_;
-        for (int tries = 0; tries < 80; ++tries) {
+        for (int tries = 0, lost = 0; tries < 80 && lost < 4; ++tries) {
             const auto here = look(low_);
+            lost += !here;
             if (here && here->roots > 0) {
                 at_low_ = *here;
                 return true;
             }
             // further left, or back to where what is delayed has not outgrown all numbers
             if (here)
-                high_ = low_, low_ *= blocked ? 1.2 : 8;
+                high_ = low_, low_ = blocked ? 1.2 * low_ : std::max(8 * low_, low_ - 2 * reach_);
             else
                 blocked = true, low_ = (low_ + high_) / 2;
         }
@@ -211,9 +222,11 @@ class Edge {
         constexpr int wanted = 20, most = 40;
         double near = edge, step = std::max(1e-3 * std::abs(edge), 1e-9 * scale_);
         if (line.roots >= wanted && line.roots <= most) return;
-        for (int tries = 0; tries < 60; ++tries) {
-            const double at = near - step;
+        for (int tries = 0, lost = 0; tries < 60 && lost < 3; ++tries) {
+            // left of the axis what is delayed grows by e a reach: no further at a time
+            const double at = std::max(near - step, std::min(near, 0.0) - reach_);
             const auto there = look(at);
+            lost += !there;
             if (!there || there->roots > most) {
                 step /= 2;
                 if (step < 1e-9 * std::abs(edge)) return;
@@ -261,6 +274,7 @@ class Edge {
 
     const LinearJoint& joint_;
     double scale_, low_ = 0, high_ = 0;
+    double reach_ = 0;  ///< over which what is delayed longest grows by e
     LineCount at_low_;
     Known roots_;
 };

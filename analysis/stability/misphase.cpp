@@ -42,6 +42,14 @@ WideComplex resistance_of(const LinearFriction& f, Wide omega)
     return sum;
 }
 
+/// −(m_jk s²)²/D_k per s, at s = iω: i m_jk² ω³/D_k, D_k = k − m_kk ω² + i c ω.
+WideComplex share_of(const LinearNeighbour& n, Wide omega)
+{
+    const Wide re = Wide(n.stiffness) - Wide(n.inertia) * omega * omega, im = Wide(n.damping) * omega;
+    const Wide factor = Wide(n.coupling) * Wide(n.coupling) * omega * omega * omega / (re * re + im * im);
+    return {factor * im, factor * re};
+}
+
 }  // namespace
 
 double certain_misphase(const LinearJoint& j, Gain gain, double omega)
@@ -56,6 +64,7 @@ double certain_misphase(const LinearJoint& j, Gain gain, double omega)
         resistance[i] = resistance_of(j.friction[i], omega);
         scale[i] = 1.0;
     }
+    for (const auto& n : j.neighbour) resistance[j.link()] = resistance[j.link()] + share_of(n, omega);
     const WideComplex s(Wide(0), Wide(omega));
     const auto wide = split_by(gain, characteristic(j, s, resistance, scale), j.k_p, j.k_v, s);
     return static_cast<double>(wide.a.im * wide.b.re - wide.a.re * wide.b.im);

@@ -79,14 +79,15 @@ std::vector<Complex> roots_of_matrix(const LinearMass& j)
 /// the side that it says: at gains far beyond any machine the decay of the oscillation is below its own rounding.
 double decided_side(const LinearMass& mass, Complex s)
 {
-    constexpr double clear = 1e-9;
     const double side = side_of_axis(mass, s);
     if (side != 0 || mass.friction.states != 1 || s.imag() == 0) return side;
     const auto critical = critical_gain(mass.inertia, mass.k_v, mass.friction);
+    // k_cr is worth as many digits fewer as B − A − k_v V_0 loses
+    const double C = mass.k_v + mass.friction.f_v, weight = mass.friction.weight(0);
+    const double clear = 1e-9 / std::min(1.0, std::abs(1 + C * mass.friction.lambda[0] / weight));
     if (!critical || !(std::abs(mass.k_p / critical->k_p - 1) > clear)) return side;
     // the oscillation of an ever stiffer spring decays by what damps it at once, (28)
-    const double decay = (mass.k_v + mass.friction.f_v) / (2 * mass.inertia);
-    return mass.k_p > critical->k_p ? -decay : std::numeric_limits<double>::min();
+    return mass.k_p > critical->k_p ? -C / (2 * mass.inertia) : std::numeric_limits<double>::min();
 }
 
 template <class Roots>

@@ -178,17 +178,42 @@ std::optional<BranchPoint> cycle_of_amplitude(const Flow& flow, const BranchPoin
     return {};
 }
 
+namespace {
+
+/// The largest gain of the branch between p and r, q being the largest so far and between them in amplitude.
+std::optional<BranchPoint> highest_between(const Flow& flow, BranchPoint p, BranchPoint q, BranchPoint r,
+                                           const CycleOptions& options)
+{
+    for (int i = 0; i < 8; ++i) {
+        const auto top = cycle_of_amplitude(flow, predict(flow, {p, q}, vertex(p, q, r)), options);
+        if (!top) return {};
+        const double change = std::abs(top->k_p / q.k_p - 1);
+        // the new point and its nearest neighbours on either side
+        if (top->k_p >= q.k_p)
+            ((top->start[0] > q.start[0]) == (r.start[0] > q.start[0]) ? p : r) = q, q = *top;
+        else
+            ((top->start[0] > q.start[0]) == (r.start[0] > q.start[0]) ? r : p) = *top;
+        if (change < 1e-10) break;
+    }
+    return q;
+}
+
+}  // namespace
+
 std::optional<BranchPoint> fold_of_cycles(const Flow& flow, const BranchPoint& on_branch, const CycleOptions& options)
 {
-    std::deque<BranchPoint> known{on_branch};
+    std::deque<BranchPoint> known{on_branch}, lower;
     double factor = 1.03;
     for (const double trial : {factor, 1 / factor}) {  // which way the gain rises
         const auto next = cycle_of_amplitude(flow, predict(flow, {on_branch}, on_branch.start[0] * trial), options);
+        if (next && next->k_p <= on_branch.k_p) lower.push_back(*next);
         if (!next || next->k_p <= on_branch.k_p) continue;
         factor = trial;
         known.push_back(*next);
         break;
     }
+    // the start may stand at the fold itself
+    if (lower.size() == 2) return highest_between(flow, lower.front(), on_branch, lower.back(), options);
     if (known.size() < 2) return {};
     for (int i = 0; i < 400 && known.back().k_p > known[known.size() - 2].k_p; ++i) {
         const auto next = cycle_of_amplitude(flow, predict(flow, known, known.back().start[0] * factor), options);
@@ -202,19 +227,7 @@ std::optional<BranchPoint> fold_of_cycles(const Flow& flow, const BranchPoint& o
         if (i > 3 && i % 4 == 0) factor = std::clamp(factor * factor, 1 / 1.15, 1.15);
     }
     if (known.back().k_p > known[known.size() - 2].k_p || known.size() < 3) return {};
-    BranchPoint p = known[known.size() - 3], q = known[known.size() - 2], r = known.back();
-    for (int i = 0; i < 8; ++i) {
-        const auto top = cycle_of_amplitude(flow, predict(flow, {p, q}, vertex(p, q, r)), options);
-        if (!top) return {};
-        const double change = std::abs(top->k_p / q.k_p - 1);
-        // the new point and its nearest neighbours on either side
-        if (top->k_p >= q.k_p)
-            ((top->start[0] > q.start[0]) == (r.start[0] > q.start[0]) ? p : r) = q, q = *top;
-        else
-            ((top->start[0] > q.start[0]) == (r.start[0] > q.start[0]) ? r : p) = *top;
-        if (change < 1e-10) break;
-    }
-    return q;
+    return highest_between(flow, known[known.size() - 3], known[known.size() - 2], known.back(), options);
 }
 
 BranchPoint last_at_rising_gain(const Flow& flow, BranchPoint at, const CycleOptions& options)

@@ -138,10 +138,11 @@ Json reduction_json(const ReductionStudy& r)
 /// Two decades to either side of the joint's own gain, in twelve steps a decade.
 Json locus_json(const Joint& joint)
 {
-    constexpr int steps = 48;
+    const auto linear = linear_joint(joint, commanded_velocity(joint));
+    const int steps = linear.rational() ? 48 : 8;  // where roots have no end, each gain costs a search
     std::vector<double> gains;
     for (int i = 0; i <= steps; ++i) gains.push_back(joint.control.k_p * std::pow(10, 4.0 * i / steps - 2));
-    const auto rows = root_locus(linear_joint(joint, commanded_velocity(joint)), gains);
+    const auto rows = root_locus(linear, gains);
     Json json = Json::array();
     for (std::size_t i = 0; i < gains.size(); ++i) {
         Json roots = Json::array();

@@ -48,9 +48,14 @@ inline Joint random_joint(std::uint64_t number)
     return joint;
 }
 
-/// |F(s)| per the sum of the sizes of its terms.
+/// |F(s)| per the product of the sizes of its rows, or the step of Newton's method per |s| where that is less: next to a
+/// pole of G the rounding of s alone is worth more than any residual. 0 on a pole: the decay of a state that the motion
+/// does not notice is an eigenvalue, and no root of F.
 inline double residual(const LinearJoint& j, std::complex<double> s)
 {
+    for (int i = 0; i < j.bodies; ++i)
+        for (int k = 0; k < j.friction[i].states; ++k)
+            if (std::abs(s - j.friction[i].lambda[k]) < 1e-9 * std::abs(s)) return 0;
     // a determinant is at most the product of the lengths of its rows
     std::array<Complex, max_bodies> resistance, scale;
     double terms = 1;
@@ -62,7 +67,8 @@ inline double residual(const LinearJoint& j, std::complex<double> s)
         for (int k = 0; k < j.bodies; ++k) row += std::abs(j.stiffness_at(i, k)) + std::abs(j.damping_at(i, k) * s);
         terms *= row;
     }
-    return std::abs(closed_loop(j, s).value) / terms;
+    const auto F = closed_loop(j, s);
+    return std::min(std::abs(F.value) / terms, std::abs(F.value / F.slope) / std::abs(s));
 }
 
 /// What contradicts itself, in words; empty where all agree. `counted`: also by the argument principle.

@@ -1,0 +1,76 @@
+// Nonlinear answers that were once wrong, found by independent code, each under the name with which it was reported.
+#include "analysis/boundary/kinds/boundary.h"
+#include "analysis/simulation/attractor/nonlinear.h"
+#include "sweep/files/toml/joint_file.h"
+
+#include <catch2/catch.hpp>
+
+using namespace stickslip;
+
+namespace {
+
+Joint found(const std::string& name)
+{
+    return read_joint("tests/sweep/found/" + name + ".toml");
+}
+
+double fold_of(Joint joint, double k_p)
+{
+    joint.control.k_p = k_p;
+    NonlinearOptions options;
+    options.bifurcation = true;
+    return nonlinear_verdict(joint, options).fold_k_p;
+}
+
+}  // namespace
+
+TEST_CASE("W5: the fold beyond a nearly degenerate Hopf point is found from either side of the critical gain")
+{
+    const auto joint = found("w5");
+    // as located by `boundary --kind fold`, which follows the branch by its arc
+    const double k_cr = 1557.8476520, fold = 5349.5566;
+    for (const double factor : {0.99, 0.99995, 1.0001, 1.01, 2.2}) {
+        CAPTURE(factor);
+        CHECK(fold_of(joint, factor * k_cr) == Approx(fold).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("W7: the fold close above a subcritical linear boundary is found on a wide axis, too")
+{
+    const auto joint = found("w7");
+    BoundaryRequest request;
+    request.kind = BoundaryKind::fold;
+    Axis axis;
+    axis.path = "control.k_p";
+    axis.log = true;
+    axis.values = {27.5e3, 825e3};
+    const auto ray = locate_boundaries(joint, axis, request);
+    REQUIRE(ray.points.size() == 1);
+    CHECK(ray.points[0].value == Approx(1.00124419 * 55000).epsilon(1e-7));
+}
+
+TEST_CASE("W6: the least velocity lies on the side to which the joint moves")
+{
+    BoundaryRequest request;
+    request.kind = BoundaryKind::v_min;
+    Axis axis;
+    axis.path = "control.V0";
+    axis.values = {-0.1, -0.001};
+    const auto ray = locate_boundaries(found("w6"), axis, request);
+    REQUIRE(ray.points.size() == 1);
+    CHECK(ray.points[0].value == Approx(-11.4094606e-3).epsilon(1e-7));
+}
+
+TEST_CASE("W11: undamped kinetic and static friction answers for the disturbance that is asked for")
+{
+    NonlinearOptions options;
+    options.disturbance = {DisturbanceKind::start, 0};
+    const auto verdict = nonlinear_verdict(found("w11"), options);
+    CHECK(verdict.outcome == Outcome::stick_slip);
+    // sticks until the spring has taken F_s, slips on m ẍ + k_p x = F_k: a = √((F_s − F_k)²/k_p² + m V_0²/k_p)
+    CHECK(verdict.amplitude == Approx(1.048808848e-3).epsilon(1e-6));
+    CHECK(verdict.period == Approx(0.3187165643).epsilon(1e-6));
+    CHECK(verdict.velocity_max == Approx(43.166248e-3).epsilon(1e-6));
+    options.disturbance = {};
+    CHECK(nonlinear_verdict(found("w11"), options).reason == Reason::neutral);
+}

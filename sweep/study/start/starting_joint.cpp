@@ -32,7 +32,7 @@ constexpr Example examples[] = {
     {"L", 1e-5, 5e-4},
     {"V_star", 1e-3, 0.05},
     {"coulomb", 60, 0.6},
-    {"viscous", 10, 0.02},
+    {"viscous", 5, 0.02},
     {"kinetic", 60, 0.6},
     {"static", 66, 0.66},
     {"c0", 60, 0.6},
@@ -107,9 +107,6 @@ Joint starting_joint(Model model, const std::string& law, Motion motion)
         if (!key.path.ends_with(".law")) continue;
         if (!choose(joint, key.path, law)) throw std::invalid_argument("there is no friction law " + law);
     }
-    // a falling curve is what a lag makes interesting
-    for (const auto& key : keys(joint))
-        if (key.path.ends_with(".curve.law")) choose(joint, key.path, "stribeck");
     RowFiller filler;
     Joint::fields(joint, filler);
     for (auto& parameter : parameters(joint)) {

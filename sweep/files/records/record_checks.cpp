@@ -193,7 +193,11 @@ class Checks {
     {
         if (joint_.actuator.kind != ActuatorKind::effort || r_.effort_measured.empty()) return;
         std::vector<double> asked = r_.effort_command;
-        for (double& u : asked) u *= joint_.actuator.effort_gain;
+        double largest = 0;
+        for (double& u : asked) u *= joint_.actuator.effort_gain, largest = std::max(largest, std::abs(u));
+        // a constant command varies by its rounding at most, and nothing follows that
+        constexpr double constant = 1e-3;  // of its size
+        if (spread(asked) <= constant * largest) return;
         constexpr double opposite = -0.5;
         direction("effort_measured", r_.effort_measured, "effort_command", asked, opposite);
         constexpr double another_unit = 100;  // no gain is as wrong as that

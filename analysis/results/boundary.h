@@ -19,8 +19,8 @@ enum class BoundaryKind {
     hunting          ///< a set point is hunted about
 };
 inline constexpr BoundaryKind boundary_kinds[] = {BoundaryKind::velocity_only, BoundaryKind::state_variable,
-                                                  BoundaryKind::v_min,         BoundaryKind::fold,
-                                                  BoundaryKind::outcome,       BoundaryKind::hunting};
+                                                  BoundaryKind::v_min, BoundaryKind::fold, BoundaryKind::outcome,
+                                                  BoundaryKind::hunting};
 
 /// "velocity-only", "linear", "v-min", "fold", "outcome", "hunting".
 std::string_view name_of(BoundaryKind kind);

@@ -50,8 +50,8 @@ constexpr Column table[] = {
         "not_asked stable-sliding stick-slip limit-cycle reversal period-n irregular undecided "
         "linear-only solver-failure",
         true),
-    coded<&PointResult::path>("path", "method that decided the outcome",
-                              "none lanes cvode shooting method-of-steps ticks", true),
+    coded<&PointResult::path>("path", "method that decided the outcome", "none lanes cvode shooting method-of-steps ticks",
+                              true),
     numbered("growth_rate", "growth rate of the small disturbance", Quantity::rate, &PointResult::growth_rate, true),
     numbered("amplitude", "limit-cycle amplitude in position, half peak to peak", Quantity::position,
              &PointResult::amplitude, true),

@@ -35,14 +35,14 @@ struct SetPoint {
     Hunting hunting = Hunting::undecided;
     SetPointReason reason = SetPointReason::none;
     SetPointMethod method = SetPointMethod::none;
-    double amplitude = missing;         ///< distance of the stops from the set point
-    double slip_time = missing;         ///< of one slip
-    double stick_time = missing;        ///< of one stop
-    double period = missing;            ///< two of each
-    double multiplier = missing;        ///< by which a small change of the amplitude changes from stop to stop
-    double rest_error = missing;        ///< largest distance at which the mass may rest for ever; 0: it settles
-    bool asymmetric = false;            ///< hunts, but with stops at unequal distances: `amplitude` is the largest
-    bool rests_nearby = false;          ///< hunts from further away, rests from nearby
+    double amplitude = missing;   ///< distance of the stops from the set point
+    double slip_time = missing;   ///< of one slip
+    double stick_time = missing;  ///< of one stop
+    double period = missing;      ///< two of each
+    double multiplier = missing;  ///< by which a small change of the amplitude changes from stop to stop
+    double rest_error = missing;  ///< largest distance at which the mass may rest for ever; 0: it settles
+    bool asymmetric = false;      ///< hunts, but with stops at unequal distances: `amplitude` is the largest
+    bool rests_nearby = false;    ///< hunts from further away, rests from nearby
     std::vector<std::string> not_used;  ///< keys of the joint that this answer leaves out
 };
 

@@ -7,14 +7,13 @@
 namespace stickslip {
 
 struct MotionMeasures {
-    double travel = missing;     ///< of the reference, from its first row to its last
-    double overshoot = missing;  ///< largest excess over the last reference, in the direction of travel; ≥ 0
-    double settling_time =
-        missing;  ///< after the reference stops: until the error stays within `settled_share` of travel
-    double final_error = missing;   ///< reference minus position in the last row
-    int stairs = 0;                 ///< stops while the reference moves on
-    double stair_height = missing;  ///< mean distance from stop to stop
-    double stair_rate = missing;    ///< stairs a second
+    double travel = missing;         ///< of the reference, from its first row to its last
+    double overshoot = missing;      ///< largest excess over the last reference, in the direction of travel; ≥ 0
+    double settling_time = missing;  ///< after the reference stops: until the error stays within `settled_share` of travel
+    double final_error = missing;    ///< reference minus position in the last row
+    int stairs = 0;                  ///< stops while the reference moves on
+    double stair_height = missing;   ///< mean distance from stop to stop
+    double stair_rate = missing;     ///< stairs a second
 };
 
 inline constexpr double settled_share = 0.02;

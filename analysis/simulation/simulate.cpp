@@ -193,12 +193,10 @@ Trajectory simulate(const Joint& asked, const SimulateOptions& options)
 {
     Trajectory path;
     Joint joint = asked;
-    const bool driven =
-        !options.force.value.empty() || options.force.impulse != 0 || !options.normal_load.value.empty();
+    const bool driven = !options.force.value.empty() || options.force.impulse != 0 || !options.normal_load.value.empty();
     if (has_real_loop(joint) || has_unsteady_terms(joint)) {
-        if (!driven)
-            return loop_trajectory(
-                joint, {options.disturbance, options.duration, options.cycle_period, options.rtol, options.seed});
+        if (!driven) return loop_trajectory(joint, {options.disturbance, options.duration, options.cycle_period,
+                                                    options.rtol, options.seed});
         path.reason = Reason::unsupported;  // forces from outside act on the ideal loop only
         return path;
     }

@@ -186,8 +186,8 @@ class Edge {
         return false;
     }
 
-    /// The rightmost root that Newton's method finds between low and high, from where the phase turns fastest on the
-    /// line that was counted last.
+    /// The rightmost root that Newton's method finds between low and high, from where the phase turns fastest on the line
+    /// that was counted last.
     std::optional<Complex> rightmost_between() const
     {
         constexpr std::size_t starts = 24;
@@ -248,8 +248,7 @@ class Edge {
         Known sure;
         for (std::size_t k = 0; k < roots_.size(); ++k) {
             const bool last = k + 1 == roots_.size();
-            const double here = roots_[k].real(),
-                         next = last ? here - 1e-6 * std::abs(roots_[k]) : roots_[k + 1].real();
+            const double here = roots_[k].real(), next = last ? here - 1e-6 * std::abs(roots_[k]) : roots_[k + 1].real();
             if (here - next < 1e-12 * scale_ && !last) continue;
             const auto count = look((here + next) / 2);
             const Known first(roots_.begin(), roots_.begin() + static_cast<std::ptrdiff_t>(k) + 1);

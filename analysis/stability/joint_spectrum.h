@@ -9,12 +9,11 @@
 
 namespace stickslip {
 
-/// ẏ = A y with y = (x_1 … x_n, v_1 … v_n, θ of body 1, θ of body 2, …, x and v of each neighbour), positions less
-/// those of steady sliding. The part of a joint that is no state (delays, tables) is left out.
+/// ẏ = A y with y = (x_1 … x_n, v_1 … v_n, θ of body 1, θ of body 2, …, x and v of each neighbour), positions less those
+/// of steady sliding. The part of a joint that is no state (delays, tables) is left out.
 Eigen::MatrixXd state_matrix(const LinearJoint& joint);
 
-/// What one unit of effort on the motor adds to ẏ: its acceleration, and that of neighbours which the mass matrix
-/// couples.
+/// What one unit of effort on the motor adds to ẏ: its acceleration, and that of neighbours which the mass matrix couples.
 Eigen::VectorXd rates_per_effort(const LinearJoint& joint);
 
 /// a and b of F = a + (k_p + k_v s) b, times the denominators of all G. Rational joints only.

@@ -78,8 +78,8 @@ namespace {
 
 /// σ' = N(s) x, N = n0 + n1 s + n2 s², of friction μ σ whose state a change of σ takes α σ' out of (Linker & Dieterich
 /// 1992; Dupont & Bapna 1994): μ N − α N s/(s − λ) beside the joint. The first part is a stiffness, a damping and an
-/// inertia; N/(s − λ) = n2 s + (n1 + n2 λ) + (n0 + n1 λ + n2 λ²)/(s − λ) puts the second into inertia, direct effect
-/// and the weight of the state. Of several states each takes its share of the whole memory.
+/// inertia; N/(s − λ) = n2 s + (n1 + n2 λ) + (n0 + n1 λ + n2 λ²)/(s − λ) puts the second into inertia, direct effect and
+/// the weight of the state. Of several states each takes its share of the whole memory.
 void press(LinearJoint& linear, const NormalLoad& load, double mu)
 {
     const int link = linear.link();

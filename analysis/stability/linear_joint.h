@@ -11,8 +11,8 @@ namespace stickslip {
 
 inline constexpr int max_bodies = 3;
 
-/// A joint beside this one that the mass matrix couples to its link, under its own linear loop: on the link it acts
-/// like −(m_jk s²)²/D_k(s), D_k = m_kk s² + c s + k.
+/// A joint beside this one that the mass matrix couples to its link, under its own linear loop: on the link it acts like
+/// −(m_jk s²)²/D_k(s), D_k = m_kk s² + c s + k.
 struct LinearNeighbour {
     double inertia = 0, coupling = 0, damping = 0, stiffness = 0;
 };
@@ -75,8 +75,7 @@ struct Chain {
 /// k'_m-tr = N² k_m-tr). The frictions of `joint` are referred to, not copied.
 Chain chain_of(const Joint& joint);
 
-/// μ of a normal load that moves: normal.mu, or the steady friction at V per friction.normal_load where that is a
-/// force.
+/// μ of a normal load that moves: normal.mu, or the steady friction at V per friction.normal_load where that is a force.
 double friction_per_load(const Joint& joint, double V);
 
 /// The joint about steady sliding of all its bodies at V (joint side; the motor slides at N V and its friction comes

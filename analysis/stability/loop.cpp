@@ -52,7 +52,8 @@ Complex disturbance_response(const LinearJoint& j, Complex s)
         scale[i] = 1;
     }
     for (const auto& n : j.neighbour)
-        resistance[j.link()] -= n.coupling * n.coupling * s * s * s / ((n.inertia * s + n.damping) * s + n.stiffness);
+        resistance[j.link()] -=
+            n.coupling * n.coupling * s * s * s / ((n.inertia * s + n.damping) * s + n.stiffness);
     const auto open = open_loop_matrix(j, s, resistance, scale);
     Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, 0, max_bodies, max_bodies> Z(j.bodies, j.bodies);
     for (int i = 0; i < j.bodies; ++i) {

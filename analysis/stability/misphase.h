@@ -4,8 +4,8 @@
 
 namespace stickslip {
 
-/// misphase of a rational joint, computed again with some 34 digits where too few of a double's are left: the damping
-/// of a stiff joint may enter it sixteen orders of magnitude below the springs.
+/// misphase of a rational joint, computed again with some 34 digits where too few of a double's are left: the damping of
+/// a stiff joint may enter it sixteen orders of magnitude below the springs.
 double certain_misphase(const LinearJoint& joint, Gain gain, double omega);
 
 }  // namespace stickslip

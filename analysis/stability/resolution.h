@@ -34,8 +34,8 @@ struct RangeGain {
     std::vector<Interval> stable_k_v;  ///< that serve every velocity: one mass (k_v, ∞), several may have windows
 };
 
-/// For all V from rest to `highest`, which may be negative: a logarithmic scan from highest/1e6 of `scan` steps, then
-/// golden sections. Several bodies: at the joint's own k_p, the set that is common to all velocities of the scan.
+/// For all V from rest to `highest`, which may be negative: a logarithmic scan from highest/1e6 of `scan` steps, then golden sections. Several bodies: at
+/// the joint's own k_p, the set that is common to all velocities of the scan.
 RangeGain velocity_gain_for_range(const Joint& joint, double highest, int scan = 600);
 
 }  // namespace stickslip

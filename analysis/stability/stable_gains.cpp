@@ -75,8 +75,7 @@ class Turned {
         constexpr double probe = 1e-6, exact = 1e-13;
         double log_k = std::log(near.k_p), omega = near.omega;
         for (int i = 0; i < 12; ++i) {
-            const auto here = at(std::exp(log_k)), above = at(std::exp(log_k + probe)),
-                       below = at(std::exp(log_k - probe));
+            const auto here = at(std::exp(log_k)), above = at(std::exp(log_k + probe)), below = at(std::exp(log_k - probe));
             if (!here || !above || !below) return std::nullopt;
             const Complex s(0, omega);
             const auto F = closed_loop(*here, s);

@@ -19,8 +19,7 @@ struct StableGains {
 };
 
 /// Whether k_p moves the joint to another steady sliding, where friction answers differently: a force that ramps at a
-/// given rate slides at rate/(k_p + k_c), and behind the springs of a ramp the motor runs ahead of the link
-/// (Body::speed).
+/// given rate slides at rate/(k_p + k_c), and behind the springs of a ramp the motor runs ahead of the link (Body::speed).
 bool gain_moves_sliding(const Joint& joint);
 
 /// For a joint that slides steadily. Where k_p moves the sliding, the joint is linearised anew at each gain: a scan of

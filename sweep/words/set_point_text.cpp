@@ -34,8 +34,7 @@ std::string set_point_reason(SetPointReason reason)
         case SetPointReason::law_without_motion:
             return "this friction law is not simulated at rest";
         case SetPointReason::friction_term:
-            return "friction has a term beside its law (bristle, memory, load, ripple or viscous asymmetry) that is "
-                   "not "
+            return "friction has a term beside its law (bristle, memory, load, ripple or viscous asymmetry) that is not "
                    "simulated at rest";
         case SetPointReason::not_converged:
             return "the motion was not followed to its end within the limit of work";
@@ -113,7 +112,11 @@ Table set_point_table(const SetPoint& s, Motion motion)
 
 Section set_point_section(const SetPoint& s, Motion motion)
 {
-    return {"set-point", "At a set point", set_point_text(s, motion), {}, {set_point_table(s, motion)}};
+    return {"set-point",
+            "At a set point",
+            set_point_text(s, motion),
+            {},
+            {set_point_table(s, motion)}};
 }
 
 }  // namespace stickslip

@@ -1,7 +1,6 @@
-// Random joints of every law, model and control: does any linear answer contradict another? Usage:
-// reliability_consistency
-// --joints N [--from K] [--log FILE]. Joint K is drawn from its number alone; the log holds one line a thousand joints,
-// and a run that finds one goes on behind it.
+// Random joints of every law, model and control: does any linear answer contradict another? Usage: reliability_consistency
+// --joints N [--from K] [--log FILE]. Joint K is drawn from its number alone; the log holds one line a thousand joints, and
+// a run that finds one goes on behind it.
 #include "tests/analysis/stability/random_joint.h"
 
 #include <cstdio>
@@ -40,8 +39,7 @@ int main(int argc, char** argv)
         }
         if (!fault.empty()) {
             ++faults;
-            if (++kinds[fault] <= 5)
-                std::printf("FAULT joint %llu: %s\n", static_cast<unsigned long long>(number), fault.c_str());
+            if (++kinds[fault] <= 5) std::printf("FAULT joint %llu: %s\n", static_cast<unsigned long long>(number), fault.c_str());
         }
         if (!log.empty() && (number + 1) % 1000 == 0)
             std::ofstream(log, std::ios::app) << number + 1 << ' ' << faults << std::endl;

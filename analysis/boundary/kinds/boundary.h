@@ -33,8 +33,8 @@ FollowedBoundary follow_boundaries(const Joint& joint, const Axis& x, const Axis
 /// Whether the joint hunts at a set point, as a side.
 double hunting_side(const Joint& joint);
 
-/// The side of a joint: negative where stable (no limit cycle; the disturbance dies out; no hunting), positive where
-/// not, NaN where it cannot be told. Continuous for the linear kinds.
+/// The side of a joint: negative where stable (no limit cycle; the disturbance dies out; no hunting), positive where not, NaN where
+/// it cannot be told. Continuous for the linear kinds.
 double side_of(const Joint& joint, const BoundaryRequest& request);
 
 }  // namespace stickslip

@@ -66,8 +66,8 @@ LocatedRay locate_folds(const Joint& joint, const Axis& axis, const BoundaryRequ
         for (const double reach : {2.0, 1.1, 1.01}) {
             Axis near = ray.axis;
             near.log = value > 0;
-            near.values =
-                value > 0 ? std::vector{value / reach, value * reach} : std::vector{value * reach, value / reach};
+            near.values = value > 0 ? std::vector{value / reach, value * reach}
+                                    : std::vector{value * reach, value / reach};
             const OrbitSystem along_near(joint, {near});
             const FoldChart chart_near(joint, near, held);
             if (keep_on(chart_near, fold_beyond_hopf(along_near, UnitAxis(near).unit(value)))) return true;

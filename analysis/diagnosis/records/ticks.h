@@ -57,7 +57,7 @@ struct Ticks {
 };
 
 inline constexpr double most_ticks_per_row = 100;  ///< 10 Hz of a loop at 1 kHz; slower logs see no friction
-inline constexpr double most_lost_rows = 20;       ///< in a row; more are a hole
+inline constexpr double most_lost_rows = 20;  ///< in a row; more are a hole
 
 double median_step(const std::vector<double>& time);
 

@@ -86,7 +86,7 @@ std::optional<Closure> closure_of(const Flow& flow, const BranchPoint& at, const
 }
 
 constexpr double least_amplitude = 0.01;  ///< per scale: a branch that comes down to it ends at its Hopf point
-constexpr double shortest_step = 2e-3;    ///< of an amplitude along a branch, relative
+constexpr double shortest_step = 2e-3;  ///< of an amplitude along a branch, relative
 
 /// The branch point of amplitude `a` with the rest scaled or extrapolated from known neighbours.
 BranchPoint predict(const Flow& flow, const std::deque<BranchPoint>& known, double a)

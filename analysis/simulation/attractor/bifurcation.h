@@ -31,8 +31,8 @@ struct BranchPoint {
 /// The cycle whose largest position is start[0], by Newton in the states and the gain from the guess given.
 std::optional<BranchPoint> cycle_of_amplitude(const Flow& flow, const BranchPoint& guess, const CycleOptions& options);
 
-/// The cycle at the highest gain at which it can still be found from the one before: steps in the gain, which do not
-/// mind where the amplitude turns back. The fold itself lies just above.
+/// The cycle at the highest gain at which it can still be found from the one before: steps in the gain, which do not mind
+/// where the amplitude turns back. The fold itself lies just above.
 BranchPoint last_at_rising_gain(const Flow& flow, BranchPoint on_branch, const CycleOptions& options);
 
 /// Follows the branch of cycles from a point on it towards rising gain until the gain turns back: the fold, above which

@@ -215,14 +215,10 @@ void judge(const Joint& joint, const AnyFlow& flow, const NonlinearOptions& opti
 NonlinearRegion region_of(LoopRegion region)
 {
     switch (region) {
-        case LoopRegion::stable:
-            return NonlinearRegion::stable;
-        case LoopRegion::bistable:
-            return NonlinearRegion::bistable;
-        case LoopRegion::stick_slip:
-            return NonlinearRegion::stick_slip;
-        case LoopRegion::undecided:
-            break;
+        case LoopRegion::stable: return NonlinearRegion::stable;
+        case LoopRegion::bistable: return NonlinearRegion::bistable;
+        case LoopRegion::stick_slip: return NonlinearRegion::stick_slip;
+        case LoopRegion::undecided: break;
     }
     return NonlinearRegion::undecided;
 }

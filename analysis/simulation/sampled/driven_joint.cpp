@@ -48,8 +48,7 @@ void raise(FrictionLaw& law, double by)
 
 std::string_view why_not_driven(const Joint& joint)
 {
-    if (joint.control.kind == ControlKind::force)
-        return "a force loop is simulated without sampling and dead time only";
+    if (joint.control.kind == ControlKind::force) return "a force loop is simulated without sampling and dead time only";
     if (joint.normal.moves()) return "a normal load that moves with the joint is not simulated in a real loop";
     if (joint.neighbour.size > 0) return "neighbours are not simulated in a real loop";
     const Chain chain = chain_of(joint);
@@ -268,8 +267,8 @@ void DrivenJoint::rate(const double* y, double* out) const
         }
         const double acceleration = (needed(y, i) - b.ratio * c.r.force) / b.inertia;
         const double v = velocity(y, i);
-        out[i] =
-            b.logarithmic && frame_ == b.speed ? b.speed * std::expm1(std::max(y[n + i], least_logarithm)) : v - frame_;
+        out[i] = b.logarithmic && frame_ == b.speed ? b.speed * std::expm1(std::max(y[n + i], least_logarithm))
+                                                    : v - frame_;
         out[n + i] = b.logarithmic ? acceleration / v : acceleration;
     }
     if (has_lag()) out[lag_index_] = (arriving - y[lag_index_]) / joint_.actuator.lag;
@@ -332,8 +331,7 @@ void DrivenJoint::switch_values(const double* y, double* values) const
         if (!body_[i].rests)
             values[i] = 1;
         else if (modes[i] == Mode::stuck)
-            values[i] =
-                std::min(limit(y, i, Branch::forward) - needed(y, i), limit(y, i, Branch::reverse) + needed(y, i));
+            values[i] = std::min(limit(y, i, Branch::forward) - needed(y, i), limit(y, i, Branch::reverse) + needed(y, i));
         else
             values[i] = (modes[i] == Mode::forward ? 1 : -1) * y[n + i];
     }
@@ -423,14 +421,8 @@ DrivenState DrivenJoint::at_rest(double x) const
         y[i] = x;
         y[bodies() + i] = 0;
         // contacts that rest have aged as in very slow sliding; bristles stand upright
-        const bool ages = b.friction.has_memory() || std::visit(
-                                                         [](const auto& l) {
-                                                             return requires
-                                                             {
-                                                                 l.f0;
-                                                             };
-                                                         },
-                                                         b.friction.law);
+        const bool ages = b.friction.has_memory() ||
+                          std::visit([](const auto& l) { return requires { l.f0; }; }, b.friction.law);
         if (!ages) continue;
         const auto theta = steady_state(b.friction, aged_speed * b.ratio * b.speed);
         std::copy_n(theta.begin(), b.states, y.data() + b.first_state);

@@ -77,8 +77,7 @@ class DrivenJoint {
     /// Friction on the link: of its law, or what holds it.
     double link_friction(const double* y) const;
 
-    /// The state of sliding steadily at this velocity with the measured body at x = 0, and the command that keeps it
-    /// so. `command` is NaN where the actuator cannot bring it up.
+    /// The state of sliding steadily at this velocity with the measured body at x = 0, and the command that keeps it so. `command` is NaN where the actuator cannot bring it up.
     struct Steady {
         DrivenState y;
         double command;

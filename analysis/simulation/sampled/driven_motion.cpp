@@ -25,8 +25,7 @@ bool DrivenMotion::step_to(double left)
         const double factor = step_factor(error);
         if (error <= 1) {
             const double next = step_.h * factor;
-            wish_ =
-                last && next < wish_ ? std::min(wish_, std::max(next, wish_ * 0.5)) : std::max(next, last ? wish_ : 0);
+            wish_ = last && next < wish_ ? std::min(wish_, std::max(next, wish_ * 0.5)) : std::max(next, last ? wish_ : 0);
             return true;
         }
         h = step_.h * std::min(factor, 0.9);
@@ -35,8 +34,8 @@ bool DrivenMotion::step_to(double left)
     return false;
 }
 
-/// A body that breaks away starts where its own switch is zero: a step that ends beyond the zero again would hide it,
-/// and is shortened until it does not. A body that does so in the shortest stays: what drives it has turned.
+/// A body that breaks away starts where its own switch is zero: a step that ends beyond the zero again would hide it, and
+/// is shortened until it does not. A body that does so in the shortest stays: what drives it has turned.
 bool DrivenMotion::keep_launches(double left)
 {
     std::array<double, 2 * max_bodies> after{};
@@ -77,8 +76,7 @@ int DrivenMotion::first_switch(double& fraction) const
         double low = 0, high = 1, f_low = before_[i], f_high = after[i];
         int kept = 0;
         for (int k = 0; k < 60 && high - low > 1e-13; ++k) {  // Illinois on the dense output
-            const double middle =
-                f_high == f_low ? 0.5 * (low + high) : (low * f_high - high * f_low) / (f_high - f_low);
+            const double middle = f_high == f_low ? 0.5 * (low + high) : (low * f_high - high * f_low) / (f_high - f_low);
             step_.dense(middle, y_inside.data());
             joint.switch_values(y_inside.data(), inside.data());
             const double f = inside[i];

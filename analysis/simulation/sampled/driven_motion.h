@@ -55,9 +55,9 @@ class DrivenMotion {
 template <class Observer>
 bool DrivenMotion::advance(double t, double duration, Observer&& observe)
 {
-    constexpr int most_idle = 50;         // switches without time moving on
-    constexpr double resolved = 1e-14;    // of the duration
-    constexpr long most_steps = 100'000;  // of one piece of a tick
+    constexpr int most_idle = 50;             // switches without time moving on
+    constexpr double resolved = 1e-14;        // of the duration
+    constexpr long most_steps = 100'000;      // of one piece of a tick
     double done = 0;
     step_.forget();
     step_.implicit_only = options_.fixed_step > 0;

@@ -83,7 +83,8 @@ double LoopController::ahead(double reference, double rate, double step)
     if (f.acceleration != 0 && is_set(last_rate_)) sum += f.acceleration * (rate - last_rate_) / step;
     last_rate_ = rate;
     if (f.coulomb != 0) sum += f.coulomb * std::tanh(rate / f.coulomb_speed);
-    if (f.gravity) sum += load_.gravity_amplitude * std::sin((reference + path_) / gear_ + load_.gravity_phase) / gear_;
+    if (f.gravity)
+        sum += load_.gravity_amplitude * std::sin((reference + path_) / gear_ + load_.gravity_phase) / gear_;
     return sum;
 }
 
@@ -91,8 +92,8 @@ double LoopController::ahead(double reference, double rate, double step)
 void LoopController::integrate(double input, double error, double step)
 {
     const auto& c = control_;
-    const bool drives_on =
-        (saturated_high_ && gain_of_integral_ * input > 0) || (saturated_low_ && gain_of_integral_ * input < 0);
+    const bool drives_on = (saturated_high_ && gain_of_integral_ * input > 0) ||
+                           (saturated_low_ && gain_of_integral_ * input < 0);
     const bool held = (c.anti_windup == AntiWindup::clamp && (saturated_high_ || saturated_low_)) ||
                       (c.anti_windup == AntiWindup::conditional && drives_on);
     const double mean = continuous() ? 0.5 * (input + state.error) : input;

@@ -21,9 +21,9 @@ class LoopController {
     struct State {
         std::vector<double> window;  ///< the last readings, oldest first
         double velocity = 0, reading = 0;
-        double integral = 0;                       ///< of the error; of the velocity error in a cascade
+        double integral = 0;  ///< of the error; of the velocity error in a cascade
         double before = 0, output = 0, error = 0;  ///< continuous loop: velocity, output, error of the tick before
-        bool fresh = true;                         ///< has read nothing yet
+        bool fresh = true;  ///< has read nothing yet
     };
     State state;
 

@@ -16,11 +16,11 @@ constexpr double slow_growth = 4e-3;       ///< of ln amplitude a turn: slower m
 constexpr double jump = 0.4;               ///< of ln amplitude
 constexpr double uneven_turns = 0.05;      ///< spread of amplitudes beyond which turns are not alike
 constexpr double same_turn = 1e-3;         ///< to which turns of a period-n motion repeat
-constexpr std::size_t longest_repeat = 8;  ///< turns
+constexpr std::size_t longest_repeat = 8;    ///< turns
 constexpr double runaway = 1e9;            ///< of V_0
 constexpr double patience = 60;            ///< turns without a crossing of V_0
 constexpr long most_ticks = 1'500'000;
-constexpr int rounds_before_uneven = 12;                  ///< blocks after which turns that are not alike are irregular
+constexpr int rounds_before_uneven = 12;   ///< blocks after which turns that are not alike are irregular
 constexpr int settling_turns = 40, measured_turns = 200;  ///< of a motion that no turn divides
 
 double speed_of(const LoopTurn& turn, double V0)
@@ -189,8 +189,7 @@ std::optional<LoopEnd> Follower::decide()
     last_change_ = change;
     const bool rests = last.velocity_min < 0.5 * std::abs(V0_);
     const bool like_steady = speed_of(last, V0_) < small_turn && options_.steady_attracts;
-    if (!like_steady && (still || (alternates && (blocks_ > 4 || rests))))
-        return measured(LoopEnd::Kind::cycle, 4 * block);
+    if (!like_steady && (still || (alternates && (blocks_ > 4 || rests)))) return measured(LoopEnd::Kind::cycle, 4 * block);
     if (now.spread > uneven_turns && blocks_ >= rounds_before_uneven && std::abs(change) < now.spread) {
         const int repeats = turns_to_repeat(turns_);
         LoopEnd end = measured(repeats > 1 ? LoopEnd::Kind::period_n : LoopEnd::Kind::irregular, 4 * block);
@@ -244,9 +243,7 @@ LoopEnd Follower::run_uneven()
 {
     watch_.reset(loop_.time());
     const double unit = std::isfinite(options_.turn) ? options_.turn : 100 * loop_.period();
-    const auto ticks = [&](int turns) {
-        return std::clamp(std::lround(turns * unit / loop_.period()), 100L, most_ticks / 4);
-    };
+    const auto ticks = [&](int turns) { return std::clamp(std::lround(turns * unit / loop_.period()), 100L, most_ticks / 4); };
     LoopTurn turn;
     LoopEnd end;
     bool slow = false;
@@ -286,17 +283,12 @@ LoopEnd Follower::run_uneven()
 Outcome LoopEnd::outcome() const
 {
     switch (kind) {
-        case Kind::steady:
-            return Outcome::stable_sliding;
-        case Kind::undecided:
-            return reason == Reason::solver_failed ? Outcome::solver_failure : Outcome::undecided;
-        case Kind::period_n:
-            return Outcome::period_n;
-        case Kind::held:
-            return Outcome::stick_slip;
+        case Kind::steady: return Outcome::stable_sliding;
+        case Kind::undecided: return reason == Reason::solver_failed ? Outcome::solver_failure : Outcome::undecided;
+        case Kind::period_n: return Outcome::period_n;
+        case Kind::held: return Outcome::stick_slip;
         case Kind::irregular:
-        case Kind::cycle:
-            break;
+        case Kind::cycle: break;
     }
     if (reversed) return Outcome::reversal;
     if (stick_fraction > 0) return Outcome::stick_slip;

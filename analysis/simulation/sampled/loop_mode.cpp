@@ -7,10 +7,10 @@
 namespace stickslip {
 namespace {
 
-constexpr std::size_t most_states = 400;  ///< whose multipliers are worth their eigenvalues
-constexpr double difference = 1e-4;       ///< of a state's scale, on both sides
-constexpr double probe = 1e-4;            ///< of the scale: small beside what bends the motion
-constexpr long most_window = 20'000;      ///< ticks
+constexpr std::size_t most_states = 400;     ///< whose multipliers are worth their eigenvalues
+constexpr double difference = 1e-4;          ///< of a state's scale, on both sides
+constexpr double probe = 1e-4;               ///< of the scale: small beside what bends the motion
+constexpr long most_window = 20'000;         ///< ticks
 
 /// What counts as a change of order one of each entry of SampledLoop::state().
 std::vector<double> state_scale(const SampledLoop& loop, std::size_t size)

@@ -5,8 +5,8 @@
 namespace stickslip {
 namespace {
 
-constexpr double same_time = 1e-6;  ///< of a tick
-constexpr double even = 1e-3;       ///< by which steps of a reference may differ and count as equal
+constexpr double same_time = 1e-6;       ///< of a tick
+constexpr double even = 1e-3;            ///< by which steps of a reference may differ and count as equal
 constexpr double most_rows = 20'000'000;
 
 /// The reference at any time: straight lines between the rows, and the rows themselves where they meet a tick.
@@ -25,9 +25,7 @@ class Told {
         if (std::abs(part * span) < near_) part = 0;
         if (std::abs((1 - part) * span) < near_) part = 1;
         const auto between = [&](const std::vector<double>& column) {
-            return part == 0   ? column[i_]
-                   : part == 1 ? column[i_ + 1]
-                               : column[i_] + part * (column[i_ + 1] - column[i_]);
+            return part == 0 ? column[i_] : part == 1 ? column[i_ + 1] : column[i_] + part * (column[i_ + 1] - column[i_]);
         };
         // a reference without a velocity moves as it did over its last row
         const std::size_t k = part > 0 || i_ == 0 ? i_ : i_ - 1;
@@ -92,8 +90,8 @@ LoopRecord record_along(const Joint& joint, const ReferenceMotion& reference, st
             return refused(Reason::unsupported,
                            "the rows of the reference are not evenly spaced: a continuous loop is logged at them. Set "
                            "control.period, or space them evenly");
-        options.tick =
-            (reference.time.back() - reference.time.front()) / static_cast<double>(reference.time.size() - 1) / each;
+        options.tick = (reference.time.back() - reference.time.front()) /
+                       static_cast<double>(reference.time.size() - 1) / each;
     }
     const double fastest = fastest_of(reference), V0 = joint.control.V0;
     const double speed = fastest > 0 ? fastest : is_set(V0) && V0 != 0 ? std::abs(V0) : 1e-3;

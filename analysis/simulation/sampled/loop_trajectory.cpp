@@ -11,7 +11,7 @@ namespace stickslip {
 namespace {
 
 constexpr double turns = 50, most_turns = 400, shown_cycles = 9;
-constexpr double lead = 14;                  ///< e-folds from a small disturbance to a cycle
+constexpr double lead = 14;               ///< e-folds from a small disturbance to a cycle
 constexpr std::size_t most_steps = 300'000;  ///< each is a row
 
 /// |s| and Re s of the slow mode, or of the spring and all inertia where nothing slides steadily.

@@ -12,10 +12,10 @@
 namespace stickslip {
 namespace {
 
-constexpr double fixed_part = 0.25;  ///< of a tick: steps while small motions are followed
-constexpr double lifted = 0.1;       ///< of V_0: size at which a small disturbance that grows is taken up
+constexpr double fixed_part = 0.25;   ///< of a tick: steps while small motions are followed
+constexpr double lifted = 0.1;        ///< of V_0: size at which a small disturbance that grows is taken up
 constexpr double near_rest_share = 1e-4;
-constexpr double far_pull = 3;           ///< of the spring, in V_0/|s|
+constexpr double far_pull = 3;        ///< of the spring, in V_0/|s|
 constexpr double neutral_growth = 1e-9;  ///< of |s|: neither growth nor decay
 
 constexpr std::string_view tired = "the motion was followed to the limit of turns";
@@ -78,8 +78,8 @@ bool has_real_loop(const Joint& joint)
     const auto& s = joint.sensor;
     const bool nonlinear = c.dead_zone > 0 || c.feed_forward.coulomb != 0 || c.feed_forward.velocity != 1;
     return loop_kind(joint) != LoopKind::ideal || nonlinear || c.structure == Structure::cascade ||
-           c.effort_limit < infinity || a.limit < infinity || a.sag_effort < infinity || s.encoder_quantum > 0 ||
-           s.position_noise > 0;
+           c.effort_limit < infinity ||
+           a.limit < infinity || a.sag_effort < infinity || s.encoder_quantum > 0 || s.position_noise > 0;
 }
 
 LoopVerdict loop_verdict(const Joint& asked, const LoopQuestion& question)

@@ -16,11 +16,11 @@ struct LoopQuestion {
 enum class LoopRegion : std::uint8_t { undecided, stable, bistable, stick_slip };
 
 struct LoopVerdict {
-    LoopEnd stated;  ///< after the stated disturbance
-    LoopEnd cycle;   ///< it, or the one that a larger disturbance reaches
+    LoopEnd stated;                ///< after the stated disturbance
+    LoopEnd cycle;                 ///< it, or the one that a larger disturbance reaches
     LoopRegion region = LoopRegion::undecided;
-    double size = missing;                              ///< of the disturbance, SI
-    double growth_rate = missing;                       ///< 1/s, of a small disturbance, measured
+    double size = missing;         ///< of the disturbance, SI
+    double growth_rate = missing;  ///< 1/s, of a small disturbance, measured
     std::complex<double> multiplier{missing, missing};  ///< of largest magnitude from tick to tick, by simulation
     double tick = missing;                              ///< s
     double overshoot = missing;

@@ -142,18 +142,12 @@ bool RosenbrockStep::take(const DrivenJoint& joint)
     }
     explicit_ = carried_ = false;
     switch (size_) {
-        case 2:
-            return take_sized<2>(joint);
-        case 3:
-            return take_sized<3>(joint);
-        case 4:
-            return take_sized<4>(joint);
-        case 5:
-            return take_sized<5>(joint);
-        case 6:
-            return take_sized<6>(joint);
-        default:
-            return take_sized<0>(joint);
+        case 2: return take_sized<2>(joint);
+        case 3: return take_sized<3>(joint);
+        case 4: return take_sized<4>(joint);
+        case 5: return take_sized<5>(joint);
+        case 6: return take_sized<6>(joint);
+        default: return take_sized<0>(joint);
     }
 }
 

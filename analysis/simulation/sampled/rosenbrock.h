@@ -1,5 +1,5 @@
-// Steps of a driven joint without allocation, where thousands of ticks each take a few: Dormand and Prince's method
-// while the equations are not stiff, Rodas5P where they are.
+// Steps of a driven joint without allocation, where thousands of ticks each take a few: Dormand and Prince's method while
+// the equations are not stiff, Rodas5P where they are.
 #pragma once
 #include "analysis/simulation/sampled/driven_joint.h"
 #include "analysis/simulation/solvers/dormand_prince.h"
@@ -35,10 +35,10 @@ class RosenbrockStep {
     bool take_explicit(const DrivenJoint& joint);
 
     int size_ = 0;
-    bool stiff_ = false;                                 ///< what comes is taken for stiff
-    bool explicit_ = false;                              ///< this step was explicit
-    bool carried_ = false;                               ///< k_[0] holds already
-    double stiffness_ = 0;                               ///< h |λ| of the last step, about
+    bool stiff_ = false;     ///< what comes is taken for stiff
+    bool explicit_ = false;  ///< this step was explicit
+    bool carried_ = false;   ///< k_[0] holds already
+    double stiffness_ = 0;   ///< h |λ| of the last step, about
     std::array<DrivenState, dormand_prince::stages> k_;  ///< rates of an explicit step; the first of either
     std::array<DrivenState, rodas5p::stages> U_;
 };

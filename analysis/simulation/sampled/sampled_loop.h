@@ -1,9 +1,9 @@
 // A whole joint in its loop, tick by tick: encoder, controller, hold, dead time, actuator, mechanism. A continuous loop
 // has ticks of its own, short beside everything that it does.
 #pragma once
-#include "analysis/numerics/seeded_noise.h"
 #include "analysis/simulation/sampled/driven_motion.h"
 #include "analysis/simulation/sampled/loop_controller.h"
+#include "analysis/numerics/seeded_noise.h"
 
 #include <vector>
 
@@ -11,7 +11,7 @@ namespace stickslip {
 
 struct LoopOptions {
     MotionOptions motion;
-    std::uint64_t seed = 0;      ///< of the noise; 0: none
+    std::uint64_t seed = 0;  ///< of the noise; 0: none
     double tick = missing;       ///< s, of a continuous loop; not set: tick_of()
     bool ideal_encoder = false;  ///< leaves out quantum and noise, which leave no steady state
 };
@@ -42,8 +42,8 @@ class SampledLoop {
     /// Moves all bodies, and the readings so far, by this much [joint side]: a step of the commanded position.
     void displace(double x);
 
-    /// One tick under a reference [reading units, in the frame] and its velocity [not in the frame]; the command that
-    /// it gives, and what is added to it, arrives after the dead time. False where the motion could not be followed.
+    /// One tick under a reference [reading units, in the frame] and its velocity [not in the frame]; the command that it
+    /// gives, and what is added to it, arrives after the dead time. False where the motion could not be followed.
     template <class Observer>
     bool tick(double reference, double rate, double added, Observer&& observe);
     bool tick()

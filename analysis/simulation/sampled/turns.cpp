@@ -9,7 +9,7 @@
 namespace stickslip {
 namespace {
 
-constexpr double reversal = 1e-6;          ///< of V_0: slower backward motion is the error of a step that ends at rest
+constexpr double reversal = 1e-6;        ///< of V_0: slower backward motion is the error of a step that ends at rest
 constexpr double crossing_digits = 1e-12;  ///< of a step
 
 }  // namespace

@@ -8,9 +8,9 @@ namespace {
 constexpr double rtol = 1e-9;
 constexpr long most_steps = 2'000'000;
 constexpr int most_halves = 3000;
-constexpr double same = 1e-8;        ///< relative change of the amplitude from half to half that counts as none
-constexpr double patience = 8;       ///< times the longest stop that ends in a slip
-constexpr double slip_share = 0.01;  ///< of the highest speed
+constexpr double same = 1e-8;       ///< relative change of the amplitude from half to half that counts as none
+constexpr double patience = 8;      ///< times the longest stop that ends in a slip
+constexpr double slip_share = 0.01; ///< of the highest speed
 constexpr double far = 1e3;
 
 enum PreslidingEvent { across = 0, turns = 1, presliding_events };

@@ -14,8 +14,8 @@ struct Presliding {
     double multiplier = missing;  ///< of successive amplitudes
 };
 
-/// Follows the motion from a stop at `start`, from crossing to crossing of the set point, until its amplitude repeats
-/// or it no longer gets across. `effort` is the friction to be broken and `give` how far the bristles yield until then:
+/// Follows the motion from a stop at `start`, from crossing to crossing of the set point, until its amplitude repeats or
+/// it no longer gets across. `effort` is the friction to be broken and `give` how far the bristles yield until then:
 /// below it no stop is an obstacle.
 Presliding follow_presliding(const Regulator& regulator, const Friction& friction, double start, double effort,
                              double give);

@@ -71,8 +71,7 @@ RegulatorFlow::Linearised RegulatorFlow::winding(const FlowVector& y) const
     double asked = 0;
     const auto given = output(y, &asked);
     const double excess = asked - given.value;
-    const bool waits =
-        r.anti_windup == AntiWindup::clamp || (r.anti_windup == AntiWindup::conditional && e * asked > 0);
+    const bool waits = r.anti_windup == AntiWindup::clamp || (r.anti_windup == AntiWindup::conditional && e * asked > 0);
     if (excess != 0 && waits) rate = {};
     if (excess != 0 && r.anti_windup == AntiWindup::back_calculation) {
         rate.value -= excess / r.tracking_time;

@@ -6,8 +6,7 @@
 namespace stickslip {
 
 /// u = k_p e + k_v ė + w, ẇ = k_i e, in units of effort on the mechanism, with what bounds it: the dead zone takes its
-/// width from the error, as in the sampled loop, the integral grows only within its band and up to its limit, the
-/// output up to its own.
+/// width from the error, as in the sampled loop, the integral grows only within its band and up to its limit, the output up to its own.
 struct Regulator {
     double inertia = not_set;
     double k_p = not_set, k_v = 0, k_i = 0;
@@ -25,8 +24,8 @@ struct Regulator {
     }
 };
 
-/// The joint's loop as a regulator. The motion is about the effort, so that the actuator's gain, a motor's constants
-/// and the limits on the way are in it; sampling, dead time, lag, sensor and reference are not.
+/// The joint's loop as a regulator. The motion is about the effort, so that the actuator's gain, a motor's constants and
+/// the limits on the way are in it; sampling, dead time, lag, sensor and reference are not.
 Regulator regulator_of(const Joint& joint);
 
 /// m v̇ = u(x, v, w) − drag v − f(v, θ), y = (x, v, w, θ_i), x from the set point.

@@ -43,8 +43,7 @@ FrictionOrReason resting_friction(const Friction& friction)
         return {bristles(law->coulomb, law->breakaway, law->sigma2, law->sigma0)};
     if (const auto* law = std::get_if<Dahl>(&friction.law))
         return {bristles(law->coulomb, law->coulomb, 0, law->sigma0)};
-    return {{},
-            info(friction.law).needs_motion ? SetPointReason::law_needs_motion : SetPointReason::law_without_motion};
+    return {{}, info(friction.law).needs_motion ? SetPointReason::law_needs_motion : SetPointReason::law_without_motion};
 }
 
 SetPoint undecided(SetPointReason reason)
@@ -86,7 +85,8 @@ SetPoint in_closed_form(const PidMass& mass, const DryFriction& dry)
     return s;
 }
 
-SetPoint with_bristles(const Regulator& regulator, const Friction& law, const RestingFriction& friction, double natural)
+SetPoint with_bristles(const Regulator& regulator, const Friction& law, const RestingFriction& friction,
+                       double natural)
 {
     // from beyond the cycle that the same levels would have with true rest
     const double start = std::max(2 * natural, 10 * friction.presliding);

@@ -11,7 +11,10 @@ struct PidMass {
     double inertia = not_set, damping = 0, k_p = not_set, k_i = not_set;
 
     /// Routh: without dry friction the loop settles.
-    bool stable() const { return inertia > 0 && damping > 0 && k_i > 0 && damping * k_p > inertia * k_i; }
+    bool stable() const
+    {
+        return inertia > 0 && damping > 0 && k_i > 0 && damping * k_p > inertia * k_i;
+    }
 };
 
 /// Friction that does not depend on the size of the velocity: F_c in motion, up to F_s at rest.

@@ -6,8 +6,7 @@
 
 namespace stickslip {
 
-/// {"format", "motion": {"travel", "overshoot", "settling_time", "final_error", "stairs", "stair_height",
-/// "stair_rate"}}
+/// {"format", "motion": {"travel", "overshoot", "settling_time", "final_error", "stairs", "stair_height", "stair_rate"}}
 nlohmann::ordered_json motion_json(const MotionMeasures& measures);
 
 }  // namespace stickslip

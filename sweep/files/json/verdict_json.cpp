@@ -29,25 +29,26 @@ Json state_variable_json(const StateVariableVerdict& v)
     for (const auto& z : v.multipliers) multipliers.push_back({json_number(z.real()), json_number(z.imag())});
     for (const auto& c : v.crossings)
         crossings.push_back({{"k_p", json_number(c.k_p)}, {"omega", json_number(c.omega)}, {"direction", c.direction}});
-    return {{"stable", v.stable},
-            {"verdict", verdict_name(v)},
-            {"spectral_abscissa", json_number(v.spectral_abscissa)},
-            {"eigenvalues", eigenvalues},
-            {"eigenvalues_complete", v.all_eigenvalues},
-            {"eigenvalues_note",
-             v.all_eigenvalues ? Json(nullptr)
-                               : Json("memory that is a delay or a table has infinitely many: these are the rightmost "
-                                      "ones, and no other lies right of the last of them")},
-            {"multipliers", v.multipliers.empty() ? Json(nullptr) : multipliers},
-            {"gain_margin_db", json_number(v.gain_margin_db)},
-            {"phase_margin_deg", json_number(v.phase_margin_deg)},
-            {"f_v", json_number(v.f_v)},
-            {"kernel_integral", json_number(v.kernel_integral)},
-            {"crossings", crossings},
-            {"stable_intervals", intervals_json(v.stable_intervals)},
-            {"k_cr", json_number(v.k_cr)},
-            {"searched_to", json_number(v.searched_to)},
-            {"doubtful_omega", intervals_json(v.doubtful)}};
+    return {
+        {"stable", v.stable},
+        {"verdict", verdict_name(v)},
+        {"spectral_abscissa", json_number(v.spectral_abscissa)},
+        {"eigenvalues", eigenvalues},
+        {"eigenvalues_complete", v.all_eigenvalues},
+        {"eigenvalues_note",
+         v.all_eigenvalues ? Json(nullptr)
+                           : Json("memory that is a delay or a table has infinitely many: these are the rightmost "
+                                  "ones, and no other lies right of the last of them")},
+        {"multipliers", v.multipliers.empty() ? Json(nullptr) : multipliers},
+        {"gain_margin_db", json_number(v.gain_margin_db)},
+        {"phase_margin_deg", json_number(v.phase_margin_deg)},
+        {"f_v", json_number(v.f_v)},
+        {"kernel_integral", json_number(v.kernel_integral)},
+        {"crossings", crossings},
+        {"stable_intervals", intervals_json(v.stable_intervals)},
+        {"k_cr", json_number(v.k_cr)},
+        {"searched_to", json_number(v.searched_to)},
+        {"doubtful_omega", intervals_json(v.doubtful)}};
 }
 
 Json loop_json(const LoopUse& loop)

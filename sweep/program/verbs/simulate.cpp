@@ -167,7 +167,7 @@ void add_simulate(CLI::App& app, Invocation& invocation)
         "Example: stickslip simulate joint.toml --reference motion.csv --seed 7 -o out\n"
         "Example: stickslip simulate joint.toml --force sine --force-size 0.1 --omega 60 -o out\n"
         "Example: stickslip simulate joint.toml --normal-load record.csv --nominal-load 250 -o out");
-    verb->callback([options, &invocation] {
+    verb->callback([options, &invocation] { 
         invocation.exit_code =
             options->reference.empty() ? simulate_joint(*options, invocation) : record_joint(*options);
     });

@@ -116,9 +116,12 @@ int sweep(const Options& options, Invocation& invocation)
         page = write_sweep_report(report, spec, options.directory);
     }
     if (options.json) {
-        nlohmann::ordered_json json{{"format", "stickslip-sweep-run/1"},         {"points", summary.points},
-                                    {"computed", run.computed.points},           {"undecided", summary.undecided},
-                                    {"results", absolute(run.results).string()}, {"report", nullptr}};
+        nlohmann::ordered_json json{{"format", "stickslip-sweep-run/1"},
+                                    {"points", summary.points},
+                                    {"computed", run.computed.points},
+                                    {"undecided", summary.undecided},
+                                    {"results", absolute(run.results).string()},
+                                    {"report", nullptr}};
         if (!page.empty()) json["report"] = absolute(page).string();
         fmt::print("{}\n", json.dump(2));
     } else {

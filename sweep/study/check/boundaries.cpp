@@ -37,9 +37,7 @@ std::string theory_of(BoundaryKind kind)
 /// What a boundary of a kind is promised to, and what two machines therefore agree on.
 double promised(BoundaryKind kind)
 {
-    return kind == BoundaryKind::fold || kind == BoundaryKind::hunting ? 1e-6
-           : kind == BoundaryKind::outcome                             ? 1e-4
-                                                                       : 1e-9;
+    return kind == BoundaryKind::fold || kind == BoundaryKind::hunting ? 1e-6 : kind == BoundaryKind::outcome ? 1e-4 : 1e-9;
 }
 
 /// One ray to be watched for one kind.

@@ -91,8 +91,8 @@ TEST_CASE("a cause that leaves a rest and needs an implausible number is not nam
     CHECK(d.verdict == Verdict::gap);
     CHECK(withdraw_if_no_better(d, {.noise_documented = true}));
     CHECK(d.verdict == Verdict::unknown);
-    CHECK(d.reasons.at(0).text.starts_with(
-        "stribeck fits best, but leaves more than noise, and needs a number at its bound"));
+    CHECK(
+        d.reasons.at(0).text.starts_with("stribeck fits best, but leaves more than noise, and needs a number at its bound"));
 }
 
 TEST_CASE("a joint whose predictions hide in the noise is not free of a gap that the whole motion shows", "[gap]")

@@ -18,8 +18,8 @@ TEST_CASE("overshoot and settling time of a damped oscillation", "[simulation][m
         time.push_back(t);
         reference.push_back(i == 0 ? 0 : -2);
         const double decay = t < 0 ? 1 : std::exp(-zeta * omega * t);
-        position.push_back(
-            t < 0 ? 0 : -2 * (1 - decay * (std::cos(damped * t) + zeta * omega / damped * std::sin(damped * t))));
+        position.push_back(t < 0 ? 0
+                                 : -2 * (1 - decay * (std::cos(damped * t) + zeta * omega / damped * std::sin(damped * t))));
     }
     const auto m = measure_motion(time, reference, position);
     CHECK(m.travel == -2);
@@ -37,8 +37,7 @@ TEST_CASE("stairs of slow motion: height and rate", "[simulation][measures]")
         time.push_back(t);
         reference.push_back(0.02 * t);
         const double phase = std::fmod(t, stair);
-        position.push_back(0.02 * (t - phase) +
-                           (phase > stair - slip ? 0.02 * stair * (phase - stair + slip) / slip : 0));
+        position.push_back(0.02 * (t - phase) + (phase > stair - slip ? 0.02 * stair * (phase - stair + slip) / slip : 0));
     }
     const auto m = measure_motion(time, reference, position);
     CHECK(m.stairs >= 7);

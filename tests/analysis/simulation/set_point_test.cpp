@@ -19,8 +19,7 @@ class Draw {
     {
         return low * std::pow(high / low, std::uniform_real_distribution<>(0, 1)(random_));
     }
-    /// A loop that is stable by Routh, from far within to near its edge: `least` is the least k_i as a share of that
-    /// there.
+    /// A loop that is stable by Routh, from far within to near its edge: `least` is the least k_i as a share of that there.
     PidMass stabilising(double least = 1e-6)
     {
         PidMass p;
@@ -180,7 +179,7 @@ TEST_CASE("a dead zone or a limit that is wide enough ends the hunting, a narrow
     CHECK(s.hunting == Hunting::yes);
     CHECK(s.rests_nearby);
     CHECK(s.amplitude == Approx(0.0837).epsilon(0.005));  // by Runge and Kutta in steps of 0.1 ms
-    joint.control.dead_zone = 0.2;                        // there small differences grow until a stop is within it
+    joint.control.dead_zone = 0.2;                         // there small differences grow until a stop is within it
     s = set_point(joint);
     CHECK(s.hunting == Hunting::no);
     CHECK(s.reason == SetPointReason::dead_zone);

@@ -1,5 +1,5 @@
-// The linear answers about one joint never contradict each other: verdict, abscissa, eigenvalues, stable gains, rows of
-// a sweep, growth rate, and counts by the argument principle. Millions more: tests/reliability/consistency.cpp.
+// The linear answers about one joint never contradict each other: verdict, abscissa, eigenvalues, stable gains, rows of a
+// sweep, growth rate, and counts by the argument principle. Millions more: tests/reliability/consistency.cpp.
 #include "tests/analysis/stability/random_joint.h"
 
 #include <catch2/catch.hpp>

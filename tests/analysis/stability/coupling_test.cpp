@@ -1,6 +1,6 @@
 // A normal load that moves and neighbours: known critical gains, the polynomials written out, limits.
-#include <Eigen/Eigenvalues>
 #include <catch2/catch.hpp>
+#include <Eigen/Eigenvalues>
 
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/linear_joint.h"
@@ -53,9 +53,10 @@ TEST_CASE("critical gains under a normal load that moves", "[stability][coupling
         CHECK(verdict.state_variable.k_cr == Approx(row.k_cr).epsilon(1e-9));
         // the cubic of the theory, written out
         const double mu = 0.6, alpha = 0.2, lambda = 100, C = 10 + 1 / 1e-3, k_p = joint.control.k_p;
-        const double cubic = rightmost(
-            {(k_p + mu * row.n0) * lambda, (C + mu * row.n1) * lambda + k_p + (mu - alpha) * row.n0 - 1.5 / 1e-5,
-             (1 + mu * row.n2) * lambda + C + (mu - alpha) * row.n1, 1 + (mu - alpha) * row.n2});
+        const double cubic = rightmost({(k_p + mu * row.n0) * lambda,
+                                        (C + mu * row.n1) * lambda + k_p + (mu - alpha) * row.n0 - 1.5 / 1e-5,
+                                        (1 + mu * row.n2) * lambda + C + (mu - alpha) * row.n1,
+                                        1 + (mu - alpha) * row.n2});
         CHECK(verdict.state_variable.spectral_abscissa == Approx(cubic).epsilon(1e-9));
     }
 }
@@ -101,8 +102,8 @@ TEST_CASE("critical gains beside a neighbour", "[stability][coupling]")
 TEST_CASE("a neighbour's mode near the frequency of friction is warned of", "[stability][coupling]")
 {
     auto joint = reference();
-    joint.neighbour.push_back({0.5, 0.3, 2e3, 5});     // √4000 = 63 rad/s beside 70
-    joint.neighbour.push_back({0.5, 0.05, 2e5, 500});  // 632 rad/s
+    joint.neighbour.push_back({0.5, 0.3, 2e3, 5});    // √4000 = 63 rad/s beside 70
+    joint.neighbour.push_back({0.5, 0.05, 2e5, 500}); // 632 rad/s
     const auto near = near_modes(joint);
     REQUIRE(near.size() == 1);
     CHECK(near[0].neighbour == 0);

@@ -71,8 +71,7 @@ inline std::string contradiction(const Joint& joint)
     const auto verdict = linear_verdict(joint);
     const auto& memory = verdict.state_variable;
     if (verdict.steady.reason != Reason::none)
-        return std::isnan(growth_rate(joint)) || verdict.steady.reason == Reason::not_finite ? ""
-                                                                                             : "growth without verdict";
+        return std::isnan(growth_rate(joint)) || verdict.steady.reason == Reason::not_finite ? "" : "growth without verdict";
     const auto linear = linear_joint(joint, verdict.steady.velocity);
     const double abscissa = memory.spectral_abscissa;
     if (memory.stable != (abscissa < 0) || memory.neutral != (abscissa == 0)) return "verdict and abscissa";

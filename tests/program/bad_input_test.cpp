@@ -146,18 +146,19 @@ TEST_CASE("an axis that the maps leave out is named before it is swept", "[progr
 {
     Folder folder;
     const auto spec = folder.write(
-        "spec.toml", with("\"control.k_v\" = {", "\"control.delay\" = [0, 0.01, 0.1]\n\"control.k_v\" = {"));
+        "spec.toml", with("\"control.k_v\" = {", "\"sensor.effort_noise\" = [0, 0.01, 0.1]\n\"control.k_v\" = {"));
     const auto run = stickslip("sweep '" + spec + "' --no-report -o '" + (folder / "out") + "'");
     CHECK(run.exit_code == 0);
-    CHECK_THAT(run.output, Contains("note: control.delay changes no linear answer"));
+    CHECK_THAT(run.output, Contains("note: sensor.effort_noise changes no linear answer"));
     CHECK_THAT(run.output, !Contains("note: control.k_p"));
     CHECK_THAT(run.output, !Contains("note: control.k_v"));
     // a joint that nothing damps oscillates, by k_p, whichever it is
-    const auto neutral = folder.write("neutral.toml",
-                                      "[joint]\ninertia = 1.0\n[control]\nk_p = 1e4\nV0 = 1e-3\n[friction]\n"
-                                      "law = \"kinetic-static\"\nkinetic = 10.0\nstatic = 15.0\n"
-                                      "[axes]\n\"control.k_p\" = [1e3, 1e4, 1e5]\n\"control.delay\" = [0, 0.1]\n");
+    const auto neutral =
+        folder.write("neutral.toml",
+                     "[joint]\ninertia = 1.0\n[control]\nk_p = 1e4\nV0 = 1e-3\n[friction]\n"
+                     "law = \"kinetic-static\"\nkinetic = 10.0\nstatic = 15.0\n"
+                     "[axes]\n\"control.k_p\" = [1e3, 1e4, 1e5]\n\"sensor.effort_noise\" = [0, 0.1]\n");
     const auto still = stickslip("sweep '" + neutral + "' --no-report -o '" + (folder / "still") + "'");
-    CHECK_THAT(still.output, Contains("note: control.delay"));
+    CHECK_THAT(still.output, Contains("note: sensor.effort_noise"));
     CHECK_THAT(still.output, !Contains("note: control.k_p"));
 }

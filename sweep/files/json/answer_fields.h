@@ -252,7 +252,8 @@ template <class A>
 void fields(A& a, Like<JointAnswer> auto& v)
 {
     a("linear", v.linear), a("nonlinear", v.nonlinear), a("region", v.region), a("slides", v.slides);
-    a("nearest", v.nearest), a("velocities", v.velocities), a("details", v.details), a("locus", v.locus);
+    a("nearest", v.nearest), a("velocities", v.velocities), a("ideal_gains", v.ideal_gains), a("details", v.details),
+        a("locus", v.locus);
 }
 
 // a sweep

@@ -48,9 +48,9 @@ inline Joint random_joint(std::uint64_t number)
     return joint;
 }
 
-/// |F(s)| per the product of the sizes of its rows, or the step of Newton's method per |s| where that is less: next to a
-/// pole of G the rounding of s alone is worth more than any residual. 0 on a pole: the decay of a state that the motion
-/// does not notice is an eigenvalue, and no root of F.
+/// |F(s)| per the product of the sizes of its rows, or the step of Newton's method per |s| where that is less: next to
+/// a pole of G the rounding of s alone is worth more than any residual. 0 on a pole: the decay of a state that the
+/// motion does not notice is an eigenvalue, and no root of F.
 inline double residual(const LinearJoint& j, std::complex<double> s)
 {
     for (int i = 0; i < j.bodies; ++i)

@@ -1,6 +1,6 @@
 // Nonlinear answers that were once wrong, found by independent code, each under the name with which it was reported.
-#include "analysis/boundary/kinds/boundary.h"
 #include "analysis/simulation/attractor/nonlinear.h"
+#include "analysis/boundary/kinds/boundary.h"
 #include "sweep/files/toml/joint_file.h"
 
 #include <catch2/catch.hpp>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "analysis/loop/resolvent.h"
 #include "analysis/numerics/balance.h"
 #include "analysis/numerics/interval.h"
 #include "analysis/numerics/root.h"
@@ -42,7 +43,8 @@ Complex beside_one(double angle)
 /// T along the unit circle, and how much its phase can turn.
 class Circle {
   public:
-    explicit Circle(const DiscreteLoop& loop) : loop_(balanced(loop))
+    explicit Circle(const DiscreteLoop& loop)
+        : loop_(balanced(loop)), responses_(loop_.difference, loop_.input, loop_.output)
     {
         const Eigen::VectorXcd poles = eigenvalues_of(loop_.difference);
         poles_.assign(poles.begin(), poles.end());
@@ -70,7 +72,12 @@ class Circle {
     /// Whether poles and zeros are known.
     bool sound() const { return sound_; }
     double start() const { return start_; }
-    Complex at(double angle) const { return transfer(loop_, angle); }
+    Complex at(double angle) const
+    {
+        Complex value;
+        responses_.at(beside_one(angle), &value);
+        return value;
+    }
     /// arg(−T): zero where a positive gain puts a multiplier there.
     double phase(double angle) const { return std::arg(-at(angle)); }
 
@@ -113,6 +120,7 @@ class Circle {
     }
 
     DiscreteLoop loop_;
+    Resolvent responses_;
     std::vector<Complex> poles_, zeros_;  ///< counted from z = 1
     double start_;
     bool sound_ = false;
@@ -126,13 +134,6 @@ void take(const Circle& circle, double angle, int direction, CircleCrossings& fo
 }
 
 }  // namespace
-
-Complex transfer(const DiscreteLoop& loop, double angle)
-{
-    Eigen::MatrixXcd matrix = -loop.difference.cast<Complex>();
-    matrix.diagonal().array() += beside_one(angle);
-    return (loop.output.cast<Complex>() * matrix.partialPivLu().solve(loop.input.cast<Complex>()))(0);
-}
 
 std::vector<Complex> multipliers(const DiscreteLoop& loop, double gain)
 {

@@ -9,9 +9,6 @@
 
 namespace stickslip {
 
-/// output (z − M)⁻¹ input at z = e^{iφ}.
-std::complex<double> transfer(const DiscreteLoop& loop, double angle);
-
 /// Multipliers with the gain closed, by falling size.
 std::vector<std::complex<double>> multipliers(const DiscreteLoop& loop, double gain);
 

@@ -2,9 +2,11 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <numbers>
 #include <optional>
 
+#include "analysis/loop/resolvent.h"
 #include "analysis/numerics/balance.h"
 #include "analysis/numerics/root.h"
 
@@ -14,26 +16,38 @@ namespace {
 using Complex = std::complex<double>;
 using std::numbers::pi;
 
-/// row (s − A)⁻¹ input and its derivative by s, without dead time.
-struct Response {
-    Complex value, slope;
-};
-Response response(const LateLoop& loop, const Eigen::RowVectorXd& row, Complex s)
-{
-    Eigen::MatrixXcd matrix = -loop.A.cast<Complex>();
-    matrix.diagonal().array() += s;
-    const auto lu = matrix.partialPivLu();
-    const Eigen::VectorXcd once = lu.solve(loop.input.cast<Complex>());
-    return {(row.cast<Complex>() * once)(0), -(row.cast<Complex>() * lu.solve(once))(0)};
-}
+/// The loop opened at its command, at many s.
+class Opened {
+  public:
+    explicit Opened(const LateLoop& loop) : delay_(loop.delay), responses_(loop.A, loop.input, both(loop)) {}
 
-/// 1 + L(s) and its derivative, all gains closed.
-Response closing(const LateLoop& loop, double gain, Complex s)
-{
-    const auto r = response(loop, gain * loop.output - loop.held, s);
-    const Complex late = std::exp(-s * loop.delay);
-    return {1.0 + r.value * late, (r.slope - loop.delay * r.value) * late};
-}
+    /// output (s − A)⁻¹ input and held (s − A)⁻¹ input, without dead time.
+    std::pair<Complex, Complex> prompt(Complex s) const
+    {
+        std::array<Complex, 2> r;
+        responses_.at(s, r.data());
+        return {r[0], r[1]};
+    }
+    Complex late(Complex s) const { return std::exp(-s * delay_); }
+    /// 1 + L(s) and its derivative, all gains closed.
+    Response closing(double gain, Complex s) const
+    {
+        std::array<Response, 2> r;
+        responses_.at(s, r.data());
+        const Complex value = gain * r[0].value - r[1].value, slope = gain * r[0].slope - r[1].slope;
+        return {1.0 + value * late(s), (slope - delay_ * value) * late(s)};
+    }
+
+  private:
+    static Eigen::MatrixXd both(const LateLoop& loop)
+    {
+        Eigen::MatrixXd rows(2, loop.A.cols());
+        rows << loop.output, loop.held;
+        return rows;
+    }
+    double delay_;
+    Resolvent responses_;
+};
 
 Eigen::VectorXcd eigenvalues_of(Eigen::MatrixXd matrix)
 {
@@ -66,37 +80,63 @@ Eigen::MatrixXd with_past(const LateLoop& loop, double gain, int nodes)
 }
 
 /// How many roots lie right of Re s = σ: those of A and the turns of 1 + L. Nothing where a root lies on the line.
-std::optional<int> roots_right_of(const LateLoop& loop, double gain, double sigma)
+std::optional<int> roots_right_of(const LateLoop& loop, const Opened& open, double gain, double sigma)
 {
+    constexpr double far = 1e-3, small = 0.5, most_turned = 0.3, most_bent = 0.1;
     int right = 0;
     double size = 0;
     for (const Complex& s : eigenvalues_of(loop.A)) {
         right += s.real() > sigma;
         size = std::max(size, std::abs(s));
     }
-    const auto value = [&](double omega) { return closing(loop, gain, {sigma, omega}).value; };
+    const double grown = std::exp(-sigma * loop.delay);
+    struct Look {
+        Complex prompt, closed;  // L without dead time, 1 + L
+    };
+    const auto at = [&](double omega) {
+        const Complex s(sigma, omega);
+        const auto r = open.prompt(s);
+        const Complex L = gain * r.first - r.second;
+        return Look{L, 1.0 + L * open.late(s)};
+    };
+    const auto is_small = [&](const Look& look) { return std::abs(look.prompt) * grown < small; };
+    const auto is_far = [&](double omega) { return std::abs(at(omega).prompt) * grown < far; };
     double end = 10 * size + 1;
-    while (std::abs(value(end) - 1.0) > 1e-3 || std::abs(value(1.7 * end) - 1.0) > 1e-3)
+    while (!is_far(end) || !is_far(1.7 * end))
         if ((end *= 2) > 1e12 * (1 + size)) return std::nullopt;
-    const double widest = loop.delay > 0 ? 0.3 / loop.delay : end;
-    double turned = 0, omega = 0, step = 1e-4 * (end / 10);
-    Complex at = value(0);
+    const double widest = loop.delay > 0 ? most_turned / loop.delay : end;
+    double turned = 0, omega = 0, step = 1e-5 * end;
+    Look here = at(0);
     constexpr int most = 400'000;
     for (int used = 0; omega < end; ++used) {
-        if (used > most || !std::isfinite(std::abs(at))) return std::nullopt;
-        const double next = std::min(end, omega + std::min(step, widest));
-        const Complex middle = value(0.5 * (omega + next)), there = value(next);
-        const double first = std::arg(middle / at), second = std::arg(there / middle);
-        if (std::abs(first) > 0.3 || std::abs(second) > 0.3 || std::abs(first - second) > 0.1) {
+        if (used > most || !std::isfinite(std::abs(here.closed))) return std::nullopt;
+        const auto smooth = [&](Complex a, Complex b, Complex c) {
+            const double first = std::arg(b / a), second = std::arg(c / b);
+            return std::abs(first) < most_turned && std::abs(second) < most_turned &&
+                   std::abs(first - second) < most_bent;
+        };
+        double next = std::min(end, omega + step);
+        Look middle = at(0.5 * (omega + next)), there = at(next);
+        // |L| < 1 keeps 1 + L right of the axis however fast dead time turns L
+        const bool quiet =
+            is_small(here) && is_small(middle) && is_small(there) && smooth(here.prompt, middle.prompt, there.prompt);
+        if (!quiet && next - omega > widest) {
+            next = omega + widest;
+            middle = at(0.5 * (omega + next)), there = at(next);
+        }
+        if (quiet) {
+            turned += std::arg(there.closed) - std::arg(here.closed);
+        } else if (smooth(here.closed, middle.closed, there.closed)) {
+            turned += std::arg(middle.closed / here.closed) + std::arg(there.closed / middle.closed);
+        } else {
             step = (next - omega) / 2;
             if (step < 1e-13 * end) return std::nullopt;
             continue;
         }
-        turned += first + second;
-        omega = next, at = there;
-        step *= 1.6;
+        step = 1.6 * (next - omega);
+        omega = next, here = there;
     }
-    turned -= std::arg(at);
+    turned -= std::arg(here.closed);
     return right - static_cast<int>(std::lround(turned / pi));
 }
 
@@ -145,11 +185,12 @@ std::vector<Complex> roots(const LateLoop& loop, double gain)
     const Eigen::VectorXcd raw = eigenvalues_of(with_past(loop, gain, nodes));
     std::vector<Complex> found;
     if (raw.size() == 0) return found;
+    const Opened open(loop);
     for (Complex s : raw) {
         const Complex start = s;
         bool settled = false;
         for (int i = 0; i < 12 && !settled; ++i) {
-            const auto F = closing(loop, gain, s);
+            const auto F = open.closing(gain, s);
             const Complex step = F.value / F.slope;
             if (!std::isfinite(std::abs(step))) break;
             s -= step;
@@ -177,26 +218,21 @@ double late_growth(const LateLoop& loop, double gain)
     double most = all.front().real();
     if (loop.delay > 0) {
         const double beside = most + 1e-7 * (std::abs(most) + 1e-3 * std::abs(all.front()));
-        const auto right = roots_right_of(loop, gain, beside);
+        const auto right = roots_right_of(loop, Opened(loop), gain, beside);
         if (!right || *right != 0) return not_set;
     }
     constexpr double rounding = 1e-14;
     return std::abs(most) < rounding * (loop.delay > 0 ? std::abs(all.front()) : size) ? 0 : most;
 }
 
-Complex transfer(const LateLoop& loop, double omega)
-{
-    return response(loop, loop.output, {0, omega}).value * std::exp(Complex(0, -omega * loop.delay));
-}
-
 namespace {
 
 /// −T of the turned gain, the base closed: a positive real number where a positive gain puts a root at iω.
-Complex towards_axis(const LateLoop& loop, double omega)
+Complex towards_axis(const Opened& open, double omega)
 {
-    const auto out = response(loop, loop.output, {0, omega}), held = response(loop, loop.held, {0, omega});
-    const Complex late = std::exp(Complex(0, -omega * loop.delay));
-    return -out.value * late / (1.0 - held.value * late);
+    const Complex s(0, omega), late = open.late(s);
+    const auto [out, held] = open.prompt(s);
+    return -out * late / (1.0 - held * late);
 }
 
 struct Reach {
@@ -225,7 +261,8 @@ AxisCrossings axis_crossings(const LateLoop& loop)
     AxisCrossings found;
     if (!loop.A.allFinite()) return found;
     const Reach reach = features(loop);
-    const auto phase = [&](double omega) { return std::arg(towards_axis(loop, omega)); };
+    const Opened open(loop);
+    const auto phase = [&](double omega) { return std::arg(towards_axis(open, omega)); };
     const double widest = loop.delay > 0 ? 0.3 / loop.delay : reach.to;
     double omega = reach.from, at = phase(omega), step = 0.1 * omega;
     const auto turn = [](double from, double to) { return std::remainder(to - from, 2 * pi); };
@@ -241,14 +278,14 @@ AxisCrossings axis_crossings(const LateLoop& loop)
         if (coarse) found.doubtful.push_back({omega, next});
         if (!coarse && std::signbit(at) != std::signbit(there) && std::abs(at) < 1) {
             const double root = bracketed_root(phase, omega, at, next, there, 1e-15).value;
-            const double gain = 1 / towards_axis(loop, root).real();
+            const double gain = 1 / towards_axis(open, root).real();
             if (gain > 0) found.crossings.push_back({gain, root, there < at ? 1 : -1});
         }
         omega = next, at = there;
         step *= 1.6;
     }
     // further up each turn of the dead time asks for more gain still
-    if (loop.delay > 0) found.searched_to = 0.5 / std::abs(towards_axis(loop, reach.to));
+    if (loop.delay > 0) found.searched_to = 0.5 / std::abs(towards_axis(open, reach.to));
     std::erase_if(found.crossings, [&](const Crossing& c) { return c.k_p > found.searched_to; });
     std::sort(found.crossings.begin(), found.crossings.end(),
               [](const Crossing& a, const Crossing& b) { return a.k_p < b.k_p; });
@@ -260,11 +297,13 @@ std::vector<Interval> stable_gains(const LateLoop& loop, const AxisCrossings& al
     std::vector<double> bounds{0};
     for (const auto& c : all.crossings) bounds.push_back(c.k_p);
     if (all.searched_to > bounds.back()) bounds.push_back(all.searched_to);
+    const Opened open(loop);
     std::vector<Interval> intervals;
     for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
         const double low = bounds[i], high = bounds[i + 1];
         const double probe = high == infinity ? (low == 0 ? 1 : 2 * low) : low == 0 ? high / 2 : std::sqrt(low * high);
-        if (!(late_growth(loop, probe) < 0)) continue;
+        const auto right = roots_right_of(loop, open, probe, 0);
+        if (right ? *right != 0 : !(late_growth(loop, probe) < 0)) continue;
         if (!intervals.empty() && intervals.back().high == low)
             intervals.back().high = high;
         else
@@ -278,9 +317,12 @@ CommandMargins command_margins(const LateLoop& loop)
     double size = 0;
     for (const auto& s : roots(loop, 1)) size = std::max(size, std::abs(s));
     constexpr double below = 1e-7, above = 1e2;
-    return command_margins(
-        late_growth(loop, 1) < 0, axis_crossings(loop).crossings, [&](double omega) { return transfer(loop, omega); },
-        below * size, above * size);
+    const Opened open(loop);
+    const auto L = [&](double omega) {
+        const Complex s(0, omega);
+        return open.prompt(s).first * open.late(s);
+    };
+    return command_margins(late_growth(loop, 1) < 0, axis_crossings(loop).crossings, L, below * size, above * size);
 }
 
 }  // namespace stickslip

@@ -44,7 +44,4 @@ std::vector<Interval> stable_gains(const LateLoop& loop, const AxisCrossings& cr
 /// The loop opened at the command, `output` being all of its gains and `held` none.
 CommandMargins command_margins(const LateLoop& loop);
 
-/// L(iω)/g of the turned gains: output (iω − A)⁻¹ input e^{−iω delay}, the base not closed.
-std::complex<double> transfer(const LateLoop& loop, double omega);
-
 }  // namespace stickslip

@@ -276,8 +276,11 @@ TEST_CASE("a boundary is found in a range of six hundred decades, along an axis 
     const auto chart = follow_boundaries(example_joint(6e4, 0, 1e-3), axis("control.k_p", 1e-300, 1e300),
                                          axis("control.k_v", 1, 1000), memory);
     REQUIRE(chart.pieces.size() == 1);
-    for (const auto& p : chart.pieces[0].points)
-        if (p.x > 1e-3) CHECK(p.x == Approx(closed_form(p.y, 1e-3)).epsilon(1e-8));
+    // where the curve runs along an axis, k_p depends on the last digits of k_v: it is off by no more than those tell
+    for (const auto& p : chart.pieces[0].points) {
+        const double digits = 1e-11 * p.y, off = closed_form(p.y + digits, 1e-3) - closed_form(p.y - digits, 1e-3);
+        if (p.x > 1e-3) CHECK(p.x == Approx(closed_form(p.y, 1e-3)).epsilon(1e-8).margin(std::abs(off)));
+    }
     CHECK(chart.pieces[0].points.back().y + chart.pieces[0].points.front().y == Approx(501));
 }
 

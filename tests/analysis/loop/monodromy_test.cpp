@@ -1,4 +1,5 @@
 // The monodromy of the sampled loop against a controller written out tick by tick: random joints of every kind.
+#include "analysis/numerics/balance.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/real_loop.h"
 #include "tests/analysis/friction/sample_laws.h"
@@ -16,25 +17,35 @@ using namespace stickslip;
 namespace {
 
 /// All that a loop remembers between two ticks, and one tick of it as INTERFACE §2 says: read, estimate, command, hold.
+// the multipliers crowd around 1: their distance from it is what counts, and double loses it
+using Real = long double;
+using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+constexpr double tie = 1e-9;  // of a tick: rounding of delay/T
+
 struct TickByTick {
-    Eigen::MatrixXd A;
-    Eigen::VectorXd B;
+    Matrix A;
+    Vector B;
     int measured, bodies;
-    double T, delay, tau, scale;
+    Real T, delay, tau, scale;
     int average;
     bool exact;
     LoopGains g;
 
     struct Memory {
-        Eigen::VectorXd x;
-        std::deque<double> readings;  ///< newest first, `average` of them
-        double velocity = 0, sum = 0;
-        std::deque<double> commands;  ///< newest first
+        Vector x;
+        std::deque<Real> readings;  ///< newest first, `average` of them
+        Real velocity = 0, sum = 0;
+        std::deque<Real> commands;  ///< newest first
     };
-    int ticks() const { return static_cast<int>(std::ceil(delay / T - 1e-9)); }
+    /// A sum that nobody reads would stay for ever.
+    bool integrates() const { return g.integral != 0; }
+    int ticks() const { return static_cast<int>(std::ceil(delay / T - tie)); }
     int size() const { return static_cast<int>(A.rows()) + average + 2 + ticks(); }
 
-    Memory unpack(const Eigen::VectorXd& v) const
+    int sum_at() const { return static_cast<int>(A.rows()) + average + 1; }
+
+    Memory unpack(const Vector& v) const
     {
         Memory m;
         int i = static_cast<int>(A.rows());
@@ -45,43 +56,43 @@ struct TickByTick {
         for (int k = 0; k < ticks(); ++k) m.commands.push_back(v[i++]);
         return m;
     }
-    Eigen::VectorXd pack(const Memory& m) const
+    Vector pack(const Memory& m) const
     {
-        Eigen::VectorXd v(size());
+        Vector v(size());
         int i = static_cast<int>(A.rows());
         v.head(i) = m.x;
-        for (const double r : m.readings) v[i++] = r;
+        for (const Real r : m.readings) v[i++] = r;
         v[i++] = m.velocity;
         v[i++] = m.sum;
-        for (const double c : m.commands) v[i++] = c;
+        for (const Real c : m.commands) v[i++] = c;
         return v;
     }
-    Eigen::VectorXd held(const Eigen::VectorXd& x, double w, double h) const
+    Vector held(const Vector& x, Real w, Real h) const
     {
         const auto n = A.rows();
-        Eigen::MatrixXd wide = Eigen::MatrixXd::Zero(n + 1, n + 1);
+        Matrix wide = Matrix::Zero(n + 1, n + 1);
         wide.topLeftCorner(n, n) = A * h;
         wide.topRightCorner(n, 1) = B * h;
-        Eigen::VectorXd from(n + 1);
+        Vector from(n + 1);
         from << x, w;
         return (wide.exp() * from).head(n);
     }
-    Eigen::VectorXd tick(const Eigen::VectorXd& v) const
+    Vector tick(const Vector& v) const
     {
         Memory m = unpack(v);
-        const double y = scale * m.x[measured];
-        double before = 0, now = y;
+        const Real y = scale * m.x[measured];
+        Real before = 0, now = y;
         for (int k = 0; k < average; ++k) before += m.readings[static_cast<std::size_t>(k)];
         for (int k = 0; k + 1 < average; ++k) now += m.readings[static_cast<std::size_t>(k)];
         m.velocity = exact ? scale * m.x[bodies + measured]
                            : m.velocity + T / (tau + T) * ((now - before) / average / T - m.velocity);
         m.readings.push_front(y);
         m.readings.pop_back();
-        m.sum += T * y;
+        if (integrates()) m.sum += T * y;
         m.commands.push_front(-(g.position * y + g.velocity * m.velocity + g.integral * m.sum));
         const int whole = ticks();
-        const double early = delay - (whole - 1) * T;  // of the older command within this tick
-        if (whole > 0 && early < T * (1 - 1e-9)) {
+        const Real early = delay - (whole - 1) * T;  // of the older command within this tick
+        if (whole > 0 && early < T * (1 - tie)) {
             m.x = held(m.x, m.commands[static_cast<std::size_t>(whole)], early);
             m.x = held(m.x, m.commands[static_cast<std::size_t>(whole - 1)], T - early);
         } else {
@@ -92,9 +103,12 @@ struct TickByTick {
     }
     double growth() const
     {
-        Eigen::MatrixXd M(size(), size());
-        for (int i = 0; i < size(); ++i) M.col(i) = tick(Eigen::VectorXd::Unit(size(), i));
-        return std::log(M.eigenvalues().cwiseAbs().maxCoeff()) / T;
+        Matrix M(size(), size());
+        for (int i = 0; i < size(); ++i) M.col(i) = tick(Vector::Unit(size(), i));
+        if (!integrates()) M.row(sum_at()).setZero();
+        if (!M.allFinite()) return not_set;
+        balance(M);
+        return static_cast<double>(std::log(M.eigenvalues().cwiseAbs().maxCoeff()) / T);
     }
 };
 
@@ -145,13 +159,13 @@ TickByTick written_out(const Joint& j)
 {
     LinearJoint open = linear_joint(j, j.control.V0 / j.sensor.position_scale);
     open.k_p = open.k_v = 0;
-    const Eigen::MatrixXd mechanism = state_matrix(open);
+    const Matrix mechanism = state_matrix(open).cast<Real>();
     const auto n = mechanism.rows();
     const bool lag = j.actuator.lag > 0;
     TickByTick t;
-    t.A = Eigen::MatrixXd::Zero(n + lag, n + lag);
+    t.A = Matrix::Zero(n + lag, n + lag);
     t.A.topLeftCorner(n, n) = mechanism;
-    t.B = Eigen::VectorXd::Zero(n + lag);
+    t.B = Vector::Zero(n + lag);
     const double push = j.actuator.effort_gain / open.inertia[0];
     if (lag) {
         t.A(open.bodies, n) = push;

@@ -100,13 +100,15 @@ class Circle {
     }
 
   private:
-    /// By how much arg(z − r) grows, r counted from 1.
+    /// By how much arg(z − r) grows over a band of at most half the circle, r counted from 1: from nothing to 3π/2 where
+    /// r lies inside, from −π to half the band outside, so that a turn is missing only far beyond rounding.
     static double turn(const Complex& root, const Band& band)
     {
+        constexpr double rounding = 1e-3;
         const Complex r = root + 1.0;
         double change = std::arg((beside_one(band.high) - root) / (beside_one(band.low) - root));
-        if (std::abs(r) < 1 && change < 0) change += 2 * pi;
-        if (std::abs(r) > 1 && change > band.width() / 2) change -= 2 * pi;
+        if (std::abs(r) < 1 && change < -rounding) change += 2 * pi;
+        if (std::abs(r) > 1 && change > band.width() / 2 + rounding) change -= 2 * pi;
         return change;
     }
     /// (1 − |r|²)/(2 |z − r|²): its slope but for the half that all roots share.
@@ -125,6 +127,15 @@ class Circle {
     double start_;
     bool sound_ = false;
 };
+
+/// One more band, joined to the last where it goes on from there.
+void doubt(Interval band, std::vector<Interval>& doubtful)
+{
+    if (!doubtful.empty() && doubtful.back().high >= band.low)
+        doubtful.back().high = band.high;
+    else
+        doubtful.push_back(band);
+}
 
 void take(const Circle& circle, double angle, int direction, CircleCrossings& found)
 {
@@ -202,7 +213,7 @@ CircleCrossings circle_crossings(const DiscreteLoop& loop)
             continue;
         }
         if (band.width() <= narrowest * band.high) {
-            found.doubtful.push_back({band.low / loop.period, band.high / loop.period});
+            doubt({band.low / loop.period, band.high / loop.period}, found.doubtful);
             continue;
         }
         open.push_back({band.middle(), band.high});

@@ -79,22 +79,30 @@ Eigen::MatrixXd with_past(const LateLoop& loop, double gain, int nodes)
     return M;
 }
 
-/// How many roots lie right of Re s = σ: those of A and the turns of 1 + L. Nothing where a root lies on the line.
+/// How many roots lie right of Re s = σ: those of A and the turns of 1 + L. Nothing where a root lies on the line. The
+/// imaginary axis is left by an arc around the integrators at s = 0, several of which rounding moves to either side; no
+/// root of 1 + L lies within the arc where |L| is large on it.
 std::optional<int> roots_right_of(const LateLoop& loop, const Opened& open, double gain, double sigma)
 {
     constexpr double far = 1e-3, small = 0.5, most_turned = 0.3, most_bent = 0.1;
+    constexpr double integrators = 1e-5, around = 1e-4, large = 10;
     int right = 0;
     double size = 0;
-    for (const Complex& s : eigenvalues_of(loop.A)) {
-        right += s.real() > sigma;
-        size = std::max(size, std::abs(s));
+    const auto poles = eigenvalues_of(loop.A);
+    for (const Complex& s : poles) size = std::max(size, std::abs(s));
+    bool integrates = false;
+    for (const Complex& s : poles) {
+        const bool beside = sigma == 0 && std::abs(s) < integrators * size;
+        integrates |= beside;
+        right += !beside && s.real() > sigma;
     }
+    const double radius = integrates ? around * size : 0, arc = radius * pi / 2;
     const double grown = std::exp(-sigma * loop.delay);
     struct Look {
         Complex prompt, closed;  // L without dead time, 1 + L
     };
-    const auto at = [&](double omega) {
-        const Complex s(sigma, omega);
+    const auto at = [&](double way) {
+        const Complex s = way < arc ? std::polar(radius, way / radius) : Complex(sigma, radius + way - arc);
         const auto r = open.prompt(s);
         const Complex L = gain * r.first - r.second;
         return Look{L, 1.0 + L * open.late(s)};
@@ -107,6 +115,7 @@ std::optional<int> roots_right_of(const LateLoop& loop, const Opened& open, doub
     const double widest = loop.delay > 0 ? most_turned / loop.delay : end;
     double turned = 0, omega = 0, step = 1e-5 * end;
     Look here = at(0);
+    if (integrates && !(std::abs(here.prompt) > large && std::abs(at(arc).prompt) > large)) return std::nullopt;
     constexpr int most = 400'000;
     for (int used = 0; omega < end; ++used) {
         if (used > most || !std::isfinite(std::abs(here.closed))) return std::nullopt;

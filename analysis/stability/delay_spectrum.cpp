@@ -209,7 +209,7 @@ class Edge {
             if (!root) continue;
             found.push_back(*root);
             const double near = 1e-9 * std::abs(*root);
-            const bool between = root->real() >= low_ - near && root->real() <= high_ + near;
+            const bool between = root->real() > low_ && root->real() <= high_ + near;  // left of low all are known
             if (between && (!best || root->real() > best->real())) best = root;
             if (at_low_.roots > 0 && counted(found) >= at_low_.roots && best) break;
         }

@@ -6,6 +6,7 @@ schema that accepts anything proves nothing.
 """
 import copy
 import json
+import math
 import pathlib
 import subprocess
 import sys
@@ -38,10 +39,38 @@ V_star = 1e-3
 """
 
 
-def stickslip(*arguments):
+LOOP = """
+[joint]
+motion = "revolute"
+inertia = 0.05
+[control]
+k_p = 20.0
+k_v = 0.5
+period = 1e-3
+velocity_estimate = { form = "backward-difference" }
+[friction]
+law = "coulomb-viscous"
+coulomb = 0.3
+viscous = 0.05
+[sensor]
+position_noise = 1e-6
+"""
+
+
+def stickslip(*arguments, codes=(0, 4)):
     done = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, cwd=ROOT)
-    assert done.returncode in (0, 4), done.stdout + done.stderr
+    assert done.returncode in codes, done.stdout + done.stderr
     return done.stdout
+
+
+def back_and_forth(file):
+    """Three seconds of a reference that moves, turns and stops."""
+    with open(file, "w", encoding="utf-8") as out:
+        out.write("time,reference_position\n")
+        for i in range(3000):
+            t = i * 1e-3
+            q = 0.5 * (1 - math.cos(2 * math.pi * t)) if t < 2 else 0.0
+            out.write(f"{t:.3f},{q:.9g}\n")
 
 
 def check(name, value):
@@ -63,5 +92,34 @@ with tempfile.TemporaryDirectory() as folder:
     spec.write_text(SPEC, encoding="utf-8")
     check("sweep-run", json.loads(stickslip("sweep", str(spec), "-o", out, "--json")))
     check("sweep-answer", json.loads(pathlib.Path(out, "answer.json").read_text(encoding="utf-8")))
+    ball_screw = "examples/02-ball-screw/joint-with-memory.toml"
+    for question in (
+        (ball_screw, "--set", "control.k_v=0", "--along", "control.k_p=1e3..1e7"),
+        (ball_screw, "--set", "control.k_v=0", "--along", "control.k_p=1e3..1e4"),  # the boundary lies outside
+        (ball_screw, "--kind", "v-min", "--along", "control.V0=1 um/s..10 mm/s"),
+        (str(spec), "--kind", "linear", "--over", "control.k_p", "control.k_v", "--guard", "6"),
+    ):
+        check("boundary", json.loads(stickslip("boundary", *question, "--json")))
+    check("margins", json.loads(stickslip("margins", ball_screw, "--json")))
+    check("margins", json.loads(stickslip("margins", str(spec), "--uncertain", "friction.L=20%", "--over", "control.k_p",
+                                          "control.k_v", "--guard", "6", "--json")))
+    for margin in ("1", "99"):  # feasible, and not
+        check("design", json.loads(stickslip("design", "examples/04-design/spec.toml", "--require", f"margin={margin}",
+                                             "--require", "front_points=3", "--json", codes=(0, 1))))
+    baseline = pathlib.Path(folder, "baseline.json")
+    stickslip("check", str(spec), str(baseline), "--update")
+    check("baseline", json.loads(baseline.read_text(encoding="utf-8")))
+    # records of the loop itself, of one with a load that the file lacks, and too few rows
+    loop, motion = pathlib.Path(folder, "loop.toml"), pathlib.Path(folder, "motion.csv")
+    loop.write_text(LOOP, encoding="utf-8")
+    back_and_forth(motion)
+    for load in ("0", "0.2"):
+        record = pathlib.Path(folder, f"record-{load}")
+        stickslip("simulate", str(loop), "--reference", str(motion), "--set", f"load.constant={load}", "-o", str(record))
+        check("diagnosis", json.loads(stickslip("diagnose", str(loop), str(record / "record.csv"), "--no-report", "--json",
+                                                "-o", str(record))))
+    few = pathlib.Path(folder, "few.csv")
+    few.write_text("".join((record / "record.csv").read_text(encoding="utf-8").splitlines(keepends=True)[:50]), encoding="utf-8")
+    check("diagnosis", json.loads(stickslip("diagnose", str(loop), str(few), "--no-report", "--json", "-o", str(record))))
     for joint in (str(pathlib.Path(out, "joint.toml")), "examples/02-ball-screw/spec-with-memory.toml"):
         check("evaluate", json.loads(stickslip("evaluate", joint, "--json")))

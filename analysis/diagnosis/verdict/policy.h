@@ -45,7 +45,7 @@ inline constexpr LadderRules ladder{
     .margin = 0.14,        // of held-out mean log square, i.e. 7 % of the RMS: rivals that near are model error apart
     .rows_of_margin = 60,  // four readings of 15 rows each, see rows_per_reading of verdict.cpp
     .ranges = physical_ranges,
-    .worth_telling = 0.1,
+    .worth_telling = 0.1,  // of the squares: what a signal explains less of is the scatter of blocks, not a dependence
 };
 
 /// Of what is explainable beyond the corrections. Reason: a first rung that takes less is not "the effect".

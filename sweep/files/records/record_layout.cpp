@@ -1,6 +1,7 @@
 #include "sweep/files/records/record_layout.h"
 
 #include "sweep/files/text/units.h"
+#include "sweep/files/toml/hand_keys.h"
 #include "sweep/files/toml/joint_keys.h"
 #include "sweep/files/toml/named_values.h"
 #include "sweep/files/toml/struct_reader.h"
@@ -37,8 +38,8 @@ namespace files {
 namespace {
 
 const std::vector<std::string> rule_keys{"columns", "constants", "at_rest_at_start"};
-const std::vector<std::string> top_keys{"columns", "constants", "at_rest_at_start", "files"};
-const std::vector<std::string> column_keys{"name", "unit", "scale", "offset"};
+const std::vector<std::string> top_keys = names_of(record_keys, "record");
+const std::vector<std::string> column_keys = names_of(record_column_keys, "record.columns.SIGNAL");
 
 class LayoutReader {
   public:

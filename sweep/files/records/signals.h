@@ -14,8 +14,9 @@ struct Signal {
     std::string_view name;
     std::vector<double> Record::*column;
     Quantity quantity;
-    bool measured;          ///< says what the joint did: a record needs one of these
-    bool any_unit = false;  ///< in a unit of its own
+    bool measured;  ///< says what the joint did: a record needs one of these
+    bool any_unit;  ///< in a unit of its own
+    std::string_view help;
 };
 
 /// time, reference_position, … in the order of the documentation. drive_voltage and duty share Record::drive.

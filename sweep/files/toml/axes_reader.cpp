@@ -1,6 +1,7 @@
 #include "sweep/files/toml/axes_reader.h"
 
 #include "analysis/joint/parameters.h"
+#include "sweep/files/toml/hand_keys.h"
 #include "sweep/files/toml/named_values.h"
 #include "sweep/words/symbols.h"
 
@@ -11,7 +12,7 @@ namespace stickslip::files {
 namespace {
 
 constexpr std::uint64_t max_axis_points = 1'000'000;  // of one axis; the product is limited by PlanLimits
-const std::vector<std::string> axis_keys{"from", "to", "points", "scale", "values"};
+const std::vector<std::string> axis_keys = names_of(spec_keys, "axes");
 
 /// The list of an axis that was written out: log if it is spaced more evenly in the logarithm.
 bool looks_logarithmic(const std::vector<double>& values)

@@ -1,6 +1,7 @@
 // The [boundary] table of a spec: what `stickslip boundary` is asked where its command line says nothing.
 #pragma once
 #include "sweep/files/text/toml_input.h"
+#include "sweep/files/toml/hand_keys.h"
 #include "sweep/study/spec.h"
 
 namespace stickslip::files {
@@ -10,6 +11,6 @@ namespace stickslip::files {
 void read_boundary_lists(const toml::table& table, const Joint& joint, BoundarySpec& spec, Complaints& complaints);
 
 /// Those keys.
-inline const std::vector<std::string> boundary_lists{"kind", "along", "over", "axis"};
+inline const std::vector<std::string> boundary_lists = names_of(spec_keys, "boundary");
 
 }  // namespace stickslip::files

@@ -1,6 +1,8 @@
 #include "sweep/files/toml/requirements_file.h"
 
+#include "analysis/joint/key_collector.h"
 #include "sweep/files/text/bad_input.h"
+#include "sweep/files/toml/hand_keys.h"
 #include "sweep/files/toml/joint_keys.h"
 #include "sweep/files/toml/struct_reader.h"
 
@@ -109,6 +111,11 @@ Uncertainty uncertainty_from(const Joint& joint, const std::vector<std::string>&
     return u;
 }
 
+std::vector<Key> requirement_keys()
+{
+    return keys_of(RequirementsTable{}, "requirements");
+}
+
 Requirements read_requirements(const std::filesystem::path& file, const Joint& joint,
                                const std::vector<std::string>& changes)
 {
@@ -127,7 +134,7 @@ Requirements read_requirements(const std::filesystem::path& file, const Joint& j
     files::Complaints complaints(file.string());
     if (const auto* given = files::table_at(root, "requirements", "", complaints)) {
         files::StructReader reader(complaints, joint.mechanism.motion, files::Mode::change, explain);
-        reader.read(*given, "requirements", table, {"uncertain"});
+        reader.read(*given, "requirements", table, files::names_of(files::spec_keys, "requirements"));
         if (const auto* uncertain = files::table_at(*given, "uncertain", "requirements", complaints))
             for (const auto& [path, node] : files::in_file_order(*uncertain)) {
                 auto c = coordinate_from(joint, path);

@@ -2,6 +2,7 @@
 #pragma once
 #include "analysis/boundary/kinds/nearest.h"
 #include "analysis/design/design.h"
+#include "analysis/joint/keys.h"
 
 #include <filesystem>
 #include <string>
@@ -14,6 +15,9 @@ namespace stickslip {
 /// estimate and its limits of effort. Throws BadInput with every error.
 Requirements read_requirements(const std::filesystem::path& file, const Joint& joint,
                                const std::vector<std::string>& changes);
+
+/// The keys of [requirements], each at its default.
+std::vector<Key> requirement_keys();
 
 /// "PATH=20%" or "PATH - PATH=0.2" for each uncertain number. Throws BadInput.
 Uncertainty uncertainty_from(const Joint& joint, const std::vector<std::string>& texts);

@@ -4,6 +4,7 @@
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/toml/axes_reader.h"
 #include "sweep/files/toml/boundary_table.h"
+#include "sweep/files/toml/hand_keys.h"
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/files/toml/joint_keys.h"
 #include "sweep/files/toml/joint_table.h"
@@ -147,7 +148,7 @@ class SpecReader {
     {
         const auto* table = table_at(root_, "report", "", complaints_);
         if (!table) return;
-        complain_unknown_keys(*table, {"title", "charts", "surfaces"}, "report", complaints_);
+        complain_unknown_keys(*table, names_of(spec_keys, "report"), "report", complaints_);
         read_text_at(*table, "title", "report", spec_.report.title, complaints_);
         spec_.report.charts = pairs(*table, "charts");
         spec_.report.surfaces = pairs(*table, "surfaces");

@@ -2,6 +2,7 @@
 #include "analysis/diagnosis/fit/effect.h"
 #include "analysis/joint/keys.h"
 #include "analysis/joint/parameters.h"
+#include "sweep/files/reference/reference_text.h"
 #include "sweep/files/toml/commented_text.h"
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/program/verbs/verbs.h"
@@ -183,7 +184,7 @@ void print_columns(Json list)
 
 struct Options {
     std::string what, joint, law = "rate-and-state", model = "single-mass";
-    bool json = false;
+    bool json = false, markdown = false;
 };
 
 }  // namespace
@@ -207,10 +208,14 @@ void add_list(CLI::App& app, Invocation&)
         ->check(CLI::IsMember(model_names))
         ->capture_default_str();
     verb->add_flag("--json", options->json, "machine-readable, stable names");
+    verb->add_flag("--markdown", options->markdown, "with keys: every key of every file, and the columns, as a page");
     verb->footer(
         "Example: stickslip list parameters --law stribeck\n"
         "Example: stickslip list keys --model two-mass --law lugre");
     verb->callback([options] {
+        if (options->markdown && options->what != "keys")
+            throw CLI::ValidationError("--markdown", "is for keys: stickslip list keys --markdown");
+        if (options->markdown) return fmt::print("{}", reference_text());
         const Json list = options->what == "laws"      ? law_list()
                           : options->what == "joints"  ? joint_list()
                           : options->what == "effects" ? effect_list(options->json)

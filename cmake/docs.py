@@ -1,0 +1,157 @@
+#!/usr/bin/env python3
+"""Pages of docs/ that are made from the code: reference.md and method.md. Run: docs.py write|check PROGRAM
+
+reference.md: what the program says of its keys (stickslip list keys --markdown), then every field of its JSON answers from
+docs/schema. method.md: every threshold of analysis/diagnosis/verdict/policy.h with the comment that gives its reason.
+"""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).parent.parent
+MADE = "<!-- Made by `cmake --build build --target docs_text`; a change here is overwritten. -->\n\n"
+POLICY = "analysis/diagnosis/verdict/policy.h"
+SCHEMAS = ("evaluate", "sweep-run", "boundary", "margins", "design", "baseline", "diagnosis")
+REFERENCE = """# Reference
+
+Every key of a joint file, a spec and a `[record]` table, every column and every field of the JSON answers. Units are SI, those of
+a revolute joint in brackets; text with a unit (`V0 = "1 mm/s"`) is converted where a number is expected. A default of – means: not
+set. The same on the terminal, for one joint: `stickslip list keys --model two-mass --law stribeck`, or `--joint joint.toml`.
+
+"""
+JSON_HEAD = """
+## Fields of the JSON answers
+
+A number that does not exist is `null`. `[]` stands for the entries of a list, `*` for a name. The schemas are in `docs/schema`;
+`answer.json`, from which pages of sweeps are drawn again, has its own: `sweep-answer.schema.json`.
+"""
+METHOD = """# Method: the thresholds of the diagnosis
+
+How the diagnosis reasons is told in [diagnosis](diagnosis.md). This page lists every number that its verdict goes by, from
+`{policy}`: what it is, in which unit, why, and what evidence there is for it.
+"""
+
+
+def row(*cells):
+    return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |\n"
+
+
+def type_of(schema):
+    if "const" in schema:
+        return f"`{schema['const']}`"
+    kind = schema.get("type", "value")
+    return " or ".join(kind) if isinstance(kind, list) else kind
+
+
+def fields_of(schema, path=""):
+    """(path, schema) of every field below, in order."""
+    for name, below in schema.get("properties", {}).items():
+        yield from field(f"{path}.{name}" if path else name, below)
+    if isinstance(schema.get("additionalProperties"), dict):
+        yield from field(f"{path}.*", schema["additionalProperties"])
+    if isinstance(schema.get("items"), dict):
+        yield from fields_of(schema["items"], path + "[]")
+
+
+def field(path, schema):
+    yield path, schema
+    yield from fields_of(schema, path)
+
+
+def json_section():
+    text = JSON_HEAD
+    for name in SCHEMAS:
+        schema = json.loads((ROOT / "docs/schema" / f"{name}.schema.json").read_text(encoding="utf-8"))
+        text += f"\n### {schema['title']}\n\n" + row("Field", "Type", "Unit", "Meaning") + row("---", "---", "---", "---")
+        for path, below in fields_of(schema):
+            text += row(f"`{path}`", type_of(below), below.get("unit", "–"), below["description"])
+    return text
+
+
+def reference(program):
+    keys = subprocess.run([program, "list", "keys", "--markdown"], capture_output=True, text=True, check=True).stdout
+    return MADE + REFERENCE + keys + json_section()
+
+
+def declarations(source):
+    """(comment, statement) of every constant; the statement keeps the comments of its lines."""
+    comment, lines, statement = [], source.splitlines(), None
+    for line in lines:
+        stripped = line.strip()
+        if statement is None:
+            if stripped.startswith("///"):
+                comment.append(stripped[3:].strip())
+                continue
+            if not stripped.startswith("inline constexpr"):
+                comment = []
+                continue
+            statement = []
+        statement.append(line)
+        if stripped.split("//")[0].rstrip().endswith(";"):
+            yield " ".join(comment), "\n".join(statement)
+            comment, statement = [], None
+
+
+def rows_of_fields(statement):
+    for name, value, why in re.findall(r"^\s*\.(\w+) = ([^,\n]+),[ \t]*(?://[ \t]*(.*))?$", statement, re.MULTILINE):
+        yield name, value, why
+
+
+def rows_of_ranges(statement):
+    pattern = r'\w+\{\s*"([^"]+)",\s*"([^"]+)",\s*([^,]+),\s*([^,]+),\s*Per::(\w+),\s*((?:"[^"]*"\s*)+)\}'
+    for effect, parameter, low, high, per, reason in re.findall(pattern, statement):
+        top = "–" if float(high) >= 1e9 else high
+        yield f"`{effect}.{parameter}`", low, top, per.replace("_", " "), " ".join(re.findall(r'"([^"]*)"', reason))
+
+
+def constants(statement):
+    """Names and values of `double a = 1, b = 2;`."""
+    body = re.sub(r"//.*", "", statement).split("=", 1)
+    head = body[0].split()[-1] + " =" + body[1].rstrip().rstrip(";")
+    return re.findall(r"(\w+)\s*=\s*([^,]+)", " ".join(head.split()))
+
+
+def shown(value):
+    return "see above" if re.fullmatch(r"[a-z_]+", value) and value not in ("true", "false") else value
+
+
+def method():
+    source = (ROOT / POLICY).read_text(encoding="utf-8")
+    text = MADE + METHOD.format(policy=POLICY)
+    single = []
+    for comment, statement in declarations(source):
+        name = re.search(r"(\w+)\s*(?:=|\{)", re.sub(r"inline constexpr (?:std::)?", "", statement, count=1)).group(1)
+        ranges, fields = list(rows_of_ranges(statement)), list(rows_of_fields(statement))
+        title = f"\n## {name.replace('_', ' ')}\n\n" + (comment + "\n\n" if comment else "")
+        if ranges:
+            text += title + row("Parameter", "Least", "Most", "Counted in", "Reason") + row(*["---"] * 5)
+            text += "".join(row(*entry) for entry in ranges)
+        elif fields:
+            text += title + row("Name", "Value", "Unit, reason, evidence") + row(*["---"] * 3)
+            text += "".join(row(f"`{n}`", shown(v), why or ("see above" if comment or shown(v) != v else "")) for n, v, why in fields)
+        else:
+            single.append((constants(statement), comment))
+    text += "\n## Single thresholds\n\n" + row("Name", "Value", "What it is, reason, evidence") + row(*["---"] * 3)
+    for values, comment in single:
+        text += row("<br>".join(f"`{n}`" for n, _ in values), "<br>".join(v.strip() for _, v in values), comment)
+    return text
+
+
+def main():
+    what, program = sys.argv[1], sys.argv[2]
+    pages = {"docs/reference.md": reference(program), "docs/method.md": method()}
+    stale = []
+    for name, text in pages.items():
+        path = ROOT / name
+        if what == "write":
+            path.write_text(text, encoding="utf-8")
+        elif not path.exists() or path.read_text(encoding="utf-8") != text:
+            stale.append(name)
+    if stale:
+        sys.exit(f"{', '.join(stale)}: not what the code says; cmake --build build --target docs_text")
+
+
+if __name__ == "__main__":
+    main()

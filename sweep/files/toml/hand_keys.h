@@ -1,0 +1,60 @@
+// Keys whose values are no single number, word or flag, so that no struct declares them: each once, for its reader, for
+// the list of what is allowed beside it, and for the reference.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stickslip::files {
+
+struct HandKey {
+    std::string_view table, name;  ///< no table: at the top of the file
+    std::string_view takes, standard, help;
+};
+
+inline constexpr HandKey spec_keys[] = {
+    {"", "title", "text", "-", "of the report"},
+    {"", "joint", "text", "-", "joint file, from the folder of this one; without it the joint's own tables stand here"},
+    {"axes", "from", "number, or text with a unit", "required", "first value of the axis"},
+    {"axes", "to", "number, or text with a unit", "required", "last value of the axis, above from"},
+    {"axes", "points", "whole number within [1, 1000000]", "required", "how many values, both ends counted"},
+    {"axes", "scale", "log, linear", "linear", "how the values are spaced; log needs values > 0"},
+    {"axes", "values", "list of ascending numbers", "-", "the values themselves, in place of from, to and points"},
+    {"report", "title", "text", "title", "heading of the page"},
+    {"report", "charts", "pair of axes, or a list of pairs", "chosen", "which maps are drawn, x then y"},
+    {"report", "surfaces", "pair of axes, or a list of pairs", "chosen", "which surfaces are drawn, x then y"},
+    {"boundary", "kind", "text, or a list", "both linear theories",
+     "what is located: stickslip boundary --help has the kinds"},
+    {"boundary", "along", "PATH or PATH=FROM..TO, or a list", "the axes", "axes along which boundaries are located"},
+    {"boundary", "over", "two of PATH or PATH=FROM..TO", "the charts", "the plane in which boundaries are followed"},
+    {"boundary", "axis", "as along", "the axes", "another name of along"},
+    {"requirements", "uncertain", "table of PATH = share", "none",
+     "numbers that are not known well, with their shares"},
+};
+
+inline constexpr HandKey record_keys[] = {
+    {"record", "columns", "table of signals", "-", "which column of the file is which signal"},
+    {"record", "constants", "table of signals", "-", "signals without a column: one value for all rows"},
+    {"record", "at_rest_at_start", "true, false", "found out", "whether the joint stands still at the first row"},
+    {"record", "files", "table of file patterns", "-",
+     "what holds for files of this name only: columns, constants, at_rest_at_start, and numbers of the joint"},
+};
+
+inline constexpr HandKey record_column_keys[] = {
+    {"record.columns.SIGNAL", "name", "text", "the signal's", "the column's name in the file"},
+    {"record.columns.SIGNAL", "unit", "text", "SI", "unit of the column"},
+    {"record.columns.SIGNAL", "scale", "number, not 0", "1", "SI value = scale · value + offset"},
+    {"record.columns.SIGNAL", "offset", "number, or text with a unit", "0", "added behind the scale"},
+};
+
+/// The keys of one table, as they stand in it.
+template <std::size_t n>
+std::vector<std::string> names_of(const HandKey (&keys)[n], std::string_view table)
+{
+    std::vector<std::string> names;
+    for (const auto& key : keys)
+        if (key.table == table) names.emplace_back(key.name);
+    return names;
+}
+
+}  // namespace stickslip::files

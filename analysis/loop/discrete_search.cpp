@@ -100,8 +100,8 @@ class Circle {
     }
 
   private:
-    /// By how much arg(z − r) grows over a band of at most half the circle, r counted from 1: from nothing to 3π/2 where
-    /// r lies inside, from −π to half the band outside, so that a turn is missing only far beyond rounding.
+    /// By how much arg(z − r) grows over a band of at most half the circle, r counted from 1: from nothing to 3π/2
+    /// where r lies inside, from −π to half the band outside, so that a turn is missing only far beyond rounding.
     static double turn(const Complex& root, const Band& band)
     {
         constexpr double rounding = 1e-3;

@@ -113,6 +113,18 @@ std::vector<Interval> stable_intervals_of(const RealLoop& loop, std::vector<Cros
     return stable;
 }
 
+struct SingleGain {
+    double k_cr = not_set, omega = not_set;
+};
+
+/// One crossing, above which every gain is stable. Ticks and dead time always leave an end above.
+SingleGain single_gain(const std::vector<Crossing>& crossings, const std::vector<Interval>& windows)
+{
+    if (crossings.size() != 1 || windows.size() != 1 || windows[0].low != crossings[0].k_p) return {};
+    if (windows[0].high != infinity) return {};
+    return {crossings[0].k_p, crossings[0].omega};
+}
+
 /// The mechanism slides at V_0 by what the encoder says.
 double sliding_velocity(const Joint& joint, double commanded)
 {
@@ -257,6 +269,16 @@ PointResult real_point(const Joint& joint, double commanded)
         point.region = point.velocity_only_stable == 1 ? Region::stable : Region::memory_only;
     else
         point.region = point.velocity_only_stable == 1 ? Region::velocity_only : Region::unstable;
+    const auto* late = std::get_if<LateLoop>(&loop->loop);
+    if (!late || late->delay > 0) return point;
+    if (const auto turned = real_loop(joint, linear, velocity, TurnedGain::k_p)) {
+        std::vector<Crossing> crossings;
+        std::vector<Interval> doubtful;
+        double searched_to = infinity;
+        const auto windows = stable_intervals_of(*turned, crossings, doubtful, searched_to);
+        const auto single = single_gain(crossings, windows);
+        point.k_cr = single.k_cr, point.omega = single.omega;
+    }
     return point;
 }
 
@@ -301,9 +323,7 @@ LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
     memory.neutral = memory.spectral_abscissa == 0;
     if (const auto turned = real_loop(joint, linear, V, TurnedGain::k_p)) {
         memory.stable_intervals = stable_intervals_of(*turned, memory.crossings, memory.doubtful, memory.searched_to);
-        const auto& windows = memory.stable_intervals;
-        if (memory.crossings.size() == 1 && windows.size() == 1 && windows[0].low > 0 && windows[0].high == infinity)
-            memory.k_cr = memory.crossings[0].k_p;
+        memory.k_cr = single_gain(memory.crossings, memory.stable_intervals).k_cr;
     }
     const auto curve = velocity_only(linear);
     if (const auto loop = real_loop(joint, curve, V, TurnedGain::all)) {

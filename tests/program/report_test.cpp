@@ -185,7 +185,7 @@ TEST_CASE("completions and manual know every verb", "[program]")
         "test \"${COMPREPLY[*]}\" = fold || exit 1; "
         "COMP_WORDS=(stickslip list la); COMP_CWORD=2; _stickslip; "
         "test \"${COMPREPLY[*]}\" = laws && exit $a'";
-    CHECK_THAT(zsh.output, Contains(":value:(velocity-only linear v-min fold outcome)"));
+    CHECK_THAT(zsh.output, Contains(":value:(velocity-only linear v-min fold outcome hunting)"));
     CHECK(std::system(asks.c_str()) == 0);
     CHECK_THAT(fish.output, Contains("-l kind -x -a 'velocity-only linear v-min fold outcome'"));
     if (program::shell("command -v fish >/dev/null").exit_code != 0) return;

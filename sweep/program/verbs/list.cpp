@@ -135,20 +135,25 @@ Json parameter_list(const std::string& file, const std::string& law)
     return json;
 }
 
-/// Every key, numbers and words, with its default: of the given file, or of a model with a law on every body.
+/// Every key, numbers and words, with its default: of the given file, or of a model with a law on every body. JSON also
+/// has what that joint says, and the unit alone.
 Json key_list(const std::string& file, const std::string& model, const std::string& law, bool with_values)
 {
     const auto chosen =
         std::find_if(std::begin(models), std::end(models), [&](const auto& m) { return m.name == model; });
     const Joint joint = file.empty() ? starting_joint(chosen->value, law, Motion::prismatic) : read_joint(file);
     Json json = Json::array();
-    for (const auto& key : keys(joint))
-        json.push_back({{"path", key.path},
-                        {"default", key.need == Need::required ? "required"
-                                    : key.standard.empty()     ? "-"
-                                                               : key.standard},
-                        {"allowed", allowed_values(key, joint.mechanism.motion)},
-                        {"help", key.help}});
+    for (const auto& key : keys(joint)) {
+        Json entry{{"path", key.path}};
+        if (with_values) {
+            entry["value"] = key.value;
+            entry["unit"] = unit_of(key.quantity, joint.mechanism.motion);
+        }
+        entry["default"] = key.need == Need::required ? "required" : key.standard.empty() ? "-" : key.standard;
+        entry["allowed"] = allowed_values(key, joint.mechanism.motion);
+        entry["help"] = key.help;
+        json.push_back(std::move(entry));
+    }
     return json;
 }
 

@@ -2,6 +2,7 @@
 // answers about one of them.
 #pragma once
 #include "analysis/joint/parameters.h"
+#include "analysis/loop/loop_use.h"
 #include "analysis/stability/characteristic.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/linear_joint.h"
@@ -87,10 +88,12 @@ inline std::string contradiction(const Joint& joint)
     if (memory.eigenvalues.empty()) return "no eigenvalues";
     const auto first = memory.eigenvalues.front();
     if (std::abs(first.real() - abscissa) > 1e-7 * std::abs(first)) return "abscissa and list of eigenvalues";
+    // the characteristic function below is that of the ideal loop: real loops have monodromy_test and real_loop_test
+    const bool ideal = loop_kind(joint) == LoopKind::ideal;
     for (const auto& s : memory.eigenvalues)
-        if (std::abs(s) > 0 && !(residual(linear, s) < 1e-8)) return "an eigenvalue is no root";
+        if (ideal && std::abs(s) > 0 && !(residual(linear, s) < 1e-8)) return "an eigenvalue is no root";
     const auto beyond = roots_right_of(linear, abscissa + 1e-6 * std::abs(first));
-    if (beyond && *beyond != 0) return "a root right of the abscissa";
+    if (ideal && beyond && *beyond != 0) return "a root right of the abscissa";
     const double k_p = joint.control.k_p;
     bool within = false;
     for (const auto& i : memory.stable_intervals) within = within || (k_p > i.low && k_p < i.high);

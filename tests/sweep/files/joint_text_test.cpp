@@ -121,6 +121,7 @@ inertia = 2   # kg·m²
 kind = "position"
 feedback = "motor"
 structure = "pid"
+anti_windup = "none"
 k_p = 12345678901234567168.0   # N·m/rad
 
 [friction]

@@ -41,8 +41,9 @@ void check_gains(Joint joint, double low, double high)
     }
 }
 
-/// Roots of one body's m s² + (k_v + f_v − G) s + k_p right of Re s = σ, by brute force: the turns of F on a fine grid.
-/// Poles of G that lie right of the line are roots of its denominator, not of the joint.
+/// Roots of one body's m s² + (k_v + f_v − G) s + k_p right of Re s = σ, by brute force: the turns of F on a fine grid,
+/// finest at low frequencies, where roots lie close to the line. Poles of G that lie right of the line are roots of its
+/// denominator, not of the joint.
 int brute_count(const LinearJoint& j, double sigma, double end, int steps)
 {
     const auto F = [&](double omega) {
@@ -51,8 +52,9 @@ int brute_count(const LinearJoint& j, double sigma, double end, int steps)
     };
     double turned = 0;
     Complex before = F(0);
-    for (int i = 1; i <= steps; ++i) {
-        const Complex here = F(end * i / steps);
+    constexpr double first = 1e-8;  // of the end
+    for (int i = 0; i <= steps; ++i) {
+        const Complex here = F(end * std::pow(first, 1 - double(i) / steps));
         turned += std::arg(here / before);
         before = here;
     }

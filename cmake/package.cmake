@@ -7,11 +7,14 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/stickslip)
 set_target_properties(results PROPERTIES OUTPUT_NAME stickslip-results)
 set_target_properties(analysis PROPERTIES OUTPUT_NAME stickslip-analysis)
 target_compile_features(results PUBLIC cxx_std_20)
-target_include_directories(results INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/stickslip>)
+target_include_directories(results INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 
 install(TARGETS results analysis EXPORT stickslip ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library)
 install(EXPORT stickslip NAMESPACE stickslip:: FILE stickslip-targets.cmake DESTINATION ${package_dir} COMPONENT library)
-install(DIRECTORY analysis DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/stickslip COMPONENT library FILES_MATCHING PATTERN "*.h")
+# public headers, and behind them only what they include
+install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\" -DSOURCE=${PROJECT_SOURCE_DIR}
+  \"-DHEADERS=\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}\"
+  -P \"${PROJECT_SOURCE_DIR}/cmake/install_headers.cmake\" COMMAND_ERROR_IS_FATAL ANY)" COMPONENT library)
 configure_package_config_file(cmake/stickslip-config.cmake.in stickslip-config.cmake INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(stickslip-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/stickslip-config.cmake ${PROJECT_BINARY_DIR}/stickslip-config-version.cmake

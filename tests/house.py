@@ -2,7 +2,7 @@
 """The rooms of the house: which folder may include which. Run: tests/house.py [source folder]
 
 Checks that arrows between floors go down only, that no folders include each other in a circle (a pair is the smallest
-circle), and that the headers of heavy libraries stay behind ours.
+circle), that the headers of heavy libraries stay behind ours, and that programs outside see public headers only.
 """
 import re
 import sys
@@ -33,6 +33,31 @@ COMPUTES_STILL = {  # this list only shrinks; its headers show structs that stil
     "sweep/words": {"nearest_text.h", "verdict_text.h"},
 }
 INCLUDE = re.compile(r'^\s*#include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
+
+
+# What a program outside sees: headers that forward to one of ours each, and an umbrella over them all.
+PUBLIC = "include/stickslip"
+OUTSIDE = ("examples", "tests/package")
+
+
+def public_complaints():
+    public = {path.name: INCLUDE.findall(path.read_text(encoding="utf-8")) for path in (SOURCE / PUBLIC).glob("*.h")}
+    umbrella = public.pop("stickslip.h", [])
+    for name, includes in sorted(public.items()):
+        if f"stickslip/{name}" not in umbrella:
+            yield f"{PUBLIC}/{name}: is missing in stickslip.h"
+        if len(includes) != 1 or not (SOURCE / includes[0]).exists() or not includes[0].startswith("analysis/"):
+            yield f"{PUBLIC}/{name}: includes {includes}, a public header stands for one header of analysis"
+        elif "Internal to" in (SOURCE / includes[0]).read_text(encoding="utf-8").split("#pragma once")[0]:
+            yield f"{PUBLIC}/{name}: makes {includes[0]} public, which says that it is internal"
+    for name in umbrella:
+        if name.removeprefix("stickslip/") not in public:
+            yield f"{PUBLIC}/stickslip.h: includes {name}, which is no public header"
+    for path in sorted(p for room in OUTSIDE for p in (SOURCE / room).rglob("*") if p.suffix in (".h", ".cpp")):
+        for name in INCLUDE.findall(path.read_text(encoding="utf-8")):
+            inside = name.split("/")[0] in ROOMS or name.startswith("stickslip/") and name.split("/")[1] not in public
+            if inside and name != "stickslip/stickslip.h":
+                yield f"{path.relative_to(SOURCE)}: includes {name}, which is not public"
 
 
 def files():
@@ -95,6 +120,7 @@ def main():
     for members in circles(arrows):
         wrong.append("folders that include each other in a circle: " + ", ".join(members))
         wrong += [f"    {text}" for (a, b), text in sorted(because.items()) if a in members and b in members]
+    wrong += public_complaints()
     for line in wrong:
         print(line)
     print(f"{sum(counted.values())} files in {len(counted)} folders, {sum(map(len, arrows.values()))} arrows, {len(wrong)} complaints")

@@ -1,7 +1,7 @@
 // Which position gain does a joint need at each velocity, and what would velocity feedback alone need?
-#include <cstdio>
+#include <stickslip/verdict.h>
 
-#include "analysis/stability/verdict.h"
+#include <cstdio>
 
 int main()
 {

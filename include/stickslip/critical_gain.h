@@ -1,0 +1,3 @@
+// The critical position gain in closed form.
+#pragma once
+#include "analysis/stability/critical_gain.h"

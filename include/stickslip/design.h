@@ -1,0 +1,3 @@
+// The best gains under requirements.
+#pragma once
+#include "analysis/design/design.h"

@@ -1,0 +1,3 @@
+// Diagnosis: what a diagnosis found.
+#pragma once
+#include "analysis/results/diagnosis.h"

@@ -1,0 +1,3 @@
+// Impulse, step, sine and noise on the linear joint.
+#pragma once
+#include "analysis/stability/forced_response.h"

@@ -1,0 +1,3 @@
+// Verdicts over a range of normal loads.
+#pragma once
+#include "analysis/stability/load_study.h"

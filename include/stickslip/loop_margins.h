@@ -1,0 +1,3 @@
+// Compliance, gain and phase margins, root locus.
+#pragma once
+#include "analysis/stability/loop.h"

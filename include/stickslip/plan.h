@@ -1,0 +1,3 @@
+// What a motion can show before it is measured.
+#pragma once
+#include "analysis/diagnosis/plan/power.h"

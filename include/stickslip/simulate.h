@@ -1,0 +1,3 @@
+// One motion of one joint.
+#pragma once
+#include "analysis/simulation/simulate.h"

@@ -1,0 +1,3 @@
+// Which position gains are stable.
+#pragma once
+#include "analysis/stability/stable_gains.h"

@@ -1,0 +1,3 @@
+// How slow a joint can go with given gains.
+#pragma once
+#include "analysis/stability/resolution.h"

@@ -1,0 +1,3 @@
+// A motion in time.
+#pragma once
+#include "analysis/results/trajectory.h"

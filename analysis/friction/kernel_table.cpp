@@ -30,14 +30,35 @@ UnitIntegrals unit_integrals(Complex z)
     return {e0, e1, (2.0 * e1 - decay) / z};
 }
 
-template <class Piece>
-Complex sum_over_pieces(const KernelTable& table, Piece&& piece)
-{
-    Complex sum = 0;
-    for (std::size_t k = 0; k + 1 < table.time.size(); ++k)
-        sum += piece(table.time[k], table.time[k + 1] - table.time[k], table.value[k], table.value[k + 1]);
-    return sum;
-}
+/// e^{−s t} and the integrals over each piece, one after the other: pieces as long as the one before share its
+/// integrals, and e^{−s t} goes on by a factor a piece.
+class Pieces {
+  public:
+    Pieces(const KernelTable& table, Complex s) : table_(table), s_(s), same_(4e-16 * table.duration()) {}
+
+    /// Sum of piece(t0, h, a, b, e^{−s t0}, integrals).
+    template <class Piece>
+    Complex sum(Piece&& piece)
+    {
+        constexpr std::size_t exactly = 32;  // pieces after which e^{−s t} is computed anew: rounding adds up
+        Complex sum = 0, weight = 1;
+        for (std::size_t k = 0; k + 1 < table_.time.size(); ++k) {
+            const double t0 = table_.time[k], h = table_.time[k + 1] - t0;
+            if (k % exactly == 0) weight = std::exp(-s_ * t0);
+            if (!(std::abs(h - h_) <= same_)) h_ = h, integrals_ = unit_integrals(s_ * h), decay_ = std::exp(-s_ * h);
+            sum += piece(t0, h, table_.value[k], table_.value[k + 1], weight, integrals_);
+            weight *= decay_;
+        }
+        return sum;
+    }
+
+  private:
+    const KernelTable& table_;
+    Complex s_;
+    double same_, h_ = -1;
+    UnitIntegrals integrals_{};
+    Complex decay_;
+};
 
 }  // namespace
 
@@ -67,17 +88,15 @@ double KernelTable::at(double t) const
 Complex KernelTable::transform(Complex s) const
 {
     // a piece is a + (b − a) u with t = t0 + h u
-    return sum_over_pieces(*this, [s](double t0, double h, double a, double b) {
-        const auto e = unit_integrals(s * h);
-        return h * std::exp(-s * t0) * (a * e.e0 + (b - a) * e.e1);
+    return Pieces(*this, s).sum([](double, double h, double a, double b, Complex weight, const UnitIntegrals& e) {
+        return h * weight * (a * e.e0 + (b - a) * e.e1);
     });
 }
 
 Complex KernelTable::transform_slope(Complex s) const
 {
-    return sum_over_pieces(*this, [s](double t0, double h, double a, double b) {
-        const auto e = unit_integrals(s * h);
-        return -h * std::exp(-s * t0) * (t0 * (a * e.e0 + (b - a) * e.e1) + h * (a * e.e1 + (b - a) * e.e2));
+    return Pieces(*this, s).sum([](double t0, double h, double a, double b, Complex weight, const UnitIntegrals& e) {
+        return -h * weight * (t0 * (a * e.e0 + (b - a) * e.e1) + h * (a * e.e1 + (b - a) * e.e2));
     });
 }
 

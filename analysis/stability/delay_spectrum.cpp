@@ -219,10 +219,10 @@ class Edge {
     /// Moves the line left until enough roots lie right of it.
     void far_enough(double edge, double& sigma, LineCount& line) const
     {
-        constexpr int wanted = 20, most = 40;
+        constexpr int wanted = 20, most = 40, most_tries = 16;
         double near = edge, step = std::max(1e-3 * std::abs(edge), 1e-9 * scale_);
         if (line.roots >= wanted && line.roots <= most) return;
-        for (int tries = 0, lost = 0; tries < 60 && lost < 3; ++tries) {
+        for (int tries = 0, lost = 0; tries < most_tries && lost < 3; ++tries) {
             // left of the axis what is delayed grows by e a reach: no further at a time
             const double at = std::max(near - step, std::min(near, 0.0) - reach_);
             const auto there = look(at);
@@ -234,7 +234,7 @@ class Edge {
             }
             near = sigma = at, line = *there;
             if (line.roots >= wanted) return;
-            step *= tries < 30 ? 2 : 1;
+            step *= 2;
         }
     }
 

@@ -189,8 +189,9 @@ std::optional<LoopEnd> Follower::decide()
     last_change_ = change;
     const bool rests = last.velocity_min < 0.5 * std::abs(V0_);
     const bool like_steady = speed_of(last, V0_) < small_turn && options_.steady_attracts;
+    // of the turns before those that were compared nothing is known: they may still have been on their way
     if (!like_steady && (still || (alternates && (blocks_ > 4 || rests))))
-        return measured(LoopEnd::Kind::cycle, 4 * block);
+        return measured(LoopEnd::Kind::cycle, still && std::abs(change) > closed ? block : 2 * block);
     if (now.spread > uneven_turns && blocks_ >= rounds_before_uneven && std::abs(change) < now.spread) {
         const int repeats = turns_to_repeat(turns_);
         LoopEnd end = measured(repeats > 1 ? LoopEnd::Kind::period_n : LoopEnd::Kind::irregular, 4 * block);

@@ -7,8 +7,9 @@ constexpr double whole = 1e-9;  ///< of a tick: dead times nearer to a whole num
 
 constexpr double slowest = 1e-9;  ///< of V_0, for bodies that rest: their friction is that of the slowest sliding
 
-/// Ticks of a continuous loop: so many a radian of the fastest thing that the loop does, and a part of its filters.
-constexpr double ticks_per_radian = 40, filter_part = 0.05;
+/// Ticks of a continuous loop: so many a radian of the fastest thing that the loop does, and a part of its filters; but
+/// of filters far beyond the loop no more than follows their lag, which is that of a hold.
+constexpr double ticks_per_radian = 40, filter_part = 0.05, most_for_filters = 8;
 
 }  // namespace
 
@@ -24,10 +25,11 @@ double tick_of(const Joint& joint)
         fastest = std::max(fastest, std::sqrt(held / chain.body[i].inertia));
         before = behind;
     }
-    double tick = 1 / (ticks_per_radian * std::max(fastest, 1e-9));
+    const double usual = 1 / (ticks_per_radian * std::max(fastest, 1e-9));
+    double tick = usual;
     for (const double filter : {c.velocity_estimate.tau, joint.actuator.lag})
         if (filter > 0) tick = std::min(tick, filter_part * filter);
-    return tick;
+    return std::max(tick, usual / most_for_filters);
 }
 
 SampledLoop::SampledLoop(const Joint& joint, double frame, double speed, LoopSide side, const LoopOptions& options)

@@ -13,6 +13,7 @@ constexpr double small_turn = 1e-2;        ///< of V_0: speeds of a turn that th
 constexpr double smallest_turn = 1e-7;     ///< of V_0: what steady sliding cannot be told from
 constexpr double alike = 0.25;             ///< by which a decay may miss the linear rate
 constexpr double slow_growth = 4e-3;       ///< of ln amplitude a turn: slower motions are scaled, not waited for
+constexpr double waits = 0.7;              ///< of the change over a block that the next one leaves
 constexpr double jump = 0.4;               ///< of ln amplitude
 constexpr double uneven_turns = 0.05;      ///< spread of amplitudes beyond which turns are not alike
 constexpr double same_turn = 1e-3;         ///< to which turns of a period-n motion repeat
@@ -199,7 +200,8 @@ std::optional<LoopEnd> Follower::decide()
         if (repeats > 1) end.period *= repeats;
         return end;
     }
-    if (std::abs(growth) < slow_growth && now.spread < 10 * std::abs(change) && !steady_.empty()) {
+    // what still shrinks from block to block gets there by itself, and sooner than a scaled motion
+    if (ratio > waits && std::abs(growth) < slow_growth && now.spread < 10 * std::abs(change) && !steady_.empty()) {
         const double at = std::log(now.amplitude);
         scale_motion(std::exp(creep_.next(at, growth) - at));
     }

@@ -137,7 +137,7 @@ TEST_CASE("sampled loop: a cascade is the sum of gains that it comes to", "[samp
     c.velocity_integral_gain = 60e3 - 40 * c.position_gain;
     c.k_p = c.k_v = not_set;
     const auto a = loop_verdict(sum, {.region = false}), b = loop_verdict(cascade, {.region = false});
-    CHECK(a.growth_rate == Approx(b.growth_rate).epsilon(1e-6));
+    CHECK(a.growth_rate == Approx(b.growth_rate).epsilon(1e-5));  // what a measured growth holds, as above
     CHECK(a.cycle.amplitude == Approx(b.cycle.amplitude).epsilon(1e-5));
 }
 

@@ -1,14 +1,18 @@
 #!/usr/bin/env python3
-"""Pages of docs/ that are made from the code: reference.md and method.md. Run: docs.py write|check PROGRAM
+"""Pages of docs/ that are made from the code: reference.md and method.md; and the site with its pictures.
+Run: docs.py write|check PROGRAM, docs.py site PROGRAM FOLDER
 
 reference.md: what the program says of its keys (stickslip list keys --markdown), then every field of its JSON answers from
-docs/schema. method.md: every threshold of analysis/diagnosis/verdict/policy.h with the comment that gives its reason.
+docs/schema. method.md: every threshold of analysis/diagnosis/verdict/policy.h with the comment that gives its reason. site: a copy of docs/ in FOLDER/docs with the
+pictures that the program draws for it, and FOLDER/site where mkdocs is installed.
 """
 import json
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
+import tempfile
 
 ROOT = pathlib.Path(__file__).parent.parent
 MADE = "<!-- Made by `cmake --build build --target docs_text`; a change here is overwritten. -->\n\n"
@@ -139,8 +143,58 @@ def method():
     return text
 
 
+def blocks(page):
+    """What a reader does with a page, in order: (file, name, text), (sh, "", text), (output, "", text)."""
+    text = page.read_text(encoding="utf-8")
+    fence = re.compile(r"(?:<!-- (file|output)(?:: (\S+))? -->\n)?```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+    for kind, name, language, body in fence.findall(text):
+        if kind or language == "sh":
+            yield kind or language, name, body
+
+
+# picture in docs/pictures: the spec that is swept, and which of its charts it is
+PICTURES = {
+    "tutorial-map.svg": ("tutorial.md: spec.toml", "map-k-p-k-v.svg"),
+    "reference-map.svg": ("examples/01-reference-joint/spec.toml", "map-k-p-k-v.svg"),
+}
+
+
+def draw(program, folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    for picture, (spec, chart) in PICTURES.items():
+        with tempfile.TemporaryDirectory() as room:
+            if ": " in spec:
+                page, spec = spec.split(": ")
+                for kind, name, text in blocks(ROOT / "docs" / page):
+                    if kind == "file":
+                        pathlib.Path(room, name).write_text(text, encoding="utf-8")
+                spec = pathlib.Path(room, spec)
+            subprocess.run([program, "sweep", str(spec), "-o", f"{room}/out"], cwd=ROOT, stdout=subprocess.DEVNULL, check=True)
+            shutil.copy(f"{room}/out/charts/{chart}", folder / picture)
+
+
+def site(program, folder):
+    copy = folder / "docs"
+    shutil.rmtree(copy, ignore_errors=True)
+    shutil.copytree(ROOT / "docs", copy)
+    for page in copy.rglob("*.md"):  # the sources that a page names are not on the site
+        text = page.read_text(encoding="utf-8")
+        page.write_text(re.sub(r"\[([^\]]+)\]\((?:\.\./)+(?:analysis|sweep|render|tests)/[^)]*\)", r"\1", text), encoding="utf-8")
+    draw(program, copy / "pictures")
+    settings = (ROOT / "mkdocs.yml").read_text(encoding="utf-8")
+    settings = settings.replace("site_dir: build/site", "site_dir: site")
+    (folder / "mkdocs.yml").write_text(settings, encoding="utf-8")
+    if shutil.which("mkdocs"):
+        subprocess.run(["mkdocs", "build", "--strict", "--quiet", "-f", str(folder / "mkdocs.yml")], check=True)
+        print(f"{folder}/site/index.html")
+    else:
+        print(f"mkdocs is not installed (apt-get install mkdocs): the pages with their pictures are in {copy}")
+
+
 def main():
-    what, program = sys.argv[1], sys.argv[2]
+    what, program = sys.argv[1], str(pathlib.Path(sys.argv[2]).resolve())
+    if what == "site":
+        return site(program, pathlib.Path(sys.argv[3]).resolve())
     pages = {"docs/reference.md": reference(program), "docs/method.md": method()}
     stale = []
     for name, text in pages.items():

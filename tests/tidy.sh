@@ -1,0 +1,18 @@
+#!/bin/sh
+# clang-tidy over the sources that differ from a branch, or over those that are named; --all over every one (an hour).
+#   tests/tidy.sh [--all | --since BRANCH | FILE.cpp...]      default: --since main
+set -eu
+cd "$(dirname "$0")/.."
+command -v clang-tidy-14 >/dev/null || { echo "skipped: clang-tidy-14 is not installed"; exit 77; }
+case "${1:-}" in
+  --all) files=$(git ls-files 'analysis/*.cpp' 'render/*.cpp' 'sweep/*.cpp') ;;
+  --since | '') files=$(git diff --name-only --diff-filter=d "${2:-main}" -- 'analysis/*.cpp' 'render/*.cpp' 'sweep/*.cpp') ;;
+  *) files=$* ;;
+esac
+[ -n "$files" ] || { echo "no source differs"; exit 0; }
+# commands without precompiled headers and without ccache, which only GCC reads
+commands=build/tidy
+mkdir -p "$commands"
+cmake -S . -B "$commands" -G Ninja -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DSTICKSLIP_TESTS=OFF \
+  -DCMAKE_CXX_COMPILER_LAUNCHER= -DCCACHE= >"$commands/configure.log" 2>&1 || { cat "$commands/configure.log"; exit 1; }
+echo "$files" | tr ' ' '\n' | xargs -P "$(nproc)" -n 1 clang-tidy-14 --quiet -p "$commands" 2>"$commands/notes"

@@ -224,7 +224,7 @@ CircleCrossings circle_crossings(const DiscreteLoop& loop)
     return found;
 }
 
-std::vector<Interval> stable_gains(const DiscreteLoop& loop, const std::vector<Crossing>& crossings)
+std::vector<Interval> stable_gains(const DiscreteLoop& loop, const std::vector<Crossing>& crossings, double own)
 {
     std::vector<double> bounds{0};
     for (const auto& c : crossings) bounds.push_back(c.k_p);
@@ -232,7 +232,11 @@ std::vector<Interval> stable_gains(const DiscreteLoop& loop, const std::vector<C
     std::vector<Interval> intervals;
     for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
         const double low = bounds[i], high = bounds[i + 1];
-        const double probe = high == infinity ? (low == 0 ? 1 : 2 * low) : low == 0 ? high / 2 : std::sqrt(low * high);
+        // at the own gain, so that no window contradicts the verdict
+        const double probe = own > low && own < high ? own
+                             : high == infinity      ? (low == 0 ? 1 : 2 * low)
+                             : low == 0              ? high / 2
+                                                     : std::sqrt(low * high);
         if (!(sampled_growth(loop, probe) < 0)) continue;
         if (!intervals.empty() && intervals.back().high == low)
             intervals.back().high = high;

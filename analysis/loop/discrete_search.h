@@ -28,7 +28,7 @@ struct CircleCrossings {
 CircleCrossings circle_crossings(const DiscreteLoop& loop);
 
 /// The open intervals of the gain in which all multipliers decay, decided between neighbouring crossings.
-std::vector<Interval> stable_gains(const DiscreteLoop& loop, const std::vector<Crossing>& crossings);
+std::vector<Interval> stable_gains(const DiscreteLoop& loop, const std::vector<Crossing>& crossings, double own);
 
 /// The loop opened at the command, `turned` being all of its gains and `base` none.
 CommandMargins command_margins(const DiscreteLoop& loop);

@@ -301,19 +301,20 @@ AxisCrossings axis_crossings(const LateLoop& loop)
     return found;
 }
 
-std::vector<Interval> stable_gains(const LateLoop& loop, const AxisCrossings& all)
+std::vector<Interval> stable_gains(const LateLoop& loop, const AxisCrossings& all, double own)
 {
     std::vector<double> bounds{0};
     for (const auto& c : all.crossings) bounds.push_back(c.k_p);
     if (all.searched_to > bounds.back()) bounds.push_back(all.searched_to);
-    const Opened open(loop);
-    const double beside = 1e-3 * features(loop).from;  // of the axis, on which the integrators of the open loop lie
     std::vector<Interval> intervals;
     for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
         const double low = bounds[i], high = bounds[i + 1];
-        const double probe = high == infinity ? (low == 0 ? 1 : 2 * low) : low == 0 ? high / 2 : std::sqrt(low * high);
-        const auto right = roots_right_of(loop, open, probe, beside);
-        if (right ? *right != 0 : !(late_growth(loop, probe) < 0)) continue;
+        // at the own gain, so that no window contradicts the verdict
+        const double probe = own > low && own < high ? own
+                             : high == infinity      ? (low == 0 ? 1 : 2 * low)
+                             : low == 0              ? high / 2
+                                                     : std::sqrt(low * high);
+        if (!(late_growth(loop, probe) < 0)) continue;
         if (!intervals.empty() && intervals.back().high == low)
             intervals.back().high = high;
         else

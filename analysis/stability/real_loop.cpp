@@ -102,11 +102,11 @@ std::vector<Interval> stable_intervals_of(const RealLoop& loop, std::vector<Cros
         auto found = circle_crossings(*sampled);
         crossings = std::move(found.crossings);
         doubtful = std::move(found.doubtful);
-        return stable_gains(*sampled, crossings);
+        return stable_gains(*sampled, crossings, loop.gain);
     }
     const auto& late = std::get<LateLoop>(loop.loop);
     auto found = axis_crossings(late);
-    auto stable = stable_gains(late, found);
+    auto stable = stable_gains(late, found, loop.gain);
     crossings = std::move(found.crossings);
     doubtful = std::move(found.doubtful);
     searched_to = found.searched_to;

@@ -2,6 +2,7 @@
 
 #include "analysis/diagnosis/audit/audit_filter.h"
 #include "analysis/diagnosis/audit/audit_reference.h"
+#include "analysis/diagnosis/audit/audit_terms.h"
 #include "analysis/diagnosis/audit/regression.h"
 #include "analysis/diagnosis/plant/controller.h"
 #include "analysis/numerics/line_search.h"
@@ -250,6 +251,7 @@ Audit audit(std::vector<Case>& cases)
     result.possible = true;
     const Control documented = cases[0].joint.control;
     const double limit = std::min(documented.effort_limit, observed_limit(cases));
+    if (audit_terms(cases, limit, result)) return result;
     const bool filtered = documented.k_v != 0 && documented.velocity_estimate.form != EstimateForm::exact;
 
     // one gain pair a record: overrides may give every record its own documented gains
@@ -332,11 +334,11 @@ Audit audit(std::vector<Case>& cases)
         // a plateau is a limit only where the controller wanted more
         double wanted = 0;
         for (const auto& c : cases) {
-            Controller controller(c.joint.control);
+            Controller controller(c.joint);
             for (std::size_t k = 0; k < c.ticks.size(); ++k) {
                 controller.read(c.ticks.position[k], k == 0 ? c.ticks.step[0] : c.ticks.step[k - 1], 0);
-                wanted = std::max(wanted, std::abs(controller.unlimited(c.ticks.reference[k], c.ticks.reference_rate[k],
-                                                                        c.ticks.added(k))));
+                controller.command(c.ticks.reference[k], c.ticks.reference_rate[k], c.ticks.added(k));
+                wanted = std::max(wanted, std::abs(controller.wanted()));
             }
         }
         if (wanted > 1.01 * limit) {

@@ -1,59 +1,62 @@
-// The sampled controller of a record, exactly as INTERFACE §2 writes it.
+// The sampled controller of a record, as INTERFACE §2 and §7 write it: that of the simulation, in the frame of the
+// room.
 #pragma once
-#include "analysis/joint/joint.h"
+#include "analysis/diagnosis/plant/plant.h"
+#include "analysis/simulation/sampled/loop_controller.h"
 
-#include <algorithm>
-#include <array>
+#include <optional>
 
 namespace stickslip::gap {
 
+/// The reading per displacement of the link, for gravity that is fed forward.
+inline double reading_per_link(const Joint& joint)
+{
+    const bool geared = joint.mechanism.model != Model::single_mass && joint.control.feedback == Feedback::motor;
+    return geared ? joint.mechanism.transmission.ratio : 1;
+}
+
 class Controller {
   public:
-    explicit Controller(const Control& control)
-        : c_(control), taps_(std::clamp(static_cast<int>(control.velocity_estimate.average), 1, max_taps))
+    /// `load` and `gear` matter to gravity that is fed forward alone.
+    explicit Controller(const Control& control, const Load& load = {}, double gear = 1) : gear_(gear)
+    {
+        joint_.control = control;
+        joint_.load = load;
+        // records are sampled even where the description is not
+        if (!is_set(control.period)) joint_.control.period = 1e-3;
+        restart();
+    }
+    explicit Controller(const Joint& joint) : Controller(joint.control, joint.load, reading_per_link(joint)) {}
+    explicit Controller(const Plant& plant)
+        : Controller(plant.control, plant.load, plant.two_mass && !plant.feedback_link ? plant.ratio : 1)
     {
     }
 
     /// Forgets what it has read.
-    void restart() { count_ = 0, velocity_ = 0; }
+    void restart() { loop_.emplace(joint_, 0, gear_); }
     /// A new reading, one step after the last. `exact` is used where the estimate is the exact velocity.
     void read(double position, double step, double exact)
     {
-        position_ = position;
-        const double before = average();
-        if (count_ == 0) window_.fill(position);
-        window_[static_cast<std::size_t>(count_++ % taps_)] = position;
-        if (c_.velocity_estimate.form == EstimateForm::exact)
-            velocity_ = exact;
-        else if (count_ > 1)
-            velocity_ += step / (c_.velocity_estimate.tau + step) * ((average() - before) / step - velocity_);
+        step_ = step;
+        loop_->read(position, step, exact);
     }
     /// Takes a logged estimate in place of the controller's own.
-    void believe(double velocity) { velocity_ = velocity; }
-    double velocity() const { return velocity_; }
-    /// `added`: what the record says was added to the controller's own, a feed-forward.
-    double unlimited(double reference, double reference_rate, double added = 0) const
+    void believe(double velocity) { loop_->state.velocity = velocity; }
+    double velocity() const { return loop_->state.velocity; }
+    double integral() const { return loop_->state.integral; }
+    bool integrates() const { return loop_->integrates(); }
+    /// Once a tick. `added`: what the record says was added to the controller's own, a feed-forward.
+    double command(double reference, double reference_rate, double added = 0)
     {
-        const double rate_error = (c_.reference_velocity ? reference_rate : 0) - velocity_;
-        return c_.k_p * (reference - position_) + (c_.k_v != 0 ? c_.k_v * rate_error : 0) + added;
+        return loop_->command(reference, reference_rate, step_, added);
     }
-    double command(double reference, double reference_rate, double added = 0) const
-    {
-        return std::clamp(unlimited(reference, reference_rate, added), -c_.effort_limit, c_.effort_limit);
-    }
+    /// The last command before its limit.
+    double wanted() const { return loop_->wanted(); }
 
   private:
-    static constexpr int max_taps = 16;
-    double average() const
-    {
-        double sum = 0;
-        for (int i = 0; i < taps_; ++i) sum += window_[static_cast<std::size_t>(i)];
-        return sum / taps_;
-    }
-    const Control& c_;
-    int taps_, count_ = 0;
-    std::array<double, max_taps> window_{};
-    double position_ = 0, velocity_ = 0;
+    Joint joint_;
+    double gear_, step_ = 1e-3;
+    std::optional<LoopController> loop_;
 };
 
 }  // namespace stickslip::gap

@@ -244,7 +244,7 @@ Trace closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t seed)
     const Sensor& sensor = plant.sensor;
     Mechanics mechanics(plant, ticks, out.command);
     mechanics.start(0, ticks.initial_velocity, rest_at_start(plant, ticks, known_command(plant, ticks)));
-    Controller controller(plant.control);
+    Controller controller(plant);
     for (std::size_t k = 0; k < n; ++k) {
         const double q = mechanics.seen_position();
         double reading = sensor.position_scale * q + sensor.position_offset;
@@ -282,7 +282,7 @@ std::vector<double> velocity_between_rows(const Ticks& ticks)
 std::vector<double> command_of(const Plant& plant, const Ticks& ticks)
 {
     std::vector<double> command(ticks.size());
-    Controller controller(plant.control);
+    Controller controller(plant);
     // readings between the rows of a slow log are interpolated: the logged estimate is then the better velocity
     const auto logged_velocity =
         ticks.unseen_between() && ticks.has_velocity ? velocity_between_rows(ticks) : std::vector<double>();

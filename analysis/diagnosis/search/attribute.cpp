@@ -69,7 +69,8 @@ std::vector<Candidate> single_candidates(const std::vector<Case>& cases, const A
     const bool logged = cases[0].ticks.source == CommandSource::logged;
     for (const auto& e : effects()) {
         if (e.name == "quantisation") continue;  // the audit reads it off the grid
-        const bool of_controller = e.name == "gain-k_p" || e.name == "gain-k_v" || e.name == "velocity-filter";
+        const bool of_controller = e.name.starts_with("gain-k_") || e.name == "velocity-filter" ||
+                                   e.name == "feed-forward" || e.name == "dead-zone";
         if (of_controller && (logged || audit.possible)) continue;
         if (e.name == "velocity-filter" && audit.filter_seen) continue;
         for (const auto& f : e.forms) {

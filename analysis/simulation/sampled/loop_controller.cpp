@@ -126,7 +126,7 @@ double LoopController::command(double reference, double rate, double step, doubl
     }
     const double limited = std::clamp(output, -c.effort_limit, c.effort_limit);
     saturated_high_ = output > c.effort_limit, saturated_low_ = output < -c.effort_limit;
-    cut_ = limited - output;
+    wanted_ = output, cut_ = limited - output;
     return limited;
 }
 

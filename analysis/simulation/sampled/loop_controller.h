@@ -46,6 +46,8 @@ class LoopController {
 
     bool continuous() const { return !is_set(control_.period); }
     bool integrates() const { return gain_of_integral_ != 0; }
+    /// The last command before its limit.
+    double wanted() const { return wanted_; }
 
   private:
     double ahead(double reference, double rate, double step);
@@ -59,7 +61,7 @@ class LoopController {
     double gain_of_integral_, frame_, gear_;
     double path_ = 0, last_rate_ = not_set;
     bool saturated_high_ = false, saturated_low_ = false;
-    double cut_ = 0;  ///< output lost at the limit at the last tick
+    double wanted_ = 0, cut_ = 0;  ///< output of the last tick before its limit; what was lost there
 };
 
 }  // namespace stickslip

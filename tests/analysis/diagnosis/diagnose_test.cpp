@@ -86,6 +86,9 @@ TEST_CASE(
                                             "velocity-filter",
                                             "gain-k_p",
                                             "gain-k_v",
+                                            "gain-k_i",
+                                            "feed-forward",
+                                            "dead-zone",
                                             "quantisation",
                                             "sensor-offset",
                                             "periodic-disturbance"};

@@ -1,0 +1,153 @@
+#include "analysis/diagnosis/audit/command_terms.h"
+
+#include <Eigen/Dense>
+
+#include "analysis/diagnosis/plant/controller.h"
+
+namespace stickslip::gap {
+namespace {
+
+bool cascaded(const Control& c)
+{
+    return c.structure == Structure::cascade;
+}
+
+/// Changes per unit at one tick, from what the controller sees and remembers.
+struct Tick {
+    double error, rate, rate_error, integral, error_integral, acceleration;
+};
+
+std::array<double, linear_terms> changes(const Control& c, const Tick& t, bool integrates)
+{
+    std::array<double, linear_terms> d{};
+    const auto& f = c.feed_forward;
+    if (cascaded(c)) {
+        const double K_i = velocity_integral_gain(c), wanted = c.position_gain * t.error + t.rate_error;
+        const bool by_time = is_set(c.velocity_reset_time);
+        d[k_p_term] = c.position_gain * (c.velocity_gain * t.error + K_i * t.error_integral);
+        d[k_v_term] = c.velocity_gain * wanted + (by_time ? K_i * t.integral : 0);
+        d[k_i_term] = integrates ? K_i * t.integral : t.integral;
+    } else {
+        d[k_p_term] = c.k_p * t.error;
+        d[k_v_term] = (c.k_v != 0 ? c.k_v : 1) * t.rate_error;
+        d[k_i_term] = integrates ? c.k_i * t.integral : t.integral;
+    }
+    d[coulomb_term] = std::tanh(t.rate / f.coulomb_speed);
+    d[acceleration_term] = t.acceleration;
+    d[velocity_term] = c.reference_velocity ? gains_of(c).k_v * t.rate : 0;
+    return d;
+}
+
+/// At a kink of the reference its rate is anybody's guess unless it was logged.
+bool kinked(const Ticks& t, std::size_t k, double fastest)
+{
+    constexpr double bent = 0.02;  // of the largest rate
+    if (k == 0 || k + 1 >= t.size()) return true;
+    const double before = (t.reference[k] - t.reference[k - 1]) / t.step[k - 1],
+                 after = (t.reference[k + 1] - t.reference[k]) / t.step[k];
+    return std::abs(after - before) > bent * fastest;
+}
+
+void add_record(CommandTerms& terms, const Case& c, std::size_t record, double dead_zone, double limit)
+{
+    const Ticks& t = c.ticks;
+    Joint joint = c.joint;
+    joint.control.dead_zone = dead_zone;
+    const Control& control = joint.control;
+    Controller controller(joint);
+    const bool believed = t.unseen_between() && t.has_velocity;
+    double fastest = 0, own_integral = 0, error_integral = 0;
+    for (double rate : t.reference_rate) fastest = std::max(fastest, std::abs(rate));
+    auto restart = t.restarts.begin();
+    for (std::size_t k = 0; k < t.size(); ++k) {
+        if (restart != t.restarts.end() && restart->tick == k)
+            controller.restart(), own_integral = error_integral = 0, ++restart;
+        const double step = k == 0 ? t.step[0] : t.step[k - 1];
+        controller.read(t.position[k], step, is_set(t.velocity[k]) ? t.velocity[k] : 0);
+        if (believed && is_set(t.velocity[k])) controller.believe(t.velocity[k]);
+        const double rate = t.reference_rate[k], before = k == 0 ? rate : t.reference_rate[k - 1];
+        controller.command(t.reference[k], rate, t.added(k));
+        const double error = t.reference[k] - t.position[k];
+        Tick now;
+        now.error = error - std::clamp(error, -dead_zone, dead_zone);
+        now.rate = rate;
+        now.rate_error =
+            (control.reference_velocity ? control.feed_forward.velocity * rate : 0) - controller.velocity();
+        now.acceleration = (rate - before) / step;
+        error_integral += step * now.error;
+        own_integral += step * (cascaded(control) ? control.position_gain * now.error + now.rate_error : now.error);
+        now.integral = controller.integrates() ? controller.integral() : own_integral;
+        now.error_integral = error_integral;
+        if (!is_set(t.command[k]) || std::abs(t.command[k]) > 0.999 * limit || !t.enabled[k] || !c.judged(k)) continue;
+        if (kinked(t, k, fastest)) continue;
+        terms.rows.push_back(
+            {t.command[k] - controller.wanted(), changes(control, now, controller.integrates()), record});
+        terms.square += t.command[k] * t.command[k];
+    }
+    terms.integrates |= controller.integrates();
+}
+
+}  // namespace
+
+CommandTerms command_terms(const std::vector<Case>& cases, double dead_zone, double limit)
+{
+    CommandTerms terms;
+    for (std::size_t i = 0; i < cases.size(); ++i) add_record(terms, cases[i], i, dead_zone, limit);
+    const Control& c = cases[0].joint.control;
+    terms.possible.fill(true);
+    terms.factor[k_p_term] = true;
+    terms.factor[k_v_term] = cascaded(c) || c.k_v != 0;
+    terms.factor[k_i_term] = terms.integrates;
+    terms.possible[velocity_term] = c.reference_velocity && gains_of(c).k_v != 0;
+    return terms;
+}
+
+TermFit fit_terms(const CommandTerms& terms, const std::vector<int>& chosen)
+{
+    const bool open = terms.integrates || std::find(chosen.begin(), chosen.end(), k_i_term) != chosen.end();
+    std::size_t records = 0;
+    if (open)
+        for (const auto& row : terms.rows) records = std::max(records, row.record + 1);
+    const auto n = static_cast<Eigen::Index>(chosen.size()), all = n + static_cast<Eigen::Index>(records);
+    TermFit fit;
+    if (terms.rows.empty() || !(terms.square > 0)) return fit;
+    Eigen::MatrixXd G = Eigen::MatrixXd::Zero(all, all);
+    Eigen::VectorXd g = Eigen::VectorXd::Zero(all), x = Eigen::VectorXd::Zero(all), column(all);
+    const auto column_of = [&](const CommandTerms::Row& row) {
+        column.setZero();
+        for (Eigen::Index i = 0; i < n; ++i) column[i] = row.change[chosen[static_cast<std::size_t>(i)]];
+        if (open) column[n + static_cast<Eigen::Index>(row.record)] = 1;
+    };
+    for (const auto& row : terms.rows) {
+        column_of(row);
+        G += column * column.transpose();
+        g += row.left * column;
+    }
+    const Eigen::VectorXd unit = G.diagonal().cwiseSqrt();
+    if (all > 0 && !(unit.minCoeff() > 0)) return fit;
+    const Eigen::MatrixXd scaled = unit.cwiseInverse().asDiagonal() * G * unit.cwiseInverse().asDiagonal();
+    const Eigen::LDLT<Eigen::MatrixXd> solver(scaled);
+    constexpr double collinear = 1e-10;
+    if (all > 0) {
+        if (!(solver.vectorD().minCoeff() > collinear)) return fit;
+        x = solver.solve(g.cwiseQuotient(unit)).cwiseQuotient(unit);
+    }
+    double squares = 0;
+    for (const auto& row : terms.rows) {
+        column_of(row);
+        const double left = row.left - (all > 0 ? column.dot(x) : 0.0);
+        squares += left * left;
+    }
+    fit.misfit = std::sqrt(squares / terms.square);
+    const double variance = squares / static_cast<double>(terms.rows.size());
+    if (all == 0) return fit;
+    const Eigen::MatrixXd inverse = solver.solve(Eigen::MatrixXd::Identity(all, all));
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const auto term = static_cast<std::size_t>(chosen[static_cast<std::size_t>(i)]);
+        fit.value[term] = x[i];
+        fit.error[term] = std::sqrt(variance * inverse(i, i)) / unit[i];
+    }
+    return fit;
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,27 @@
+#include "analysis/diagnosis/effects/catalogue.h"
+
+namespace stickslip::gap {
+
+Effect dead_zone()
+{
+    Effect e;
+    e.name = "dead-zone";
+    e.stage = "controller";
+    e.form = "position errors within the zone count as none";
+    e.source = "Armstrong-Helouvry, Dupont and Canudas de Wit 1994";
+    e.signature = "the command is the proportional part less k_p times the zone, and nothing within it";
+    e.confusable = {"gain-k_p", "backlash"};
+    {
+        EffectForm f;
+        f.parameters = {
+            {"width", Quantity::number, Scale::one, true, 0.1, 10, 0.3, "true zone per documented"},
+        };
+        f.apply = [](Joint& j, const double* p) { j.control.dead_zone *= p[0]; };
+        f.seeds = {{1.2}, {0.8}};
+        f.applies = [](const Joint& j) { return j.control.dead_zone > 0; };
+        e.forms.push_back(f);
+    }
+    return e;
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,35 @@
+#include "analysis/diagnosis/effects/catalogue.h"
+
+namespace stickslip::gap {
+
+Effect gain_k_i()
+{
+    Effect e;
+    e.name = "gain-k_i";
+    e.stage = "controller";
+    e.form = "(1 + epsilon) k_i, in a cascade K_i or 1/T_n; k_i that the document lacks";
+    e.source = "Franklin, Powell and Workman 1998; Armstrong-Helouvry and Amin 1996";
+    e.signature = "proportional to the integral of the position error, in the command";
+    e.confusable = {"constant-load", "gain-k_p"};
+    {
+        EffectForm f;
+        f.parameters = {
+            {"factor", Quantity::number, Scale::one, true, 0.1, 10, 0.2, "true gain per nominal"},
+        };
+        f.apply = [](Joint& j, const double* p) {
+            auto& c = j.control;
+            c.k_i *= p[0];
+            if (is_set(c.velocity_integral_gain)) c.velocity_integral_gain *= p[0];
+            if (is_set(c.velocity_reset_time)) c.velocity_reset_time /= p[0];
+        };
+        f.seeds = {{1.1}, {0.9}};
+        f.applies = [](const Joint& j) {
+            const auto& c = j.control;
+            return c.k_i != 0 || is_set(c.velocity_integral_gain) || is_set(c.velocity_reset_time);
+        };
+        e.forms.push_back(f);
+    }
+    return e;
+}
+
+}  // namespace stickslip::gap

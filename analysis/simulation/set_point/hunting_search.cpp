@@ -62,17 +62,18 @@ SetPoint hunting_by_events(const StopToStop& motion, double natural, double dead
         none.rest_error = infinity;
         return none;
     }
-    const double low = std::max(natural * std::pow(10, -decades_below), least * (1 + precision));
+    // stops lie beyond the least start by distances of the order of the slips, however wide a dead zone is
+    const double low = std::max(natural * std::pow(10, -decades_below), least * precision);
     const double high = std::max(natural, least) * std::pow(10, decades_above);
     const int n = static_cast<int>(std::ceil(per_decade * std::log10(high / low)));
     none.reason = least > dead_zone ? SetPointReason::held
                   : dead_zone > 0   ? SetPointReason::dead_zone
                                     : SetPointReason::slips_shrink;
     none.rest_error = std::max(least, 0.0);
-    double outer = high, f_outer = growth(motion.slip_from(high), high);
+    double outer = least + high, f_outer = growth(motion.slip_from(outer), outer);
     if (f_outer > 0) return none.reason = SetPointReason::loop_unstable, none;
     for (int i = n - 1; i >= 0; --i) {
-        const double a = low * std::pow(high / low, static_cast<double>(i) / n);
+        const double a = least + low * std::pow(high / low, static_cast<double>(i) / n);
         const double f = growth(motion.slip_from(a), a);
         if (f > 0 && f_outer <= 0) {
             const auto at = [&](double v) { return growth(motion.slip_from(v), v); };

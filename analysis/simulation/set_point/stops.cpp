@@ -3,11 +3,14 @@
 #include "analysis/numerics/polynomial.h"
 #include "analysis/simulation/solvers/stepper.h"
 
+#include <optional>
+#include <utility>
+
 namespace stickslip {
 namespace {
 
 constexpr double rtol = 1e-10;
-constexpr int most_steps = 200'000, most_turns = 10'000;
+constexpr int most_steps = 2'000'000, most_turns = 10'000;
 constexpr double far = 1e4;        ///< times the start: no loop that settles goes there
 constexpr double nothing = 1e-10;  ///< share of the start and of the speed that counts as none
 constexpr double long_time = 1e3;  ///< times the slowest time constant: whatever creeps has arrived by then
@@ -45,6 +48,31 @@ Events events_of(const RegulatorFlow& flow)
         values[at_lower_limit] = limit < infinity ? asked + limit : 1;
     };
     return events;
+}
+
+double acceleration(const RegulatorFlow& flow, const FlowVector& y)
+{
+    FlowVector rate(y.size());
+    flow.rate(y, rate);
+    return rate[1];
+}
+
+/// A slip that swings nearly back to rest crosses zero speed twice within one step, which no change of sign shows: the
+/// state where the speed first vanished, or nothing. `before` is the time at which the step began.
+std::optional<std::pair<FlowVector, double>> touched_rest(const RegulatorFlow& flow, const Stepper& solver,
+                                                          double before, double direction)
+{
+    const double after = solver.time();
+    const auto pull = [&](double t) { return direction * acceleration(flow, solver.at(t)); };
+    if (!(pull(before) < 0 && pull(after) > 0)) return {};
+    const auto between = [](const auto& f, double low, double high) {  // where f turns from negative to positive
+        for (int i = 0; i < 60; ++i) (f(0.5 * (low + high)) < 0 ? low : high) = 0.5 * (low + high);
+        return 0.5 * (low + high);
+    };
+    const double slowest = between(pull, before, after);
+    if (!(direction * solver.at(slowest)[1] < 0)) return {};
+    const double first = between([&](double t) { return -direction * solver.at(t)[1]; }, before, slowest);
+    return std::pair(solver.at(first), first);
 }
 
 }  // namespace
@@ -95,11 +123,19 @@ Stop StopToStop::slip_from(double a) const
     y << -a, 0, w;
     solver->start(flow, 0, y, events);
     for (int i = 0; i < most_steps; ++i) {
-        const auto report = solver->step(long_time * slowest_);
+        const double before = solver->time();
+        auto report = solver->step(long_time * slowest_);
         y = solver->state();
         if (report.end == StepEnd::failure || !y.allFinite()) return stop;
+        double now = solver->time();
+        if (report.end == StepEnd::step && i > 0)
+            if (const auto touched = touched_rest(flow, *solver, before, flow.branch == Branch::forward ? 1 : -1)) {
+                now = touched->second;
+                y = touched->first;
+                report = {StepEnd::event, rests, -1};
+            }
         if (std::abs(y[0]) > far * a) return stop.end = Stop::End::runaway, stop;
-        stop.x = y[0], stop.slip_time = solver->time();
+        stop.x = y[0], stop.slip_time = now;
         const bool still = std::abs(y[0]) < nothing * a && std::abs(y[1]) < nothing * speed;
         if (still || report.end == StepEnd::time) return stop.end = Stop::End::settled, stop;
         if (report.end != StepEnd::event || report.event != rests) continue;
@@ -112,7 +148,7 @@ Stop StopToStop::slip_from(double a) const
         }
         if (++stop.turns > most_turns) return stop.end = Stop::End::runaway, stop;
         flow.branch = push > 0 ? Branch::forward : Branch::reverse;
-        solver->start(flow, solver->time(), y, events);
+        solver->start(flow, now, y, events);
     }
     return stop;
 }

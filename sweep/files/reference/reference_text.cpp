@@ -115,6 +115,19 @@ constexpr Table joint_tables[] = {
     {"neighbour", "Joints that the mass matrix couples to this one: `[[neighbour]]`, at most six."},
 };
 
+template <std::size_t n>
+std::string hand_rows(const files::HandKey (&keys)[n], std::string_view table)
+{
+    std::string text;
+    for (const auto& key : keys) {
+        if (key.table != table) continue;
+        const std::string path = key.table.empty() ? std::string(key.name) : fmt::format("{}.{}", key.table, key.name);
+        const std::string value = key.standard == "-" ? std::string(nothing) : std::string(key.standard);
+        text += row({code(path), std::string(nothing), std::string(key.takes), value, std::string(key.help)});
+    }
+    return text;
+}
+
 std::string joint_sections(const std::vector<ListedKey>& all)
 {
     std::string text = "## Joint files\n";
@@ -124,6 +137,7 @@ std::string joint_sections(const std::vector<ListedKey>& all)
             const auto end = entry.key.path.find_first_of(".[");
             if (entry.key.path.substr(0, end) == table.name && !of_some_laws(entry)) text += key_row(entry);
         }
+        text += hand_rows(files::joint_keys, table.name);
         if (table.name != std::string_view("friction")) continue;
         for (const auto& law : laws()) {
             text +=
@@ -134,19 +148,6 @@ std::string joint_sections(const std::vector<ListedKey>& all)
                 if (std::find(of.begin(), of.end(), law.name) != of.end()) text += key_row(entry, "friction.law");
             }
         }
-    }
-    return text;
-}
-
-template <std::size_t n>
-std::string hand_rows(const files::HandKey (&keys)[n], std::string_view table)
-{
-    std::string text;
-    for (const auto& key : keys) {
-        if (key.table != table) continue;
-        const std::string path = key.table.empty() ? std::string(key.name) : fmt::format("{}.{}", key.table, key.name);
-        const std::string value = key.standard == "-" ? std::string(nothing) : std::string(key.standard);
-        text += row({code(path), std::string(nothing), std::string(key.takes), value, std::string(key.help)});
     }
     return text;
 }

@@ -32,6 +32,13 @@ inline constexpr HandKey spec_keys[] = {
      "numbers that are not known well, with their shares"},
 };
 
+inline constexpr HandKey joint_keys[] = {
+    {"control", "servo", "dynamixel-xl330, dynamixel-xc330, dynamixel-xm430, moteus, odrive", "none",
+     "drive whose registers fill the gains"},
+    {"control", "registers", "table of register = number", "none",
+     "P, I, D of a dynamixel; kp, ki, kd, ilimit of a moteus; pos_gain, vel_gain, vel_integrator_gain of an odrive"},
+};
+
 inline constexpr HandKey record_keys[] = {
     {"record", "columns", "table of signals", "-", "which column of the file is which signal"},
     {"record", "constants", "table of signals", "-", "signals without a column: one value for all rows"},

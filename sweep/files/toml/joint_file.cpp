@@ -5,6 +5,7 @@
 #include "sweep/files/text/csv.h"
 #include "sweep/files/toml/joint_keys.h"
 #include "sweep/files/toml/joint_table.h"
+#include "sweep/files/toml/servo.h"
 #include "sweep/files/toml/struct_reader.h"
 
 namespace stickslip {
@@ -18,6 +19,11 @@ void read_into(Joint& joint, const toml::table& root, Complaints& complaints, Mo
         return explain_unknown_key(joint, path, siblings);
     };
     StructReader reader(complaints, joint.mechanism.motion, mode, explain, folder);
+    if (mode == Mode::whole) {
+        auto gains = servo_gains(root, complaints);
+        reader.fill(std::move(gains.numbers), std::move(gains.choices), "control.servo");
+        reader.allow({"control.servo", "control.registers"});
+    }
     reader.read(root, "", joint, also_allowed);
 }
 

@@ -55,12 +55,18 @@ void StructReader::complain_missing(std::string_view key, const std::string& tex
     complaints_.add(frame_.place, path(key), "is missing, " + text);
 }
 
+void StructReader::complain_filled(const toml::node& node, std::string_view key)
+{
+    complain(node, key, "is stated, and " + filled_by_ + " says it, too: allowed is one of them");
+}
+
 void StructReader::complain_unknown()
 {
     if (frame_.uncertain) return;
     for (auto&& [key, node] : *frame_.table) {
         const std::string name(key.str());
         if (std::find(frame_.known.begin(), frame_.known.end(), name) != frame_.known.end()) continue;
+        if (std::find(read_elsewhere_.begin(), read_elsewhere_.end(), path(name)) != read_elsewhere_.end()) continue;
         const Place place = Place(key.source()).or_else(frame_.place);
         complaints_.add(place, path(name), explain_(path(name), frame_.known));
     }
@@ -88,7 +94,11 @@ bool StructReader::take_number(const toml::node& node, std::string_view key, con
 
 void StructReader::number(const Field& f, double& value)
 {
-    if (const toml::node* node = find(f.key)) {
+    const toml::node* node = find(f.key);
+    if (const auto filled = numbers_.find(path(f.key)); filled != numbers_.end()) {
+        if (node) complain_filled(*node, f.key);
+        value = filled->second;
+    } else if (node) {
         take_number(*node, f.key, f, value);
     } else if (f.need == Need::required && mode_ == Mode::whole && !frame_.uncertain) {
         complain_missing(f.key, "allowed is " + allowed_text(f, motion_) + ": " + std::string(f.help));

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <string>
 #include <type_traits>
 #include <variant>
@@ -35,6 +36,14 @@ class StructReader {
     {
     }
 
+    /// Numbers and choices that stand in the input by other keys, by their paths; stating them, too, is an error.
+    void fill(std::map<std::string, double> numbers, std::map<std::string, std::string> choices, std::string by)
+    {
+        numbers_ = std::move(numbers), choices_ = std::move(choices), filled_by_ = std::move(by);
+    }
+    /// Keys that someone else reads, by their paths.
+    void allow(std::vector<std::string> paths) { read_elsewhere_ = std::move(paths); }
+
     /// Reads one struct; `also_allowed` are keys of this table that someone else reads.
     template <class Struct>
     void read(const toml::table& table, const std::string& path, Struct& s,
@@ -56,6 +65,12 @@ class StructReader {
         std::vector<std::string> names;
         for (const auto& c : choices) names.emplace_back(c.name);
         const toml::node* node = find(key);
+        if (const auto filled = choices_.find(path(key)); filled != choices_.end()) {
+            if (node) complain_filled(*node, key);
+            for (const auto& c : choices)
+                if (c.name == filled->second) value = c.value;
+            return;
+        }
         if (!node) return;
         if (const int i = index_of(*node, key, names); i >= 0)
             value = choices[i].value;
@@ -183,6 +198,7 @@ class StructReader {
     const toml::node* find(std::string_view key);
     void complain(const toml::node& node, std::string_view key, const std::string& text);
     void complain_missing(std::string_view key, const std::string& text);
+    void complain_filled(const toml::node& node, std::string_view key);
     void complain_unknown();
     int index_of(const toml::node& node, std::string_view key, const std::vector<std::string>& names);
     bool take_number(const toml::node& node, std::string_view key, const Field& f, double& value);
@@ -197,6 +213,10 @@ class StructReader {
     std::filesystem::path folder_;
     Frame frame_;
     bool model_doubtful_ = false;
+    std::map<std::string, double> numbers_;
+    std::map<std::string, std::string> choices_;
+    std::string filled_by_;
+    std::vector<std::string> read_elsewhere_;
 };
 
 /// "a number in N/m, > 0": what a numeric leaf takes.

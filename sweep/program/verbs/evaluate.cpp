@@ -5,6 +5,7 @@
 #include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/simulation/set_point/set_point.h"
 #include "analysis/stability/frequency_search.h"
+#include "analysis/stability/integral_cost.h"
 #include "analysis/stability/real_loop.h"
 #include "analysis/stability/verdict.h"
 #include "sweep/engine/build.h"
@@ -12,7 +13,9 @@
 #include "sweep/files/json/set_point_json.h"
 #include "sweep/files/json/study_json.h"
 #include "sweep/files/json/verdict_json.h"
+#include "sweep/files/text/toml_input.h"
 #include "sweep/files/toml/asked_axes.h"
+#include "sweep/files/toml/servo.h"
 #include "sweep/program/verbs/disturbance_option.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/surroundings_option.h"
@@ -21,6 +24,7 @@
 #include "sweep/report/pages/linear_report.h"
 #include "sweep/report/pages/load_section.h"
 #include "sweep/report/pages/write_report.h"
+#include "sweep/words/integral_text.h"
 #include "sweep/words/neighbour_text.h"
 #include "sweep/words/set_point_text.h"
 #include "sweep/words/verdict_text.h"
@@ -127,6 +131,8 @@ int evaluate(const Options& options, const Invocation& invocation)
     const bool only_rest = rest && (joint.control.V0 == 0 || (!is_set(joint.control.V0) && !decided));
     const Motion units = joint.mechanism.motion;
     const auto near = near_modes(joint);
+    const auto integral = integral_cost(joint, verdict);
+    const auto servo = files::servo_text(files::read_text(options.joint), options.joint);
     std::filesystem::path page;
     if (!options.directory.empty()) {
         auto report = linear_report(summed, answer_joint(summed, verdict, nonlinear, *study));
@@ -138,6 +144,9 @@ int evaluate(const Options& options, const Invocation& invocation)
         if (rest) report.sections.insert(report.sections.end() - 1, set_point_section(*rest, units));
         if (loads) report.sections.insert(report.sections.end() - 1, load_section(joint, *loads));
         for (const auto& mode : near) report.alerts.push_back(near_mode_alert(mode, units));
+        if (integral)
+            report.alerts.push_back({integral->with > 0 ? Headline::Tone::neutral : Headline::Tone::warning,
+                                     integral_text(*integral, units)});
         page = write_report(report, options.directory);
     }
     if (options.json) {
@@ -153,6 +162,10 @@ int evaluate(const Options& options, const Invocation& invocation)
                                         {"omega", mode.omega},
                                         {"friction_omega", mode.friction}});
         if (rest) json["set_point"] = set_point_json(*rest);
+        if (integral)
+            json["linear"]["integral_cost"] = {
+                {"margin", integral->with}, {"margin_without", integral->without}, {"share", integral->share()}};
+        if (!servo.empty()) json["notes"].push_back(servo);
         fmt::print("{}\n", json.dump(2));
     } else {
         if (rest) fmt::print("{}\n", plain_text(set_point_text(*rest, units)));
@@ -163,6 +176,8 @@ int evaluate(const Options& options, const Invocation& invocation)
             print_rows(nonlinear_table(joint, nonlinear));
         }
         for (const auto& mode : near) fmt::print("warning: {}\n", plain_text(near_mode_text(mode, units)));
+        if (integral) fmt::print("{}\n", plain_text(integral_text(*integral, units)));
+        if (!servo.empty()) fmt::print("{}\n", servo);
         if (motion)
             fmt::print("  {:<40} {} at {}\n", "largest linear answer to the force",
                        with_unit(motion->peak, Quantity::position, joint.mechanism.motion),

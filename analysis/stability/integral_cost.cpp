@@ -1,0 +1,48 @@
+#include "analysis/stability/integral_cost.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/joint/gains.h"
+
+namespace stickslip {
+namespace {
+
+/// To the nearer end of the window that holds the gain, per the gain; outside every window to the nearest end,
+/// negative.
+double window_margin(const std::vector<Interval>& windows, double gain)
+{
+    double nearest = infinity;
+    bool inside = false;
+    for (const auto& w : windows) {
+        inside |= gain > w.low && gain < w.high;
+        if (w.low > 0) nearest = std::min(nearest, std::abs(gain - w.low));
+        if (w.high < infinity) nearest = std::min(nearest, std::abs(gain - w.high));
+    }
+    return (inside ? 1 : -1) * nearest / gain;
+}
+
+}  // namespace
+
+std::optional<IntegralCost> integral_cost(const Joint& joint, const LinearVerdict& verdict)
+{
+    const Control& c = joint.control;
+    if (c.kind != ControlKind::position || gains_of(c).k_i == 0 || verdict.steady.reason != Reason::none) return {};
+    Joint without = joint;
+    without.control.k_i = 0;
+    without.control.velocity_integral_gain = without.control.velocity_reset_time = not_set;
+    const auto plain = linear_verdict(without);
+    const double gain = c.structure == Structure::cascade ? c.position_gain : c.k_p;
+    if (plain.steady.reason != Reason::none || !(gain > 0)) return {};
+    // windows of a cascade are in its position gain only where its verdict turns that
+    IntegralCost cost;
+    cost.gain = gains_of(c).k_i;
+    cost.without = window_margin(plain.state_variable.stable_intervals, gain);
+    cost.with = window_margin(verdict.state_variable.stable_intervals, gain);
+    const bool judged = cost.without > 0 && std::isfinite(cost.without) && std::isfinite(cost.with) &&
+                        (cost.with > 0) == verdict.state_variable.stable;
+    if (!judged) return {};
+    return cost;
+}
+
+}  // namespace stickslip

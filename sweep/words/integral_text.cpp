@@ -1,0 +1,19 @@
+#include "sweep/words/integral_text.h"
+
+#include "analysis/results/text.h"
+
+namespace stickslip {
+
+std::string integral_text(const IntegralCost& cost, Motion motion)
+{
+    const std::string gain = "Your k_i of " + with_unit(cost.gain, Quantity::integral_gain, motion);
+    if (cost.with <= 0)
+        return gain + " costs the whole margin: without it the position gain is " + percent(cost.without) +
+               " from its boundary, with it sliding is unstable.";
+    const std::string margins =
+        percent(cost.with) + " instead of " + percent(cost.without) + " from the position gain to its boundary.";
+    if (cost.share() < 0) return gain + " widens the margin: " + margins;
+    return gain + " costs " + percent(cost.share()) + " of the margin: " + margins;
+}
+
+}  // namespace stickslip

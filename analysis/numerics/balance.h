@@ -11,11 +11,18 @@ namespace stickslip {
 template <class Matrix>
 void balance(Matrix& matrix, Eigen::VectorXd* units = nullptr)
 {
-    for (bool changed = true; changed;) {
+    constexpr int most = 100;  // each pass takes a twentieth of some row and column away; ten are many
+    bool changed = true;
+    for (int pass = 0; changed && pass < most; ++pass) {
         changed = false;
         for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-            const double row = matrix.row(i).cwiseAbs().sum() - std::abs(matrix(i, i));
-            const double column = matrix.col(i).cwiseAbs().sum() - std::abs(matrix(i, i));
+            // summed without the diagonal, which would swallow what is small beside it
+            double row = 0, column = 0;
+            for (Eigen::Index k = 0; k < matrix.rows(); ++k) {
+                if (k == i) continue;
+                row += static_cast<double>(std::abs(matrix(i, k)));
+                column += static_cast<double>(std::abs(matrix(k, i)));
+            }
             if (!(row > 0 && column > 0) || !std::isfinite(row + column)) continue;
             const double factor = std::exp2(std::round(std::log2(row / column) / 2));
             if (column * factor + row / factor >= 0.95 * (column + row)) continue;

@@ -51,7 +51,7 @@ void Corrections::add(std::string_view name, const EffectParameter& parameter, v
 }
 
 Corrections::Corrections(const std::vector<Case>& cases, const Scales& scales, const CorrectionPrior& prior)
-    : records_(cases.size())
+    : records_(cases.size()), widest_(prior.widest)
 {
     double seconds = 0;
     for (const auto& c : cases) seconds += c.ticks.duration();
@@ -122,6 +122,20 @@ Corrected Corrections::beside(const Candidate& causes) const
     all.candidate.effects.insert(all.candidate.effects.end(), causes.effects.begin(), causes.effects.end());
     all.candidate.forms.insert(all.candidate.forms.end(), causes.forms.begin(), causes.forms.end());
     return all;
+}
+
+bool Corrections::is_one(const Candidate& causes, const Eigen::VectorXd& x) const
+{
+    Eigen::Index at = 0;
+    for (std::size_t i = 0; i < causes.effects.size(); ++i) {
+        // a form with a name of its own changes something else: one of two masses, say
+        for (std::size_t k = 0; k < effects_.size(); ++k)
+            if (causes.forms[i]->name.empty() && causes.effects[i]->name == effects_[k].name &&
+                std::abs(x[at]) <= widest_ * sds_[k])
+                return true;
+        at += static_cast<Eigen::Index>(causes.count_of(*causes.forms[i]));
+    }
+    return false;
 }
 
 Eigen::VectorXd Corrections::start(const Corrected& to, const Corrected& from, const Eigen::VectorXd& corrections,

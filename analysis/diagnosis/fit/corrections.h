@@ -31,6 +31,9 @@ class Corrections {
 
     /// The causes behind the corrections.
     Corrected beside(const Candidate& causes) const;
+    /// Whether one of the causes changes a number that a correction changes, and by no more than its prior allows: then
+    /// it is that correction, held back by nothing.
+    bool is_one(const Candidate& causes, const Eigen::VectorXd& x) const;
     /// Numbers for that: corrections from `corrections` (empty: as documented) of `from`, causes from `causes`.
     static Eigen::VectorXd start(const Corrected& to, const Corrected& from, const Eigen::VectorXd& corrections,
                                  const Eigen::VectorXd& causes);
@@ -41,7 +44,7 @@ class Corrections {
     std::deque<Effect> effects_;  // candidates point at them
     std::vector<double> sds_;     // of each one's number
     std::size_t records_;
-    double weight_;
+    double weight_, widest_;
 };
 
 }  // namespace stickslip::gap

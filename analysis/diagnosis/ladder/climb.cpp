@@ -96,7 +96,7 @@ class Climber {
             const bool holds =
                 std::ranges::all_of(below.effects, [&](const auto* e) { return std::ranges::count(in, e) > 0; });
             const bool again = std::ranges::any_of(others, [&](const auto& o) { return o.causes.effects == in; });
-            if (same_size && holds && !again) others.push_back(other);
+            if (same_size && holds && !again && !other.correction) others.push_back(other);
         }
         std::stable_sort(others.begin(), others.end(),
                          [](const auto& a, const auto& b) { return a.misfit < b.misfit; });
@@ -169,13 +169,31 @@ LadderSearch::LadderSearch(const std::vector<Case>& cases, const Scales& scales,
         for (const auto& w : data_.judge(f, {}, {})) documented_.push_back(w);
     data_.raise_floor({}, {});
     fitter_->renew();
-    corrected_ = fitter_->fit({}, fitter_->start({}, {}, {}));
-    settle(corrected_);
-    corrected_ = fitter_->fit({}, corrected_.fit.x);
+    correct(corrected_);
     if (!singles.empty()) first_ = climber_->next(corrected_);
 }
 
 LadderSearch::~LadderSearch() = default;
+
+void LadderSearch::correct(FittedSet& set)
+{
+    // Against a floor as high as the whole gap the prior weighs too much. What the first fit leaves is a lower floor,
+    // which lets the next one go further, until both agree.
+    constexpr int most_rounds = 5;
+    constexpr double settled = 0.02;  // of mean log square
+    Eigen::VectorXd x = fitter_->start({}, {}, {});
+    double before = infinity;
+    for (int round = 0; round < most_rounds; ++round) {
+        x = fitter_->refit({}, x).x;
+        const auto model = corrections_->beside({});
+        const auto si = in_si(model.candidate, x, scales_);
+        const double now = data_.raise_floor(model.candidate, si);
+        fitter_->renew();
+        if (!(now < before - settled)) break;
+        before = now;
+    }
+    set = fitter_->fit({}, x);
+}
 
 void LadderSearch::settle(const FittedSet& set)
 {
@@ -196,7 +214,8 @@ Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t mo
             for (auto& s : climber_->judged(known_sets(pairs, *fitter_, set))) tried.push_back(std::move(s));
             std::stable_sort(tried.begin(), tried.end(), best_first);
         }
-        const auto next = std::find_if(tried.begin(), tried.end(), [](const auto& t) { return t.plausible; });
+        const auto next =
+            std::find_if(tried.begin(), tried.end(), [](const auto& t) { return t.plausible && !t.correction; });
         if (next == tried.end() || !earns(set, *next, rules_)) break;
         set = *next;
         settle(set);

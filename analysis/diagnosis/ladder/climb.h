@@ -17,6 +17,7 @@ struct FittedSet {
     std::array<Eigen::VectorXd, HeldOutData::folds> x;  ///< without each fold
     std::array<std::vector<Window>, HeldOutData::folds> left;
     bool plausible = true;
+    bool correction = false;   ///< one of the causes is no larger than a correction of the same number
     double misfit = infinity;  ///< held-out mean log square, with what the priors and the number of parameters cost
 
     std::vector<Window> all_left() const;
@@ -65,6 +66,7 @@ class LadderSearch {
     const HeldOutData& data() const { return data_; }
 
   private:
+    void correct(FittedSet& set);
     void settle(const FittedSet& set);
     Ladder finished(FittedSet set);
 

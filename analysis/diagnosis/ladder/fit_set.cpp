@@ -78,10 +78,14 @@ void SetFitter::look(Start& s, const FittedSet& below) const
     s.objective = found.evaluation.objective;
 }
 
+LevelFit SetFitter::refit(const Candidate& causes, const Eigen::VectorXd& x0) const
+{
+    return improve(data_.fitted(), corrections_.beside(causes).candidate, scales_, x0, omega, effort, steps);
+}
+
 FittedSet SetFitter::fit(const Candidate& causes, const Eigen::VectorXd& x0) const
 {
-    const Candidate c = corrections_.beside(causes).candidate;
-    return fit_folds(causes, improve(data_.fitted(), c, scales_, x0, omega, effort, steps));
+    return fit_folds(causes, refit(causes, x0));
 }
 
 FittedSet SetFitter::fit_folds(const Candidate& causes, LevelFit found) const
@@ -96,6 +100,7 @@ FittedSet SetFitter::fit_folds(const Candidate& causes, LevelFit found) const
         set.left[f] = data_.judge(f, c, in_si(c, set.x[f], scales_));
     }
     set.plausible = plausible(causes, set.of_causes(set.fit.x), scales_, data_.cases()[0].joint, ranges_);
+    set.correction = corrections_.is_one(causes, set.of_causes(set.fit.x));
     set.misfit = mean_log(set.all_left()) + prior_cost(c, set.fit.x) +
                  price_of_parameter * static_cast<double>(causes.effects.empty() ? 0 : causes.parameter_count());
     return set;

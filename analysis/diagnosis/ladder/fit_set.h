@@ -32,6 +32,8 @@ class SetFitter {
     Eigen::VectorXd start(const Candidate& causes, const FittedSet& like, const Eigen::VectorXd& of_causes) const;
     /// Adds the cause: a few steps on excerpts from the best of its starts, the others as in `below`.
     void look(Start& start, const FittedSet& below) const;
+    /// To all rows alone.
+    LevelFit refit(const Candidate& causes, const Eigen::VectorXd& x0) const;
     FittedSet fit(const Candidate& causes, const Eigen::VectorXd& x0) const;
     /// The same of numbers that a search has found: only the folds are fitted.
     FittedSet fit_folds(const Candidate& causes, LevelFit found) const;

@@ -31,15 +31,18 @@ HeldOutData::HeldOutData(std::vector<Case> documented) : documented_(std::move(d
     }
 }
 
-void HeldOutData::raise_floor(const Candidate& candidate, const std::vector<double>& si)
+double HeldOutData::raise_floor(const Candidate& candidate, const std::vector<double>& si)
 {
     const auto now = evaluate(documented_, candidate, si, levels[ladder_level]);
+    double left = 0;
     for (std::size_t i = 0; i < documented_.size(); ++i) {
         const double sigma = documented_[i].sigma * std::sqrt(std::max(1.0, now.records[i].position));
         const double effort = documented_[i].effort_sigma * std::sqrt(std::max(1.0, now.records[i].effort));
         fitted_[i].sigma = sigma, fitted_[i].effort_sigma = effort;
         for (auto& rest : rest_) rest[i].sigma = sigma, rest[i].effort_sigma = effort;
+        left += std::log(std::max(1.0, now.records[i].position) * std::max(1.0, now.records[i].effort));
     }
+    return left / static_cast<double>(documented_.size());
 }
 
 std::vector<Window> HeldOutData::judge(std::size_t fold, const Candidate& candidate,

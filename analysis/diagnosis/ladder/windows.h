@@ -32,8 +32,9 @@ class HeldOutData {
     const std::vector<Case>& fitted() const { return fitted_; }
     const std::vector<Case>& without(std::size_t fold) const { return rest_[fold]; }
     /// The noise of every record becomes what this model leaves, and never less than the documented one: where more
-    /// than noise is left, the model's error is what the next comparison has to go by.
-    void raise_floor(const Candidate& candidate, const std::vector<double>& si);
+    /// than noise is left, the model's error is what the next comparison has to go by. Gives the mean log square that
+    /// is left.
+    double raise_floor(const Candidate& candidate, const std::vector<double>& si);
 
     /// The windows of a fold with their squares under a model.
     std::vector<Window> judge(std::size_t fold, const Candidate& candidate, const std::vector<double>& si) const;

@@ -142,8 +142,9 @@ void judge(JudgedLadder& j, const HeldOutData& data, const Scales& scales, const
     if (ladder.rungs.empty()) {
         // nothing but the document's numbers: if they take most of what is explainable, that is the answer
         const double taken = j.shares.documented - j.shares.base;
-        j.only_corrections =
-            j.noise_left || taken >= policy::least_of_explainable * (j.shares.documented - j.shares.explainable_to);
+        const double least = std::max(policy::least_of_gap * j.shares.documented,
+                                      policy::least_of_explainable * (j.shares.documented - j.shares.explainable_to));
+        j.only_corrections = j.noise_left || taken >= least;
         if (!j.only_corrections)
             j.why_not =
                 "no cause takes a part of the gap on data that its fit has not seen, with inertia, friction and "

@@ -201,13 +201,14 @@ void LadderSearch::settle(const FittedSet& set)
     fitter_->renew();
 }
 
-Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t most_rungs)
+Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t most_rungs, const OnlyNoise& only_noise)
 {
     FittedSet set = corrected_;
     const auto best_first = [](const auto& a, const auto& b) { return a.misfit < b.misfit; };
     const std::size_t most_rounds = 2 * most_rungs;  // an exchange may come back to where it was
     for (std::size_t round = 0; round < most_rounds && set.causes.effects.size() < most_rungs; ++round) {
         const bool at_start = set.causes.effects.empty();
+        if (!at_start && only_noise && only_noise(set)) break;
         auto tried = at_start ? first_ : climber_->next(set);
         // what a search of pairs has found may be more than its parts
         if (set.causes.effects.size() == 1 || (at_start && (tried.empty() || !earns(set, tried[0], rules_)))) {

@@ -5,6 +5,7 @@
 #include "analysis/diagnosis/ladder/windows.h"
 #include "analysis/diagnosis/search/attribute.h"
 
+#include <functional>
 #include <memory>
 
 namespace stickslip::gap {
@@ -47,6 +48,8 @@ double margin_of(const FittedSet& better, const LadderRules& rules);
 
 class Climber;
 class SetFitter;
+/// Whether all that a set leaves is noise: then there is nothing to climb for.
+using OnlyNoise = std::function<bool(const FittedSet&)>;
 
 /// Climbs from singles, each in its best form and with the numbers that its fit came to, best first.
 class LadderSearch {
@@ -59,7 +62,7 @@ class LadderSearch {
     /// The best cause alone, worth a rung or not; null where there is none to try.
     const FittedSet* first() const { return first_.empty() ? nullptr : &first_[0]; }
     /// At most so many rungs; pairs that a search of their own has found are tried as the first two.
-    Ladder climb(const std::vector<Attribution>& pairs, std::size_t most_rungs);
+    Ladder climb(const std::vector<Attribution>& pairs, std::size_t most_rungs, const OnlyNoise& only_noise = {});
     /// The ladder of causes that are known.
     Ladder of(const Attribution& known);
 

@@ -99,7 +99,10 @@ Findings find_causes(Prepared& p, std::size_t pair_partners, const std::function
             if (!accepted(f.decision)) {
                 progress("climbing the ladder", 0.75);
                 f.judged = {};
-                f.judged.ladder = search.climb(f.pairs, policy::ladder.most_rungs);
+                const auto only_noise = [&](const FittedSet& set) {
+                    return leaves_noise(p.cases, p.scales, p.nominal, set, parallel);
+                };
+                f.judged.ladder = search.climb(f.pairs, policy::ladder.most_rungs, only_noise);
                 judge(f.judged, search.data(), p.scales, p.nominal, parallel);
             }
         }

@@ -93,6 +93,13 @@ Attribution at_all_levels(const std::vector<Case>& cases, const Scales& scales, 
     return as_screened(cases, scales, nominal, set.model.candidate, set.fit);
 }
 
+bool leaves_noise(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal, const FittedSet& set,
+                  const ParallelFor& parallel)
+{
+    const Attribution all = at_all_levels(cases, scales, nominal, set);
+    return all.accepted && at_floor(cases, all, nominal, scales, parallel);
+}
+
 SharesWithInterval share_between(const std::vector<Window>& documented, const std::vector<Window>& above,
                                  const std::vector<Window>& below)
 {

@@ -39,6 +39,10 @@ void judge(JudgedLadder& judged, const HeldOutData& data, const Scales& scales, 
 Attribution at_all_levels(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
                           const FittedSet& set);
 
+/// Whether all that a fitted set leaves is noise.
+bool leaves_noise(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal, const FittedSet& set,
+                  const ParallelFor& parallel);
+
 /// The signal that a force of this effect is a function of, in the words of Flexible.
 std::string_view signal_of(const Effect& effect);
 

@@ -57,16 +57,22 @@ bool only_nearest(const JudgedLadder& j)
 std::vector<double> chances_of(const JudgedLadder& j)
 {
     std::vector<double> chances;
-    constexpr double doubt_of_noise = 0.03;
     const double whole = std::max(1e-300, j.shares.base - j.shares.explainable_to);
     const double left = std::clamp((j.shares.rungs.back() - j.shares.explainable_to) / whole, 0.0, 1.0);
-    const double doubt = j.noise_left ? doubt_of_noise : std::min(1.0, policy::doubt_of_rung + left);
+    const double rest = j.shares.rungs.back() / std::max(1e-300, j.shares.base) / policy::nearest_in_shape;
+    const double doubt =
+        policy::doubt_of_noise + (j.noise_left ? 0 : policy::doubt_of_rest * std::clamp(rest, 0.0, 1.0) + left);
+    const auto& named = j.ladder.last().causes.effects;
+    const auto in_the_set = [&](const Effect* e) { return std::ranges::count(named, e) > 0; };
     for (std::size_t i = 0; i < j.ladder.rungs.size(); ++i) {
         const FittedSet& rung = j.ladder.rungs[i];
         double sum = 1;
         for (const auto& rival : j.ladder.rivals[i])
-            sum += std::exp(std::min(0.0, rung.misfit - rival.misfit) / margin_of(rung, policy::ladder));
-        chances.push_back((1 - doubt) / sum);
+            // another rung of this ladder is no rival, and what a lower rung leaves is no doubt once all is explained
+            if (!std::ranges::all_of(rival.causes.effects, in_the_set) &&
+                !(j.noise_left && i + 1 < j.ladder.rungs.size()))
+                sum += std::exp(std::min(0.0, rung.misfit - rival.misfit) / margin_of(rung, policy::ladder));
+        chances.push_back(std::max(0.0, 1 - doubt) / sum);
     }
     return chances;
 }

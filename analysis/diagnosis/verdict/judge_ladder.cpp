@@ -72,7 +72,9 @@ std::vector<double> chances_of(const JudgedLadder& j)
             if (!std::ranges::all_of(rival.causes.effects, in_the_set) &&
                 !(j.noise_left && i + 1 < j.ladder.rungs.size()))
                 sum += std::exp(std::min(0.0, rung.misfit - rival.misfit) / margin_of(rung, policy::ladder));
-        chances.push_back(std::max(0.0, 1 - doubt) / sum);
+        // a rest speaks against the last cause that was found: the others take more than it does
+        const bool last = i + 1 == j.ladder.rungs.size();
+        chances.push_back(std::max(0.0, 1 - (last ? doubt : policy::doubt_of_noise)) / sum);
     }
     return chances;
 }

@@ -125,14 +125,22 @@ Flexible regress(const HeldOutData& data, const Scales& scales, const Candidate&
     Flexible result;
     const double before_motion = left_by(motion, {}), before_drive = left_by(drive, {});
     result.before = before_motion + before_drive;
-    result.after = std::min(before_motion, left_by(motion, columns_of(functions.kinds_of_motion(), ""))) +
-                   std::min(before_drive, left_by(drive, columns_of(functions.kinds_of_drive(), "")));
+    double motion_left = std::min(before_motion, left_by(motion, columns_of(functions.kinds_of_motion(), "")));
+    double drive_left = std::min(before_drive, left_by(drive, columns_of(functions.kinds_of_drive(), "")));
     for (const std::string_view kind :
          {"position", "direction", "velocity", "history", "acceleration", "effort", "time"}) {
-        double taken = before_motion - left_by(motion, columns_of(functions.kinds_of_motion(), kind));
-        if (kind == "effort") taken += before_drive - left_by(drive, columns_of(functions.kinds_of_drive(), kind));
+        // all together may fit what they have seen too well: what one kind alone takes of the rest is explainable, too
+        const double of_motion = left_by(motion, columns_of(functions.kinds_of_motion(), kind));
+        motion_left = std::min(motion_left, of_motion);
+        double taken = before_motion - of_motion;
+        if (kind == "effort") {
+            const double of_drive = left_by(drive, columns_of(functions.kinds_of_drive(), kind));
+            drive_left = std::min(drive_left, of_drive);
+            taken += before_drive - of_drive;
+        }
         result.alone.emplace_back(kind, result.before > 0 ? std::max(0.0, taken) / result.before : 0);
     }
+    result.after = motion_left + drive_left;
     std::stable_sort(result.alone.begin(), result.alone.end(),
                      [](const auto& a, const auto& b) { return a.second > b.second; });
     return result;

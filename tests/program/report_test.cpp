@@ -187,7 +187,7 @@ TEST_CASE("completions and manual know every verb", "[program]")
         "test \"${COMPREPLY[*]}\" = laws && exit $a'";
     CHECK_THAT(zsh.output, Contains(":value:(velocity-only linear v-min fold outcome hunting)"));
     CHECK(std::system(asks.c_str()) == 0);
-    CHECK_THAT(fish.output, Contains("-l kind -x -a 'velocity-only linear v-min fold outcome'"));
+    CHECK_THAT(fish.output, Contains("-l kind -x -a 'velocity-only linear v-min fold outcome hunting'"));
     if (program::shell("command -v fish >/dev/null").exit_code != 0) return;
     const auto completed = [&](const std::string& words) {
         return program::shell("fish -N -c 'source " + folder.write("stickslip.fish", fish.output) +

@@ -125,7 +125,8 @@ TEST_CASE("every stable loop hunts where static friction exceeds Coulomb frictio
 TEST_CASE("no stable loop hunts where static friction equals Coulomb friction", "[set-point]")
 {
     Draw draw;
-    int unfollowed = 0;  // swings so weakly damped that events are not followed to the end; the closed form decides there
+    int unfollowed =
+        0;  // swings so weakly damped that events are not followed to the end; the closed form decides there
     for (int i = 0; i < 600; ++i) {
         const auto p = draw.stabilising(1e-2);
         const double coulomb = draw.log_uniform(0.01, 10);

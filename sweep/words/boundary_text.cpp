@@ -47,8 +47,10 @@ std::string throughout(const LocatedRay& ray)
 
 }  // namespace
 
-std::string direction_text(int direction)
+std::string direction_text(int direction, BoundaryKind kind)
 {
+    // above its boundary a loop may not hunt because it diverges: no word of stability
+    if (kind == BoundaryKind::hunting) return direction > 0 ? "hunts above" : direction < 0 ? "hunts below" : "–";
     return direction > 0 ? "unstable above" : direction < 0 ? "stable above" : "–";
 }
 
@@ -101,7 +103,7 @@ std::string ray_text(const Joint& design, const LocatedRay& ray)
     std::string text = kind + " along " + ray.axis.symbol + " at ";
     for (const auto& p : ray.points)
         text += (&p == &ray.points.front() ? "" : ", ") + with_unit(p.value, ray.axis.quantity, motion, 8) + " (" +
-                direction_text(p.direction) + ")";
+                direction_text(p.direction, ray.kind) + ")";
     return text + ".";
 }
 

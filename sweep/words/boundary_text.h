@@ -9,7 +9,7 @@
 namespace stickslip {
 
 /// "stable above" of a direction as in BoundaryPoint.
-std::string direction_text(int direction);
+std::string direction_text(int direction, BoundaryKind kind = BoundaryKind::state_variable);
 
 /// In words, what could have been missed.
 std::string could_be_missed(const LocatedRay& ray);

@@ -96,7 +96,7 @@ int main(int argc, char** argv)
             return std::fprintf(stderr, "unknown option %s\n", argv[i]), 2;
     }
     Draw draw(seed);
-    int hunt = 0, simulated = 0, equal_hunt = 0, shrink = 0, unfollowed = 0;
+    int hunt = 0, simulated = 0, equal_hunt = 0, damped = 0, shrink = 0, unfollowed = 0;
     for (int i = 0; i < loops; ++i) {
         auto joint = draw.stabilising();
         const double coulomb = draw.log_uniform(0.01, 10);
@@ -106,17 +106,22 @@ int main(int argc, char** argv)
         simulated += s.hunting == Hunting::yes && confirmed(joint, s);
         joint.friction.law = CoulombViscous{coulomb, 0};
         equal_hunt += set_point(joint).hunting != Hunting::no;
+        // a nearly undamped swing touches rest again and again for hours: events are followed where it dies away
+        const double a = coulomb / joint.control.k_p * draw.log_uniform(1e-3, 10);
+        if (joint.control.k_v < 0.04 * std::sqrt(joint.control.k_p * joint.mechanism.inertia)) continue;
+        ++damped;
         bool followed = true;
-        shrink += shrinks(joint, coulomb / joint.control.k_p * draw.log_uniform(1e-3, 10), followed);
+        shrink += shrinks(joint, a, followed);
         unfollowed += !followed;
     }
     std::printf("F_s > F_c: %d of %d loops hunt, %d confirmed by events\n", hunt, loops, simulated);
     std::printf(
-        "F_s = F_c: %d of %d loops hunt; by events the next stop is nearer in %d, not followed to the end in %d\n",
-        equal_hunt, loops, shrink, unfollowed);
+        "F_s = F_c: %d of %d loops hunt; by events the next stop is nearer in %d of %d damped ones, not followed in "
+        "%d\n",
+        equal_hunt, loops, shrink, damped, unfollowed);
     const bool fold = fold_of_lugre();
     constexpr double allowed = 0.05;
     const bool good = hunt == loops && simulated >= (1 - allowed) * loops && equal_hunt == 0 &&
-                      shrink + unfollowed == loops && unfollowed <= allowed * loops && fold;
+                      shrink + unfollowed == damped && unfollowed <= allowed * loops && fold;
     return good ? 0 : 1;
 }

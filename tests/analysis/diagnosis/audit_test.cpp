@@ -39,6 +39,32 @@ TEST_CASE("without a reference a coarse grid does not bend the gains", "[gap]")
     CHECK(found.command_explained);
 }
 
+TEST_CASE("integral action and feed-forward that the document lacks are read off the command", "[gap]")
+{
+    const Record plain = test::record_of({}, 1, 4);
+    const double tick = plain.time[1] - plain.time[0];
+    Record integrating = plain, fed = plain;
+    double integral = 0;
+    for (std::size_t k = 0; k < plain.rows(); ++k) {
+        integral += tick * (plain.reference_position[k] - plain.position[k]);
+        integrating.effort_command[k] += 150 * integral;
+        fed.effort_command[k] += 0.3 * std::tanh(plain.reference_velocity[k] / 1e-3);
+    }
+    std::vector<std::string> notes;
+    std::vector<Case> with_integral{prepare(integrating, test::nominal_joint(), notes)};
+    const auto k_i = audit(with_integral);
+    REQUIRE(k_i.findings.size() == 1);
+    CHECK(k_i.findings[0].effect == "gain-k_i");
+    CHECK(k_i.findings[0].value == Approx(150).epsilon(1e-3));
+    CHECK(with_integral[0].joint.control.k_i == k_i.findings[0].value);
+
+    std::vector<Case> with_feed_forward{prepare(fed, test::nominal_joint(), notes)};
+    const auto coulomb = audit(with_feed_forward);
+    REQUIRE(coulomb.findings.size() == 1);
+    CHECK(coulomb.findings[0].parameter == "feed-forward.coulomb");
+    CHECK(coulomb.findings[0].value == Approx(0.3).epsilon(1e-3));
+}
+
 TEST_CASE("wrong gains and a wrong filter are found without a reference, by the noise that comes through them", "[gap]")
 {
     Machine m;

@@ -125,8 +125,6 @@ TEST_CASE("every stable loop hunts where static friction exceeds Coulomb frictio
 TEST_CASE("no stable loop hunts where static friction equals Coulomb friction", "[set-point]")
 {
     Draw draw;
-    int unfollowed =
-        0;  // swings so weakly damped that events are not followed to the end; the closed form decides there
     for (int i = 0; i < 600; ++i) {
         const auto p = draw.stabilising(1e-2);
         const double coulomb = draw.log_uniform(0.01, 10);
@@ -134,17 +132,17 @@ TEST_CASE("no stable loop hunts where static friction equals Coulomb friction", 
         const auto s = set_point(joint);
         REQUIRE(s.hunting == Hunting::no);
         CHECK(s.reason == SetPointReason::static_is_coulomb);
+        // a nearly undamped swing touches rest again and again for hours: events are compared where it dies away
+        if (p.damping < 0.04 * std::sqrt(p.k_p * p.inertia)) continue;
         // any slip ends nearer to the set point, and by the factor of the closed form
         const double a = coulomb / p.k_p * draw.log_uniform(1e-3, 10);
         const auto stop = StopToStop(regulator_of(joint), joint.friction).slip_from(a);
         INFO("m " << p.inertia << " c " << p.damping << " k_p " << p.k_p << " k_i " << p.k_i << " a " << a);
         if (stop.end == Stop::End::settled) continue;
-        if (stop.end == Stop::End::failure && ++unfollowed) continue;
         REQUIRE(stop.end == Stop::End::stop);
         CHECK(std::abs(stop.x) < a);
         if (stop.turns == 0) CHECK(stop.x / a == Approx(s.multiplier).epsilon(1e-5).margin(1e-7));
     }
-    CHECK(unfollowed <= 6);
 }
 
 TEST_CASE("a falling curve hunts like a drop where it falls at once, and not where it hardly falls", "[set-point]")

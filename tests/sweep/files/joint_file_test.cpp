@@ -389,3 +389,26 @@ TEST_CASE("rows of a law, a law inside a law, a table from a file")
     CHECK_THAT(error(head + "[friction]\nlaw = \"time-lag\"\nlag = 1\n"),
                StartsWith("joint.toml:3:1: friction.curve.law: is missing"));
 }
+
+TEST_CASE("registers of a servo are gains in SI")
+{
+    const std::string body =
+        "[joint]\nmotion = \"revolute\"\ninertia = 0.001\n[friction]\nlaw = "
+        "\"coulomb-viscous\"\ncoulomb = 0.02\nviscous = 0.001\n[control]\n";
+    const auto dynamixel = read_joint_text(body + "servo = \"dynamixel-xl330\"\nregisters = { P = 400 }\n", "j");
+    // 400/128 PWM a pulse, 4096 pulses a revolution, 885 PWM at full duty
+    CHECK(dynamixel.control.k_p == Approx(3.125 * 4096 / (2 * 3.14159265358979) / 885));
+    const auto odrive = read_joint_text(
+        body + "servo = \"odrive\"\nregisters = { pos_gain = 20, vel_gain = 0.16, vel_integrator_gain = 0.32 }\n", "j");
+    CHECK(odrive.control.structure == Structure::cascade);
+    CHECK(odrive.control.position_gain == 20);
+    CHECK(odrive.control.velocity_gain == Approx(0.16 / 6.28318530717959));
+    CHECK(odrive.control.velocity_integral_gain == Approx(0.32 / 6.28318530717959));
+    const auto moteus = read_joint_text(body + "servo = \"moteus\"\nregisters = { kp = 4, kd = 0.05, ki = 1 }\n", "j");
+    CHECK(moteus.control.k_p == Approx(4 / 6.28318530717959));
+    CHECK(moteus.control.k_i == Approx(1 / 6.28318530717959));
+    const auto both = messages_of(
+        [&] { read_joint_text(body + "servo = \"dynamixel-xl330\"\nregisters = { P = 400 }\nk_p = 3\n", "j"); });
+    REQUIRE(both.size() == 1);
+    CHECK_THAT(both[0], StartsWith("j:") && EndsWith("allowed is one of them"));
+}

@@ -81,7 +81,7 @@ class Report(unittest.TestCase):
 
     def test_the_first_screen_answers(self):
         self.browser.open(self.pages["linear"])
-        self.assertTrue(self.browser.run("return document.querySelector('.verdict').innerText").startswith("Stable"))
+        self.assertTrue(self.browser.run("return document.querySelector('.verdict').innerText").startswith("Slides smoothly"))
         cards = self.browser.run("return document.querySelectorAll('.card').length")
         self.assertTrue(3 <= cards <= 5)
         bottom = self.browser.run("return Math.max(...[...document.querySelectorAll('.card')].map(c => c.getBoundingClientRect().bottom))")

@@ -103,10 +103,12 @@ void decide(OutcomeAnswer& a)
 }  // namespace
 
 OutcomeAnswer explain(const Joint& nominal, const OutcomeTable& table, const ParallelFor& parallel,
-                      const std::function<void(const std::string&, double)>& progress, std::span<const RivalLaw> rivals)
+                      const std::function<void(const std::string&, double)>& progress, std::span<const RivalLaw> rivals,
+                      const std::function<void()>& checkpoint)
 {
     refuse_unfit(nominal, table);
     OutcomeAnswer a{{}, nominal, prepared(nominal, table), {}, {}, {}, 0};
+    a.outcomes.checkpoint = checkpoint;
     Diagnosis& d = a.diagnosis;
     d.motion = nominal.mechanism.motion;
     d.records.push_back({table.name, "held-out"});

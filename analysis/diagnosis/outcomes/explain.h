@@ -25,9 +25,9 @@ struct OutcomeAnswer {
 /// Fits every friction law to the rows, judges each by rows that its fit has not seen, and ranks them. `gap`: the
 /// nominal joint does not explain the rows and a law does. Throws std::invalid_argument for a joint whose boundary the
 /// rows cannot be read against (several masses, contact stiffness) and for settings that it lacks or may not take.
-/// `rivals` outlive the answer.
+/// `rivals` outlive the answer. `checkpoint` is called before every row is looked at, and may throw to end early.
 OutcomeAnswer explain(const Joint& nominal, const OutcomeTable& table, const ParallelFor& parallel,
                       const std::function<void(const std::string& stage, double done)>& progress = {},
-                      std::span<const RivalLaw> rivals = rival_laws());
+                      std::span<const RivalLaw> rivals = rival_laws(), const std::function<void()>& checkpoint = {});
 
 }  // namespace stickslip::gap

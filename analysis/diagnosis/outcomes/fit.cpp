@@ -24,7 +24,10 @@ double log_probability(double p, bool stick_slip)
 std::vector<double> distances(const Outcomes& o, const FrictionLaw& law, const std::vector<std::size_t>& rows)
 {
     std::vector<double> d;
-    for (std::size_t i : rows) d.push_back(distance_to_stick_slip(with_law(o.joints[i], law)));
+    for (std::size_t i : rows) {
+        if (o.checkpoint) o.checkpoint();
+        d.push_back(distance_to_stick_slip(with_law(o.joints[i], law)));
+    }
     return d;
 }
 
@@ -295,6 +298,7 @@ void confirm_by_motion(const Outcomes& o, LawFit& fit)
         const bool asked = o.table.rows[i].amplitude > 0 && o.table.rows[i].stick_slip;
         constexpr double near = 0.5;  // further away small and large disturbances end alike
         if (!asked && !(memory && std::abs(fit.distance[i]) < near)) continue;
+        if (o.checkpoint) o.checkpoint();
         const Joint joint = fit.rival ? with_law(o.joints[i], fit.law) : o.joints[i];
         const auto verdict = motion_of(joint);
         if (asked) fit.amplitude[i] = verdict.amplitude;

@@ -3,6 +3,8 @@
 #include "analysis/diagnosis/outcomes/outcome_table.h"
 #include "analysis/diagnosis/outcomes/rivals.h"
 
+#include <functional>
+
 namespace stickslip::gap {
 
 /// A share of rows that are wrongly noted, or disturbed: no row can cost more than −ln of half of it.
@@ -16,6 +18,7 @@ struct Outcomes {
     OutcomeTable table;
     std::vector<Joint> joints;  ///< nominal, with the settings of the row
     OutcomeScales scales;
+    std::function<void()> checkpoint = {};  ///< called before every row is looked at; may throw to end early
 
     std::size_t size() const { return joints.size(); }
 };

@@ -17,6 +17,7 @@
 #include "sweep/report/pages/write_report.h"
 
 #include <fmt/format.h>
+#include <optional>
 
 #include <algorithm>
 #include <atomic>
@@ -138,14 +139,19 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
     std::vector<std::string> warnings;
     const auto table = read_outcomes(options.records.front(), joint, warnings);
     const auto directory = output_folder(options);
-    auto answer = [&] {
+    std::optional<gap::OutcomeAnswer> found;
+    try {
         StageLine line;
-        try {
-            return gap::explain(joint, table, line.counted(parallel_for_each), line.listener());
-        } catch (const std::invalid_argument& e) {
-            throw BadInput(e.what());
-        }
-    }();
+        found = gap::explain(joint, table, line.counted(parallel_for_each), line.listener(), gap::rival_laws(), [&] {
+            if (invocation.interrupted) throw gap::Interrupted();
+        });
+    } catch (const std::invalid_argument& e) {
+        throw BadInput(e.what());
+    } catch (const gap::Interrupted&) {
+        fmt::print(stderr, "interrupted before the laws were ranked: nothing was written\n");
+        return exit_interrupted;
+    }
+    gap::OutcomeAnswer& answer = *found;
     Diagnosis& d = answer.diagnosis;
     d.notes.insert(d.notes.begin(), warnings.begin(), warnings.end());
     d.next_experiment.description = next_outcome_text(answer);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <nlopt.hpp>
 
 namespace stickslip {
@@ -11,10 +12,22 @@ constexpr double never = 1e300;  ///< what NaN and infinity count as: the method
 constexpr double slack = 1e-9;   ///< of a constraint
 constexpr double precision = 1e-9;
 
+/// A function for NLopt, which loses what is thrown inside: it is kept until NLopt has returned.
+struct Asked {
+    const Objective* function;
+    std::exception_ptr* thrown;
+};
+
 double call(const std::vector<double>& x, std::vector<double>&, void* data)
 {
-    const double value = (*static_cast<const Objective*>(data))(x);
-    return std::isnan(value) ? never : std::clamp(value, -never, never);
+    const auto& asked = *static_cast<const Asked*>(data);
+    try {
+        const double value = (*asked.function)(x);
+        return std::isnan(value) ? never : std::clamp(value, -never, never);
+    } catch (...) {
+        *asked.thrown = std::current_exception();
+        throw nlopt::forced_stop();
+    }
 }
 
 nlopt::algorithm algorithm_of(SearchMethod method)
@@ -45,9 +58,11 @@ std::vector<double> minimum(const Minimisation& asked, const Objective& objectiv
 {
     const auto& bounds = asked.bounds;
     nlopt::opt search(algorithm_of(asked.method), static_cast<unsigned>(x.size()));
-    search.set_min_objective(call, const_cast<Objective*>(&objective));
-    for (const auto& g : asked.constraints)
-        search.add_inequality_constraint(call, const_cast<Objective*>(&g), slack / 2);
+    std::exception_ptr thrown;
+    std::vector<Asked> functions{{&objective, &thrown}};
+    for (const auto& g : asked.constraints) functions.push_back({&g, &thrown});
+    search.set_min_objective(call, &functions[0]);
+    for (std::size_t i = 1; i < functions.size(); ++i) search.add_inequality_constraint(call, &functions[i], slack / 2);
     for (std::size_t i = 0; i < x.size(); ++i) x[i] = std::clamp(x[i], bounds.low[i], bounds.high[i]);
     search.set_lower_bounds(bounds.low);
     search.set_upper_bounds(bounds.high);
@@ -63,6 +78,8 @@ std::vector<double> minimum(const Minimisation& asked, const Objective& objectiv
         search.optimize(x, value);
     } catch (const nlopt::roundoff_limited&) {
         // the point reached so far is in x
+    } catch (const nlopt::forced_stop&) {
+        std::rethrow_exception(thrown);
     }
     return x;
 }

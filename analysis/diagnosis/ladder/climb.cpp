@@ -257,15 +257,28 @@ Ladder LadderSearch::finished(FittedSet set)
     for (std::size_t i = 0; i < ladder.rungs.size(); ++i)
         ladder.rivals.push_back(
             climber_->in_place_of(ladder.rungs[i], i > 0 ? ladder.rungs[i - 1].causes : Candidate{}));
-    // the corrections that belong to the whole set, alone
+    correct_alone(ladder);
+    return ladder;
+}
+
+void LadderSearch::shorten(Ladder& ladder) const
+{
+    ladder.rungs.pop_back();
+    ladder.rivals.pop_back();
+    correct_alone(ladder);
+}
+
+/// The corrections that belong to the whole set, alone.
+void LadderSearch::correct_alone(Ladder& ladder) const
+{
     const FittedSet& last = ladder.rungs.back();
+    ladder.corrected_as_last.clear();
     const auto alone = corrections_->beside({});
     for (std::size_t f = 0; f < HeldOutData::folds; ++f) {
         const auto x = Corrections::start(alone, last.model, last.x[f], {});
         for (const auto& w : data_.judge(f, alone.candidate, in_si(alone.candidate, x, scales_)))
             ladder.corrected_as_last.push_back(w);
     }
-    return ladder;
 }
 
 }  // namespace stickslip::gap

@@ -63,6 +63,8 @@ class LadderSearch {
     const FittedSet* first() const { return first_.empty() ? nullptr : &first_[0]; }
     /// At most so many rungs; pairs that a search of their own has found are tried as the first two.
     Ladder climb(const std::vector<Attribution>& pairs, std::size_t most_rungs, const OnlyNoise& only_noise = {});
+    /// Takes the last rung away.
+    void shorten(Ladder& ladder) const;
     /// The ladder of causes that are known.
     Ladder of(const Attribution& known);
 
@@ -72,6 +74,7 @@ class LadderSearch {
     void correct(FittedSet& set);
     void settle(const FittedSet& set);
     Ladder finished(FittedSet set);
+    void correct_alone(Ladder& ladder) const;
 
     const Scales& scales_;
     const LadderRules& rules_;

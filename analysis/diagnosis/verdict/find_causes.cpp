@@ -64,6 +64,18 @@ void tell_accepted(const Prepared& p, const ParallelFor& parallel, Findings& f)
     f.climbed = true;
 }
 
+/// Rungs beyond the first that are less likely than not go, the last first.
+void shorten_to_likely(const LadderSearch& search, const Prepared& p, const ParallelFor& parallel, JudgedLadder& j)
+{
+    while (!j.noise_left && j.ladder.rungs.size() > 1 && j.chances.back() < policy::least_chance_of_further_rung) {
+        JudgedLadder shorter;
+        shorter.ladder = std::move(j.ladder);
+        search.shorten(shorter.ladder);
+        judge(shorter, search.data(), p.scales, p.nominal, parallel);
+        j = std::move(shorter);
+    }
+}
+
 bool accepted(const Decision& d)
 {
     return d.named && d.winner->accepted;
@@ -104,6 +116,7 @@ Findings find_causes(Prepared& p, std::size_t pair_partners, const std::function
                 };
                 f.judged.ladder = search.climb(f.pairs, policy::ladder.most_rungs, only_noise);
                 judge(f.judged, search.data(), p.scales, p.nominal, parallel);
+                shorten_to_likely(search, p, parallel, f.judged);
             }
         }
     }

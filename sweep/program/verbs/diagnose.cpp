@@ -242,8 +242,8 @@ int diagnose(const Options& options, const Invocation& invocation)
     }
     fmt::print("{}\n", diagnosis_sentence(d));
     for (const auto& reason : d.reasons) fmt::print("  {}\n", reason.text);
-    for (const auto& warning : warnings)
-        if (contradictions.empty() && warning.starts_with("suspected")) fmt::print("  {}\n", warning);
+    if (contradictions.empty())
+        for (const auto& warning : warnings) fmt::print("  {}\n", warning);
     for (const auto& cause : d.effects)
         fmt::print("  {:<44} probability {:.3f}  misfit {:.4g}\n", fmt::format("{}", fmt::join(cause.names, " + ")),
                    cause.probability, cause.misfit);

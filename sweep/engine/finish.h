@@ -4,8 +4,11 @@
 
 namespace stickslip {
 
-/// Writes results.nc unless it is there already and nothing was computed; sets end, message, merged and results of the
+/// Writes results.nc, removes the journals unless they are to be kept, and sets end, message, merged and results of the
 /// report.
-void finish(const RunDirectory& directory, const ChunkIndex& index, const EngineOptions& options, RunReport& report);
+void finish(const RunDirectory& directory, const ChunkIndex& index, const RunOptions& options, RunReport& report);
+
+/// A sweep whose results.nc is whole: nothing is left to do but what a kill behind its writing left undone.
+void finish_again(const RunDirectory& directory, const RunOptions& options, RunReport& report);
 
 }  // namespace stickslip

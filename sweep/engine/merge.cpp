@@ -147,7 +147,7 @@ std::optional<MergeReport> write_results(const Plan& plan, const ChunkIndex& ind
     return report;
 }
 
-MergeReport merge(const std::vector<fs::path>& directories, const fs::path& results)
+std::optional<MergeReport> merge(const std::vector<fs::path>& directories, const fs::path& results, bool keep_journals)
 {
     if (directories.empty()) throw Refused("nothing to merge: no directory is given");
     std::deque<RunDirectory> locked;
@@ -160,12 +160,17 @@ MergeReport merge(const std::vector<fs::path>& directories, const fs::path& resu
     ChunkIndex index(plan);
     ScanReport scan;
     for (const RunDirectory& directory : locked) scan_journals(directory.file(run_files::journals), plan, index, scan);
-    if (const std::uint64_t found = index.count(); found < plan.chunks())
+    const std::uint64_t found = index.count();
+    if (found < plan.chunks() && holds_results(results, plan)) return std::nullopt;
+    if (found < plan.chunks())
         throw Refused(
             fmt::format("{} of {} chunks are missing{}; run the sweep (or the shards that lack) again, then merge",
                         plan.chunks() - found, plan.chunks(),
                         scan.damaged_bytes ? fmt::format(" ({} damaged bytes were skipped)", scan.damaged_bytes) : ""));
-    return *write_results(plan, index, fs::absolute(results));  // nothing can interrupt it
+    const auto report = write_results(plan, index, fs::absolute(results));  // nothing can interrupt it
+    if (!keep_journals)
+        for (const RunDirectory& directory : locked) directory.remove_journals();
+    return report;
 }
 
 }  // namespace stickslip

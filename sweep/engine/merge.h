@@ -34,8 +34,10 @@ std::optional<MergeReport> write_results(const Plan& plan, const ChunkIndex& ind
                                          const std::filesystem::path& results, const EngineOptions& options = {});
 
 /// Merges the journals of run directories that share one plan, such as those of shards; `results` may lie in one of
-/// them. Throws Refused if they are of different sweeps, if one is in use, or if chunks are missing (and says how
-/// many).
-MergeReport merge(const std::vector<std::filesystem::path>& directories, const std::filesystem::path& results);
+/// them. The journals go once the file is whole, unless they are to be kept; nothing if `results` was whole before and
+/// they have gone. Throws Refused if they are of different sweeps, if one is in use, or if chunks are missing (and says
+/// how many).
+std::optional<MergeReport> merge(const std::vector<std::filesystem::path>& directories,
+                                 const std::filesystem::path& results, bool keep_journals = false);
 
 }  // namespace stickslip

@@ -14,7 +14,7 @@ inline constexpr double nonlinear_point_cost = 5e-5;  // lanes decide most point
 inline constexpr std::uint64_t max_points = 1'000'000'000'000;
 
 struct PlanCost {
-    double bytes = 0;    ///< of results.nc; the journals take as much again
+    double bytes = 0;    ///< of results.nc; the journals take as much again until it is whole
     double seconds = 0;  ///< of one core
 };
 

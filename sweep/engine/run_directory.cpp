@@ -1,5 +1,6 @@
 #include "sweep/engine/run_directory.h"
 
+#include "sweep/engine/netcdf_file.h"
 #include "sweep/engine/plan_file.h"
 
 #include <fcntl.h>
@@ -58,6 +59,16 @@ Plan read_plan(const fs::path& directory)
     }
 }
 
+bool holds_results(const fs::path& results, const Plan& plan)
+{
+    if (!fs::exists(results)) return false;
+    try {
+        return NetcdfFile::open(results).text(global_attribute, "plan_id") == to_text(plan.id);
+    } catch (const NetcdfError&) {
+        return false;
+    }
+}
+
 RunDirectory::RunDirectory(fs::path path, const Plan& plan, Shard shard, bool fresh) : path_(fs::absolute(path))
 {
     if (fresh && !shard.whole())
@@ -79,6 +90,17 @@ RunDirectory::RunDirectory(fs::path path) : path_(fs::absolute(path))
     if (!fs::is_directory(path_)) throw Refused(fmt::format("{} is not a directory", path_.string()));
     lock({});
     plan_ = read_plan(path_);
+}
+
+bool RunDirectory::has_results() const
+{
+    return holds_results(file(run_files::results), plan_);
+}
+
+void RunDirectory::remove_journals() const
+{
+    std::error_code ignored;
+    fs::remove_all(file(run_files::journals), ignored);
 }
 
 void RunDirectory::lock(Shard shard)
@@ -119,11 +141,11 @@ void RunDirectory::admit(const Plan& wanted, bool fresh)
 
 void RunDirectory::check_space(const Plan& plan, Shard shard) const
 {
-    // Journal and results.nc hold every row once; what a former run has written already is not asked for again. A shard
-    // journals its own part, and results.nc is for the merge to judge.
+    // Journal and results.nc hold every row once, together until the journal goes; what a former run has written
+    // already is not asked for again. A shard journals its own part, and results.nc is for the merge to judge.
+    if (fs::exists(file(run_files::results))) return;
     const PlanCost cost = plan_cost(static_cast<double>(plan.points), plan.nonlinear);
     double needed = shard.whole() ? 2 * cost.bytes : cost.bytes / static_cast<double>(shard.count);
-    if (shard.whole() && fs::exists(file(run_files::results))) needed -= cost.bytes;
     if (fs::exists(file(run_files::journals)))
         for (const auto& entry : fs::directory_iterator(file(run_files::journals)))
             needed -= static_cast<double>(entry.file_size());

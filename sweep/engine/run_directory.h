@@ -38,6 +38,13 @@ class RunDirectory {
 
     std::filesystem::path file(const char* name) const { return path_ / name; }
 
+    /// Whether results.nc is there for this plan. It appears only when it is whole, so one that names the plan is.
+    bool has_results() const;
+
+    /// What has become results.nc is no longer needed. Where the file system will not let go, it stays: no harm is
+    /// done.
+    void remove_journals() const;
+
   private:
     void lock(Shard shard);
     void admit(const Plan& wanted, bool fresh);
@@ -47,6 +54,9 @@ class RunDirectory {
     FileHandle lock_, shard_lock_;
     Plan plan_;
 };
+
+/// Whether a results file is there and is that of the plan.
+bool holds_results(const std::filesystem::path& results, const Plan& plan);
 
 /// The plan that a directory holds. Throws Refused if there is none that can be read.
 Plan read_plan(const std::filesystem::path& directory);

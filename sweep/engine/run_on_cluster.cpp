@@ -35,6 +35,11 @@ std::string open_directory(const Plan& plan, const RunOptions& options, const st
                 rank, plans[0], rank, plans[rank]);
     try {
         directory.emplace(options.directory, plan, Shard{}, options.fresh);
+        if (directory->has_results()) {
+            report.resumed_chunks = plan.chunks();
+            done = std::string((plan.chunks() + 7) / 8, '\xff');
+            return {};
+        }
         ChunkIndex index(plan);
         scan_journals(directory->file(run_files::journals), plan, index, report.scan);
         report.resumed_chunks = index.count();
@@ -85,13 +90,17 @@ void add_up(Cluster& cluster, RunReport& report)
 /// Rank 0: reads what all ranks have journalled, and ends the sweep if that is everything.
 void conclude(const RunDirectory& directory, const RunOptions& options, RunReport& report)
 {
-    ChunkIndex all(directory.plan());
-    ScanReport ignored;  // damage was reported when the run began
-    scan_journals(directory.file(run_files::journals), directory.plan(), all, ignored);
-    if (all.count() == directory.plan().chunks() && report.end != RunEnd::write_failed)
-        finish(directory, all, options.engine, report);
-    else if (report.end == RunEnd::complete)
-        report.end = RunEnd::interrupted;
+    if (directory.has_results()) {
+        finish_again(directory, options, report);
+    } else {
+        ChunkIndex all(directory.plan());
+        ScanReport ignored;  // damage was reported when the run began
+        scan_journals(directory.file(run_files::journals), directory.plan(), all, ignored);
+        if (all.count() == directory.plan().chunks() && report.end != RunEnd::write_failed)
+            finish(directory, all, options, report);
+        else if (report.end == RunEnd::complete)
+            report.end = RunEnd::interrupted;
+    }
     if (report.end != RunEnd::write_failed)
         write_run_record(directory.file(run_files::run), directory.plan(), report.end, report.computed, report.scan,
                          report.resumed_chunks, Shard{}, report.merged);

@@ -39,18 +39,23 @@ RunReport run_sweep(const Plan& wanted, const Joint& base, const EvaluateChunk& 
 
     RunReport report;
     ChunkIndex index(plan);
-    scan_journals(journals, plan, index, report.scan);
-    report.resumed_chunks = index.count();
+    if (directory.has_results()) {
+        report.resumed_chunks = plan.chunks();
+        finish_again(directory, options, report);
+    } else {
+        scan_journals(journals, plan, index, report.scan);
+        report.resumed_chunks = index.count();
 
-    Workload workload;
-    const auto source = source_for(plan, options.shard, index, workload);
-    Journal journal(journals, plan);
-    report.computed = compute(plan, base, evaluate, *source, workload, journal, index, options.engine);
-    report.end = report.computed.end;
-    report.message = report.computed.message;
+        Workload workload;
+        const auto source = source_for(plan, options.shard, index, workload);
+        Journal journal(journals, plan);
+        report.computed = compute(plan, base, evaluate, *source, workload, journal, index, options.engine);
+        report.end = report.computed.end;
+        report.message = report.computed.message;
 
-    if (options.shard.whole() && index.count() == plan.chunks() && report.end != RunEnd::write_failed)
-        finish(directory, index, options.engine, report);
+        if (options.shard.whole() && index.count() == plan.chunks() && report.end != RunEnd::write_failed)
+            finish(directory, index, options, report);
+    }
     const std::string record =
         options.shard.whole() ? run_files::run : "run." + std::to_string(options.shard.index) + ".json";
     if (report.end != RunEnd::write_failed)

@@ -81,24 +81,25 @@ class TunedCvode {
     Judged judge(const lanes::Job& job)
     {
         g_ = job.groups;
+        const SmallDisturbance mode(g_);
         double* s = NV_DATA_S(solver_.y);
         s[0] = 0, s[1] = std::log1p(kick), s[2] = -(s[1] + g_.c * kick);
         CVodeReInit(solver_.cvode, 0, solver_.y);
         CVodeSetUserData(solver_.cvode, &g_);
-        const double start = slow_size(job, s), end = watched_turns * natural_turn(g_);
+        const double start = mode.size(s), end = watched_turns * natural_turn(g_);
         double t = 0, high = 0, low = 0, last_high = 0, last_low = 0, peak = 0;
         while (t < end) {
             const int flag = CVode(solver_.cvode, end, solver_.y, &t, CV_ONE_STEP);
             if (flag < 0) return Judged::failed;
             high = std::max(high, s[1]), low = std::min(low, s[1]);
-            if (slow_size(job, s) < start / 3) return Judged::decays;
+            if (mode.size(s) < start / 3) return Judged::decays;
             if (flag != CV_ROOT_RETURN) continue;
             const bool same = std::abs(high - last_high) < 1e-3 * high && std::abs(low - last_low) < 1e-3 * -low;
             if (high > large_swing && same) return Judged::oscillates;
             peak = high;
             last_high = high, last_low = low, high = low = 0;
         }
-        return peak > large_swing ? Judged::oscillates : slow_size(job, s) < start ? Judged::decays : Judged::unsure;
+        return peak > large_swing ? Judged::oscillates : mode.size(s) < start ? Judged::decays : Judged::unsure;
     }
 
   private:

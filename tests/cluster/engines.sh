@@ -44,7 +44,7 @@ done
 $program merge $shards -o "$work/shards.nc" >/dev/null
 same "$work/shards.nc" "7 shards"
 
-ranks "$mpi_program" $sweep -o "$work/ranks" --threads 2 >/dev/null
+ranks "$mpi_program" $sweep -o "$work/ranks" --threads 2 --keep-journal >/dev/null
 same "$work/ranks/results.nc" "4 ranks of 2 threads"
 test "$(ls "$work/ranks/journal" | wc -l)" -gt 1
 

@@ -11,7 +11,7 @@ spec=$(realpath "$(dirname "$0")/../../examples/05-cluster")/spec.toml
 sed 's/points = 500/points = 100/' "$spec" >"$work/spec.toml"
 cd "$work"
 fail() { echo "FAILED: $*"; exit 1; }
-run() { "$program" sweep spec.toml -o "$1" --threads 2 --no-report; }
+run() { "$program" sweep spec.toml -o "$1" --threads 2 --no-report --keep-journal; }
 same() { cmp -s one/results.nc "$1/results.nc" || fail "other bytes after $2"; }
 
 begin=$(date +%s%N)

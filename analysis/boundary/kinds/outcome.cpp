@@ -4,14 +4,17 @@
 #include "analysis/simulation/attractor/large_disturbance.h"
 #include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/simulation/flows/flow.h"
+#include "analysis/simulation/points.h"
 #include "analysis/stability/verdict.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stickslip {
 namespace {
 
-constexpr int patience = 10;  ///< times the usual limit of turns, for an outcome that is undecided within it
+constexpr std::size_t batch = 32;  ///< joints that lanes follow side by side
+constexpr int patience = 10;       ///< times the usual limit of turns, for an outcome that is undecided within it
 
 /// Whether the disturbance is the start that every search for coexisting cycles makes: lanes answer that some hundred
 /// times faster than one motion at a time.
@@ -27,17 +30,8 @@ double side_without_motion(const Joint& joint)
     return linear_point(joint).spectral_abscissa > 0 ? 1 : 0;
 }
 
-double simulated_side(const Joint& joint, const Disturbance& disturbance)
+double side_of_outcome(Outcome outcome)
 {
-    NonlinearOptions options;
-    options.disturbance = disturbance;
-    options.region = false;
-    auto outcome = nonlinear_verdict(joint, options).outcome;
-    if (outcome == Outcome::undecided) {
-        // close to the linear boundary motions creep
-        options.turn_limit *= patience;
-        outcome = nonlinear_verdict(joint, options).outcome;
-    }
     switch (outcome) {
         case Outcome::stable_sliding:
             return -1;
@@ -50,6 +44,24 @@ double simulated_side(const Joint& joint, const Disturbance& disturbance)
         default:
             return missing;
     }
+}
+
+/// Many at once where lanes follow them; close to the linear boundary motions creep, and one that is undecided is
+/// watched for longer.
+std::vector<double> simulated_sides(std::span<const Joint> joints, const Disturbance& disturbance)
+{
+    NonlinearOptions options;
+    options.disturbance = disturbance;
+    options.region = false;
+    std::vector<PointResult> points(joints.size());
+    nonlinear_points(joints, options, points);
+    options.turn_limit *= patience;
+    std::vector<double> sides;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        const bool open = points[i].outcome == Outcome::undecided;
+        sides.push_back(side_of_outcome(open ? nonlinear_verdict(joints[i], options).outcome : points[i].outcome));
+    }
+    return sides;
 }
 
 }  // namespace
@@ -73,7 +85,13 @@ std::vector<double> outcome_sides(const std::vector<Joint>& joints, const Distur
         }
         open = std::move(left);
     }
-    parallel(open.size(), [&](std::size_t k) { sides[open[k]] = simulated_side(joints[open[k]], disturbance); });
+    parallel((open.size() + batch - 1) / batch, [&](std::size_t b) {
+        std::vector<Joint> asked;
+        const std::size_t end = std::min(open.size(), (b + 1) * batch);
+        for (std::size_t k = b * batch; k < end; ++k) asked.push_back(joints[open[k]]);
+        const auto found = simulated_sides(asked, disturbance);
+        for (std::size_t k = b * batch; k < end; ++k) sides[open[k]] = found[k - b * batch];
+    });
     return sides;
 }
 

@@ -46,79 +46,139 @@ std::optional<Scaled> scaled(const Joint& joint)
 
 bool covers(const NonlinearOptions& options)
 {
-    const bool small = std::isnan(options.disturbance.size) && options.disturbance.kind == DisturbanceKind::position;
-    return small && options.accelerate && !options.bifurcation && !options.fallback_only && options.rtol > 1e-12;
+    const bool plain_small = options.disturbance.kind == DisturbanceKind::position;
+    const bool disturbance = is_set(options.disturbance.size) || plain_small;
+    return disturbance && options.accelerate && !options.bifurcation && !options.fallback_only && options.rtol > 1e-12;
 }
+
+namespace {
+
+constexpr double kick = 1.0;  ///< size of p or K X to which a growing disturbance is lifted
+constexpr double far = 100;   ///< of w: beyond, the reference decides
+
+/// Along the slow mode with V = V_0 and falling, where a turn begins; an aperiodic mode has no such instant.
+void lift(std::complex<double> s, Job& job)
+{
+    using Complex = std::complex<double>;
+    const bool turns = s.imag() > 0;
+    const Complex w = turns ? Complex(0, 1) : Complex(1);
+    const double X = (w / s).real(), p = (-job.groups.beta * w / (s + 1.0)).real();
+    const double size = kick / std::max({std::abs(w.real()), std::abs(job.groups.K * X), std::abs(p)});
+    job.start[0] = size * X, job.start[1] = size * w.real(), job.start[2] = size * p;
+}
+
+}  // namespace
 
 Job job(const Groups& g, bool search)
 {
     using Complex = std::complex<double>;
-    Job job;
+    Job job{};
     job.groups = g;
     const auto roots = cubic_roots((g.c + 1) / g.M + 1, (g.K + g.c + 1 - g.beta) / g.M, g.K / g.M);
     Complex s = roots[0];
     for (const auto& root : roots)
         if (root.real() > s.real()) s = root;
-    const Complex left[3] = {-g.K / g.M / s, 1, -1.0 / (g.M * (s + 1.0))};
-    for (int i = 0; i < 3; ++i) job.left[i][0] = left[i].real(), job.left[i][1] = left[i].imag();
     job.rate = s.real();
-    job.magnitude = std::abs(s);
-    job.window = growth_window(s);
-    job.fineness = growth_fineness(s, job.window);
-    const double X = probe / job.magnitude;
-    job.start[0] = X, job.start[1] = 0, job.start[2] = -g.K * X;
+    job.frequency = std::abs(s.imag());
+    lift({job.rate, job.frequency}, job);
     job.search = search;
     const double w = std::log(near_rest_start), p = -g.beta * w;
     job.rest_start[0] = -(w + p + g.c * std::expm1(w)) / g.K, job.rest_start[1] = w, job.rest_start[2] = p;
     return job;
 }
 
-bool write(const Answer& a, const Scaled& s, const Job& job, bool searched, PointResult& point)
+bool state(const Disturbance& d, const Joint& joint, const Scaled& scale, Job& job)
 {
-    point.growth_rate = a.growth * s.velocity / s.length;
+    const auto& g = job.groups;
+    const double A = joint.friction.normal_load * std::get<RateAndState>(joint.friction.law).A;
+    double X = 0, w = 0, p = 0;
+    switch (d.kind) {
+        case DisturbanceKind::position:
+            X = d.size / scale.length, p = -g.K * X;
+            break;
+        case DisturbanceKind::velocity:
+            w = std::log1p(d.size / scale.velocity), p = -g.c * std::expm1(w) - w;
+            break;
+        case DisturbanceKind::impulse:
+            w = std::log1p(d.size / (joint.mechanism.inertia * scale.velocity));
+            break;
+        case DisturbanceKind::offset:
+            X = d.size / scale.length;
+            break;
+        case DisturbanceKind::state:
+            p = d.size / A;
+            break;
+        case DisturbanceKind::start:
+            w = std::log(std::max(d.size, 1e-12)), p = -g.beta * w;
+            X = -(w + p + g.c * std::expm1(w)) / g.K;
+            break;
+    }
+    job.stated = true;
+    job.start[0] = rounded(X), job.start[1] = rounded(w), job.start[2] = rounded(p);
+    const bool moves = X != 0 || w != 0 || p != 0;
+    return moves && std::abs(w) < far && std::isfinite(X) && std::isfinite(p);
+}
+
+bool write(const Answer& a, const Scaled& s, const Job& job, PointResult& point)
+{
+    point.growth_rate = job.rate * s.velocity / s.length;
     if (a.ending == Ending::left_over) return false;
     point.path = DecisionPath::lanes;
-    point.overshoot = small_disturbance / job.magnitude * s.length / std::abs(s.deflection);
-    const bool decays = a.ending != Ending::cycle;
-    const bool cycle = a.ending != Ending::decays;
-    point.outcome = decays ? Outcome::stable_sliding : a.rest_time > 0 ? Outcome::stick_slip : Outcome::limit_cycle;
-    if (a.ending == Ending::bistable && searched) point.region = Region::bistable;
-    if (!cycle) return true;
+    const double per_deflection = s.length / std::abs(s.deflection);
+    const double small_peak = small_disturbance / std::hypot(job.rate, job.frequency);
+    point.overshoot = std::max(0.0, job.stated ? a.peak : small_peak) * per_deflection;
+    point.outcome = !a.reached ? Outcome::stable_sliding : a.rest_time > 0 ? Outcome::stick_slip : Outcome::limit_cycle;
+    if (a.ending == Ending::bistable) point.region = Region::bistable;
+    if (a.ending == Ending::decays) return true;
     point.amplitude = 0.5 * (a.x_max - a.x_min) * s.length;
     point.velocity_min = s.velocity * std::exp(a.w_min);
     point.velocity_max = s.velocity * std::exp(a.w_max);
     point.period = a.period * s.length / s.velocity;
     point.stick_fraction = a.rest_time / a.period;
-    if (a.ending == Ending::cycle) point.overshoot = std::max(0.0, a.x_max) * s.length / std::abs(s.deflection);
+    if (a.reached) point.overshoot = std::max({0.0, a.x_max, a.peak}) * per_deflection;  // a small one has no peak
     return true;
 }
 
 namespace {
 
-/// Answers those joints among `open` that have such groups, each set of groups once; the numbers of the others stay.
+/// By groups, then by the disturbance.
+template <class Job>
+bool before(const Job& a, const Job& b)
+{
+    if (!(a.groups == b.groups)) return less(a.groups, b.groups);
+    return std::lexicographical_compare(std::begin(a.start), std::end(a.start), std::begin(b.start), std::end(b.start));
+}
+
+/// Answers those joints among `open` that have such groups, each motion once; the numbers of the others stay.
 template <class Scale>
 void answer_those(std::optional<Scale> (*scaled)(const Joint&), std::span<const Joint> joints,
                   const NonlinearOptions& options, std::span<PointResult> points, std::vector<std::size_t>& open)
 {
+    using Job = typename Scale::Job;
     struct Entry {
         Scale scale;
+        Job job;
         std::size_t number;
     };
     std::vector<Entry> entries;
     std::vector<std::size_t> others;
-    for (const auto i : open)
-        if (const auto s = scaled(joints[i]))
-            entries.push_back({*s, i});
+    for (const auto i : open) {
+        const auto s = scaled(joints[i]);
+        Entry entry;
+        if (s) entry = {*s, job(s->groups, options.region), i};
+        const bool stated = is_set(options.disturbance.size);
+        if (s && (!stated || state(options.disturbance, joints[i], *s, entry.job)))
+            entries.push_back(entry);
         else
             others.push_back(i);
+    }
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-        return a.scale.groups == b.scale.groups ? a.number < b.number : less(a.scale.groups, b.scale.groups);
+        return before(a.job, b.job) || (!before(b.job, a.job) && a.number < b.number);
     });
-    std::vector<typename Scale::Job> jobs;
+    std::vector<Job> jobs;
     std::vector<std::size_t> job_of(entries.size());
     for (std::size_t i = 0; i < entries.size(); ++i) {
-        if (i == 0 || !(entries[i].scale.groups == entries[i - 1].scale.groups))
-            jobs.push_back(job(entries[i].scale.groups, options.region));
+        if (i == 0 || before(entries[i - 1].job, entries[i].job)) jobs.push_back(entries[i].job);
         job_of[i] = jobs.size() - 1;
     }
     std::vector<typename Scale::Answer> answers(jobs.size());
@@ -127,8 +187,7 @@ void answer_those(std::optional<Scale> (*scaled)(const Joint&), std::span<const 
     run(jobs.data(), answers.data(), jobs.size(), settings, best_instructions());
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const auto& e = entries[i];
-        if (!write(answers[job_of[i]], e.scale, jobs[job_of[i]], options.region, points[e.number]))
-            others.push_back(e.number);
+        if (!write(answers[job_of[i]], e.scale, e.job, points[e.number])) others.push_back(e.number);
     }
     open = std::move(others);
 }

@@ -23,14 +23,20 @@ struct Scaled {
 /// sweep.
 std::optional<Scaled> scaled(const Joint& joint);
 
-/// Whether these options are answered by lanes: the default disturbance of kind `position`, and acceleration.
+/// Whether these options are answered by lanes: a disturbance of any kind and stated size, or the small one of kind
+/// `position`, and acceleration.
 bool covers(const NonlinearOptions& options);
 
-/// The job of a set of groups: small disturbance, its eigenvector, window, and the start from near rest.
+/// The job of a set of groups: the slow eigenvalue, a small disturbance lifted along its mode, and the start from near
+/// rest.
 Job job(const Groups& groups, bool search);
 
+/// Puts a disturbance of stated size in the place of the small one, as `disturbed` (mode.h) has it; false if the
+/// reference must follow it.
+bool state(const Disturbance& disturbance, const Joint& joint, const Scaled& scale, Job& job);
+
 /// The fields of a row from an answer; false if the reference must decide.
-bool write(const Answer& answer, const Scaled& scale, const Job& job, bool searched, PointResult& point);
+bool write(const Answer& answer, const Scaled& scale, const Job& job, PointResult& point);
 
 /// Answers the joints that lanes cover; the numbers of the others are appended to `left_over` in ascending order.
 void answer(std::span<const Joint> joints, const NonlinearOptions& options, std::span<PointResult> points,

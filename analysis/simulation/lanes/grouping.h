@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <complex>
 
 #include "analysis/joint/joint.h"
-#include "analysis/simulation/flows/mode.h"
 
 namespace stickslip::lanes {
 
@@ -31,13 +29,6 @@ inline bool single(const Joint& joint)
 {
     return joint.mechanism.model == Model::single_mass && joint.control.contact_stiffness == 0 &&
            joint.control.force_gain == 0 && !joint.normal.moves() && joint.neighbour.size == 0;
-}
-
-/// Share of rtol that holds while its growth is measured.
-inline double growth_fineness(std::complex<double> s, double window)
-{
-    constexpr double finest = 1e-5;  // where growth is too small to be measured anyway
-    return std::clamp(clear_change * std::abs(s.real()) * window, finest, 1.0);
 }
 
 }  // namespace stickslip::lanes

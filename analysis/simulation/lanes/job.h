@@ -18,46 +18,42 @@ struct Groups {
     bool operator==(const Groups&) const = default;
 };
 
-/// Size of the disturbance whose growth is measured. The lanes count from steady sliding, so that nothing is lost to
-/// rounding, and can afford one whose quadratic terms do not show.
-inline constexpr double probe = 1e-9;
-
-/// One motion to follow.
+/// One motion to follow. What small disturbances do is told by the slow eigenvalue and not followed.
 struct Job {
     Groups groups;
-    double start[3];       ///< X, w, p: small where `window` is set
-    double left[3][2];     ///< left eigenvector of the slow mode, real and imaginary parts
-    double window;         ///< time over which the growth of the small disturbance is measured
-    double fineness;       ///< share of rtol that holds in that time
-    double rate;           ///< real part of the slow eigenvalue, decides where the measured growth is too small
-    double magnitude;      ///< |s| of the slow eigenvalue
-    bool search;           ///< where small disturbances decay, also follow a start from near rest
+    double rate;           ///< real part of the slow eigenvalue: small disturbances grow where it is positive
+    double frequency;      ///< its imaginary part, not negative
+    bool stated;           ///< `start` is a disturbance of stated size; otherwise a small one, lifted along its mode
+    double start[3];       ///< X, w, p; a lifted one is followed only where small disturbances grow
+    bool search;           ///< where the disturbance decays, also follow a start from near rest
     double rest_start[3];  ///< that start
 };
 
 enum class Ending : std::uint8_t {
     decays,    ///< back to steady sliding; the search, if asked for, found no cycle
     cycle,     ///< small disturbances grow into this cycle
-    bistable,  ///< small disturbances decay, the start from near rest ends in this cycle
+    bistable,  ///< small disturbances decay, a larger one ends in this cycle
     left_over  ///< not for the lanes: the reference must decide
 };
 
 struct Answer {
     Ending ending = Ending::left_over;
-    double growth = missing;      ///< per unit of time
     double w_min = 0, w_max = 0;  ///< of the cycle, like all that follows
     double x_min = 0, x_max = 0;
     double period = 0;
     double rest_time = 0;   ///< with w < ln(1/100)
     double multiplier = 0;  ///< largest Floquet multiplier as the secants see it
+    double peak = missing;  ///< largest X of the first turn of a stated disturbance, its start included
+    bool reached = false;   ///< the stated disturbance itself ended in the cycle
     int turns = 0;
     long steps = 0;
 };
 
 struct Settings {
     double rtol = 1e-8;
-    double floor = probe;  ///< size of the small disturbance: its phase has tolerances relative to it
-    int turn_limit = 40;   ///< of the cycle search; beyond, the point is left over
+    double rough = 1e-5;           ///< tolerance of searches whose outcome is then refined or is clear without
+    int turn_limit = 40;           ///< of the cycle search; beyond, the point is left over
+    int patient_turn_limit = 400;  ///< of a stated disturbance that may decay, turn by turn
     long step_limit = 100000;
 };
 

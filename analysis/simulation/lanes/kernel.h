@@ -38,15 +38,12 @@ class Kernel {
   private:
     void step()
     {
-        const P room = end_time_ - t_;
-        const P h = min(h_, room);
+        const P h = h_;
         Step s;
         equations_.step(y_, h, s);
         const P error = scaled_error(s);
         const M accepted = (error <= P(1.0)) & active_;
-        const M time = room <= h;
-        const M events =
-            accepted & (time | (equations_.events(y_, s) & turning_phase_) | (equations_.settled(s) & searching_));
+        const M events = accepted & (equations_.events(y_, s) | (equations_.settled(s, settled_) & may_settle_));
         if (any(events)) {
             for (int i = 0; i < lanes; ++i)
                 if (events[i]) handle(i, h, s);
@@ -89,9 +86,7 @@ class Kernel {
         view.h = h[i];
         for (int k = 0; k < size; ++k) view.y0[k] = y_[k][i], view.y1[k] = s.end(k)[i];
         equations_.look(i, s, view);
-        EventFlags flags = equations_.flags(view, i);
-        flags.time = end_time_[i] - view.t <= view.h;
-        carry_out(i, programs_[i].handle(view, flags));
+        carry_out(i, programs_[i].handle(view, equations_.flags(view, i, settled_[i])));
     }
 
     void carry_out(int i, const Action& action)
@@ -107,20 +102,29 @@ class Kernel {
         place(i, action);
     }
 
-    /// Takes the next job into lane i, or leaves it idle on a harmless problem.
+    /// Takes the next job into lane i, past those that need no motion, or leaves it idle on a harmless problem.
     void fill(int i)
     {
-        const bool more = next_ < job_count_;
-        active_.set(i, more);
-        steps_.set(i, 0);
         static constexpr Job idle = Equations::idle();
-        const Job& job = more ? jobs_[next_] : idle;
-        if (more) {
+        for (; next_ < job_count_; ++next_) {
+            const Action first = programs_[i].begin(jobs_[next_], settings_);
+            if (first.kind == Action::Kind::finished) {
+                answers_[next_] = programs_[i].answer();
+                continue;
+            }
             number_[i] = next_++;
             ++busy_;
+            return enter(i, jobs_[number_[i]], first, true);
         }
+        enter(i, idle, programs_[i].begin(idle, settings_), false);
+    }
+
+    void enter(int i, const Job& job, const Action& first, bool active)
+    {
+        active_.set(i, active);
+        steps_.set(i, 0);
         equations_.load(i, job);
-        place(i, programs_[i].begin(job, settings_));
+        place(i, first);
     }
 
     void place(int i, const Action& start)
@@ -132,10 +136,9 @@ class Kernel {
         equations_.start(i, start.y);
         t_.set(i, 0);
         h_.set(i, start.h);
-        end_time_.set(i, program.end_time());
         rtol_.set(i, program.tolerance());
-        turning_phase_.set(i, program.phase() != Phase::grow);
-        searching_.set(i, program.phase() == Phase::search);
+        settled_.set(i, program.settled());
+        may_settle_.set(i, program.phase() != Phase::cycle);
         moving_.set(i, false);
     }
 
@@ -167,9 +170,9 @@ class Kernel {
     int busy_ = 0;
     Equations equations_;
     P y_[size], floor_[size];
-    P t_, h_, rtol_, end_time_, steps_;
+    P t_, h_, rtol_, settled_, steps_;
     const M always_ = all_on();
-    M active_ = always_, turning_phase_ = always_, searching_ = always_, moving_ = always_;
+    M active_ = always_, may_settle_ = always_, moving_ = always_;
     Program programs_[lanes];
     std::size_t number_[lanes] = {};
 };

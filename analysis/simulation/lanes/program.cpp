@@ -3,12 +3,16 @@
 #include <algorithm>
 
 #include "analysis/numerics/hermite.h"
-#include "analysis/simulation/flows/disturbance.h"
 
 namespace stickslip::lanes {
 namespace {
 
-constexpr double kick = 1.0;  ///< size of w, p or K X to which a growing disturbance is lifted
+/// A rough search is believed where every turn loses more than that of its amplitude; a rough cycle where the return
+/// map contracts by that. Elsewhere a fold or the linear boundary is near, and tolerance decides.
+constexpr double clear_decay = 0.95, clear_multiplier = 0.95;
+constexpr double rough_closure = 1e-4;  ///< as `closure`
+constexpr double refined = 1e-2;        ///< largest step of a refinement, per amplitude
+constexpr int most_refinements = 5;
 
 /// The dense output of one component (rodas5p_table.h).
 struct Dense {
@@ -70,13 +74,13 @@ Phase Program::phase() const
 {
     return phase_;
 }
-double Program::end_time() const
-{
-    return phase_ == Phase::grow ? job_->window : 1e300;
-}
 double Program::tolerance() const
 {
-    return settings_->rtol * (phase_ == Phase::grow ? job_->fineness : 1);
+    return care_ == Care::rough ? settings_->rough : settings_->rtol;
+}
+double Program::settled() const
+{
+    return (phase_ == Phase::stated ? peak_told : settled_size) * size_;
 }
 const Answer& Program::answer() const
 {
@@ -95,23 +99,16 @@ double Program::first_step(double w) const
     const auto& g = job_->groups;
     const double v = std::exp(std::min(w, 0.0));
     const double fast = g.M * v / (1 + g.c * v);
-    return std::clamp(fast, 1e-3 / job_->magnitude, 3e-2 / job_->magnitude);
-}
-
-double Program::slow_size(const double y[3]) const
-{
-    double real = 0, imaginary = 0;
-    for (int i = 0; i < 3; ++i) real += job_->left[i][0] * y[i], imaginary += job_->left[i][1] * y[i];
-    return std::hypot(real, imaginary);
+    const double magnitude = std::hypot(job_->rate, job_->frequency);
+    return std::clamp(fast, 1e-3 / magnitude, 3e-2 / magnitude);
 }
 
 void Program::floors(double* floor) const
 {
     const auto& g = job_->groups;
-    const double share = phase_ == Phase::grow ? settings_->floor : 1;
-    floor[0] = share * (1 + g.beta + g.c + std::sqrt(g.K * g.M)) / g.K;
-    floor[1] = share;
-    floor[2] = share * g.beta;
+    floor[0] = size_ * (1 + g.beta + g.c + std::sqrt(g.K * g.M)) / g.K;
+    floor[1] = size_;
+    floor[2] = size_ * g.beta;
 }
 
 Action Program::begin(const Job& job, const Settings& settings)
@@ -119,12 +116,50 @@ Action Program::begin(const Job& job, const Settings& settings)
     job_ = &job;
     settings_ = &settings;
     answer_ = {};
-    phase_ = Phase::grow;
+    if (job.rate == 0) return give_up();  // neutral
+    const bool grows = job.rate > 0;
+    phase_ = grows ? Phase::cycle : Phase::stated;
+    if (!job.stated && !grows) return decayed();
+    if (job.stated) answer_.peak = job.start[0];
+    return begin_phase(phase_);
+}
+
+/// The basin of a stated disturbance is asked to full tolerance at once.
+Action Program::begin_phase(Phase phase)
+{
+    phase_ = phase;
+    const bool searches = phase == Phase::search || !job_->stated;
+    care_ = searches && settings_->rough > settings_->rtol ? Care::rough : Care::fine;
+    return follow(phase == Phase::search ? job_->rest_start : job_->start);
+}
+
+Action Program::all_finely()
+{
+    care_ = Care::fine;
+    return follow(phase_ == Phase::search ? job_->rest_start : job_->start);
+}
+
+Action Program::follow(const double (&start)[3])
+{
+    const double largest = std::max({std::abs(job_->groups.K * start[0]), std::abs(start[1]), std::abs(start[2])});
+    size_ = largest > 0 ? std::min(1.0, largest) : 1;
     secants_ = {};
-    on_turn_ = false;
     rested_since_ = 0;
-    size0_ = slow_size(job.start);
-    return start_at(job.start[0], job.start[1], job.start[2]);
+    answer_.turns = refinements_ = 0;
+    weakest_decay_ = 0;
+    const double falls = job_->groups.K * start[0] + start[2];
+    on_turn_ = phase_ == Phase::cycle && !job_->stated && start[1] == 0 && falls > 0;
+    turn_start_ = {job_->groups.K * start[0], start[2]};
+    answer_.x_min = start[0];
+    return start_at(start[0], start[1], start[2]);
+}
+
+/// The disturbance has decayed; where that is asked for, the search for a cycle beside steady sliding begins.
+Action Program::decayed()
+{
+    if (phase_ == Phase::search && care_ == Care::rough && weakest_decay_ > clear_decay) return all_finely();
+    if (phase_ == Phase::search || !job_->search) return finish(Ending::decays);
+    return begin_phase(Phase::search);
 }
 
 Action Program::finish(Ending ending)
@@ -138,39 +173,6 @@ Action Program::give_up()
     return finish(Ending::left_over);
 }
 
-/// ln(V/V_0) at which the forces balance for given spring and state: where a light mass goes at once.
-double Program::balanced_speed(double X, double p) const
-{
-    const auto& g = job_->groups;
-    double w = std::min(0.0, -(g.K * X + p));
-    for (int i = 0; i < 50; ++i) {
-        const double step = (g.c * std::expm1(w) + g.K * X + w + p) / (g.c * std::exp(w) + 1);
-        w -= std::clamp(step, -2.0, 2.0);
-        if (std::abs(step) < 1e-12) break;
-    }
-    return w;
-}
-
-Action Program::end_of_growth(const StepView& step)
-{
-    answer_.growth = std::log(slow_size(step.y1) / size0_) / (step.t + step.h);
-    if (!std::isfinite(answer_.growth)) return give_up();
-    const bool measurable = std::abs(answer_.growth) > measurable_growth * job_->magnitude;
-    const bool grows = measurable ? answer_.growth > 0 : job_->rate > 0;
-    if (!grows && !job_->search) return finish(Ending::decays);
-    if (!grows) {
-        phase_ = Phase::search;
-        return start_at(job_->rest_start[0], job_->rest_start[1], job_->rest_start[2]);
-    }
-    phase_ = Phase::cycle;
-    const auto& g = job_->groups;
-    const double size = std::max({std::abs(step.y1[1]), std::abs(step.y1[2]), std::abs(g.K * step.y1[0])});
-    const double lift = kick / size;
-    const double X = lift * step.y1[0], p = lift * step.y1[2];
-    const bool light = g.M < 0.1;
-    return start_at(X, light ? balanced_speed(X, p) : lift * step.y1[1], p);
-}
-
 void Program::note_extremum(const StepView& s)
 {
     // slopes of the dense output, as rates of a stiff motion are no better than its tolerance times its stiffness
@@ -181,24 +183,49 @@ void Program::note_extremum(const StepView& s)
     answer_.w_min = std::min(answer_.w_min, extremum);
 }
 
+/// Where the next turn starts, after one from turn_start_ to `end`.
+SecantSearch::State Program::next_turn(Point end, Point& start)
+{
+    if (phase_ == Phase::stated) return secants_.next_in_basin(turn_start_, end, start);
+    if (care_ == Care::refining) {
+        const auto state = secants_.refine(turn_start_, end, start);
+        const bool near = length(start - turn_start_) < refined * length(end);
+        return near && ++refinements_ <= most_refinements ? state : SecantSearch::State::lost;
+    }
+    weakest_decay_ = std::max(weakest_decay_, length(end) / length(turn_start_));
+    const double close = care_ == Care::rough ? rough_closure : closure;
+    return secants_.next(turn_start_, end, phase_ == Phase::search, start, close);
+}
+
 Action Program::end_of_turn(const StepView& step, double fraction)
 {
     const auto& g = job_->groups;
     const double X = Dense(step, 0)(fraction), p = Dense(step, 2)(fraction);
     const Point end{g.K * X, p};
     Point start = end;
+    if (job_->stated && !on_turn_ && phase_ != Phase::search) answer_.peak = std::max(answer_.peak, X);
+    if (phase_ == Phase::stated && length(end) < settled_size) return decayed();
     if (on_turn_) {
         ++answer_.turns;
         answer_.period = step.t + fraction * step.h;
-        const auto state = secants_.next(turn_start_, end, phase_ == Phase::search, start);
-        answer_.multiplier = secants_.multiplier();
+        const auto state = next_turn(end, start);
         if (state == SecantSearch::State::closed) {
-            if (answer_.multiplier > uncertain_multiplier) return give_up();
-            answer_.x_max = std::max(turn_start_.a / g.K, X);
-            return finish(phase_ == Phase::search ? Ending::bistable : Ending::cycle);
+            if (care_ == Care::rough) {
+                if (secants_.multiplier() > clear_multiplier) return all_finely();
+                care_ = Care::refining;
+            } else {
+                if (secants_.multiplier() > uncertain_multiplier) return give_up();
+                answer_.multiplier = secants_.multiplier();
+                answer_.x_max = std::max(turn_start_.a / g.K, X);
+                answer_.reached = phase_ != Phase::search;
+                return finish(phase_ == Phase::cycle ? Ending::cycle : Ending::bistable);
+            }
+        } else {
+            const int limit = phase_ == Phase::stated ? settings_->patient_turn_limit : settings_->turn_limit;
+            if (state == SecantSearch::State::lost || answer_.turns >= limit)
+                return care_ == Care::fine ? give_up() : all_finely();
+            if (phase_ == Phase::search && length(start) < settled_size) return decayed();
         }
-        if (state == SecantSearch::State::lost || answer_.turns >= settings_->turn_limit) return give_up();
-        if (phase_ == Phase::search && length(start) < settled_size) return finish(Ending::decays);
     }
     on_turn_ = true;
     turn_start_ = start;
@@ -211,8 +238,10 @@ Action Program::end_of_turn(const StepView& step, double fraction)
 
 Action Program::handle(const StepView& step, EventFlags flags)
 {
-    if (phase_ == Phase::grow) return flags.time ? end_of_growth(step) : Action{};
-    if (phase_ == Phase::search && flags.settled) return finish(Ending::decays);
+    if (phase_ != Phase::cycle && flags.settled) {
+        if (phase_ == Phase::stated && !on_turn_) answer_.peak = std::max(answer_.peak, step.y1[0]);
+        return decayed();
+    }
     if (flags.turning) note_extremum(step);
     if (flags.slow) {
         const double at = step.t + step.h * crossing(Dense(step, 1), near_rest_logarithm);

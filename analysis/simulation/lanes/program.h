@@ -1,6 +1,5 @@
-// What one lane is doing: measure the growth of a small disturbance, then search a cycle turn by turn. Plain scalar
-// code, called at events only, compiled once for every processor, while the kernels that integrate are compiled for
-// each.
+// What one lane is doing: search a cycle turn by turn, or see a disturbance decay. Plain scalar code, called at events
+// only, compiled once for every processor, while the kernels that integrate are compiled for each.
 #pragma once
 #include "analysis/simulation/flows/near_rest.h"
 #include "analysis/simulation/lanes/job.h"
@@ -19,7 +18,6 @@ struct StepView {
 
 /// Why the kernel stops at a step.
 struct EventFlags {
-    bool time = false;     ///< the phase's end time is reached
     bool section = false;  ///< V passed V_0
     bool turning = false;  ///< V has an extremum in this or the last step
     bool slow = false;     ///< V passed a hundredth of V_0
@@ -35,9 +33,14 @@ struct Action {
     double h = 0;             ///< restart: first step
 };
 
-enum class Phase : std::uint8_t { grow, cycle, search };
+enum class Phase : std::uint8_t {
+    cycle,   ///< sliding is unstable: there is a cycle
+    stated,  ///< sliding is stable, and where the stated disturbance ends is the question
+    search   ///< sliding is stable, and whether a cycle coexists is the question
+};
 
 inline constexpr double settled_size = 1e-3;  ///< of X K, w, p/β, below which the linear theory holds
+inline constexpr double peak_told = 1e-6;     ///< the same where the highest point of the way is asked for, too
 
 class Program {
   public:
@@ -50,28 +53,36 @@ class Program {
     Action give_up();
 
     Phase phase() const;
-    double end_time() const;
     double tolerance() const;
+    /// Size of X K, w, p below which a motion towards steady sliding is done.
+    double settled() const;
     /// Size that errors are measured against, beside that of y itself.
     void floors(double* floor) const;
     const Answer& answer() const;
 
   private:
     Action finish(Ending ending);
-    Action end_of_growth(const StepView& step);
+    Action decayed();
+    Action follow(const double (&start)[3]);
+    Action begin_phase(Phase phase);
+    Action all_finely();
+    SecantSearch::State next_turn(Point end, Point& start);
     Action end_of_turn(const StepView& step, double fraction);
     void note_extremum(const StepView& step);
-    double balanced_speed(double X, double p) const;
     double first_step(double w) const;
-    double slow_size(const double y[3]) const;
     Action start_at(double X, double w, double p) const;
 
     const Job* job_ = nullptr;
     const Settings* settings_ = nullptr;
     Answer answer_;
-    Phase phase_ = Phase::grow;
-    double size0_ = 0;  ///< |l·y| at the start
+    Phase phase_ = Phase::cycle;
+    double size_ = 1;  ///< of the start, at most 1
     SecantSearch secants_;
+    /// A search is made roughly first; what it finds is refined, and what is not clear is searched again finely.
+    enum class Care : std::uint8_t { rough, refining, fine };
+    Care care_ = Care::fine;
+    int refinements_ = 0;
+    double weakest_decay_ = 0;  ///< largest |end|/|start| of a turn
     Point turn_start_;
     bool on_turn_ = false;  ///< the section has been crossed: a turn is being measured
     double rested_since_ = 0;

@@ -1,11 +1,19 @@
 // The return map of the section w = 0 in two coordinates, and the search for its fixed point by secants of past turns.
 #pragma once
+#include <algorithm>
 #include <cmath>
 
 namespace stickslip::lanes {
 
 inline constexpr double closure = 3e-7;  ///< remaining distance to the fixed point of the return map, per amplitude
 inline constexpr double uncertain_multiplier = 0.995;  ///< beyond, the reference decides
+/// Distance to the fixed point, per amplitude, from which a motion whose basin is asked for is taken to it by secants.
+/// A decay to steady sliding has its fixed point a whole amplitude away; past the ghost of a cycle a secant step is no
+/// longer than that, and the motion goes on as before.
+inline constexpr double near_cycle = 0.05;
+
+/// Growth a turn of a motion that creeps, and by what share one leap may change it.
+inline constexpr double creeping = 0.05, share_of_change = 0.2;
 
 struct Point {
     double a = 0, b = 0;  ///< K X and p: both in units of A
@@ -41,7 +49,8 @@ class SecantSearch {
 
     /// Takes P(start) and gives the start of the next turn.
     /// `may_vanish` says that the motion may also decay to steady sliding, which no step may then anticipate.
-    State next(Point start, Point end, bool may_vanish, Point& proposal)
+    /// `closure` is the distance to the fixed point, per amplitude, at which the search ends.
+    State next(Point start, Point end, bool may_vanish, Point& proposal, double closure = lanes::closure)
     {
         const Point gap = end - start;
         const double size = length(end);
@@ -51,10 +60,17 @@ class SecantSearch {
             multiplier_ = 1 + dot(moved, changed) / dot(moved, moved);
             Point step = along_one(gap, moved, changed);
             if (count_ > 1) step = along_two(gap, moved, changed, start_[0] - start_[1], gap_[0] - gap_[1], step);
+            moved_[0] = moved, changed_[0] = changed;
+            moved_[1] = start_[0] - start_[1], changed_[1] = gap_[0] - gap_[1];
+            learned_ = count_;
             const Point target = end + step;
             const double remaining = length(target - start);
             const bool contracts = multiplier_ < 1;
-            if (contracts && remaining < closure * size && length(gap) < 1e-3 * size) return State::closed;
+            const double largest_gap = std::max(1e-3, 30 * closure);
+            if (contracts && remaining < closure * size && length(gap) < largest_gap * size) {
+                proposal = target;
+                return State::closed;
+            }
             if (!contracts) {
                 // small amplitudes repel: outwards, not to the fixed point that is being left
                 proposal = 2.0 * end;
@@ -75,10 +91,70 @@ class SecantSearch {
         if (count_ < 2) ++count_;
         return std::isfinite(proposal.a + proposal.b) ? State::searching : State::lost;
     }
+
+    /// The same where the basin that the motion lies in is the question: turn by turn, until it closes in on a cycle
+    /// that clearly attracts. Only then does a secant take the rest of the way.
+    State next_in_basin(Point start, Point end, Point& proposal)
+    {
+        const Point gap = end - start;
+        const double size = length(end);
+        proposal = end;
+        if (count_ > 0) {
+            const Point moved = start - start_[0], changed = gap - gap_[0];
+            multiplier_ = 1 + dot(moved, changed) / dot(moved, moved);
+            const double contraction = 1 - multiplier_;
+            const bool near = multiplier_ < uncertain_multiplier && length(gap) < contraction * near_cycle * size;
+            if (near) {
+                Point step = along_one(gap, moved, changed);
+                if (count_ > 1) step = along_two(gap, moved, changed, start_[0] - start_[1], gap_[0] - gap_[1], step);
+                const Point target = end + step;
+                if (length(target - start) < closure * size && length(gap) < 1e-3 * size) return State::closed;
+                if (length(step) < 2 * length(gap) / contraction) proposal = target;
+            } else {
+                const double ahead = leap(length(start), size);
+                if (ahead != 1) {
+                    proposal = ahead * end;
+                    forget();
+                    return State::searching;
+                }
+            }
+        }
+        log_size_ = std::log(length(start)), growth_ = std::log(size / length(start));
+        start_[1] = start_[0], gap_[1] = gap_[0];
+        start_[0] = start, gap_[0] = gap;
+        if (count_ < 2) ++count_;
+        return std::isfinite(proposal.a + proposal.b) ? State::searching : State::lost;
+    }
+    /// The fixed point of a map so close to the one searched that its secants serve for the first step; from then on
+    /// the map's own.
+    State refine(Point start, Point end, Point& proposal)
+    {
+        const Point gap = end - start;
+        if (refined_) {
+            moved_[1] = moved_[0], changed_[1] = changed_[0];
+            moved_[0] = start - start_[0], changed_[0] = gap - gap_[0];
+            learned_ = std::min(learned_ + 1, 2);
+        }
+        refined_ = true;
+        start_[0] = start, gap_[0] = gap;
+        Point step = along_one(gap, moved_[0], changed_[0]);
+        if (learned_ > 1) step = along_two(gap, moved_[0], changed_[0], moved_[1], changed_[1], step);
+        proposal = end + step;
+        return length(proposal - start) < closure * length(end) ? State::closed : State::searching;
+    }
     double multiplier() const { return multiplier_; }
     void forget() { count_ = 0; }
 
   private:
+    /// By what a motion that creeps inwards or outwards may be scaled, so that its growth a turn changes by a fifth.
+    double leap(double from, double to) const
+    {
+        const double growth = std::log(to / from), at = std::log(from);
+        const double slope = std::abs((growth - growth_) / (at - log_size_));
+        const bool creeps = count_ > 1 && std::abs(growth) < creeping && growth * growth_ > 0;
+        const double reach = std::min(share_of_change, share_of_change * std::abs(growth) / slope);
+        return creeps && reach > 3 * std::abs(growth) ? std::exp(std::copysign(reach, growth)) : 1;
+    }
     static Point along_one(Point gap, Point moved, Point changed)
     {
         const double share = dot(changed, gap) / dot(changed, changed);
@@ -93,7 +169,10 @@ class SecantSearch {
     }
 
     Point start_[2], gap_[2];
-    int count_ = 0;
+    Point moved_[2], changed_[2];  ///< the secants of the last step
+    int count_ = 0, learned_ = 0;
+    bool refined_ = false;
+    double log_size_ = 0, growth_ = 0;  ///< of the last turn: ln |start|, ln |end|/|start|
     double multiplier_ = 0;
 };
 

@@ -30,10 +30,7 @@ class SlipModel {
         groups_.c.set(lane, job.groups.c);
     }
     /// A harmless problem for a lane without a job.
-    static constexpr Job idle()
-    {
-        return {{1, 1, 1, 0}, {0, 0, 0}, {{0, 0}, {1, 0}, {0, 0}}, 1e300, 1, -1, 1, false, {0, 0, 0}};
-    }
+    static constexpr Job idle() { return {{1, 1, 1, 0}, -1, 1, true, {0, 0, 0}, false, {0, 0, 0}}; }
 
     void start(int lane, const double* y)
     {
@@ -55,9 +52,8 @@ class SlipModel {
         const M turning = (end - w) * (w - w_before_) < zero;
         return section | resting | turning;
     }
-    M settled(const Step& s) const
+    M settled(const Step& s, const P& small) const
     {
-        const P small(settled_size);
         return (abs(s.end(0)) * groups_.K < small) & (abs(s.end(1)) < small) & (abs(s.end(2)) < small);
     }
 
@@ -69,14 +65,14 @@ class SlipModel {
         view.w_before = w_before_[i];
         view.h_before = h_before_[i];
     }
-    EventFlags flags(const StepView& view, int i) const
+    EventFlags flags(const StepView& view, int i, double settled) const
     {
         EventFlags flags;
         const double w0 = view.y0[1], w1 = view.y1[1];
         flags.section = (w0 > 0) != (w1 > 0);
         flags.slow = (w0 > near_rest_logarithm) != (w1 > near_rest_logarithm);
         flags.turning = (w1 - w0) * (w0 - view.w_before) < 0;
-        const auto small = [](double x) { return x < settled_size && x > -settled_size; };
+        const auto small = [settled](double x) { return x < settled && x > -settled; };
         flags.settled = small(view.y1[0] * groups_.K[i]) && small(w1) && small(view.y1[2]);
         return flags;
     }

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double stiffest = 100;  ///< damping, in units of √(k_p m), beyond which an explicit method creeps
 constexpr double largest_rho = 500;
+constexpr double kick = 0.1;  ///< size of X to which a growing disturbance is lifted
 
 }  // namespace
 
@@ -47,41 +48,60 @@ bool less(const StribeckGroups& a, const StribeckGroups& b)
 
 StribeckJob job(const StribeckGroups& g, bool search)
 {
-    using Complex = std::complex<double>;
-    StribeckJob job;
+    StribeckJob job{};
     job.groups = g;
     const auto roots = quadratic_roots(g.damping(), 1);
-    const Complex s = roots[1].real() > roots[0].real() ? roots[1] : roots[0];
-    const Complex left[2] = {-1.0 / s, 1};
-    for (int i = 0; i < 2; ++i) job.left[i][0] = left[i].real(), job.left[i][1] = left[i].imag();
+    const auto s = roots[1].real() > roots[0].real() ? roots[1] : roots[0];
     job.rate = s.real();
-    job.magnitude = std::abs(s);
-    job.window = growth_window(s);
-    job.fineness = growth_fineness(s, job.window);
-    job.start[0] = probe * std::max(1.0, job.magnitude), job.start[1] = 0;  // so that |l·y| ≥ probe
+    job.frequency = std::abs(s.imag());
+    job.start[0] = kick, job.start[1] = 0;  // V = V_0 and falling, where a turn begins
     job.search = search;
     return job;
 }
 
-bool write(const StribeckAnswer& a, const StribeckScaled& s, const StribeckJob& job, bool searched, PointResult& point)
+bool state(const Disturbance& d, const Joint& joint, const StribeckScaled& scale, StribeckJob& job)
 {
-    point.growth_rate = a.growth / s.time;
+    double X = 0, u = 0;
+    switch (d.kind) {
+        case DisturbanceKind::position:
+        case DisturbanceKind::offset:
+            X = d.size / (scale.velocity * scale.time);
+            break;
+        case DisturbanceKind::velocity:
+            u = d.size / scale.velocity;
+            break;
+        case DisturbanceKind::impulse:
+            u = d.size / (joint.mechanism.inertia * scale.velocity);
+            break;
+        case DisturbanceKind::state:  // the law has none
+            return false;
+        case DisturbanceKind::start:
+            X = job.groups.release(), u = -1;
+            break;
+    }
+    job.stated = true;
+    job.start[0] = rounded(X), job.start[1] = rounded(u);
+    const bool forwards = d.kind == DisturbanceKind::start || u > -1;
+    return (X != 0 || u != 0) && forwards && std::isfinite(X) && std::isfinite(u);
+}
+
+bool write(const StribeckAnswer& a, const StribeckScaled& s, const StribeckJob& job, PointResult& point)
+{
+    point.growth_rate = job.rate / s.time;
     if (a.ending == Ending::left_over) return false;
-    const double length = s.velocity * s.time;
+    const double length = s.velocity * s.time, per_deflection = length / std::abs(s.deflection);
+    const double small_peak = small_disturbance / std::hypot(job.rate, job.frequency);
     point.path = DecisionPath::lanes;
-    point.overshoot = small_disturbance / job.magnitude * length / std::abs(s.deflection);
-    const bool cycle = a.ending != Ending::decays;
-    point.outcome = a.ending != Ending::cycle ? Outcome::stable_sliding
-                    : a.rest_time > 0         ? Outcome::stick_slip
-                                              : Outcome::limit_cycle;
-    if (a.ending == Ending::bistable && searched) point.region = Region::bistable;
-    if (!cycle) return true;
+    point.overshoot = std::max(0.0, job.stated ? a.peak : small_peak) * per_deflection;
+    point.outcome = !a.reached ? Outcome::stable_sliding : a.rest_time > 0 ? Outcome::stick_slip : Outcome::limit_cycle;
+    if (a.ending == Ending::bistable) point.region = Region::bistable;
+    if (a.ending == Ending::decays) return true;
     point.amplitude = 0.5 * (a.x_max - a.x_min) * length;
     point.velocity_min = s.velocity * (1 + a.u_min);
     point.velocity_max = s.velocity * (1 + a.u_max);
     point.period = a.period * s.time;
     point.stick_fraction = a.rest_time / a.period;
-    if (a.ending == Ending::cycle) point.overshoot = std::max(0.0, a.x_max) * length / std::abs(s.deflection);
+    if (a.reached) point.overshoot = std::max({0.0, a.x_max, a.peak}) * per_deflection;
     return true;
 }
 

@@ -23,11 +23,11 @@ std::optional<StribeckScaled> stribeck_scaled(const Joint& joint);
 
 bool less(const StribeckGroups& a, const StribeckGroups& b);
 
-/// The job of a set of groups: small disturbance, its eigenvector and window.
+/// As for the slip law (batch.h).
 StribeckJob job(const StribeckGroups& groups, bool search);
+bool state(const Disturbance& disturbance, const Joint& joint, const StribeckScaled& scale, StribeckJob& job);
 
 /// The fields of a row from an answer; false if the reference must decide.
-bool write(const StribeckAnswer& answer, const StribeckScaled& scale, const StribeckJob& job, bool searched,
-           PointResult& point);
+bool write(const StribeckAnswer& answer, const StribeckScaled& scale, const StribeckJob& job, PointResult& point);
 
 }  // namespace stickslip::lanes

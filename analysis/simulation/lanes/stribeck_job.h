@@ -22,25 +22,25 @@ struct StribeckGroups {
     double damping() const;
 };
 
+/// One motion to follow; as in Job, what small disturbances do is told by the slow eigenvalue.
 struct StribeckJob {
     StribeckGroups groups;
-    double start[2];    ///< X, u: small where `window` is set
-    double left[2][2];  ///< left eigenvector of the slow mode, real and imaginary parts
-    double window;      ///< time over which the growth of the small disturbance is measured
-    double fineness;    ///< share of rtol that holds in that time
-    double rate;        ///< real part of the slow eigenvalue, decides where the measured growth is too small
-    double magnitude;   ///< |s| of the slow eigenvalue
-    bool search;        ///< where small disturbances decay, also follow a start from rest
+    double rate;       ///< real part of the slow eigenvalue
+    double frequency;  ///< its imaginary part, not negative
+    bool stated;       ///< `start` is a disturbance of stated size; otherwise a small one, lifted
+    double start[2];   ///< X, u; u = −1: at rest, about to leave it
+    bool search;       ///< where the disturbance decays, also follow a start from rest
 };
 
 struct StribeckAnswer {
     Ending ending = Ending::left_over;
-    double growth = missing;      ///< per unit of time
     double u_min = 0, u_max = 0;  ///< of the cycle, like all that follows
     double x_min = 0, x_max = 0;
     double period = 0;
     double rest_time = 0;   ///< with V below a hundredth of V_0
     double multiplier = 0;  ///< Floquet multiplier as the secants see it; 0 of a cycle that sticks
+    double peak = missing;  ///< as in Answer
+    bool reached = false;
     int turns = 0;
     long steps = 0;
 };

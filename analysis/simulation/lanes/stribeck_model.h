@@ -37,7 +37,7 @@ class StribeckModel {
         gaussian_.set(lane, g.power == 2 ? 1 : 0);
     }
     /// A harmless problem for a lane without a job.
-    static constexpr Job idle() { return {{1, 0, 1, 1, 2}, {0, 0}, {{0, 0}, {1, 0}}, 1e300, 1, -1, 1, false}; }
+    static constexpr Job idle() { return {{1, 0, 1, 1, 2}, -1, 1, true, {0, 0}, false}; }
 
     void start(int, const double*) {}
     void step(const P* y, const P& h, Step& s) const
@@ -61,18 +61,14 @@ class StribeckModel {
         const M turning = s.rates[0].u * s.rates[dormand_prince::stages - 1].u < zero;
         return section | resting | turning | ((rest < u) & (end <= rest));
     }
-    M settled(const Step& s) const
-    {
-        const P small(settled_size);
-        return (abs(s.end(0)) < small) & (abs(s.end(1)) < small);
-    }
+    M settled(const Step& s, const P& small) const { return (abs(s.end(0)) < small) & (abs(s.end(1)) < small); }
 
     /// What the program of one lane sees of a step.
     void look(int i, const Step& s, StribeckView& view) const
     {
         for (int j = 0; j < dormand_prince::stages; ++j) view.k[j][0] = s.rates[j].X[i], view.k[j][1] = s.rates[j].u[i];
     }
-    EventFlags flags(const StribeckView& view, int) const
+    EventFlags flags(const StribeckView& view, int, double settled) const
     {
         EventFlags flags;
         const double u0 = view.y0[1], u1 = view.y1[1];
@@ -80,7 +76,7 @@ class StribeckModel {
         flags.slow = (u0 > near_rest - 1) != (u1 > near_rest - 1);
         flags.turning = view.k[0][1] * view.k[dormand_prince::stages - 1][1] < 0;
         flags.rest = u0 > -1 && u1 <= -1;
-        const auto small = [](double x) { return x < settled_size && x > -settled_size; };
+        const auto small = [settled](double x) { return x < settled && x > -settled; };
         flags.settled = small(view.y1[0]) && small(u1);
         return flags;
     }

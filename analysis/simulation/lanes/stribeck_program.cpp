@@ -3,14 +3,12 @@
 #include <algorithm>
 
 #include "analysis/numerics/hermite.h"
-#include "analysis/simulation/flows/disturbance.h"
 #include "analysis/simulation/flows/near_rest.h"
 
 namespace stickslip::lanes {
 namespace {
 
 constexpr double equal_turns = 1e-9;  ///< gap of two turns that stick, per amplitude
-constexpr double kick = 0.1;          ///< size of X and u to which a growing disturbance is lifted
 constexpr double first_share = 1e-2;  ///< of the fastest time at rest: the first step out of it
 
 class Dense {
@@ -54,13 +52,13 @@ Phase StribeckProgram::phase() const
 {
     return phase_;
 }
-double StribeckProgram::end_time() const
-{
-    return phase_ == Phase::grow ? job_->window : 1e300;
-}
 double StribeckProgram::tolerance() const
 {
-    return settings_->rtol * (phase_ == Phase::grow ? job_->fineness : 1);
+    return settings_->rtol;
+}
+double StribeckProgram::settled() const
+{
+    return (phase_ == Phase::stated ? peak_told : settled_size) * size_;
 }
 const StribeckAnswer& StribeckProgram::answer() const
 {
@@ -68,14 +66,7 @@ const StribeckAnswer& StribeckProgram::answer() const
 }
 void StribeckProgram::floors(double* floor) const
 {
-    floor[0] = floor[1] = phase_ == Phase::grow ? settings_->floor : 1;
-}
-
-double StribeckProgram::slow_size(const double* y) const
-{
-    double real = 0, imaginary = 0;
-    for (int i = 0; i < 2; ++i) real += job_->left[i][0] * y[i], imaginary += job_->left[i][1] * y[i];
-    return std::hypot(real, imaginary);
+    floor[0] = floor[1] = size_;
 }
 
 Action StribeckProgram::restart(double X, double u, double h) const
@@ -96,12 +87,34 @@ Action StribeckProgram::begin(const StribeckJob& job, const Settings& settings)
     job_ = &job;
     settings_ = &settings;
     answer_ = {};
-    phase_ = Phase::grow;
+    if (job.rate == 0) return give_up();  // neutral
+    const bool grows = job.rate > 0;
+    phase_ = grows ? Phase::cycle : Phase::stated;
+    if (!job.stated && !grows) return decayed();
+    if (job.stated) answer_.peak = job.start[0];
+    return follow(job.start[0], job.start[1]);
+}
+
+Action StribeckProgram::follow(double X, double u)
+{
+    const double largest = std::max(std::abs(X), std::abs(u));
+    size_ = largest > 0 ? std::min(1.0, largest) : 1;
     secants_ = {};
-    on_turn_ = sticks_ = stuck_before_ = false;
     elapsed_ = rested_since_ = 0;
-    size0_ = slow_size(job.start);
-    return restart(job.start[0], job.start[1], 1e-2 / (1 + std::abs(job.groups.zeta)));
+    answer_.turns = 0;
+    stuck_before_ = false;
+    on_turn_ = phase_ == Phase::cycle && !job_->stated;
+    turn_start_ = answer_.x_min = X;
+    sticks_ = u == -1;  // so that the first turn that sticks is known to repeat
+    return sticks_ ? from_rest() : restart(X, u, 1e-2 / (1 + std::abs(job_->groups.zeta)));
+}
+
+/// As in Program.
+Action StribeckProgram::decayed()
+{
+    if (phase_ == Phase::search || !job_->search) return finish(Ending::decays);
+    phase_ = Phase::search;
+    return follow(job_->groups.release(), -1);
 }
 
 Action StribeckProgram::finish(Ending ending)
@@ -115,31 +128,18 @@ Action StribeckProgram::give_up()
     return finish(Ending::left_over);
 }
 
-Action StribeckProgram::end_of_growth(const StribeckView& step)
-{
-    answer_.growth = std::log(slow_size(step.y1) / size0_) / (step.t + step.h);
-    if (!std::isfinite(answer_.growth)) return give_up();
-    const bool measurable = std::abs(answer_.growth) > measurable_growth * job_->magnitude;
-    const bool grows = measurable ? answer_.growth > 0 : job_->rate > 0;
-    if (!grows && !job_->search) return finish(Ending::decays);
-    phase_ = grows ? Phase::cycle : Phase::search;
-    if (!grows) {
-        sticks_ = true;  // so that the first turn that sticks is known to repeat
-        return from_rest();
-    }
-    const double lift = kick / std::max(std::abs(step.y1[0]), std::abs(step.y1[1]));
-    return restart(lift * step.y1[0], lift * step.y1[1], step.h);
-}
-
 Action StribeckProgram::end_of_turn(double X, double h)
 {
     double start = X;
+    if (job_->stated && !on_turn_ && phase_ != Phase::search) answer_.peak = std::max(answer_.peak, X);
+    if (phase_ == Phase::stated && X < settled_size) return decayed();
     if (on_turn_) {
         ++answer_.turns;
-        const bool searching = phase_ == Phase::search;
+        const bool stated = phase_ == Phase::stated;
         const auto cycle = [&] {
             answer_.x_max = std::max(turn_start_, X);
-            return finish(searching ? Ending::bistable : Ending::cycle);
+            answer_.reached = phase_ != Phase::search;
+            return finish(phase_ == Phase::cycle ? Ending::cycle : Ending::bistable);
         };
         // rest forgets everything: two turns that stick are the same turn
         if (sticks_ && stuck_before_ && std::abs(X - turn_start_) <= equal_turns * X) {
@@ -150,7 +150,8 @@ Action StribeckProgram::end_of_turn(double X, double h)
             secants_.forget();
         } else {
             Point next;
-            const auto state = secants_.next({turn_start_, 0}, {X, 0}, searching, next);
+            const auto state = stated ? secants_.next_in_basin({turn_start_, 0}, {X, 0}, next)
+                                      : secants_.next({turn_start_, 0}, {X, 0}, phase_ == Phase::search, next);
             answer_.multiplier = secants_.multiplier();
             if (state == SecantSearch::State::closed) {
                 if (answer_.multiplier > uncertain_multiplier) return give_up();
@@ -159,8 +160,8 @@ Action StribeckProgram::end_of_turn(double X, double h)
             if (state == SecantSearch::State::lost) return give_up();
             start = next.a;
         }
-        if (answer_.turns >= settings_->turn_limit) return give_up();
-        if (searching && start < settled_size) return finish(Ending::decays);
+        if (answer_.turns >= (stated ? settings_->patient_turn_limit : settings_->turn_limit)) return give_up();
+        if (phase_ == Phase::search && start < settled_size) return decayed();
     }
     on_turn_ = true;
     stuck_before_ = sticks_;
@@ -185,7 +186,6 @@ Action StribeckProgram::arrive_at_rest(double X)
 
 Action StribeckProgram::handle(const StribeckView& step, EventFlags flags)
 {
-    if (phase_ == Phase::grow) return flags.time ? end_of_growth(step) : Action{};
     const Dense u(step, 1);
     const bool falls = step.y1[1] < step.y0[1];
     const auto now = [&](double fraction) { return elapsed_ + step.t + fraction * step.h; };
@@ -213,7 +213,10 @@ Action StribeckProgram::handle(const StribeckView& step, EventFlags flags)
         elapsed_ = now(fraction);
         return arrive_at_rest(Dense(step, 0)(fraction));
     }
-    if (phase_ == Phase::search && flags.settled) return finish(Ending::decays);
+    if (phase_ != Phase::cycle && flags.settled) {
+        if (phase_ == Phase::stated && !on_turn_) answer_.peak = std::max(answer_.peak, step.y1[0]);
+        return decayed();
+    }
     return {};
 }
 

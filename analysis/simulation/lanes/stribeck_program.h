@@ -23,8 +23,8 @@ class StribeckProgram {
     Action give_up();
 
     Phase phase() const;
-    double end_time() const;
     double tolerance() const;
+    double settled() const;
     void floors(double* floor) const;
     const StribeckAnswer& answer() const;
 
@@ -32,16 +32,16 @@ class StribeckProgram {
     Action finish(Ending ending);
     Action restart(double X, double u, double h) const;
     Action from_rest();
-    Action end_of_growth(const StribeckView& step);
+    Action decayed();
+    Action follow(double X, double u);
     Action end_of_turn(double X, double h);
     Action arrive_at_rest(double X);
-    double slow_size(const double* y) const;
 
     const StribeckJob* job_ = nullptr;
     const Settings* settings_ = nullptr;
     StribeckAnswer answer_;
-    Phase phase_ = Phase::grow;
-    double size0_ = 0;  ///< |l·y| at the start
+    Phase phase_ = Phase::cycle;
+    double size_ = 1;  ///< of the start, at most 1
     SecantSearch secants_;
     double turn_start_ = 0;                       ///< X on the section
     bool on_turn_ = false;                        ///< the section has been crossed: a turn is being measured

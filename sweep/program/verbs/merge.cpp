@@ -15,6 +15,7 @@ namespace {
 struct Options {
     std::vector<std::string> directories;
     std::string results;
+    bool keep_journal = false;
 };
 
 int merge_journals(const Options& options)
@@ -22,9 +23,11 @@ int merge_journals(const Options& options)
     const std::vector<std::filesystem::path> directories(options.directories.begin(), options.directories.end());
     const std::filesystem::path results =
         options.results.empty() ? directories.front() / run_files::results : std::filesystem::path(options.results);
-    const auto merged = merge(directories, results);
-    fmt::print("{} merged in {:.2f} s\nresults: {}\n", counted(merged.points, "point"), merged.seconds,
-               results.string());
+    if (const auto merged = merge(directories, results, options.keep_journal))
+        fmt::print("{} merged in {:.2f} s\n", counted(merged->points, "point"), merged->seconds);
+    else
+        fmt::print("merged before: the results are whole\n");
+    fmt::print("results: {}\n", results.string());
     return exit_done;
 }
 
@@ -36,6 +39,8 @@ void add_merge(CLI::App& app, Invocation& invocation)
     auto* verb = app.add_subcommand("merge", "Merge the journals of shards into one results.nc");
     verb->add_option("DIR", options->directories, "directories of the shards")->required();
     verb->add_option("-o,--output", options->results, "results file; default: results.nc in the first directory");
+    verb->add_flag("--keep-journal", options->keep_journal,
+                   "leave the journals, as large as the results, where they are");
     verb->footer("Example: stickslip merge out");
     verb->callback([options, &invocation] { invocation.exit_code = merge_journals(*options); });
 }

@@ -31,7 +31,7 @@ struct Options {
     std::string spec, directory = "out", shard, timestamp;
     int threads = 0;
     double max_undecided = 0.05;
-    bool fresh = false, json = false, no_report = false, ideal_loop = false;
+    bool fresh = false, keep_journal = false, json = false, no_report = false, ideal_loop = false;
 };
 
 /// "2/7": the second of seven shards.
@@ -83,6 +83,7 @@ int sweep(const Options& options, Invocation& invocation)
     RunOptions run_options;
     run_options.directory = options.directory;
     run_options.fresh = options.fresh;
+    run_options.keep_journal = options.keep_journal;
     run_options.shard = shard_from(options.shard);
     run_options.engine.threads = options.threads;
     run_options.engine.interrupt = &invocation.interrupted;
@@ -150,6 +151,8 @@ void add_sweep(CLI::App& app, Invocation& invocation)
         ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str();
     verb->add_flag("--fresh", options->fresh, "discard what an earlier sweep left in the directory");
+    verb->add_flag("--keep-journal", options->keep_journal,
+                   "leave the journal, as large as the results, when these are whole");
     verb->add_flag("--no-report", options->no_report, "write results.nc only");
     verb->add_option("--timestamp", options->timestamp,
                      "date on the page: now, or seconds since 1970; default: SOURCE_DATE_EPOCH, else none");

@@ -6,10 +6,13 @@
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 
+#include "analysis/simulation/flows/disturbance.h"
 #include "analysis/simulation/lanes/job.h"
 
 namespace stickslip {
@@ -74,33 +77,54 @@ inline int groups_jacobian(realtype, N_Vector y, N_Vector, SUNMatrix J, void* us
     return 0;
 }
 
-/// |l·(X, w, p)| of the slow mode.
-inline double slow_size(const lanes::Job& job, const double* s)
-{
-    double re = 0, im = 0;
-    for (int i = 0; i < 3; ++i) re += job.left[i][0] * s[i], im += job.left[i][1] * s[i];
-    return std::hypot(re, im);
-}
+/// A disturbance so small that its quadratic terms do not show, and the slow mode by which its growth is seen: the left
+/// eigenvector of the Jacobian at steady sliding, by Eigen.
+struct SmallDisturbance {
+    static constexpr double probe = 1e-9;
+    lanes::Groups groups;
+    std::complex<double> s;
+    Eigen::Vector3cd left;
+    double start[3];  ///< X, w, p
 
-/// Growth rate of the job's small disturbance over its window, per unit of its time; tolerances relative to the
-/// disturbance. Not a number if CVODE fails.
-inline double cvode_growth(const lanes::Job& job, double rtol)
+    explicit SmallDisturbance(const lanes::Groups& g) : groups(g)
+    {
+        Eigen::Matrix3d J;
+        J << 0, 1, 0, -g.K / g.M, -(g.c + 1) / g.M, -1 / g.M, 0, -g.beta, -1;
+        const Eigen::EigenSolver<Eigen::Matrix3d> solver(J.transpose());
+        int slow = 0;
+        for (int i = 1; i < 3; ++i)
+            if (solver.eigenvalues()[i].real() > solver.eigenvalues()[slow].real()) slow = i;
+        s = solver.eigenvalues()[slow];
+        left = solver.eigenvectors().col(slow);
+        const double X = probe / std::abs(s);
+        start[0] = X, start[1] = 0, start[2] = -g.K * X;
+    }
+    double window() const { return growth_window(s); }
+    /// |l·(X, w, p)|
+    double size(const double* y) const { return std::abs(left[0] * y[0] + left[1] * y[1] + left[2] * y[2]); }
+};
+
+/// Growth rate of a small disturbance over its window, per unit of time; tolerances relative to the disturbance. Not a
+/// number if CVODE fails.
+inline double cvode_growth(const lanes::Groups& of, double rtol)
 {
+    const SmallDisturbance small(of);
     CvodeSolver solver(&groups_rate);
-    auto groups = job.groups;
+    auto groups = of;
     double *s = NV_DATA_S(solver.y), *tolerance = NV_DATA_S(solver.tolerance);
-    std::copy_n(job.start, 3, s);
-    std::fill_n(tolerance, 3, rtol * lanes::probe);
+    std::copy_n(small.start, 3, s);
+    std::fill_n(tolerance, 3, rtol * SmallDisturbance::probe);
     tolerance[0] /= std::max(1.0, groups.K);
     CVodeReInit(solver.cvode, 0, solver.y);
     CVodeSVtolerances(solver.cvode, rtol, solver.tolerance);
     CVodeSetUserData(solver.cvode, &groups);
     CVodeSetJacFn(solver.cvode, &groups_jacobian);
-    CVodeSetStopTime(solver.cvode, job.window);
-    const double start = slow_size(job, s);
+    CVodeSetStopTime(solver.cvode, small.window());
+    const double start = small.size(s);
     double t = 0;
-    if (CVode(solver.cvode, job.window, solver.y, &t, CV_NORMAL) < 0) return std::numeric_limits<double>::quiet_NaN();
-    return std::log(slow_size(job, s) / start) / t;
+    if (CVode(solver.cvode, small.window(), solver.y, &t, CV_NORMAL) < 0)
+        return std::numeric_limits<double>::quiet_NaN();
+    return std::log(small.size(s) / start) / t;
 }
 
 }  // namespace stickslip

@@ -70,7 +70,7 @@ struct Compared {
     PointResult row;
     NonlinearVerdict truth;
     double true_growth = missing;  ///< 1/s, by CVODE counting from steady sliding
-    double growth = 0, period = 0, amplitude = 0;
+    double growth = 0, period = 0, amplitude = 0, overshoot = 0;
     double rest = 0;                              ///< difference of the shares of the period at rest
     double row_spectrum = 0, truth_spectrum = 0;  ///< growth rates of lanes and truth against the spectral abscissa
     double left_over_spectrum = 0;                ///< the same of rows that lanes leave to the reference
@@ -92,7 +92,7 @@ inline double growth_by_cvode(const Joint& joint)
     const double A = law.A, L = law.L[0], V0 = joint.control.V0;
     const lanes::Groups groups{joint.control.k_p * L / A, joint.mechanism.inertia * V0 * V0 / (L * A), law.B[0] / A,
                                joint.control.k_v * V0 / A};
-    return cvode_growth(lanes::job(groups, false), rtol) * V0 / L;
+    return cvode_growth(groups, rtol) * V0 / L;
 }
 
 inline double relative_error(double a, double b)
@@ -101,10 +101,12 @@ inline double relative_error(double a, double b)
 }
 
 /// `region` asks for the search for a coexisting cycle, too.
-inline std::vector<Compared> compare_with_cvode(std::span<const Joint> joints, bool region)
+inline std::vector<Compared> compare_with_cvode(std::span<const Joint> joints, bool region,
+                                                const Disturbance& disturbance = {})
 {
     NonlinearOptions options, strict;
     options.region = strict.region = region;
+    options.disturbance = strict.disturbance = disturbance;
     strict.rtol = 1e-11;
     std::vector<PointResult> rows(joints.size());
     nonlinear_points(joints, options, rows);
@@ -121,6 +123,7 @@ inline std::vector<Compared> compare_with_cvode(std::span<const Joint> joints, b
         c.period = relative_error(c.row.period, c.truth.period);
         c.rest = std::isnan(c.row.period) ? 0 : std::abs(c.row.stick_fraction - c.truth.stick_fraction);
         const double swing = std::log(c.row.velocity_max / c.row.velocity_min);
+        c.overshoot = std::abs(c.row.overshoot - c.truth.overshoot) / (1e-12 + c.truth.overshoot);
         c.amplitude = std::max(relative_error(c.row.amplitude, c.truth.amplitude),
                                relative_error(swing, std::log(c.truth.velocity_max / c.truth.velocity_min)));
         compared.push_back(c);

@@ -53,7 +53,7 @@ struct Finished {
 
     Finished()
     {
-        run(plan_, where);
+        run_kept(plan_, where);
         results = bytes(where / "results.nc");
         REQUIRE(journals(where).size() == 1);
         file = journals(where).front();
@@ -87,7 +87,7 @@ TEST_CASE("a journal cut anywhere keeps every whole record, and a resumed run en
         REQUIRE((found.report.damaged_bytes > 0) == torn);
         if (size % 211 == 0) {
             check_contents(sweep.plan_, found.index);
-            const RunReport repaired = run(sweep.plan_, sweep.where);
+            const RunReport repaired = run_kept(sweep.plan_, sweep.where);
             REQUIRE(repaired.resumed_chunks == whole);
             REQUIRE(repaired.computed.chunks == 13 - whole);
             REQUIRE((bytes(sweep.where / "results.nc") == sweep.results));
@@ -113,7 +113,7 @@ TEST_CASE("a flipped bit costs one chunk at most and never changes a result")
         REQUIRE(found.report.damaged_files.size() == 1);
         if (trial % 100 == 0) {
             check_contents(sweep.plan_, found.index);
-            run(sweep.plan_, sweep.where);
+            run_kept(sweep.plan_, sweep.where);
             REQUIRE((bytes(sweep.where / "results.nc") == sweep.results));
         }
     }
@@ -133,7 +133,7 @@ TEST_CASE("blocks that a power cut left empty, and garbage, are skipped")
         sweep.damage(damaged);
         check_contents(sweep.plan_, scan(sweep.plan_, sweep.where).index);
         if (trial % 10 == 0) {
-            run(sweep.plan_, sweep.where);
+            run_kept(sweep.plan_, sweep.where);
             REQUIRE((bytes(sweep.where / "results.nc") == sweep.results));
         }
     }
@@ -159,9 +159,10 @@ TEST_CASE("a journal of another sweep is refused")
 {
     Finished sweep;
     const Plan other = plan({9, 12}, 8);
-    run(other, sweep.directory / "b");
+    run_kept(other, sweep.directory / "b");
     fs::copy(journals(sweep.directory / "b").front(), sweep.where / run_files::journals / "other.journal");
-    CHECK_THROWS_WITH(run(sweep.plan_, sweep.where), Catch::Contains("belongs to another sweep"));
+    fs::remove(sweep.where / "results.nc");
+    CHECK_THROWS_WITH(run_kept(sweep.plan_, sweep.where), Catch::Contains("belongs to another sweep"));
 }
 
 TEST_CASE("packed rows come back as they were, all columns")
@@ -196,7 +197,7 @@ TEST_CASE("a full disk ends the run in words, loses nothing, and the same run go
 {
     TemporaryDirectory directory;
     const Plan p = plan({100, 40}, 16);
-    run(p, directory / "reference");
+    run_kept(p, directory / "reference");
     // Room for the plan and part of the journal; then for the journal but not for results.nc, which is larger here.
     const std::size_t journal = fs::file_size(journals(directory / "reference").front());
     REQUIRE(fs::file_size(directory / "reference/results.nc") < journal + 40000);
@@ -205,7 +206,7 @@ TEST_CASE("a full disk ends the run in words, loses nothing, and the same run go
         RunReport report;
         {
             const FileSizeLimit limit(60000);
-            report = run(p, where, threads);
+            report = run_kept(p, where, threads);
         }
         CHECK(report.end == RunEnd::write_failed);
         CHECK_THAT(report.message, Catch::Contains("journal") && Catch::Contains("safe"));
@@ -215,7 +216,7 @@ TEST_CASE("a full disk ends the run in words, loses nothing, and the same run go
         CHECK(found.index.count() == report.computed.chunks);
         CHECK(found.report.damaged_bytes == 0);
 
-        const RunReport rest = run(p, where, threads);
+        const RunReport rest = run_kept(p, where, threads);
         CHECK(rest.end == RunEnd::complete);
         CHECK(rest.resumed_chunks == report.computed.chunks);
         CHECK((bytes(where / "results.nc") == bytes(directory / "reference/results.nc")));
@@ -226,18 +227,18 @@ TEST_CASE("a disk that is full when results.nc is written leaves the old one or 
 {
     TemporaryDirectory directory;
     const Plan p = plan({100, 40}, 16);
-    run(p, directory / "a");
+    run_kept(p, directory / "a");
     const std::string before = bytes(directory / "a/results.nc");
     fs::remove(directory / "a/results.nc");
     RunReport report;
     {
         const FileSizeLimit limit(60000);
-        report = run(p, directory / "a");
+        report = run_kept(p, directory / "a");
     }
     CHECK(report.end == RunEnd::write_failed);
     CHECK_THAT(report.message, Catch::Contains("results.nc") && Catch::Contains("safe"));
     CHECK_FALSE(fs::exists(directory / "a/results.nc"));
     CHECK_FALSE(fs::exists(directory / "a/results.nc.partial"));
-    CHECK(run(p, directory / "a").computed.chunks == 0);
+    CHECK(run_kept(p, directory / "a").computed.chunks == 0);
     CHECK((bytes(directory / "a/results.nc") == before));
 }

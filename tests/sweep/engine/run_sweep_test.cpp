@@ -39,8 +39,8 @@ TEST_CASE("shards merge to the bytes of one run, from one directory or several")
         run(p, directory / "together", 1, {i, 7});
     }
     CHECK(points == p.points);
-    merge(parts, directory / "merged.nc");
-    merge({directory / "together"}, directory / "together/results.nc");
+    CHECK(merge(parts, directory / "merged.nc", true)->points == p.points);
+    CHECK(merge({directory / "together"}, directory / "together/results.nc")->points == p.points);
     CHECK((bytes(directory / "merged.nc") == bytes(directory / "whole/results.nc")));
     CHECK((bytes(directory / "together/results.nc") == bytes(directory / "whole/results.nc")));
 
@@ -125,18 +125,60 @@ TEST_CASE("an interrupt while results.nc is written leaves none, and the next ru
     CHECK(ResultsFile(rest.results).points() == p.points);
 }
 
+TEST_CASE("the journal goes once the results are whole, unless it is to be kept, and nothing is computed again")
+{
+    const Plan p = plan({13, 7, 11}, 16);
+    TemporaryDirectory directory;
+    const auto where = directory / "a", kept = directory / "kept";
+    CHECK(run_kept(p, kept, 2).merged);
+    CHECK(journals(kept).size() == 1);
+    CHECK(run(p, where, 2).merged);
+    CHECK_FALSE(fs::exists(where / run_files::journals));
+    CHECK((bytes(where / "results.nc") == bytes(kept / "results.nc")));
+
+    for (const Shard shard : {Shard{}, Shard{0, 2}}) {
+        const RunReport again = run(p, where, 2, shard);
+        CHECK(again.end == RunEnd::complete);
+        CHECK(again.computed.points == 0);
+        CHECK(again.resumed_chunks == p.chunks());
+        CHECK_FALSE(fs::exists(where / run_files::journals));
+    }
+    // a kill between the last byte of the results and the removal
+    fs::copy(kept / run_files::journals, where / run_files::journals);
+    CHECK(run(p, where).computed.points == 0);
+    CHECK_FALSE(fs::exists(where / run_files::journals));
+    CHECK((bytes(where / "results.nc") == bytes(kept / "results.nc")));
+
+    fs::remove(where / "results.nc");
+    CHECK(run(p, where).computed.points == p.points);
+    CHECK((bytes(where / "results.nc") == bytes(kept / "results.nc")));
+}
+
+TEST_CASE("the journals of shards go with their merge, and a second merge finds it done")
+{
+    const Plan p = plan({13, 7}, 16);
+    TemporaryDirectory directory;
+    const std::vector<fs::path> parts{directory / "a", directory / "b"};
+    for (std::uint64_t i = 0; i < 2; ++i) run(p, parts[i], 1, {i, 2});
+    CHECK(merge(parts, parts[0] / "results.nc"));
+    for (const auto& part : parts) CHECK_FALSE(fs::exists(part / run_files::journals));
+    CHECK_FALSE(merge(parts, parts[0] / "results.nc"));
+    CHECK_THROWS_WITH(merge(parts, directory / "other.nc"), Catch::Contains("chunks are missing"));
+    CHECK(ResultsFile(parts[0] / "results.nc").points() == p.points);
+}
+
 TEST_CASE("a finished sweep is not computed again, and its results are written again only if they are gone")
 {
     const Plan p = plan({10, 10}, 16);
     TemporaryDirectory directory;
-    run(p, directory / "a");
+    run_kept(p, directory / "a");
     const std::string before = bytes(directory / "a/results.nc");
-    RunReport again = run(p, directory / "a");
+    RunReport again = run_kept(p, directory / "a");
     CHECK(again.computed.points == 0);
     CHECK_FALSE(again.merged);
     CHECK(again.results == fs::absolute(directory / "a/results.nc"));
     fs::remove(directory / "a/results.nc");
-    again = run(p, directory / "a");
+    again = run_kept(p, directory / "a");
     CHECK(again.computed.points == 0);
     CHECK(again.merged);
     CHECK((bytes(directory / "a/results.nc") == before));

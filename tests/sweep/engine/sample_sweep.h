@@ -72,14 +72,22 @@ inline PointResult toy_point(const Joint& joint)
     return point;
 }
 
-inline RunReport run(const Plan& plan, const fs::path& directory, int threads = 1, Shard shard = {}, bool fresh = false)
+inline RunReport run(const Plan& plan, const fs::path& directory, int threads = 1, Shard shard = {}, bool fresh = false,
+                     bool keep_journal = false)
 {
     RunOptions options;
     options.directory = directory;
     options.shard = shard;
     options.fresh = fresh;
+    options.keep_journal = keep_journal;
     options.engine.threads = threads;
     return run_sweep(plan, joint(), point_by_point(toy_point), options);
+}
+
+/// With the journals left beside the results.
+inline RunReport run_kept(const Plan& plan, const fs::path& directory, int threads = 1)
+{
+    return run(plan, directory, threads, {}, false, true);
 }
 
 inline std::string bytes(const fs::path& path)

@@ -23,11 +23,6 @@
 namespace stickslip::gap {
 namespace {
 
-std::string percent(double part)
-{
-    return std::to_string(static_cast<int>(std::lround(100 * part))) + " %";
-}
-
 /// Not empty where so much of controller and encoder differs from the document that it is hardly the same joint.
 std::string another_joint(const Audit& audit)
 {
@@ -148,12 +143,14 @@ void tell_named(const Prepared& p, const ParallelFor& parallel, const Findings& 
 
 void tell_unexplained(const Findings& f, Diagnosis& d)
 {
-    d.reasons.push_back(
-        "there is a gap, and no effect of the catalogue, nor two together, explain it: the best leaves " +
-        percent(1 - f.decision.best_explained) + " of it");
+    Note note(Note::Code::unexplained);
+    note.taken = f.decision.best_explained;
+    d.reasons.push_back(note);
     constexpr double worth_telling = 0.5;
-    if (!f.free.empty() && f.free[0].fit.explained > worth_telling)
-        d.reasons.push_back(in_words(f.free[0]) + " would explain " + percent(f.free[0].fit.explained) + " of it");
+    if (f.free.empty() || !(f.free[0].fit.explained > worth_telling)) return;
+    Note force(Note::Code::free_force);
+    force.signal = f.free[0].of, force.taken = f.free[0].fit.explained;
+    d.reasons.push_back(force);
 }
 
 /// What it could be confused with, and the experiment that would tell.
@@ -231,7 +228,7 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
         if (!d.effects.empty() && shown)
             d.effects[0].heldout_gain = held.gain, d.effects[0].heldout_gain_interval = held.gain_interval;
     }
-    if (d.verdict == Verdict::unknown && !f.quiet && f.only_nearest.empty()) tell_unexplained(f, d);
+    if (d.verdict == Verdict::unknown && !f.quiet && !f.why_not) tell_unexplained(f, d);
     double audited = 0;
     if (wrong_controller) {
         const auto alone = audit_alone ? held : hold_out(p.cases, p.documented, p.scales, f.none, runs, parallel);
@@ -280,7 +277,7 @@ void find(const Joint& joint, const std::vector<Record>& records, const Parallel
     d.signals = locate_signals(prepared.cases, prepared.documented);
     d.regimes = locate_regimes(prepared.cases);
     Findings findings = find_causes(prepared, options.pair_partners, progress, parallel);
-    if (!findings.only_nearest.empty()) d.reasons.push_back(findings.only_nearest);
+    if (findings.why_not) d.reasons.push_back(*findings.why_not);
     progress("predicting held-out data", 0.9);
     conclude(prepared, findings, options.ensemble, parallel, result);
     progress("done", 1);

@@ -46,13 +46,23 @@ struct FittedParameter {
     std::string unit;
 };
 
+/// A number of the joint with a cause in it, as a data sheet has it: the level of one direction, not half a difference.
+struct SheetValue {
+    std::string name;  ///< "Coulomb level, positive direction"
+    double value = 0;
+    ConfidenceInterval interval;  ///< 95 %
+    std::string unit;
+    bool pinned = false;  ///< the interval is narrower than the number is large: the records say what it is
+};
+
 /// One cause, or a few that act together, with its rank by position.
 struct Cause {
     std::vector<std::string> names;
     std::string form;  ///< which way of writing it down fitted best, empty where there is one
     double probability = 0;
     std::vector<FittedParameter> parameters;
-    double heldout_gain = 0;  ///< 1 − after/before of held-out RMS
+    std::vector<SheetValue> values;  ///< of the documented numbers that the cause changes
+    double heldout_gain = 0;         ///< 1 − after/before of held-out RMS
     ConfidenceInterval heldout_gain_interval;
     double force_gain = std::numeric_limits<double>::quiet_NaN();  ///< the same for the drive force, see DriveForceGap
     ConfidenceInterval force_gain_interval;
@@ -143,18 +153,29 @@ struct DiagnosedTrace {
 };
 
 /// Everything that the report and diagnosis.json say. Boundary numbers are added by who can compute maps.
-/// A sentence for people, with the code that behaviour may depend on: nothing is decided by its wording.
+/// A sentence for people, with the code that behaviour may depend on: nothing is decided by its wording. What the last
+/// codes mean is said by sweep/words (note_text), from the numbers beside them.
 struct Note {
     enum class Code {
         plain,
-        contradiction,  ///< record and joint contradict each other: nothing was concluded
-        within_noise    ///< the nominal joint predicts every record to the noise
+        contradiction,     ///< record and joint contradict each other: nothing was concluded
+        within_noise,      ///< the nominal joint predicts every record to the noise
+        unexplained,       ///< no cause nor pair explains the gap; the best takes `taken`
+        free_force,        ///< a force of `signal`, of no catalogue, would take `taken`
+        nothing_earns,     ///< no cause takes a part of the gap on unseen data beside the corrections
+        takes_too_little,  ///< `names` come nearest, but take only `taken` of the gap, of which `explainable` is
+        nearer_force,      ///< `names` come nearest, but a force of `signal` explains the records clearly better
+        force_in_the_rest  ///< `names` come nearest, but a force of `signal` explains what they leave
     };
     Code code = Code::plain;
     std::string text;
+    std::vector<std::string> names;
+    std::string signal;  ///< "position" | "velocity" | "hysteresis" | …
+    double taken = 0, explainable = 0;
 
     Note(std::string sentence, Code meaning = Code::plain) : code(meaning), text(std::move(sentence)) {}
     Note(const char* sentence) : text(sentence) {}
+    explicit Note(Code meaning) : code(meaning) {}
     operator const std::string&() const { return text; }
 };
 

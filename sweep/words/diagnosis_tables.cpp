@@ -1,5 +1,7 @@
 #include "sweep/words/diagnosis_tables.h"
 
+#include "sweep/words/diagnosis_text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -85,6 +87,20 @@ Table parameters_table(const Diagnosis& d)
     return t;
 }
 
+std::string value_text(const SheetValue& v)
+{
+    if (!v.pinned) return "not pinned by these records";
+    return fmt::format("{} ({} … {}) {}", number(v.value), number(v.interval.low), number(v.interval.high), v.unit);
+}
+
+Table values_table(const Diagnosis& d)
+{
+    Table t{"The joint's numbers with the first cause", {"number", "value, 95 % interval"}, {}};
+    if (!d.effects.empty())
+        for (const auto& v : d.effects[0].values) t.rows.push_back({v.name, value_text(v)});
+    return t;
+}
+
 Table shares_table(const char* title, const std::vector<Share>& shares)
 {
     Table t{title, {"where", "share of the gap", "95 % interval", "RMS", "noise floor", "unit"}, {}};
@@ -126,7 +142,8 @@ std::vector<std::string> gathered_notes(const Diagnosis& d)
     std::vector<std::pair<std::string, int>> counted;
     std::vector<std::string> firsts;
     const auto said_as_reason = [&](const std::string& note) {
-        return std::any_of(d.reasons.begin(), d.reasons.end(), [&](const Note& r) { return r.text.ends_with(note); });
+        return std::any_of(d.reasons.begin(), d.reasons.end(),
+                           [&](const Note& r) { return note_text(r).ends_with(note); });
     };
     for (const auto& note : d.notes) {
         if (said_as_reason(note)) continue;

@@ -14,6 +14,10 @@ std::string share_bar(double share, const ConfidenceInterval& interval);
 
 Table causes_table(const Diagnosis& d);
 Table parameters_table(const Diagnosis& d);
+/// What the joint's own numbers become with the first cause; no rows where it changes none of them.
+Table values_table(const Diagnosis& d);
+/// "166.9 (166.1 … 167.6) N·s/m", or that the records do not say.
+std::string value_text(const SheetValue& value);
 Table shares_table(const char* title, const std::vector<Share>& shares);
 Table gap_table(const Diagnosis& d);
 Table records_table(const Diagnosis& d);

@@ -54,6 +54,9 @@ TEST_CASE("EMPS: the friction of a fatigued ball screw differs by direction", "[
     CHECK(d["ambiguous_with"].empty());
     // Janot, Gautier and Brunot: 166.7 and 240.4 N s/m, 203.5 on the average
     CHECK(number(d["effects"][0], "asymmetric-friction.viscous") == Approx((166.7 - 240.4) / 2).epsilon(0.03));
+    const auto& values = d["effects"][0]["values"];
+    CHECK(values["viscous slope, positive direction"]["value"].get<double>() == Approx(166.7).epsilon(0.03));
+    CHECK(values["viscous slope, negative direction"]["value"].get<double>() == Approx(240.4).epsilon(0.03));
     // contiguous thirds held out, low-passed at 100 Hz, all numbers refitted with and without the cause
     CHECK(d["drive_force"]["below_hz"] == 100.0);
     CHECK(d["effects"][0]["drive_force_gain"] >= 0.20);

@@ -35,6 +35,14 @@ Effect backlash()
         f.applies = is_single_mass;
         f.rough = true;
         e.forms.push_back(f);
+        // the encoder of a joint documented as one mass may sit behind the play
+        f.name = "divided-mass-encoder-on-link";
+        f.apply = [](Joint& j, const double* p) {
+            divide_mass(j, p[1], p[2], p[4], p[3]);
+            j.mechanism.transmission.backlash = p[0];
+            j.control.feedback = Feedback::link;
+        };
+        e.forms.push_back(f);
     }
     {
         EffectForm f;

@@ -39,6 +39,14 @@ Effect compliance()
         };
         f.applies = [](const Joint& j) { return is_single_mass(j) && stribeck_peak(j.friction) != 0; };
         e.forms.push_back(f);
+        // the encoder of a joint documented as one mass may sit behind the spring
+        f.name = "divided-mass-encoder-on-link";
+        f.apply = [](Joint& j, const double* p) {
+            divide_mass(j, p[0], p[1], p[3], p[2]);
+            j.control.feedback = Feedback::link;
+        };
+        f.applies = is_single_mass;
+        e.forms.push_back(f);
     }
     {
         EffectForm f;

@@ -21,20 +21,6 @@ void for_all_frictions(Joint& j, const double part, void (*change)(Friction&, do
     change(j.frictions.link, (1 - motor) * part);
 }
 
-double viscous_of(const Friction& friction)
-{
-    return std::visit(
-        [](const auto& law) -> double {
-            if constexpr (requires { law.viscous; })
-                return law.viscous;
-            else if constexpr (requires { law.c1; })
-                return law.c1;
-            else
-                return 0;
-        },
-        friction.law);
-}
-
 }  // namespace
 
 void Corrections::add(std::string_view name, const EffectParameter& parameter, void (*apply)(Joint&, const double*),
@@ -61,7 +47,7 @@ Corrections::Corrections(const std::vector<Case>& cases, const Scales& scales, c
     const double coulomb =
         single ? coulomb_level(j.friction) : coulomb_level(j.frictions.motor) + coulomb_level(j.frictions.link);
     const double viscous =
-        single ? viscous_of(j.friction) : viscous_of(j.frictions.motor) + viscous_of(j.frictions.link);
+        single ? viscous_slope(j.friction) : viscous_slope(j.frictions.motor) + viscous_slope(j.frictions.link);
     const double level = std::max(coulomb / scales.effort, prior.least);
     const auto number = [&](Quantity quantity, Scale scale, bool logarithmic, double sd, std::string_view help) {
         EffectParameter p{logarithmic ? "factor" : "change",
@@ -94,6 +80,12 @@ Corrections::Corrections(const std::vector<Case>& cases, const Scales& scales, c
     add(
         "constant-load", number(Quantity::effort, Scale::effort, false, prior.load * level, "constant load"),
         [](Joint& to, const double* p) { to.load.constant += p[0]; }, false);
+    if (const double gravity = std::abs(j.load.gravity_amplitude); gravity > 0)
+        add(
+            "gravity",
+            number(Quantity::effort, Scale::load_effort, false,
+                   prior.gravity * gravity / unit_of(Scale::load_effort, scales), "change of the gravity amplitude"),
+            [](Joint& to, const double* p) { to.load.gravity_amplitude += p[0]; }, false);
     if (records_ > 1)
         add(
             of_record,
@@ -128,12 +120,14 @@ bool Corrections::is_one(const Candidate& causes, const Eigen::VectorXd& x) cons
 {
     Eigen::Index at = 0;
     for (std::size_t i = 0; i < causes.effects.size(); ++i) {
-        // a form with a name of its own changes something else: one of two masses, say
+        const auto count = static_cast<Eigen::Index>(causes.count_of(*causes.forms[i]));
+        // a form with a name of its own changes something else, one of two masses, say; forms of gravity do not
+        const bool same = causes.forms[i]->name.empty() || causes.effects[i]->name == "gravity";
         for (std::size_t k = 0; k < effects_.size(); ++k)
-            if (causes.forms[i]->name.empty() && causes.effects[i]->name == effects_[k].name &&
-                std::abs(x[at]) <= widest_ * sds_[k])
+            if (same && causes.effects[i]->name == effects_[k].name &&
+                x.segment(at, count).cwiseAbs().maxCoeff() <= widest_ * sds_[k])
                 return true;
-        at += static_cast<Eigen::Index>(causes.count_of(*causes.forms[i]));
+        at += count;
     }
     return false;
 }

@@ -12,6 +12,7 @@ struct CorrectionPrior {
     double inertia, coulomb, viscous;
     double coulomb_of_record;  ///< from record to record
     double load;               ///< of the Coulomb level
+    double gravity;            ///< of the documented amplitude
     double least;              ///< of the usual effort: a number that is documented as less counts as that
     double widest;             ///< standard deviations at which the prior is cut off
 };

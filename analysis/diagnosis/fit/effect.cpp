@@ -117,6 +117,20 @@ void shift_coulomb(Friction& friction, double change)
         friction.law);
 }
 
+double viscous_slope(const Friction& friction)
+{
+    return std::visit(
+        [](const auto& law) -> double {
+            if constexpr (requires { law.viscous; })
+                return law.viscous;
+            else if constexpr (requires { law.c1; })
+                return law.c1;
+            else
+                return 0;
+        },
+        friction.law);
+}
+
 void shift_viscous(Friction& friction, double change)
 {
     std::visit(

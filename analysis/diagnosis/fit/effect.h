@@ -115,6 +115,7 @@ Friction& main_friction(Joint& joint);
 /// Changes the Coulomb level of any law that has one; never below zero.
 void shift_coulomb(Friction& friction, double change);
 double coulomb_level(const Friction& friction);
+double viscous_slope(const Friction& friction);
 /// Changes the viscous slope of any law that has one; never below zero.
 void shift_viscous(Friction& friction, double change);
 /// Turns a law without a Stribeck peak into the same law with one.

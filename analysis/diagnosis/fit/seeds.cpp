@@ -52,20 +52,32 @@ std::vector<Residual> residuals(const std::vector<Case>& cases, const Candidate&
     return all;
 }
 
-/// Power at one frequency: the part of each record's residual that a least-squares sine explains, averaged.
-double power(const std::vector<Residual>& all, double frequency)
+/// Power at equally spaced frequencies: the part of each record's residual that a least-squares sine explains, summed
+/// over records. A sample's sine and cosine turn by the same angle from one frequency to the next.
+std::vector<double> powers_of(const std::vector<Residual>& all, double low, double step, std::size_t count)
 {
-    double total = 0;
+    std::vector<double> total(count, 0);
     for (const auto& r : all) {
-        double ss = 0, sc = 0, cc = 0, s = 0, c = 0, square = 0;
-        for (std::size_t i = 0; i < r.force.size(); ++i) {
-            const double sine = std::sin(frequency * r.over[i]), cosine = std::cos(frequency * r.over[i]);
-            ss += sine * sine, sc += sine * cosine, cc += cosine * cosine;
-            s += sine * r.force[i], c += cosine * r.force[i], square += r.force[i] * r.force[i];
+        const std::size_t n = r.force.size();
+        std::vector<double> sine(n), cosine(n), turn_sine(n), turn_cosine(n);
+        double square = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            sine[i] = std::sin(low * r.over[i]), cosine[i] = std::cos(low * r.over[i]);
+            turn_sine[i] = std::sin(step * r.over[i]), turn_cosine[i] = std::cos(step * r.over[i]);
+            square += r.force[i] * r.force[i];
         }
-        const double determinant = ss * cc - sc * sc;
-        if (determinant > 1e-6 * (ss + cc) * (ss + cc) && square > 0)
-            total += (s * s * cc - 2 * s * c * sc + c * c * ss) / determinant / square;
+        for (std::size_t f = 0; f < count && square > 0; ++f) {
+            double ss = 0, sc = 0, s = 0, c = 0;
+            for (std::size_t i = 0; i < n; ++i) {
+                const double a = sine[i], b = cosine[i];
+                ss += a * a, sc += a * b, s += a * r.force[i], c += b * r.force[i];
+                sine[i] = a * turn_cosine[i] + b * turn_sine[i];
+                cosine[i] = b * turn_cosine[i] - a * turn_sine[i];
+            }
+            const double cc = static_cast<double>(n) - ss, determinant = ss * cc - sc * sc;
+            if (determinant > 1e-6 * (ss + cc) * (ss + cc))
+                total[f] += (s * s * cc - 2 * s * c * sc + c * c * ss) / determinant / square;
+        }
     }
     return total;
 }
@@ -86,8 +98,7 @@ std::vector<double> comb_peaks(const std::vector<Case>& cases, const Scales& sca
         comb == Comb::time ? std::min(600.0, 0.5 * std::numbers::pi / cases[0].row_step) : 2000 / scales.position;
     const std::size_t teeth =
         std::min<std::size_t>(comb == Comb::time ? 1500 : 500, static_cast<std::size_t>((highest - low) / tooth) + 1);
-    std::vector<double> powers(teeth);
-    for (std::size_t i = 0; i < teeth; ++i) powers[i] = power(all, low + tooth * static_cast<double>(i));
+    const auto powers = powers_of(all, low, tooth, teeth);
     std::vector<std::size_t> peaks;
     for (std::size_t i = 0; i < teeth; ++i)
         if ((i == 0 || powers[i] >= powers[i - 1]) && (i + 1 == teeth || powers[i] > powers[i + 1])) peaks.push_back(i);
@@ -96,10 +107,13 @@ std::vector<double> comb_peaks(const std::vector<Case>& cases, const Scales& sca
     for (std::size_t i = 0; i < peaks.size() && found.size() < count; ++i) {
         // refine between the neighbouring teeth
         double best = low + tooth * static_cast<double>(peaks[i]), least = powers[peaks[i]];
-        for (int j = -4; j <= 4; ++j) {
-            const double f = low + tooth * (static_cast<double>(peaks[i]) + 0.2 * j);
-            if (f <= 0) continue;
-            if (const double p = power(all, f); p > least) least = p, best = f;
+        constexpr double finer = 0.2;
+        constexpr std::size_t either_side = 4;
+        const double from = best - finer * either_side * tooth;
+        const auto near = powers_of(all, from, finer * tooth, 2 * either_side + 1);
+        for (std::size_t j = 0; j < near.size(); ++j) {
+            const double f = from + finer * tooth * static_cast<double>(j);
+            if (f > 0 && near[j] > least) least = near[j], best = f;
         }
         found.push_back(best);
     }

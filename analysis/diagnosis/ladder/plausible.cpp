@@ -17,10 +17,17 @@ bool at_bound(const EffectParameter& p, double scaled)
 
 double in_units_of(const PhysicalRange& range, double scaled, double si, const Scales& scales, const Joint& joint)
 {
+    // what is not documented bounds nothing
+    const auto per = [&](double value, double unit) { return is_set(unit) && unit > 0 ? value / unit : range.low; };
     switch (range.per) {
         case Per::winding:
-            return is_set(joint.actuator.resistance) && joint.actuator.resistance > 0 ? si / joint.actuator.resistance
-                                                                                      : range.low;
+            return per(si, joint.actuator.resistance);
+        case Per::coulomb: {
+            Joint copy = joint;
+            return per(si, coulomb_level(main_friction(copy)));
+        }
+        case Per::reading:
+            return per(scaled * scales.position, std::max(joint.sensor.encoder_quantum, joint.sensor.position_noise));
         case Per::period_of_record:
             return si * scales.duration / (2 * std::numbers::pi);
         case Per::period_of_travel:

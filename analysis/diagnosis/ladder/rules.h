@@ -10,6 +10,8 @@ namespace stickslip::gap {
 /// What a physical range is counted in.
 enum class Per {
     scale,             ///< the unit in which the parameter is fitted
+    coulomb,           ///< the documented Coulomb level
+    reading,           ///< what the encoder resolves: its step or its noise
     winding,           ///< resistance of the motor's winding
     period_of_record,  ///< an angular frequency, in periods over the longest record
     period_of_travel   ///< a wave number, in periods over the travel

@@ -122,13 +122,6 @@ std::vector<Shape> shapes_of(const std::vector<Case>& cases)
 
 }  // namespace
 
-std::string in_words(const FreeFit& free)
-{
-    if (free.of == "hysteresis")
-        return "a force that follows the position behind a play, and so differs on the way back,";
-    return "a force that depends on the " + std::string(free.of) + " alone";
-}
-
 std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
                                      const ParallelFor& parallel)
 {

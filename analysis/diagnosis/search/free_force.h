@@ -5,7 +5,6 @@
 #pragma once
 #include "analysis/diagnosis/search/attribute.h"
 
-#include <string>
 #include <string_view>
 
 namespace stickslip::gap {
@@ -18,9 +17,6 @@ struct FreeFit {
 /// One fit of each of the three shapes, at all levels; the best one first.
 std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
                                      const ParallelFor& parallel);
-
-/// "a force that depends on the position alone": what the shape is, in words.
-std::string in_words(const FreeFit& free);
 
 /// Of mean log misfit: a better fit by less says nothing.
 inline constexpr double least_of_free_force = 0.004;

@@ -23,6 +23,11 @@ bool two_mass_edit(const Candidate& candidate)
                        [](const auto* e) { return e->name == "compliance" || e->name == "backlash"; });
 }
 
+bool moves_encoder(const Candidate& candidate)
+{
+    return std::ranges::any_of(candidate.forms, [](const auto* f) { return f->name.ends_with("encoder-on-link"); });
+}
+
 bool needs_history(const Candidate& candidate)
 {
     for (std::size_t i = 0; i < candidate.effects.size(); ++i)

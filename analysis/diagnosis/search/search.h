@@ -15,6 +15,8 @@ inline constexpr double clear_score = 0.04;  ///< so little is left that no bett
 bool jagged(const Candidate& candidate);
 /// Whether it divides the mass or lets it play: ten times as dear as the others.
 bool two_mass_edit(const Candidate& candidate);
+/// Whether it moves the encoder of a joint documented as one mass behind its transmission.
+bool moves_encoder(const Candidate& candidate);
 /// Whether it lets two known masses play: where the link rests in its play is history, which excerpts cut off, and a
 /// wrong flank at their start outweighs the right width. Such a candidate is looked at on whole records.
 bool needs_history(const Candidate& candidate);

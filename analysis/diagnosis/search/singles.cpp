@@ -48,7 +48,14 @@ std::vector<Attribution> fit_singles(const std::vector<Case>& cases, const Scale
             return std::find(mistaken.begin(), mistaken.end(), c.effects[0]->name) == mistaken.end();
         });
     }
+    // where the encoder sits is documented more surely than what lies between it and the motor
+    std::vector<Candidate> moved;
+    std::erase_if(divided, [&](const Candidate& c) {
+        if (moves_encoder(c)) moved.push_back(c);
+        return moves_encoder(c);
+    });
     if (!divided.empty()) screen(divided);
+    if (!moved.empty() && !(best.size() > 0 && best[0].accepted)) screen(moved);
     if (!best.empty() && jagged(best[0].candidate) && best[0].score > clear_score)
         polish_best(cases, scales, nominal, best, 1, parallel);
     return best;

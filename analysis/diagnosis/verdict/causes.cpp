@@ -1,5 +1,7 @@
 #include "analysis/diagnosis/verdict/causes.h"
 
+#include "analysis/diagnosis/verdict/sheet_values.h"
+
 #include <algorithm>
 
 namespace stickslip::gap {
@@ -22,6 +24,7 @@ Cause cause_of(const Prepared& p, const Attribution& a, double probability, std:
     const auto quality = quality_of(p.cases, a, p.scales);
     c.signature = quality.signature;
     c.plausible = quality.plausible;
+    c.values = sheet_values(p, a, quality, corrections);
     const auto si = in_si(a.candidate, a.x[1], p.scales);
     std::size_t i = 0;
     for (std::size_t n = 0; n < a.candidate.effects.size(); ++n) {

@@ -2,6 +2,7 @@
 
 #include "analysis/diagnosis/fit/jumps.h"
 #include "analysis/diagnosis/search/search.h"
+#include "analysis/diagnosis/verdict/experiment.h"
 #include "analysis/diagnosis/verdict/policy.h"
 
 namespace stickslip::gap {
@@ -32,14 +33,6 @@ void fit_pair(const Prepared& p, std::size_t pair_partners, const ParallelFor& p
     confirm(p.cases, f.singles, p.nominal, p.scales, parallel);
 }
 
-std::string nearest_in_shape(const Attribution& cause, const FreeFit& free)
-{
-    std::string names;
-    for (const auto* e : cause.candidate.effects) names += (names.empty() ? "" : " with ") + std::string(e->name);
-    return names + " comes nearest, but " + in_words(free) +
-           " explains the records clearly better, and has the shape of no effect of the catalogue";
-}
-
 /// The best cause against forces without a name: where one of them is clearly better, it is only the nearest in shape.
 void hold_against_free_forces(const Prepared& p, const std::function<void(const char*, double)>& progress,
                               const ParallelFor& parallel, Findings& f)
@@ -49,7 +42,9 @@ void hold_against_free_forces(const Prepared& p, const std::function<void(const 
     progress("fitting forces without a name", 0.85);
     f.free = fit_free_forces(p.cases, p.scales, p.nominal, parallel);
     if (!clearly_better(f.free[0], nearest)) return;
-    f.only_nearest = nearest_in_shape(nearest, f.free[0]);
+    f.why_not = Note(Note::Code::nearer_force);
+    f.why_not->names = names_of(nearest.candidate);
+    f.why_not->signal = f.free[0].of;
     f.decision.named = false;
     f.decision.ambiguous.clear();
 }
@@ -126,7 +121,7 @@ Findings find_causes(Prepared& p, std::size_t pair_partners, const std::function
         f.judged = {};
         tell_accepted(p, parallel, f);
     }
-    if (f.by_ladder) f.only_nearest = f.judged.why_not;
+    if (f.by_ladder) f.why_not = f.judged.why_not;
     return f;
 }
 

@@ -6,7 +6,7 @@
 #include "analysis/diagnosis/verdict/verdict.h"
 
 #include <algorithm>
-#include <string>
+#include <optional>
 #include <vector>
 
 namespace stickslip::gap {
@@ -37,9 +37,9 @@ struct Findings {
     std::vector<FreeFit> free;
     Decision decision;
     JudgedLadder judged;
-    bool climbed = false;      ///< there is a ladder
-    bool by_ladder = false;    ///< and the answer is the ladder's: no single cause, nor a pair, comes down to the noise
-    std::string only_nearest;  ///< why the best cause is only the nearest in shape; empty where it is not
+    bool climbed = false;    ///< there is a ladder
+    bool by_ladder = false;  ///< and the answer is the ladder's: no single cause, nor a pair, comes down to the noise
+    std::optional<Note> why_not;  ///< why the cause that comes nearest is not the answer
 
     bool named() const { return by_ladder ? judged.answers() : decision.named; }
 };

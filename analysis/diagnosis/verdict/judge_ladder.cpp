@@ -12,18 +12,6 @@
 namespace stickslip::gap {
 namespace {
 
-std::string percent(double part)
-{
-    return std::to_string(static_cast<int>(std::lround(100 * part))) + " %";
-}
-
-std::string together(const std::vector<std::string>& names)
-{
-    std::string text;
-    for (const auto& name : names) text += (text.empty() ? "" : " with ") + name;
-    return text;
-}
-
 Shares shares_of(const Ladder& ladder, const Flexible& of_corrected, const Flexible& of_last)
 {
     Shares s;
@@ -53,7 +41,29 @@ bool only_nearest(const JudgedLadder& j)
            j.of_last.share_of(signal_of(first)) > policy::taken_by_free_force;
 }
 
-/// How sure every rung is: against its rivals, and against what is left of the explainable.
+/// Why the causes of a ladder are not the answer, if they are not.
+std::optional<Note> why_not(const JudgedLadder& j)
+{
+    const auto& rungs = j.ladder.rungs;
+    if (!j.noise_left && !takes_most(j.shares)) {
+        const double whole = std::max(1e-300, j.shares.documented);
+        Note note(Note::Code::takes_too_little);
+        note.names = names_of(rungs[0].causes);
+        note.taken = (j.shares.base - j.shares.rungs[0]) / whole;
+        note.explainable = (j.shares.base - j.shares.explainable_to) / whole;
+        return note;
+    }
+    if (!j.noise_left && only_nearest(j)) {
+        Note note(Note::Code::force_in_the_rest);
+        note.names = names_of(rungs.back().causes);
+        note.signal = signal_of(*rungs[0].causes.effects[0]);
+        return note;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
 std::vector<double> chances_of(const JudgedLadder& j)
 {
     std::vector<double> chances;
@@ -78,8 +88,6 @@ std::vector<double> chances_of(const JudgedLadder& j)
     }
     return chances;
 }
-
-}  // namespace
 
 std::string_view signal_of(const Effect& effect)
 {
@@ -153,30 +161,18 @@ void judge(JudgedLadder& j, const HeldOutData& data, const Scales& scales, const
         descend(data.cases(), j.winner.candidate, scales, last.fit.x, levels[ladder_level], 1).information;
     j.corrections = last.model.corrections;
     j.noise_left = j.winner.accepted && at_floor(data.cases(), j.winner, nominal, scales, parallel);
-    const double whole = std::max(1e-300, j.shares.documented);
     if (ladder.rungs.empty()) {
         // nothing but the document's numbers: if they take most of what is explainable, that is the answer
         const double taken = j.shares.documented - j.shares.base;
         const double least = std::max(policy::least_of_gap * j.shares.documented,
                                       policy::least_of_explainable * (j.shares.documented - j.shares.explainable_to));
         j.only_corrections = j.noise_left || taken >= least;
-        if (!j.only_corrections)
-            j.why_not =
-                "no cause takes a part of the gap on data that its fit has not seen, with inertia, friction and "
-                "load refitted beside it";
+        if (!j.only_corrections) j.why_not = Note(Note::Code::nothing_earns);
         return;
     }
     j.chances = chances_of(j);
-    const auto names = names_of(ladder.rungs[0].causes);
-    if (!j.noise_left && !takes_most(j.shares))
-        j.why_not = together(names) + " comes nearest, but takes only " +
-                    percent((j.shares.base - j.shares.rungs[0]) / whole) + " of a gap of which " +
-                    percent((j.shares.base - j.shares.explainable_to) / whole) + " are explainable";
-    else if (!j.noise_left && only_nearest(j))
-        j.why_not = together(names_of(last.causes)) + " comes nearest, but a force that depends on the " +
-                    std::string(signal_of(*ladder.rungs[0].causes.effects[0])) +
-                    " alone, in the shape of no effect of the catalogue, explains what it leaves";
-    j.named = j.why_not.empty();
+    j.why_not = why_not(j);
+    j.named = !j.why_not;
 }
 
 }  // namespace stickslip::gap

@@ -2,8 +2,9 @@
 #pragma once
 #include "analysis/diagnosis/ladder/climb.h"
 #include "analysis/diagnosis/ladder/flexible.h"
+#include "analysis/results/diagnosis.h"
 
-#include <string>
+#include <optional>
 
 namespace stickslip::gap {
 
@@ -25,7 +26,7 @@ struct JudgedLadder {
     bool noise_left = false;        ///< all that the winner leaves is noise
     bool named = false;             ///< causes are named
     bool only_corrections = false;  ///< the document's own numbers are all that is wrong
-    std::string why_not;            ///< in words, where nothing is named
+    std::optional<Note> why_not;    ///< where nothing is named
     std::vector<double> chances;    ///< of every rung
 
     bool answers() const { return named || only_corrections; }
@@ -34,6 +35,9 @@ struct JudgedLadder {
 /// Judges what was climbed.
 void judge(JudgedLadder& judged, const HeldOutData& data, const Scales& scales, const Nominal& nominal,
            const ParallelFor& parallel);
+
+/// How sure every rung is: against its rivals, and against what is left of the explainable.
+std::vector<double> chances_of(const JudgedLadder& judged);
 
 /// A fitted set at all levels.
 Attribution at_all_levels(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,

@@ -16,9 +16,10 @@ inline constexpr CorrectionPrior correction_prior{
     .coulomb = 0.05,
     .viscous = 0.08,
     .coulomb_of_record = 0.03,
-    .load = 0.05,   // of the Coulomb level
-    .least = 0.02,  // of the usual effort
-    .widest = 3,    // standard deviations: beyond that a number is a cause, not a correction
+    .load = 0.05,     // of the Coulomb level
+    .gravity = 0.04,  // mass times lever, as an inertia is mass times lever squared
+    .least = 0.02,    // of the usual effort
+    .widest = 3,      // standard deviations: beyond that a number is a cause, not a correction
 };
 
 /// Physical ranges. Outside, a cause has no rung.
@@ -27,6 +28,13 @@ inline constexpr std::array physical_ranges{
                   "lines and gear teeth are counted: a scale is off by a slipping wheel or a unit, not by a half"},
     PhysicalRange{"supply-sag", "resistance", 0, 3, Per::winding,
                   "a source weaker than a third of the motor could not run it (maximum power at equal resistances)"},
+    PhysicalRange{"frictional-memory", "A", 0, 0.25, Per::coulomb,
+                  "direct effects of 0.005-0.02 beside friction of 0.3-0.7 are published for rock, metal, paper and "
+                  "plastics (Dieterich 1979, Heslot 1994, Marone 1998), ten times that for no surface"},
+    PhysicalRange{"frictional-memory", "B", 0, 0.25, Per::coulomb, "as A: they differ by less than either"},
+    PhysicalRange{"frictional-memory", "L", 1, 1e9, Per::reading,
+                  "a slip that the encoder does not resolve is not seen as slip: what acts there goes with the time at "
+                  "rest"},
     PhysicalRange{"periodic-disturbance", "frequency", 2, 1e9, Per::period_of_record,
                   "less than two periods are a drift, not a period"},
     PhysicalRange{"cogging", "periods", 1.5, 1e9, Per::period_of_travel,

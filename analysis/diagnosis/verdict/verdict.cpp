@@ -236,13 +236,13 @@ Quality quality_of(const std::vector<Case>& cases, const Attribution& a, const S
     if (a.information.rows() == n && n > 0 && a.information.diagonal().minCoeff() > 0) {
         // weights are one over the rows of a record: undo that, and scale with what is left
         const double per_record = rows_of(cases) / static_cast<double>(cases.size());
-        const Eigen::MatrixXd covariance =
-            (a.information * per_record).completeOrthogonalDecomposition().pseudoInverse();
         double left = 0;
         for (const auto& m : a.evaluation[1].records) left = std::max(left, m.position);
+        q.covariance = (a.information * per_record).completeOrthogonalDecomposition().pseudoInverse();
+        q.covariance *= std::max(1.0, left);
         for (Eigen::Index i = 0; i < n; ++i) {
             const auto& p = a.candidate.parameter(static_cast<std::size_t>(i));
-            const double error = std::sqrt(std::max(0.0, covariance(i, i)) * std::max(1.0, left));
+            const double error = std::sqrt(std::max(0.0, q.covariance(i, i)));
             // wider than its bounds: these records cannot tell it from another parameter
             const double widest = p.logarithmic ? std::log(p.high / p.low) : p.high - p.low;
             if (!(error < widest)) continue;

@@ -42,6 +42,7 @@ std::vector<Ranked> rank(const std::vector<Attribution>& singles, const std::vec
                          const Decision& decision, double rows);
 
 struct Quality {
+    Eigen::MatrixXd covariance;          ///< of the parameters in the units in which they are fitted; empty: unknown
     std::vector<double> standard_error;  ///< SI; NaN where the records leave a parameter open
     bool plausible = true;
     bool signature = false;

@@ -2,6 +2,7 @@
 
 #include "analysis/stability/verdict.h"
 #include "sweep/files/json/verdict_json.h"
+#include "sweep/words/diagnosis_text.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -26,12 +27,24 @@ Json parameters_json(const std::vector<FittedParameter>& all)
     return parameters;
 }
 
+Json values_json(const std::vector<SheetValue>& all)
+{
+    Json values = Json::object();
+    for (const auto& v : all)
+        values[v.name] = {{"value", json_number(v.value)},
+                          {"interval", interval(v.interval)},
+                          {"unit", v.unit},
+                          {"pinned", v.pinned}};
+    return values;
+}
+
 Json cause_json(const Cause& cause)
 {
     Json json = {{"names", cause.names},
                  {"form", cause.form},
                  {"probability", json_number(cause.probability)},
                  {"parameters", parameters_json(cause.parameters)},
+                 {"values", values_json(cause.values)},
                  {"heldout_gain", json_number(cause.heldout_gain)},
                  {"heldout_gain_interval", interval(cause.heldout_gain_interval)},
                  {"signature", cause.signature},
@@ -111,7 +124,7 @@ Json diagnosis_json(const Diagnosis& d, const Joint& before, const Joint& after)
     json["verdict"] = name_of(d.verdict);
     if (d.interrupted) json["interrupted"] = true;
     json["reasons"] = Json::array();
-    for (const auto& reason : d.reasons) json["reasons"].push_back(reason.text);
+    for (const auto& reason : d.reasons) json["reasons"].push_back(note_text(reason));
     json["records"] = Json::array();
     for (const auto& r : d.records) json["records"].push_back({{"file", r.file}, {"role", r.role}});
     json["where"] = {{"signals", shares_json(d.signals)}, {"regimes", shares_json(d.regimes)}};

@@ -15,6 +15,8 @@
 #include "sweep/report/pages/diagnosis_report.h"
 #include "sweep/report/pages/outcome_report.h"
 #include "sweep/report/pages/write_report.h"
+#include "sweep/words/diagnosis_tables.h"
+#include "sweep/words/diagnosis_text.h"
 
 #include <fmt/format.h>
 #include <optional>
@@ -170,7 +172,7 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
         return exit_code_of(d, false);
     }
     fmt::print("{}\n", outcome_sentence(answer));
-    for (const auto& reason : d.reasons) fmt::print("  {}\n", reason.text);
+    for (const auto& reason : d.reasons) fmt::print("  {}\n", note_text(reason));
     for (const auto& f : answer.laws)
         fmt::print("  {:<16} {:<18} probability {:.3f}  misjudges {} of {} held-out rows\n", f.rival->law,
                    f.rival->effect, f.posterior, f.misjudged, answer.outcomes.size());
@@ -241,12 +243,14 @@ int diagnose(const Options& options, const Invocation& invocation)
         return exit_code_of(d, !contradictions.empty());
     }
     fmt::print("{}\n", diagnosis_sentence(d));
-    for (const auto& reason : d.reasons) fmt::print("  {}\n", reason.text);
+    for (const auto& reason : d.reasons) fmt::print("  {}\n", note_text(reason));
     if (contradictions.empty())
         for (const auto& warning : warnings) fmt::print("  {}\n", warning);
     for (const auto& cause : d.effects)
         fmt::print("  {:<44} probability {:.3f}  misfit {:.4g}\n", fmt::format("{}", fmt::join(cause.names, " + ")),
                    cause.probability, cause.misfit);
+    if (!d.effects.empty())
+        for (const auto& value : d.effects[0].values) fmt::print("  {:<44} {}\n", value.name, value_text(value));
     fmt::print("diagnosis: {}\n", (directory / "diagnosis.json").string());
     if (!options.no_report) fmt::print("report:    {}\n", (directory / "report.html").string());
     return exit_code_of(d, !contradictions.empty());

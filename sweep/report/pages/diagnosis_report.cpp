@@ -5,6 +5,7 @@
 #include "sweep/report/figures/moved_boundary.h"
 #include "sweep/report/figures/where_drawing.h"
 #include "sweep/words/diagnosis_tables.h"
+#include "sweep/words/diagnosis_text.h"
 
 #include <fmt/format.h>
 
@@ -187,7 +188,7 @@ Report diagnosis_report(const Diagnosis& d, const Joint& before, const Joint& af
     r.tone = d.verdict == Verdict::no_gap ? Tone::good : d.verdict == Verdict::gap ? Tone::warning : Tone::bad;
     // that nothing is wrong is the verdict already, and no warning
     if (d.verdict != Verdict::no_gap)
-        for (const auto& reason : d.reasons) r.alerts.push_back({Tone::warning, reason.text});
+        for (const auto& reason : d.reasons) r.alerts.push_back({Tone::warning, note_text(reason)});
     r.not_checked = gathered_notes(d);
     r.provenance = std::move(provenance);
     // nothing was concluded: pages of empty tables would hide the reason
@@ -219,6 +220,7 @@ Report diagnosis_report(const Diagnosis& d, const Joint& before, const Joint& af
     if (d.verdict != Verdict::no_gap) r.sections.push_back(std::move(where));
     if (!d.effects.empty()) {
         Section what{"what", "What causes it", "", {}, {causes_table(d), parameters_table(d)}};
+        if (auto values = values_table(d); !values.rows.empty()) what.tables.insert(what.tables.begin() + 1, values);
         if (!d.ladder.empty()) what.figures.push_back(ladder_figure(d));
         what.text = d.verdict == Verdict::gap ? "Tell-tale of the first: " + d.effects[0].tell_tale + "."
                                               : "Nothing here is named as the cause; this is how far each one came.";

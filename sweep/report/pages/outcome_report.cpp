@@ -6,6 +6,7 @@
 #include "sweep/report/figures/moved_boundary.h"
 #include "sweep/report/figures/outcome_map.h"
 #include "sweep/report/pages/outcome_tables.h"
+#include "sweep/words/diagnosis_text.h"
 
 #include <fmt/format.h>
 
@@ -81,7 +82,7 @@ Report outcome_report(const OutcomeAnswer& a, const Joint& nominal,
     r.subtitle = fmt::format("{} rows of {}", a.outcomes.size(), a.outcomes.table.name);
     r.verdict = outcome_sentence(a);
     r.tone = d.verdict == Verdict::no_gap ? Tone::good : d.verdict == Verdict::gap ? Tone::warning : Tone::bad;
-    for (const auto& reason : d.reasons) r.alerts.push_back({Tone::warning, reason.text});
+    for (const auto& reason : d.reasons) r.alerts.push_back({Tone::warning, note_text(reason)});
     r.not_checked = d.notes;
     r.not_checked.emplace_back(
         "laws left out: kernel (its numbers are a measured table), maxwell-slip (slides like coulomb-viscous), "

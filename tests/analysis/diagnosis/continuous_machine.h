@@ -57,7 +57,8 @@ class ContinuousMachine {
         std::vector<double> readings, commands;
         double estimate = 0, last = 0;
         for (int k = 0; k < ticks; ++k) {
-            double y = j_.sensor.position_scale * state_[position(0)] + j_.sensor.position_offset;
+            const int seen = two_ && j_.control.feedback == Feedback::link ? 1 : 0;
+            double y = j_.sensor.position_scale * state_[position(seen)] + j_.sensor.position_offset;
             if (j_.sensor.encoder_quantum > 0)
                 y = j_.sensor.encoder_quantum * std::round(y / j_.sensor.encoder_quantum);
             if (k > 0) estimate += T / (c.velocity_estimate.tau + T) * ((y - last) / T - estimate);

@@ -27,11 +27,11 @@ struct Climbed {
     std::unique_ptr<LadderSearch> search;
     Ladder ladder;
 
-    explicit Climbed(const Machine& m)
+    explicit Climbed(const Machine& m, const Joint& document = test::nominal_joint())
     {
         std::vector<std::string> notes;
         for (unsigned seed : {1u, 2u}) {
-            cases.push_back(prepare(test::record_of(m, seed, 5), test::nominal_joint(), notes));
+            cases.push_back(prepare(test::record_of(m, seed, 5), document, notes));
             cases.back().number = cases.size() - 1;
         }
         scales = scales_of(cases);
@@ -80,6 +80,22 @@ TEST_CASE("numbers of the document that are a few per cent off are corrected to 
     CHECK(c.corrected("viscous") == Approx(0.15).margin(0.06));
 }
 
+TEST_CASE("a documented gravity that is a few per cent off is corrected, one that is far off is a cause",
+          "[gap][ladder]")
+{
+    Joint document = test::nominal_joint();
+    document.load.gravity_amplitude = 10;
+    Machine m;
+    m.gravity = 10 * 1.08;
+    const Climbed off(m, document);
+    CHECK(off.ladder.rungs.empty());
+    CHECK(off.corrected("gravity") == Approx(0.8).margin(0.1));
+    m.gravity = 10 * 1.4;
+    const Climbed far(m, document);
+    REQUIRE(far.ladder.rungs.size() >= 1);
+    CHECK(far.ladder.rungs[0].causes.effects[0]->name == "gravity");
+}
+
 TEST_CASE("a number that is far off against its prior is a cause", "[gap][ladder]")
 {
     Machine m;
@@ -125,10 +141,16 @@ TEST_CASE("numbers outside their physical range are no cause", "[gap][ladder]")
     const Candidate slow{{e}, {&e->forms[0]}, 1};
     Scales scales;
     scales.duration = 6;
+    scales.effort = 2;
     const Joint joint = test::nominal_joint();
     CHECK_FALSE(plausible(slow, to_fit(slow, {0.1, 0.1, 0.5}), scales, joint, policy::ladder.ranges));
     CHECK(plausible(slow, to_fit(slow, {0.1, 0.1, 20}), scales, joint, policy::ladder.ranges));
     const Effect* memory = effect_named("frictional-memory");
     const Candidate lag{{memory}, {&memory->forms[0]}, 1};
     CHECK_FALSE(plausible(lag, to_fit(lag, {0.02, 0.04, 0.5, 0.1}), scales, joint, policy::ladder.ranges));
+    // a direct effect of half the level of 2 N, or a slip length below the encoder's step of 5 µm, is no memory
+    CHECK(plausible(lag, to_fit(lag, {0.1, 0.12, 0.01, 0.1}), scales, joint, policy::ladder.ranges));
+    CHECK_FALSE(plausible(lag, to_fit(lag, {0.49, 0.1, 0.01, 0.1}), scales, joint, policy::ladder.ranges));
+    CHECK_FALSE(plausible(lag, to_fit(lag, {0.1, 0.49, 0.01, 0.1}), scales, joint, policy::ladder.ranges));
+    CHECK_FALSE(plausible(lag, to_fit(lag, {0.1, 0.12, 4e-6, 0.1}), scales, joint, policy::ladder.ranges));
 }

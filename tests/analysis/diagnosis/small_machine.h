@@ -24,6 +24,7 @@ struct Machine {
     double step = 0;              ///< m: by this much the reference jumps at step_time
     double step_time = 2;         ///< s
     double command_limit = 1e9;   ///< N, of the controller
+    double gravity = 0;           ///< N, times the sine of the position
     double one_way = 0;           ///< part of the viscous slope that changes its sign with the direction
 };
 
@@ -81,8 +82,8 @@ inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
                 followed += h * std::abs(v) * (q - followed) / m.bellows_play;
             else
                 followed = std::clamp(followed, q - m.bellows_play, q + m.bellows_play);
-            const double push =
-                std::clamp(m.gain * u, -m.limit, m.limit) + m.load - m.cubic * q * q * q - m.bellows * followed;
+            const double push = std::clamp(m.gain * u, -m.limit, m.limit) + m.load - m.gravity * std::sin(q) -
+                                m.cubic * q * q * q - m.bellows * followed;
             if (std::abs(v) < band && std::abs(push) <= m.coulomb) {
                 v = 0;
                 continue;

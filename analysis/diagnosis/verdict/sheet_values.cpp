@@ -1,0 +1,85 @@
+#include "analysis/diagnosis/verdict/sheet_values.h"
+
+#include <cmath>
+
+namespace stickslip::gap {
+namespace {
+
+struct SheetNumber {
+    std::string_view effect, name;
+    Quantity quantity;
+    double (*of)(Joint& joint);  ///< one of its own, which stays as it is
+};
+
+constexpr SheetNumber sheet[] = {
+    {"asymmetric-friction", "Coulomb level, positive direction", Quantity::effort,
+     [](Joint& j) { return coulomb_level(main_friction(j)) + main_friction(j).asymmetry.coulomb; }},
+    {"asymmetric-friction", "Coulomb level, negative direction", Quantity::effort,
+     [](Joint& j) { return coulomb_level(main_friction(j)) - main_friction(j).asymmetry.coulomb; }},
+    {"asymmetric-friction", "viscous slope, positive direction", Quantity::damping,
+     [](Joint& j) { return viscous_slope(main_friction(j)) + main_friction(j).asymmetry.viscous; }},
+    {"asymmetric-friction", "viscous slope, negative direction", Quantity::damping,
+     [](Joint& j) { return viscous_slope(main_friction(j)) - main_friction(j).asymmetry.viscous; }},
+    {"coulomb-level", "Coulomb level", Quantity::effort, [](Joint& j) { return coulomb_level(main_friction(j)); }},
+    {"friction-drift", "Coulomb level at the start", Quantity::effort,
+     [](Joint& j) { return coulomb_level(main_friction(j)); }},
+    {"friction-drift", "Coulomb level in the end", Quantity::effort,
+     [](Joint& j) { return coulomb_level(main_friction(j)) + main_friction(j).drift.change; }},
+    {"viscous", "viscous slope", Quantity::damping, [](Joint& j) { return viscous_slope(main_friction(j)); }},
+    {"inertia", "inertia", Quantity::inertia,
+     [](Joint& j) { return is_single_mass(j) ? j.mechanism.inertia : j.mechanism.motor_inertia; }},
+    {"constant-load", "constant load", Quantity::effort, [](Joint& j) { return j.load.constant; }},
+    {"gravity", "gravity amplitude", Quantity::effort, [](Joint& j) { return j.load.gravity_amplitude; }},
+};
+
+/// Mean over the records, which may differ in numbers of their own.
+double mean_of(const SheetNumber& number, const Prepared& p, const Candidate& candidate, const Eigen::VectorXd& x)
+{
+    const auto si = in_si(candidate, x, p.scales);
+    double sum = 0;
+    for (const auto& c : p.cases) {
+        Joint joint = edited(c.joint, candidate, si, c.number);
+        sum += number.of(joint);
+    }
+    return sum / static_cast<double>(p.cases.size());
+}
+
+}  // namespace
+
+std::vector<SheetValue> sheet_values(const Prepared& p, const Attribution& a, const Quality& quality,
+                                     std::size_t corrections)
+{
+    constexpr double two_sided = 1.96;  // standard errors of a 95 % interval
+    constexpr double small = 1e-4;      // of the unit in which a parameter is fitted
+    const Candidate& c = a.candidate;
+    const Eigen::VectorXd& x = a.x[ladder_level];
+    std::vector<SheetValue> values;
+    for (const auto& number : sheet) {
+        bool changed = false, by_direction = false;
+        for (std::size_t i = corrections; i < c.effects.size(); ++i) {
+            changed |= c.effects[i]->name == number.effect;
+            by_direction |= c.effects[i]->name == "asymmetric-friction";
+        }
+        const bool both_ways = number.effect == "coulomb-level" || number.effect == "viscous";
+        if (!changed || (by_direction && both_ways)) continue;
+        SheetValue v{std::string(number.name),
+                     mean_of(number, p, c, x),
+                     {},
+                     std::string(unit_of(number.quantity, p.documented[0].mechanism.motion))};
+        if (quality.covariance.rows() == x.size()) {
+            Eigen::VectorXd slope(x.size());
+            for (Eigen::Index k = 0; k < x.size(); ++k) {
+                Eigen::VectorXd more = x, less = x;
+                more[k] += small, less[k] -= small;
+                slope[k] = (mean_of(number, p, c, more) - mean_of(number, p, c, less)) / (2 * small);
+            }
+            const double error = two_sided * std::sqrt(std::max(0.0, slope.dot(quality.covariance * slope)));
+            v.interval = {v.value - error, v.value + error};
+            v.pinned = error < std::abs(v.value);
+        }
+        values.push_back(std::move(v));
+    }
+    return values;
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,164 @@
+#include "analysis/diagnosis/verdict/judge_ladder.h"
+#include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/verdict/policy.h"
+#include "tests/analysis/diagnosis/small_machine.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace stickslip;
+using namespace stickslip::gap;
+using stickslip::test::Machine;
+
+namespace {
+
+const ParallelFor in_order = [](std::size_t n, const std::function<void(std::size_t)>& task) {
+    for (std::size_t i = 0; i < n; ++i) task(i);
+};
+
+/// A ladder over two records of a machine, to be climbed with these causes.
+struct Search {
+    std::vector<Case> cases;
+    Scales scales;
+    Nominal nominal;
+    std::vector<Attribution> singles;
+    std::unique_ptr<LadderSearch> search;
+
+    Search(const Machine& m, std::initializer_list<const char*> causes, double dropped = 0)
+    {
+        std::vector<std::string> notes;
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> uniform;
+        for (unsigned seed : {1u, 2u}) {
+            Record r = test::record_of(m, seed, 5);
+            for (std::size_t k = 1; k < r.position.size(); ++k)  // an encoder that now and then holds a reading
+                if (uniform(random) < dropped) r.position[k] = r.position[k - 1];
+            cases.push_back(prepare(r, test::nominal_joint(), notes));
+            cases.back().number = cases.size() - 1;
+        }
+        scales = scales_of(cases);
+        nominal = judge_nominal(cases);
+        for (const char* name : causes) {
+            Attribution a;
+            const Effect* e = effect_named(name);
+            a.candidate = {{e}, {&e->forms[0]}, cases.size()};
+            a.x.fill(to_fit(a.candidate, e->forms[0].seeds[0]));
+            singles.push_back(a);
+        }
+        search = std::make_unique<LadderSearch>(cases, scales, singles, policy::ladder, in_order);
+    }
+    JudgedLadder judged(Ladder ladder) const
+    {
+        JudgedLadder j;
+        j.ladder = std::move(ladder);
+        judge(j, search->data(), scales, nominal, in_order);
+        return j;
+    }
+};
+
+/// One cause with this held-out misfit, of 600 rows that are left at this mean square.
+FittedSet rung(std::initializer_list<const char*> names, double misfit, double square)
+{
+    FittedSet set;
+    for (const char* name : names) {
+        set.causes.effects.push_back(effect_named(name));
+        set.causes.forms.push_back(&set.causes.effects.back()->forms[0]);
+    }
+    for (auto& fold : set.left) fold.push_back({0, 0, 200, square});
+    set.misfit = misfit;
+    return set;
+}
+
+/// A ladder of one rung whose rivals lie so many margins behind.
+JudgedLadder ladder_of_one(std::initializer_list<double> behind, double square, bool noise_left)
+{
+    JudgedLadder j;
+    const FittedSet first = rung({"stribeck"}, 0.1, square);
+    const double margin = margin_of(first, policy::ladder);
+    j.ladder.rungs.push_back(first);
+    j.ladder.rivals.emplace_back();
+    for (const double m : behind) j.ladder.rivals[0].push_back(rung({"presliding"}, 0.1 + m * margin, square));
+    j.noise_left = noise_left;
+    j.shares.documented = j.shares.base = 1;
+    j.shares.rungs = {0};
+    return j;
+}
+
+}  // namespace
+
+TEST_CASE("a rung is believed by the odds against its rivals, one margin a factor of e", "[gap][ladder]")
+{
+    constexpr double sure = 1 - policy::doubt_of_noise;
+    CHECK(chances_of(ladder_of_one({}, 1, true))[0] == Approx(sure));
+    CHECK(chances_of(ladder_of_one({0}, 1, true))[0] == Approx(sure / 2));
+    CHECK(chances_of(ladder_of_one({1}, 1, true))[0] == Approx(sure / (1 + std::exp(-1))));
+    CHECK(chances_of(ladder_of_one({1, 2}, 3, true))[0] == Approx(sure / (1 + std::exp(-1) + std::exp(-2))));
+    // a rival that is better on unseen rows, but has no rung, counts once and not more
+    CHECK(chances_of(ladder_of_one({-3}, 1, true))[0] == Approx(sure / 2));
+}
+
+TEST_CASE("what a ladder leaves of the gap, and of the explainable, speaks against its last rung", "[gap][ladder]")
+{
+    auto j = ladder_of_one({}, 3, false);
+    j.shares.rungs = {0.06}, j.shares.explainable_to = 0.06;  // half of nearest_in_shape
+    CHECK(chances_of(j)[0] == Approx(1 - policy::doubt_of_noise - policy::doubt_of_rest / 2));
+    j.shares.rungs = {0.5}, j.shares.explainable_to = 0.5;
+    CHECK(chances_of(j)[0] == Approx(1 - policy::doubt_of_noise - policy::doubt_of_rest));
+    j.shares.rungs = {0.5}, j.shares.explainable_to = 0.2;  // 0.3 of 0.8 is left of what some force explains
+    CHECK(chances_of(j)[0] == Approx(1 - policy::doubt_of_noise - policy::doubt_of_rest - 0.375));
+    j.shares.rungs = {1}, j.shares.explainable_to = 0;
+    CHECK(chances_of(j)[0] == 0);
+}
+
+TEST_CASE("the rest speaks against the last cause that was found, not against those above it", "[gap][ladder]")
+{
+    auto j = ladder_of_one({}, 3, false);
+    j.ladder.rungs.push_back(rung({"stribeck", "viscous"}, 0.05, 3));
+    j.ladder.rivals.emplace_back();
+    // a lower rung is no rival of the first
+    j.ladder.rivals[0].push_back(rung({"viscous"}, 0.1, 3));
+    j.shares.rungs = {0.4, 0.12}, j.shares.explainable_to = 0.12;
+    const auto chances = chances_of(j);
+    REQUIRE(chances.size() == 2);
+    CHECK(chances[0] == Approx(1 - policy::doubt_of_noise));
+    CHECK(chances[1] == Approx(1 - policy::doubt_of_noise - policy::doubt_of_rest));
+}
+
+TEST_CASE("corrections that leave most of the gap are not the answer, those that leave noise are", "[gap][ladder]")
+{
+    Machine m;
+    m.inertia = 1.2 * 1.06, m.coulomb = 2 * 0.93;
+    const Search sound(m, {"stribeck"});
+    const auto off = sound.judged(sound.search->climb({}, policy::ladder.most_rungs));
+    REQUIRE(off.ladder.rungs.empty());
+    CHECK(off.only_corrections);
+    CHECK(off.answers());
+    CHECK_FALSE(off.why_not);
+    // held readings are no function of any signal: all that is explainable is the little that the numbers are off
+    m.inertia = 1.2 * 1.01, m.coulomb = 2 * 0.99;
+    const Search held(m, {"stribeck"}, 0.02);
+    const auto dropped = held.judged(held.search->climb({}, policy::ladder.most_rungs));
+    REQUIRE(dropped.ladder.rungs.empty());
+    const auto& s = dropped.shares;
+    CHECK(s.base > 0.5 * s.documented);
+    CHECK_FALSE(dropped.answers());
+    REQUIRE(dropped.why_not);
+    CHECK(dropped.why_not->code == Note::Code::nothing_earns);
+}
+
+TEST_CASE("the climb ends where only noise is left", "[gap][ladder]")
+{
+    Machine m;
+    m.viscous = 3, m.one_way = 0.4;
+    const Search search(m, {"viscous", "asymmetric-friction", "gravity"});
+    const auto whole = search.search->climb({}, policy::ladder.most_rungs);
+    REQUIRE(whole.rungs.size() == 2);
+    int asked = 0;
+    const auto ended = search.search->climb({}, policy::ladder.most_rungs, [&](const FittedSet& set) {
+        ++asked;
+        return set.causes.effects.size() == 1;
+    });
+    CHECK(asked == 1);
+    CHECK(ended.rungs.size() == 1);
+}

@@ -1,0 +1,80 @@
+#include "analysis/diagnosis/verdict/sheet_values.h"
+#include "analysis/diagnosis/audit/prepare.h"
+#include "tests/analysis/diagnosis/small_machine.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace stickslip;
+using namespace stickslip::gap;
+
+namespace {
+
+/// Asymmetric friction that was fitted as half differences of 0.3 N and −0.4 N·s/m, with these variances.
+std::vector<SheetValue> of_half_differences(double of_coulomb, double of_viscous, double shared)
+{
+    Prepared p;
+    std::vector<std::string> notes;
+    p.cases.push_back(prepare(test::record_of({}, 1, 2), test::nominal_joint(), notes));
+    p.documented.push_back(p.cases[0].joint);
+    p.scales = Scales{};
+    Attribution a;
+    const Effect* e = effect_named("asymmetric-friction");
+    a.candidate = {{e}, {&e->forms[0]}, 1};
+    a.x.fill(to_fit(a.candidate, {0.3, -0.4}));
+    Quality q;
+    q.covariance = Eigen::MatrixXd(2, 2);
+    q.covariance << of_coulomb, shared, shared, of_viscous;
+    return sheet_values(p, a, q, 0);
+}
+
+}  // namespace
+
+TEST_CASE("a half difference is told as the numbers of both directions", "[gap]")
+{
+    // documented: 2 N and 1.5 N·s/m; in scales of one
+    const auto v = of_half_differences(0.01, 0.04, 0);
+    REQUIRE(v.size() == 4);
+    CHECK(v[0].name == "Coulomb level, positive direction");
+    CHECK(v[0].value == Approx(2.3));
+    CHECK(v[1].value == Approx(1.7));
+    CHECK(v[2].value == Approx(1.1));
+    CHECK(v[3].value == Approx(1.9));
+    CHECK(v[0].unit == "N");
+    CHECK(v[2].unit == "N·s/m");
+    // one standard error of 0.1 N: 1.96 times that on either side
+    CHECK(v[0].interval.low == Approx(2.3 - 0.196));
+    CHECK(v[1].interval.high == Approx(1.7 + 0.196));
+    CHECK(v[2].interval.high == Approx(1.1 + 0.392));
+    CHECK(v[0].pinned);
+}
+
+TEST_CASE("a number whose interval is as wide as the number is large is not pinned by the records", "[gap]")
+{
+    const auto v = of_half_differences(4, 0.01, 0);
+    CHECK_FALSE(v[0].pinned);  // ± 3.9 N around 2.3 N
+    CHECK_FALSE(v[1].pinned);
+    CHECK(v[2].pinned);
+}
+
+TEST_CASE("errors of a number that hang together with those of a correction are carried through", "[gap]")
+{
+    Prepared p;
+    std::vector<std::string> notes;
+    p.cases.push_back(prepare(test::record_of({}, 1, 2), test::nominal_joint(), notes));
+    p.documented.push_back(p.cases[0].joint);
+    Attribution a;
+    const Effect *level = effect_named("coulomb-level"), *uneven = effect_named("asymmetric-friction");
+    a.candidate = {{level, uneven}, {&level->forms[0], &uneven->forms[0]}, 1};
+    a.x.fill(to_fit(a.candidate, {0.1, 0.3, 0}));
+    Quality q;
+    q.covariance = Eigen::MatrixXd::Zero(3, 3);
+    q.covariance(0, 0) = q.covariance(1, 1) = 1;
+    q.covariance(0, 1) = q.covariance(1, 0) = -1;  // only their sum is known
+    const auto v = sheet_values(p, a, q, 1);
+    REQUIRE(v.size() == 4);
+    CHECK(v[0].value == Approx(2 + 0.1 + 0.3));
+    CHECK(v[0].interval.high - v[0].interval.low == Approx(0).margin(1e-6));
+    CHECK(v[1].interval.high - v[1].value == Approx(1.96 * 2));
+}

@@ -120,7 +120,7 @@ void compare_all(const Joint& nominal, const std::function<bool(const EffectForm
             if (effect.name == "velocity-filter") usual[0] *= 3;  // the usual one is the nominal one
             // behind a spring as soft as usual this loop would be unstable, which magnifies every error
             for (std::size_t i = 0; i < usual.size(); ++i)
-                if (form.name.ends_with("encoder-on-link") && c.parameter(i).name == "stiffness") usual[i] *= 10;
+                if (form.name.ends_with("encoder-on-link") && c.parameter(i).name == "stiffness") usual[i] *= 4;
             const Joint joint = edited(nominal, c, in_si(c, to_fit(c, usual), scales()), 0);
             const auto exact = test::ContinuousMachine(joint).follow(reference, reference_rate, ticks);
             const double error = rms(simulated(joint), exact), change = rms(exact, plain);

@@ -1,4 +1,5 @@
 #include "sweep/report/pages/diagnosis_report.h"
+#include "sweep/words/diagnosis_text.h"
 
 #include "sweep/files/json/diagnosis_json.h"
 #include "sweep/report/figures/moved_boundary.h"
@@ -174,4 +175,39 @@ TEST_CASE("a page without a gap shows no shares of noise, and a suspicion is sai
     CHECK(refused.alerts.size() == 1);
     CHECK(refused.not_checked == std::vector<std::string>{"a column was ignored"});
     CHECK(refused.subtitle.empty());
+}
+
+TEST_CASE("why the nearest cause is not the answer is said from its code and numbers", "[report]")
+{
+    Note little(Note::Code::takes_too_little);
+    little.names = {"stribeck", "viscous"}, little.taken = 0.31, little.explainable = 0.8;
+    CHECK(note_text(little) ==
+          "stribeck with viscous comes nearest, but takes only 31 % of a gap of which 80 % are explainable");
+    Note force(Note::Code::nearer_force);
+    force.names = {"gravity"}, force.signal = "position";
+    CHECK_THAT(note_text(force), Contains("gravity comes nearest, but a force that depends on the position alone"));
+    force.signal = "hysteresis";
+    CHECK_THAT(note_text(force), Contains("a force that follows the position behind a play"));
+    Note open(Note::Code::unexplained);
+    open.taken = 0.42;
+    CHECK_THAT(note_text(open), Contains("the best leaves 58 % of it"));
+    CHECK(note_text("as it stands") == "as it stands");
+}
+
+TEST_CASE("numbers that the records do not pin are said to be so, others stand with their interval", "[report]")
+{
+    const Joint j = joint_with(slip_law(1e-5));
+    Diagnosis d = named();
+    REQUIRE_FALSE(d.effects.empty());
+    CHECK(values_table(d).rows.empty());
+    d.effects[0].values = {{"viscous slope, positive direction", 166.9, {166.1, 167.7}, "N·s/m", true},
+                           {"Coulomb level, positive direction", 2.9, {-9, 15}, "N", false}};
+    const auto rows = values_table(d).rows;
+    REQUIRE(rows.size() == 2);
+    CHECK(rows[0][1] == "166.9 (166.1 … 167.7) N·s/m");
+    CHECK(rows[1][1] == "not pinned by these records");
+    bool on_page = false;
+    for (const auto& section : diagnosis_report(d, j, j, {}).sections)
+        for (const auto& table : section.tables) on_page |= table.rows == rows;
+    CHECK(on_page);
 }

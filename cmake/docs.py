@@ -107,7 +107,7 @@ def rows_of_ranges(statement):
     pattern = r'\w+\{\s*"([^"]+)",\s*"([^"]+)",\s*([^,]+),\s*([^,]+),\s*Per::(\w+),\s*((?:"[^"]*"\s*)+)\}'
     for effect, parameter, low, high, per, reason in re.findall(pattern, statement):
         top = "–" if float(high) >= 1e9 else high
-        yield f"`{effect}.{parameter}`", low, top, per.replace("_", " "), " ".join(re.findall(r'"([^"]*)"', reason))
+        yield f"`{effect}.{parameter}`", low, top, per.replace("_", " "), "".join(re.findall(r'"([^"]*)"', reason))
 
 
 def constants(statement):

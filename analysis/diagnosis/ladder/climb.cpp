@@ -264,6 +264,10 @@ Ladder LadderSearch::finished(FittedSet set)
 void LadderSearch::shorten(Ladder& ladder) const
 {
     ladder.rungs.pop_back();
+    if (ladder.rungs.empty()) {
+        ladder.corrected_as_last = corrected_.all_left();
+        return;
+    }
     ladder.rivals.pop_back();
     correct_alone(ladder);
 }

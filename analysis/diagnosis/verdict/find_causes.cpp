@@ -59,16 +59,20 @@ void tell_accepted(const Prepared& p, const ParallelFor& parallel, Findings& f)
     f.climbed = true;
 }
 
-/// Rungs beyond the first that are less likely than not go, the last first.
+/// Rungs beyond the first that are less likely than not go, the last first; all of them go where the document's numbers
+/// are what the gap comes from.
 void shorten_to_likely(const LadderSearch& search, const Prepared& p, const ParallelFor& parallel, JudgedLadder& j)
 {
-    while (!j.noise_left && j.ladder.rungs.size() > 1 && j.chances.back() < policy::least_chance_of_further_rung) {
+    const auto to = [&](std::size_t rungs) {
         JudgedLadder shorter;
         shorter.ladder = std::move(j.ladder);
-        search.shorten(shorter.ladder);
+        while (shorter.ladder.rungs.size() > rungs) search.shorten(shorter.ladder);
         judge(shorter, search.data(), p.scales, p.nominal, parallel);
         j = std::move(shorter);
-    }
+    };
+    if (small_against_corrections(j)) return to(0);
+    while (!j.noise_left && j.ladder.rungs.size() > 1 && j.chances.back() < policy::least_chance_of_further_rung)
+        to(j.ladder.rungs.size() - 1);
 }
 
 bool accepted(const Decision& d)

@@ -89,6 +89,13 @@ std::vector<double> chances_of(const JudgedLadder& j)
     return chances;
 }
 
+bool small_against_corrections(const JudgedLadder& j)
+{
+    const Shares& s = j.shares;
+    if (j.noise_left || s.rungs.empty()) return false;
+    return s.corrected - s.rungs.back() < policy::least_against_corrections * (s.documented - s.corrected);
+}
+
 std::string_view signal_of(const Effect& effect)
 {
     const auto is = [&](std::initializer_list<std::string_view> names) {

@@ -39,6 +39,9 @@ void judge(JudgedLadder& judged, const HeldOutData& data, const Scales& scales, 
 /// How sure every rung is: against its rivals, and against what is left of the explainable.
 std::vector<double> chances_of(const JudgedLadder& judged);
 
+/// Whether the corrections take so much more of the gap than the causes that they are what it comes from.
+bool small_against_corrections(const JudgedLadder& judged);
+
 /// A fitted set at all levels.
 Attribution at_all_levels(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
                           const FittedSet& set);

@@ -125,6 +125,33 @@ TEST_CASE("the rest speaks against the last cause that was found, not against th
     CHECK(chances[1] == Approx(1 - policy::doubt_of_noise - policy::doubt_of_rest));
 }
 
+TEST_CASE("a cause that takes little beside the corrections is not what the gap comes from", "[gap][ladder]")
+{
+    auto j = ladder_of_one({}, 3, false);
+    j.shares.documented = 1, j.shares.base = j.shares.corrected = 0.2;  // corrections take 0.8
+    j.shares.rungs = {0.05};                                            // and the cause 0.15: less than a quarter of it
+    CHECK(small_against_corrections(j));
+    j.shares.corrected = 0.3;  // 0.25 beside 0.7
+    CHECK_FALSE(small_against_corrections(j));
+    j.shares.corrected = 0.2;
+    j.noise_left = true;  // what explains everything stands, however little that is
+    CHECK_FALSE(small_against_corrections(j));
+}
+
+TEST_CASE("a ladder without its last rung is that of the corrections alone", "[gap][ladder]")
+{
+    Machine m;
+    m.viscous = 3;
+    const Search search(m, {"viscous"});
+    auto ladder = search.search->climb({}, 1);
+    REQUIRE(ladder.rungs.size() == 1);
+    search.search->shorten(ladder);
+    CHECK(ladder.rungs.empty());
+    const auto j = search.judged(std::move(ladder));
+    CHECK(j.shares.corrected == Approx(j.shares.base));
+    CHECK_FALSE(j.answers());
+}
+
 TEST_CASE("corrections that leave most of the gap are not the answer, those that leave noise are", "[gap][ladder]")
 {
     Machine m;

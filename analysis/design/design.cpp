@@ -180,6 +180,24 @@ void check_sense(const Joint& joint, const Requirements& r)
     if (!(r.noise.position > 0) && !(r.noise.velocity > 0))
         refuse("position_noise: neither it nor velocity_noise is set, and without noise every gain is as quiet as any");
     if (!(r.noise.period > 0)) refuse("sample_time: is not set; noise of samples needs the time between them");
+    if (joint.control.structure == Structure::cascade)
+        refuse(
+            "gains: design turns k_p and k_v, a cascade has neither alone; describe it by its sum of gains with "
+            "control.structure = \"pid\"");
+    if (loop_kind(joint) == LoopKind::sampled) {
+        const auto& c = joint.control;
+        const auto same = [&](const char* name, double asked, const char* key, double has) {
+            constexpr double close = 1e-9;
+            if (std::abs(asked - has) <= close * std::abs(has)) return;
+            std::ostringstream text;
+            text << name << ": is " << asked << ", but " << key << " of the loop that reads the sensor is " << has
+                 << "; needed are equal ones, or no " << name;
+            refuse(text.str());
+        };
+        same("sample_time", r.noise.period, "control.period", c.period);
+        same("filter", r.noise.filter, "control.velocity_estimate.tau", c.velocity_estimate.tau);
+        same("average", r.noise.average, "control.velocity_estimate.average", c.velocity_estimate.average);
+    }
     const auto range = gain_range(joint, r);
     const auto ends = [](const char* name, double low, double high, bool stated) {
         std::ostringstream text;

@@ -2,6 +2,7 @@
 
 #include "analysis/boundary/trace/locate.h"
 #include "analysis/numerics/root.h"
+#include "analysis/stability/real_response.h"
 #include "analysis/stability/steady.h"
 
 #include <algorithm>
@@ -27,6 +28,8 @@ Judge::Judge(const Joint& joint, const Requirements& requirements, Curve::Kind t
     const auto steady = steady_sliding(joint);
     velocity_ = steady.velocity;
     steady_effort_ = std::abs(steady.friction) + std::abs(joint.load.constant);
+    if (loop_kind(joint) != LoopKind::ideal)
+        effort_gain_ = std::abs(actuation(joint, velocity_, stickslip::steady_effort(joint)).gain);
 }
 
 double Judge::reach_for(double margin) const
@@ -153,11 +156,19 @@ GainChoice Judge::judged(double k_p, double k_v, double margin, bool thoroughly)
     choice.k_p = k_p, choice.k_v = k_v, choice.margin = margin;
     Joint joint = joint_;
     joint.control.k_p = k_p, joint.control.k_v = k_v;
-    auto linear = linear_joint(joint, velocity_);
-    if (theory_ == Curve::Kind::velocity_only) linear = velocity_only(linear);
-    choice.effort_noise = effort_noise(linear, requirements_.noise);
     const bool asked = thoroughly || requirements_.objective == DesignObjective::motion;
-    choice.motion_noise = asked && choice.margin > 0 ? motion_noise(linear, requirements_.noise) : missing;
+    const bool memory = theory_ != Curve::Kind::velocity_only;
+    if (loop_kind(joint) == LoopKind::ideal) {
+        auto linear = linear_joint(joint, velocity_);
+        if (!memory) linear = velocity_only(linear);
+        choice.effort_noise = effort_noise(linear, requirements_.noise);
+        if (asked && choice.margin > 0) choice.motion_noise = motion_noise(linear, requirements_.noise);
+    } else if (const auto response = LoopResponse::of(joint, memory ? Theory::state_variable : Theory::velocity_only);
+               response && choice.margin > 0) {
+        const auto noise = loop_noise(joint, *response, requirements_.noise);
+        choice.motion_noise = noise.motion;
+        choice.effort_noise = noise.effort * effort_gain_;
+    }
     choice.peak_effort = steady_effort_ + requirements_.noise_multiple * choice.effort_noise;
     if (!joint.control.reference_velocity) choice.peak_effort += k_v * std::abs(velocity_);
     if (thoroughly || is_set(requirements_.least_velocity)) choice.least_velocity = least_velocity(joint);

@@ -64,6 +64,7 @@ class Judge {
     std::vector<double> direction_;                ///< of the last margin: neighbours have similar ones
     GainRange range_;
     double reach_ = 1, damping_unit_ = 1, velocity_ = 0, steady_effort_ = 0;
+    double effort_gain_ = 1;  ///< effort per command of a real loop
     std::map<std::vector<double>, Judged> judged_;
     mutable int evaluations_ = 0;
 };

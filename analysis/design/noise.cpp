@@ -1,5 +1,6 @@
 #include "analysis/design/noise.h"
 
+#include "analysis/joint/gains.h"
 #include "analysis/stability/characteristic.h"
 #include "analysis/stability/joint_spectrum.h"
 
@@ -49,12 +50,15 @@ struct Estimate {
 };
 
 /// Variance of a sample of the command per radian of phase.
-double command_spectrum(const LinearJoint& j, const SensorNoise& n, double phase)
+double command_spectrum(const Gains& g, const SensorNoise& n, double phase)
 {
     const Estimate e(n, phase);
     const double x = n.position * n.position;
-    if (is_set(n.velocity)) return x * j.k_p * j.k_p + n.velocity * n.velocity * j.k_v * j.k_v * std::norm(e.filter);
-    return x * std::norm(j.k_p + j.k_v * e.filter * e.difference);
+    // only a loop that integrates has a period in which it sums
+    const Complex sum = g.k_i == 0 ? Complex(0) : g.k_i * n.period / (1.0 - std::exp(Complex(0, -phase)));
+    if (is_set(n.velocity))
+        return x * std::norm(g.k_p + sum) + n.velocity * n.velocity * g.k_v * g.k_v * std::norm(e.filter);
+    return x * std::norm(g.k_p + sum + g.k_v * e.filter * e.difference);
 }
 
 /// Over pieces within which f is smooth.
@@ -68,44 +72,106 @@ double integral(const Function& f, const std::vector<double>& breaks)
     return sum;
 }
 
-}  // namespace
+/// Cuts ln ω at every resonance and its flanks.
+class Breaks {
+  public:
+    Breaks(double low, double high) : low_(low), high_(high), at_{std::log(low), std::log(high)} {}
 
-double motion_noise(const LinearJoint& j, const SensorNoise& n)
+    void cut(double omega)
+    {
+        if (omega > low_ && omega < high_) at_.push_back(std::log(omega));
+    }
+    void cut(const std::vector<Complex>& roots)
+    {
+        for (const auto& s : roots) {
+            const double omega = std::abs(s.imag()), width = std::abs(s.real());
+            cut(std::abs(s));
+            for (const double k : {-8.0, -2.0, 0.0, 2.0, 8.0}) cut(omega + k * width);
+        }
+    }
+    std::vector<double> sorted()
+    {
+        std::sort(at_.begin(), at_.end());
+        return at_;
+    }
+
+  private:
+    double low_, high_;
+    std::vector<double> at_;
+};
+
+/// |s| of the slowest root; NaN where one does not decay.
+double slowest_of(const std::vector<Complex>& roots)
 {
-    const auto roots = spectrum(j);
     double slowest = infinity;
     for (const auto& s : roots) {
         if (!(s.real() < 0)) return missing;
         slowest = std::min(slowest, std::abs(s));
     }
+    return slowest;
+}
+
+/// rms motion of the link per noise of a held command, G the motion per command at iω.
+template <class Response>
+double held_noise(const Gains& gains, const SensorNoise& n, const std::vector<Complex>& roots, const Response& G)
+{
+    const double slowest = slowest_of(roots);
+    if (std::isnan(slowest)) return missing;
     const double nyquist = std::numbers::pi / n.period;
     const double low = std::min(1e-3 * slowest, 1e-3 * nyquist), high = highest * nyquist;
     const auto density = [&](double omega) {
         const double half = omega * n.period / 2, held = half > 1e-8 ? std::sin(half) / half : 1;
-        return std::norm(command_response(j, Complex(0, omega))) * n.period * held * held *
-               command_spectrum(j, n, omega * n.period);
+        return std::norm(G(omega)) * n.period * held * held * command_spectrum(gains, n, omega * n.period);
     };
-    // over ln ω, cut at every resonance and its flanks
-    std::vector<double> breaks{std::log(low), std::log(high)};
-    const auto cut = [&](double omega) {
-        if (omega > low && omega < high) breaks.push_back(std::log(omega));
-    };
-    for (const auto& s : roots) {
-        const double omega = std::abs(s.imag()), width = std::abs(s.real());
-        cut(std::abs(s));
-        for (const double k : {-8.0, -2.0, 0.0, 2.0, 8.0}) cut(omega + k * width);
-    }
-    for (int k = 1; k < highest; ++k) cut(k * nyquist);
-    std::sort(breaks.begin(), breaks.end());
-    const double above = integral([&](double l) { return std::exp(l) * density(std::exp(l)); }, breaks);
+    Breaks breaks(low, high);
+    breaks.cut(roots);
+    for (int k = 1; k < highest; ++k) breaks.cut(k * nyquist);
+    const double above = integral([&](double l) { return std::exp(l) * density(std::exp(l)); }, breaks.sorted());
     return std::sqrt((density(low) * low + above) / std::numbers::pi);
+}
+
+double held_effort(const Gains& gains, const SensorNoise& n)
+{
+    constexpr double pi = std::numbers::pi;
+    const std::vector<double> breaks{1e-9, pi / 64, pi / 16, pi / 4, pi / 2, pi};
+    return std::sqrt(integral([&](double phase) { return command_spectrum(gains, n, phase); }, breaks) / pi);
+}
+
+}  // namespace
+
+double motion_noise(const LinearJoint& j, const SensorNoise& n)
+{
+    return held_noise({j.k_p, j.k_v, 0}, n, spectrum(j),
+                      [&](double omega) { return command_response(j, Complex(0, omega)); });
 }
 
 double effort_noise(const LinearJoint& j, const SensorNoise& n)
 {
-    constexpr double pi = std::numbers::pi;
-    std::vector<double> breaks{1e-9, pi / 64, pi / 16, pi / 4, pi / 2, pi};
-    return std::sqrt(integral([&](double phase) { return command_spectrum(j, n, phase); }, breaks) / pi);
+    return held_effort({j.k_p, j.k_v, 0}, n);
+}
+
+LoopNoise loop_noise(const Joint& joint, const LoopResponse& response, const SensorNoise& n)
+{
+    const Gains gains = gains_of(joint.control);
+    const double slowest = slowest_of(response.roots());
+    if (std::isnan(slowest)) return {};
+    if (response.period() == 0)
+        return {held_noise(gains, n, response.roots(), [&](double omega) { return response.by_command(omega); }),
+                held_effort({gains.k_p, gains.k_v, 0}, n)};
+    // over the phase of a tick, by its logarithm as slow roots are far below a tick's rate
+    const double T = response.period(), high = std::numbers::pi / T, low = std::min(1e-3 * slowest, 1e-3 * high);
+    Breaks breaks(low, high);
+    breaks.cut(response.roots());
+    const auto at = breaks.sorted();
+    const auto rms = [&](const auto& G) {
+        const auto density = [&](double omega) {
+            return std::norm(G(omega)) * T * command_spectrum(gains, n, omega * T);
+        };
+        const double above = integral([&](double l) { return std::exp(l) * density(std::exp(l)); }, at);
+        return std::sqrt((density(low) * low + above) / std::numbers::pi);
+    };
+    return {rms([&](double omega) { return response.by_command(omega); }),
+            rms([&](double omega) { return response.sensitivity(omega); })};
 }
 
 }  // namespace stickslip

@@ -1,6 +1,7 @@
 // What sensor noise does to a controlled joint: motion of the link and effort of the actuator.
 #pragma once
 #include "analysis/stability/linear_joint.h"
+#include "analysis/stability/real_response.h"
 
 namespace stickslip {
 
@@ -17,6 +18,15 @@ struct SensorNoise {
 /// |n_u|² = T sinc²(ωT/2) (σ_x² |k_p + k_v H|²), H the difference and filter at z = e^{iωT}; with an own sensor
 /// T sinc² (σ_x² k_p² + σ_v² k_v² |filter|²). The loop itself is taken as continuous. NaN for an unstable joint.
 double motion_noise(const LinearJoint& joint, const SensorNoise& noise);
+
+/// What noise does under the joint's own real loop, whose controller reads it. Of a sampled loop, exactly at the
+/// samples: (1/π ∫_0^π |G n_u|² dφ)^½, G the motion per added command, n_u as above with k_i T/(1 − z⁻¹), and for the
+/// effort 1/(1 + L) in place of G. Of a continuous loop as above, G with dead time and lag, the effort with the
+/// mechanism held. NaN for an unstable loop.
+struct LoopNoise {
+    double motion = missing, effort = missing;
+};
+LoopNoise loop_noise(const Joint& joint, const LoopResponse& response, const SensorNoise& noise);
 
 /// rms command, k_p n_x + k_v n_v, over all frequencies of the sampled loop, the mechanism held.
 double effort_noise(const LinearJoint& joint, const SensorNoise& noise);

@@ -56,29 +56,6 @@ Eigen::VectorXcd eigenvalues_of(Eigen::MatrixXd matrix)
     return matrix.eigenvalues();
 }
 
-/// The transport of the command through the dead time at Chebyshev nodes, the newest first.
-Eigen::MatrixXd with_past(const LateLoop& loop, double gain, int nodes)
-{
-    const auto n = loop.A.rows();
-    const Eigen::RowVectorXd command = loop.held - gain * loop.output;
-    if (loop.delay == 0) return loop.A + loop.input * command;
-    // differentiation on x_j = cos(jπ/N), here from −delay to 0
-    const auto x = [&](int j) { return std::cos(j * pi / nodes); };
-    const auto c = [&](int j) { return (j == 0 || j == nodes ? 2.0 : 1.0) * (j % 2 ? -1 : 1); };
-    Eigen::MatrixXd D = Eigen::MatrixXd::Zero(nodes + 1, nodes + 1);
-    for (int i = 0; i <= nodes; ++i)
-        for (int j = 0; j <= nodes; ++j)
-            if (i != j) D(i, j) = c(i) / c(j) / (x(i) - x(j));
-    for (int i = 0; i <= nodes; ++i) D(i, i) = -D.row(i).sum();
-    D *= 2 / loop.delay;
-    Eigen::MatrixXd M = Eigen::MatrixXd::Zero(n + nodes, n + nodes);
-    M.topLeftCorner(n, n) = loop.A;
-    M.col(n + nodes - 1).head(n) = loop.input;
-    M.bottomRightCorner(nodes, nodes) = D.bottomRightCorner(nodes, nodes);
-    M.bottomLeftCorner(nodes, n) = D.col(0).tail(nodes) * command;
-    return M;
-}
-
 /// How many roots lie right of Re s = σ: those of A and the turns of 1 + L. Nothing where a root lies on the line. The
 /// imaginary axis is left by an arc around the integrators at s = 0, several of which rounding moves to either side; no
 /// root of 1 + L lies within the arc where |L| is large on it.
@@ -151,6 +128,28 @@ std::optional<int> roots_right_of(const LateLoop& loop, const Opened& open, doub
 
 }  // namespace
 
+Eigen::MatrixXd late_matrix(const LateLoop& loop, double gain, int nodes)
+{
+    const auto n = loop.A.rows();
+    const Eigen::RowVectorXd command = loop.held - gain * loop.output;
+    if (loop.delay == 0) return loop.A + loop.input * command;
+    // differentiation on x_j = cos(jπ/N), here from −delay to 0
+    const auto x = [&](int j) { return std::cos(j * pi / nodes); };
+    const auto c = [&](int j) { return (j == 0 || j == nodes ? 2.0 : 1.0) * (j % 2 ? -1 : 1); };
+    Eigen::MatrixXd D = Eigen::MatrixXd::Zero(nodes + 1, nodes + 1);
+    for (int i = 0; i <= nodes; ++i)
+        for (int j = 0; j <= nodes; ++j)
+            if (i != j) D(i, j) = c(i) / c(j) / (x(i) - x(j));
+    for (int i = 0; i <= nodes; ++i) D(i, i) = -D.row(i).sum();
+    D *= 2 / loop.delay;
+    Eigen::MatrixXd M = Eigen::MatrixXd::Zero(n + nodes, n + nodes);
+    M.topLeftCorner(n, n) = loop.A;
+    M.col(n + nodes - 1).head(n) = loop.input;
+    M.bottomRightCorner(nodes, nodes) = D.bottomRightCorner(nodes, nodes);
+    M.bottomLeftCorner(nodes, n) = D.col(0).tail(nodes) * command;
+    return M;
+}
+
 LateLoop late_loop(const LoopPlant& plant, double delay, double tau, const LoopGains& base, const LoopGains& turned)
 {
     const int n = static_cast<int>(plant.A.rows());
@@ -191,7 +190,7 @@ LateLoop late_loop(const LoopPlant& plant, double delay, double tau, const LoopG
 std::vector<Complex> roots(const LateLoop& loop, double gain)
 {
     constexpr int nodes = 32;
-    const Eigen::VectorXcd raw = eigenvalues_of(with_past(loop, gain, nodes));
+    const Eigen::VectorXcd raw = eigenvalues_of(late_matrix(loop, gain, nodes));
     std::vector<Complex> found;
     if (raw.size() == 0) return found;
     const Opened open(loop);

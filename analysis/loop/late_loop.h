@@ -20,6 +20,9 @@ struct LateLoop {
 /// u = −(position + velocity s/(τs + 1) + integral/s + travelled/(τs + 1)) y; `base` acts, `turned` acts g times.
 LateLoop late_loop(const LoopPlant& plant, double delay, double tau, const LoopGains& base, const LoopGains& turned);
 
+/// The closed loop as a finite system: its states, then the past of the command at `nodes` Chebyshev nodes.
+Eigen::MatrixXd late_matrix(const LateLoop& loop, double gain, int nodes);
+
 /// Roots with the gain closed, by falling real part: all of them without dead time; else the rightmost, from the past
 /// of the command at Chebyshev nodes, each polished by Newton's method (Breda, Maset & Vermiglio 2005).
 std::vector<std::complex<double>> roots(const LateLoop& loop, double gain);

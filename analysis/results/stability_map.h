@@ -31,7 +31,13 @@ enum class Region : std::uint8_t {
 
 /// A boundary located point by point (not contoured from the grid).
 struct Curve {
-    enum class Kind { velocity_only, state_variable, fold, outcome };
+    enum class Kind {
+        velocity_only,
+        state_variable,
+        fold,
+        outcome,
+        ideal_loop  ///< with memory, under the paper's loop in place of the joint's own
+    };
     Kind kind = Kind::state_variable;
     std::vector<double> x, y;  ///< SI; NaN separates pieces
     double precision = 0;      ///< largest relative bracket width of its points

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "analysis/numerics/maximum.h"
 #include "analysis/stability/joint_crossings.h"
 #include "analysis/stability/joint_spectrum.h"
+#include "analysis/stability/real_loop.h"
 #include "analysis/stability/stable_gains.h"
 #include "analysis/stability/steady.h"
 
@@ -79,13 +81,27 @@ std::vector<Interval> scanned_in_k_v(LinearJoint j)
     return found;
 }
 
-std::vector<Interval> stable_in_k_v(const LinearJoint& j)
+std::vector<Interval> ideal_velocity_gains(const LinearJoint& j)
 {
     return j.rational() ? stable_intervals(j, rational_crossings(j, Gain::k_v), infinity, Gain::k_v)
                         : scanned_in_k_v(j);
 }
 
 }  // namespace
+
+std::optional<std::vector<Interval>> stable_velocity_gains(const Joint& joint, Theory theory)
+{
+    const auto steady = steady_sliding(joint);
+    if (steady.reason != Reason::none) return std::vector<Interval>{};
+    const bool ideal = loop_kind(joint) == LoopKind::ideal;
+    const double velocity = ideal ? steady.velocity : sliding_velocity(joint, steady.velocity);
+    auto linear = linear_joint(joint, velocity);
+    if (theory == Theory::velocity_only) linear = velocity_only(std::move(linear));
+    if (ideal) return ideal_velocity_gains(linear);
+    const auto loop = real_loop(joint, linear, velocity, TurnedGain::k_v);
+    if (!loop) return std::nullopt;
+    return turned_gains(*loop).stable;
+}
 
 Comparison compare_theories(const Joint& joint)
 {
@@ -95,16 +111,18 @@ Comparison compare_theories(const Joint& joint)
 Comparison compare_theories(const Joint& joint, const StableGains& gains)
 {
     Comparison result;
-    const auto steady = steady_sliding(joint);
-    const auto memory = linear_joint(joint, steady.velocity);
-    const auto simple = velocity_only(memory);
+    const auto thought = stable_gains(joint, Theory::velocity_only);
+    const auto k_v_memory = stable_velocity_gains(joint, Theory::state_variable);
+    const auto k_v_simple = stable_velocity_gains(joint, Theory::velocity_only);
+    result.known = gains.known && thought.known && k_v_memory && k_v_simple;
+    if (!result.known) return result;
     result.searched_to = gains.searched_to;
     result.k_p_memory = gains.stable;
-    result.k_p_velocity_only = up_to(result.searched_to, stable_gains(joint, Theory::velocity_only).stable);
+    result.k_p_velocity_only = up_to(result.searched_to, thought.stable);
     result.forbidden_needlessly = without(result.k_p_memory, result.k_p_velocity_only);
     result.allowed_wrongly = without(result.k_p_velocity_only, result.k_p_memory);
-    result.k_v_memory = stable_in_k_v(memory);
-    result.k_v_velocity_only = stable_in_k_v(simple);
+    result.k_v_memory = *k_v_memory;
+    result.k_v_velocity_only = *k_v_simple;
     return result;
 }
 
@@ -128,12 +146,16 @@ GainMix optimal_mix(const Joint& given, double velocity_noise)
         const double k_p = least_position_gain(joint);
         return GainMix{k_p, k_v, std::hypot(k_p, velocity_noise * k_v)};
     };
-    if (crossings(linear).exhausted) return best;  // each of the many searches below would end like this
+    const auto kind = loop_kind(joint);
+    // each of the many searches below would end like this
+    if (kind == LoopKind::ideal && crossings(linear).exhausted) return best;
     const auto quieter = [&](const GainMix& m) {
         if (m.noise < best.noise || std::isnan(best.noise)) best = m;
     };
     // from pure position feedback to the k_v that needs no position gain, and somewhat beyond
-    const int steps = gain_moves_sliding(given) ? 24 : linear.rational() ? 160 : 40;
+    const int steps = gain_moves_sliding(given) || kind == LoopKind::continuous ? 24
+                      : linear.rational() && kind == LoopKind::ideal            ? 160
+                                                                                : 40;
     const double unit = damping_unit(linear);
     std::vector<double> k_v{0};
     for (int i = 0; i <= steps; ++i) k_v.push_back(unit * std::pow(10, -5 + 6.0 * i / steps));

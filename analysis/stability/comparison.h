@@ -1,8 +1,10 @@
 // The paper's question: what velocity-only friction demands, and what friction with memory demands, of the same joint.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "analysis/joint/joint.h"
+#include "analysis/stability/resolution.h"
 #include "analysis/stability/verdict.h"
 
 namespace stickslip {
@@ -18,6 +20,7 @@ struct Comparison {
     /// k_p that velocity-only allows although memory forbids them: lag, LuGre, several masses
     std::vector<Interval> allowed_wrongly;
     double searched_to = infinity;  ///< k_p up to which the sets are complete
+    bool known = true;  ///< false: the joint's own loop has not both gains to turn alone; every set is empty then
 
     /// The least k_v, to be exceeded, by either theory; NaN if none is enough.
     double k_v_demanded_velocity_only() const { return least(k_v_velocity_only); }
@@ -32,6 +35,9 @@ struct Comparison {
 Comparison compare_theories(const Joint& joint);
 /// The same where the stable gains are known already.
 Comparison compare_theories(const Joint& joint, const StableGains& gains);
+
+/// The stable k_v at the joint's own k_p alone, by one theory; nothing where its loop has no k_v to turn alone.
+std::optional<std::vector<Interval>> stable_velocity_gains(const Joint& joint, Theory theory);
 
 /// A pair of gains on the boundary of stability (to be exceeded), chosen for its noise.
 struct GainMix {

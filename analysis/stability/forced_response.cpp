@@ -38,10 +38,11 @@ ForcedResponse forced_response(const LinearJoint& j, const SampledForce& force)
     // exp of [A b; 0 0] holds e^{Ah} and ∫ e^{As} b ds side by side
     Eigen::MatrixXd held = Eigen::MatrixXd::Zero(n + 1, n + 1);
     held.topLeftCorner(n, n) = A;
-    held(speed, n) = 1 / j.inertia[link];
+    const Eigen::VectorXd pushed = rates_per_force(j, j.link());
+    held.col(n).head(n) = pushed;
     const Eigen::MatrixXd step = (held * force.step).exp();
     Eigen::VectorXd y = Eigen::VectorXd::Zero(n + 1);
-    y[speed] = force.impulse / j.inertia[link];
+    y.head(n) = force.impulse * pushed;
     ForcedResponse response;
     const auto keep = [&](double t) {
         response.time.push_back(t);

@@ -121,13 +121,13 @@ Eigen::MatrixXd state_matrix(const LinearJoint& j)
     return A;
 }
 
-Eigen::VectorXd rates_per_effort(const LinearJoint& j)
+Eigen::VectorXd rates_per_force(const LinearJoint& j, int body)
 {
     Eigen::VectorXd rates = Eigen::VectorXd::Zero(j.states());
-    double& own = rates[j.bodies];
-    own = 1 / j.inertia[0];
-    if (j.link() > 0 || j.neighbour.size == 0) return rates;
-    double free = j.inertia[0];
+    double& own = rates[j.bodies + body];
+    own = 1 / j.inertia[body];
+    if (body != j.link() || j.neighbour.size == 0) return rates;
+    double free = j.inertia[body];
     for (const auto& n : j.neighbour) free -= n.coupling * n.coupling / n.inertia;
     own = 1 / free;
     const int first = j.states() - 2 * j.neighbour.size;

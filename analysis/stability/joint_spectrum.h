@@ -13,9 +13,9 @@ namespace stickslip {
 /// those of steady sliding. The part of a joint that is no state (delays, tables) is left out.
 Eigen::MatrixXd state_matrix(const LinearJoint& joint);
 
-/// What one unit of effort on the motor adds to ẏ: its acceleration, and that of neighbours which the mass matrix
-/// couples.
-Eigen::VectorXd rates_per_effort(const LinearJoint& joint);
+/// What one unit of force on a body adds to ẏ: its acceleration, and that of neighbours which the mass matrix couples
+/// to the link.
+Eigen::VectorXd rates_per_force(const LinearJoint& joint, int body);
 
 /// a and b of F = a + (k_p + k_v s) b, times the denominators of all G. Rational joints only.
 struct RationalCharacteristic {

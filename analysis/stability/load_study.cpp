@@ -14,9 +14,8 @@ LoadedVerdict at_load(Joint joint, double load)
     link_friction(joint).normal_load = load;
     LoadedVerdict v{load, missing, missing, missing, missing};
     if (steady_sliding(joint).reason != Reason::none) return v;
-    const auto linear = linear_joint(joint, commanded_velocity(joint));
-    v.velocity_only = spectral_abscissa(velocity_only(linear));
-    v.state_variable = spectral_abscissa(linear);
+    v.velocity_only = velocity_only_growth_rate(joint);
+    v.state_variable = growth_rate(joint);
     const auto point = linear_point(joint);
     v.k_cr = point.k_cr;
     v.k_v_min = point.k_v_min;

@@ -69,11 +69,20 @@ ResponsePeak response_peak(const LinearJoint& j, int points)
 {
     const auto roots = spectrum(j);
     if (roots.empty() || !(roots.front().real() <= 0)) return {missing, missing};
-    const auto size = [&](double omega) { return std::abs(disturbance_response(j, {0, omega})); };
+    return response_peak(
+        [&](double omega) {
+            return std::abs(disturbance_response(j, {0, omega}));
+        },
+        roots, points, infinity);
+}
+
+ResponsePeak response_peak(const std::function<double(double)>& size, const std::vector<Complex>& roots, int points,
+                           double highest)
+{
     const auto range = features(roots);
-    auto omegas = logarithmic(range.low / 100, 10 * range.high, points);
+    auto omegas = logarithmic(std::min(range.low, highest) / 100, std::min(10 * range.high, highest), points);
     for (const auto& s : roots)
-        if (s.imag() > 0) omegas.push_back(s.imag());
+        if (s.imag() > 0 && s.imag() < highest) omegas.push_back(s.imag());
     std::sort(omegas.begin(), omegas.end());
     ResponsePeak peak{0, size(0)};
     for (std::size_t i = 1; i + 1 < omegas.size(); ++i) {
@@ -113,22 +122,28 @@ LoopMargins loop_margins(const LinearJoint& j, const std::vector<Crossing>& cros
     return margins;
 }
 
+void follow_branches(std::vector<std::vector<Complex>>& rows)
+{
+    for (std::size_t r = 1; r < rows.size(); ++r) {
+        auto& roots = rows[r];
+        const auto& last = rows[r - 1];
+        for (std::size_t i = 0; i < std::min(roots.size(), last.size()); ++i) {
+            const auto nearest =
+                std::min_element(roots.begin() + static_cast<std::ptrdiff_t>(i), roots.end(),
+                                 [&](Complex a, Complex b) { return std::abs(a - last[i]) < std::abs(b - last[i]); });
+            std::iter_swap(roots.begin() + static_cast<std::ptrdiff_t>(i), nearest);
+        }
+    }
+}
+
 std::vector<std::vector<Complex>> root_locus(LinearJoint j, const std::vector<double>& gains)
 {
     std::vector<std::vector<Complex>> rows;
     for (const double k_p : gains) {
         j.k_p = k_p;
-        auto roots = spectrum(j);
-        if (!rows.empty())
-            for (std::size_t i = 0; i < std::min(roots.size(), rows.back().size()); ++i) {
-                const Complex before = rows.back()[i];
-                const auto nearest = std::min_element(roots.begin() + i, roots.end(), [&](Complex a, Complex b) {
-                    return std::abs(a - before) < std::abs(b - before);
-                });
-                std::iter_swap(roots.begin() + i, nearest);
-            }
-        rows.push_back(std::move(roots));
+        rows.push_back(spectrum(j));
     }
+    follow_branches(rows);
     return rows;
 }
 

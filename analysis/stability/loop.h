@@ -1,6 +1,7 @@
 // What a control engineer asks of a linear joint: answer to disturbances, margins, root locus.
 #pragma once
 #include <complex>
+#include <functional>
 #include <vector>
 
 #include "analysis/stability/linear_joint.h"
@@ -20,6 +21,9 @@ struct ResponsePeak {
 /// A scan of `points` frequencies around the roots of the joint, each local maximum then refined: a peak narrower than
 /// a step of the scan and away from every root can be missed.
 ResponsePeak response_peak(const LinearJoint& joint, int points = 400);
+/// The same of any loop: |X/D| over ω, its roots, and the frequency up to which it is known.
+ResponsePeak response_peak(const std::function<double(double)>& size, const std::vector<std::complex<double>>& roots,
+                           int points, double highest);
 
 /// How far the loop is from its boundary. Factors that apply to k_p alone; 0 and infinity where no boundary is met.
 struct LoopMargins {
@@ -37,5 +41,8 @@ LoopMargins loop_margins(const LinearJoint& joint, int points = 2000);
 
 /// The roots for each k_p of the list, row by row; column i follows one root from gain to gain (nearest neighbours).
 std::vector<std::vector<std::complex<double>>> root_locus(LinearJoint joint, const std::vector<double>& gains);
+
+/// Orders each row so that column i goes on with the root that is nearest to its last one.
+void follow_branches(std::vector<std::vector<std::complex<double>>>& rows);
 
 }  // namespace stickslip

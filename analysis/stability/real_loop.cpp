@@ -1,7 +1,6 @@
 #include "analysis/stability/real_loop.h"
 
 #include <algorithm>
-#include <numbers>
 
 #include "analysis/joint/gains.h"
 #include "analysis/stability/joint_spectrum.h"
@@ -22,36 +21,6 @@ LinearJoint opened(const Joint& joint, LinearJoint linear)
     linear.actuated[0] -= joint.control.force_gain;
     linear.contact[0] -= joint.control.force_gain * joint.control.contact_stiffness;
     return linear;
-}
-
-LoopPlant plant_of(const Joint& joint, const LinearJoint& linear, double velocity)
-{
-    const auto acts = actuation(joint, velocity, steady_effort(joint));
-    const LinearJoint open = opened(joint, linear);
-    const int n = open.bodies, states = open.states(), lag = joint.actuator.lag > 0;
-    LoopPlant plant;
-    plant.A = Eigen::MatrixXd::Zero(states + lag, states + lag);
-    plant.A.topLeftCorner(states, states) = state_matrix(open);
-    const Eigen::VectorXd per_effort = rates_per_effort(open);
-    plant.A.col(n).head(states) -= acts.drag * per_effort;
-    plant.B = Eigen::VectorXd::Zero(states + lag);
-    const Eigen::VectorXd push = acts.gain * per_effort;
-    if (lag) {
-        plant.A.col(states).head(states) = push;
-        plant.A(states, states) = -1 / joint.actuator.lag;
-        plant.B[states] = 1 / joint.actuator.lag;
-    } else {
-        plant.B.head(states) = push;
-    }
-    plant.C = plant.C_v = Eigen::RowVectorXd::Zero(states + lag);
-    if (joint.control.kind == ControlKind::position) {
-        plant.C[open.measured] = acts.scale;
-        plant.C_v[n + open.measured] = acts.scale;
-    } else {
-        plant.C[open.link()] = joint.control.k_p + joint.control.contact_stiffness;
-        plant.C[n + open.link()] = joint.control.k_v;
-    }
-    return plant;
 }
 
 struct SplitGains {
@@ -95,48 +64,43 @@ std::optional<SplitGains> split(const Joint& joint, TurnedGain turned)
     return SplitGains{base, {0, 1, 0, 0}, c.k_v};
 }
 
-std::vector<Interval> stable_intervals_of(const RealLoop& loop, std::vector<Crossing>& crossings,
-                                          std::vector<Interval>& doubtful, double& searched_to)
+/// A critical gain needs every gain above it, which dead time and ticks never leave and a search may not have seen.
+void take_endless(StableGains& gains)
 {
-    if (const auto* sampled = std::get_if<DiscreteLoop>(&loop.loop)) {
-        auto found = circle_crossings(*sampled);
-        crossings = std::move(found.crossings);
-        doubtful = std::move(found.doubtful);
-        return stable_gains(*sampled, crossings, loop.gain);
-    }
-    const auto& late = std::get<LateLoop>(loop.loop);
-    auto found = axis_crossings(late);
-    auto stable = stable_gains(late, found, loop.gain);
-    crossings = std::move(found.crossings);
-    doubtful = std::move(found.doubtful);
-    searched_to = found.searched_to;
-    return stable;
-}
-
-struct SingleGain {
-    double k_cr = not_set, omega = not_set;
-};
-
-/// One crossing, above which every gain is stable. Ticks and dead time always leave an end above.
-SingleGain single_gain(const std::vector<Crossing>& crossings, const std::vector<Interval>& windows)
-{
-    if (crossings.size() != 1 || windows.size() != 1 || windows[0].low != crossings[0].k_p) return {};
-    if (windows[0].high != infinity) return {};
-    return {crossings[0].k_p, crossings[0].omega};
-}
-
-/// The mechanism slides at V_0 by what the encoder says.
-double sliding_velocity(const Joint& joint, double commanded)
-{
-    return commanded / joint.sensor.position_scale;
-}
-
-std::uint8_t code_of(double growth)
-{
-    return growth < 0 ? 1 : growth == 0 ? verdict_neutral : 0;
+    if (!gains.stable.empty() && gains.stable.back().high == infinity) take_single_gain(gains);
 }
 
 }  // namespace
+
+LoopPlant loop_plant(const Joint& joint, const LinearJoint& linear, double velocity)
+{
+    const auto acts = actuation(joint, velocity, steady_effort(joint));
+    const LinearJoint open = opened(joint, linear);
+    const int n = open.bodies, states = open.states(), lag = joint.actuator.lag > 0;
+    LoopPlant plant;
+    plant.A = Eigen::MatrixXd::Zero(states + lag, states + lag);
+    plant.A.topLeftCorner(states, states) = state_matrix(open);
+    const Eigen::VectorXd per_effort = rates_per_force(open, 0);
+    plant.A.col(n).head(states) -= acts.drag * per_effort;
+    plant.B = Eigen::VectorXd::Zero(states + lag);
+    const Eigen::VectorXd push = acts.gain * per_effort;
+    if (lag) {
+        plant.A.col(states).head(states) = push;
+        plant.A(states, states) = -1 / joint.actuator.lag;
+        plant.B[states] = 1 / joint.actuator.lag;
+    } else {
+        plant.B.head(states) = push;
+    }
+    plant.C = plant.C_v = Eigen::RowVectorXd::Zero(states + lag);
+    if (joint.control.kind == ControlKind::position) {
+        plant.C[open.measured] = acts.scale;
+        plant.C_v[n + open.measured] = acts.scale;
+    } else {
+        plant.C[open.link()] = joint.control.k_p + joint.control.contact_stiffness;
+        plant.C[n + open.link()] = joint.control.k_v;
+    }
+    return plant;
+}
 
 double steady_effort(const Joint& joint)
 {
@@ -199,7 +163,7 @@ std::optional<RealLoop> real_loop(const Joint& joint, const LinearJoint& linear,
     if (!linear.rational()) return {};
     const auto gains = split(joint, turned);
     if (!gains) return {};
-    const auto plant = plant_of(joint, linear, velocity);
+    const auto plant = loop_plant(joint, linear, velocity);
     if (!plant.A.allFinite() || !plant.B.allFinite()) return {};
     const auto& c = joint.control;
     if (loop_kind(joint) == LoopKind::sampled) {
@@ -217,128 +181,25 @@ double growth(const RealLoop& loop)
     return late_growth(std::get<LateLoop>(loop.loop), loop.gain);
 }
 
-CommandMargins real_margins(const Joint& joint, double commanded)
+StableGains turned_gains(const RealLoop& loop)
 {
-    const double velocity = sliding_velocity(joint, commanded);
-    const auto loop = real_loop(joint, linear_joint(joint, velocity), velocity, TurnedGain::all);
-    if (!loop) return {};
-    if (const auto* sampled = std::get_if<DiscreteLoop>(&loop->loop)) return command_margins(*sampled);
-    return command_margins(std::get<LateLoop>(loop->loop));
-}
-
-void add_margins(const Joint& joint, LinearVerdict& verdict)
-{
-    if (verdict.steady.reason != Reason::none || joint.control.kind != ControlKind::position) return;
-    if (!std::isnan(verdict.state_variable.phase_margin_deg)) return;
-    const auto margins = real_margins(joint, verdict.steady.velocity);
-    verdict.state_variable.gain_margin_db = margins.gain_db;
-    verdict.state_variable.phase_margin_deg = margins.phase_deg;
-}
-
-double real_growth(const Joint& joint, double commanded, bool velocity_only_friction)
-{
-    const double velocity = sliding_velocity(joint, commanded);
-    auto linear = linear_joint(joint, velocity);
-    if (velocity_only_friction) linear = velocity_only(std::move(linear));
-    const auto loop = real_loop(joint, linear, velocity, TurnedGain::all);
-    return loop ? growth(*loop) : missing;
-}
-
-PointResult real_point(const Joint& joint, double commanded)
-{
-    const double velocity = sliding_velocity(joint, commanded);
-    PointResult point;
-    const auto linear = linear_joint(joint, velocity);
-    const auto loop = real_loop(joint, linear, velocity, TurnedGain::all);
-    if (!loop) {
-        point.reason = linear.rational() ? Reason::not_finite : Reason::unsupported;
-        return point;
+    StableGains found;
+    if (const auto* sampled = std::get_if<DiscreteLoop>(&loop.loop)) {
+        auto circle = circle_crossings(*sampled);
+        found.stable = stable_gains(*sampled, circle.crossings, loop.gain);
+        found.crossings = std::move(circle.crossings);
+        found.doubtful = std::move(circle.doubtful);
+        take_endless(found);
+        return found;
     }
-    point.spectral_abscissa = growth(*loop);
-    if (!std::isfinite(point.spectral_abscissa)) {
-        point.reason = Reason::not_finite;
-        return point;
-    }
-    const auto simple = real_loop(joint, velocity_only(linear), velocity, TurnedGain::all);
-    const double simply = simple ? growth(*simple) : missing;
-    point.velocity_only_stable = std::isfinite(simply) ? code_of(simply) : verdict_missing;
-    point.state_variable_stable = code_of(point.spectral_abscissa);
-    if (point.state_variable_stable == verdict_neutral)
-        point.region = Region::neutral;
-    else if (point.state_variable_stable == 1)
-        point.region = point.velocity_only_stable == 1 ? Region::stable : Region::memory_only;
-    else
-        point.region = point.velocity_only_stable == 1 ? Region::velocity_only : Region::unstable;
-    const auto* late = std::get_if<LateLoop>(&loop->loop);
-    if (!late || late->delay > 0) return point;
-    if (const auto turned = real_loop(joint, linear, velocity, TurnedGain::k_p)) {
-        std::vector<Crossing> crossings;
-        std::vector<Interval> doubtful;
-        double searched_to = infinity;
-        const auto windows = stable_intervals_of(*turned, crossings, doubtful, searched_to);
-        const auto single = single_gain(crossings, windows);
-        point.k_cr = single.k_cr, point.omega = single.omega;
-    }
-    return point;
-}
-
-LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
-{
-    const double V = sliding_velocity(joint, verdict.steady.velocity);
-    const auto linear = linear_joint(joint, V);
-    auto& simple = verdict.velocity_only;
-    auto& memory = verdict.state_variable;
-    simple.slope = memory.f_v = memory.kernel_integral = 0;
-    for (int i = 0; i < linear.bodies; ++i) {
-        simple.slope += steady_slope(linear.friction[i]);
-        memory.f_v += linear.friction[i].f_v;
-        memory.kernel_integral += kernel_integral(linear.friction[i]);
-    }
-    const auto all = real_loop(joint, linear, V, TurnedGain::all);
-    if (!all) {
-        verdict.steady.reason = linear.rational() ? Reason::not_finite : Reason::unsupported;
-        return verdict;
-    }
-    memory.spectral_abscissa = growth(*all);
-    if (!std::isfinite(memory.spectral_abscissa)) {
-        verdict.steady.reason = Reason::not_finite;
-        return verdict;
-    }
-    if (const auto* sampled = std::get_if<DiscreteLoop>(&all->loop)) {
-        memory.multipliers = multipliers(*sampled, 1);
-        for (const Complex& z : memory.multipliers)
-            if (std::abs(z) > 0) memory.eigenvalues.push_back(std::log(z) / sampled->period);
-        const auto margins = command_margins(*sampled);
-        memory.gain_margin_db = margins.gain_db;
-        memory.phase_margin_deg = margins.phase_deg;
-    } else {
-        const auto& late = std::get<LateLoop>(all->loop);
-        memory.eigenvalues = roots(late, 1);
-        memory.all_eigenvalues = late.delay == 0;
-        const auto margins = command_margins(late);
-        memory.gain_margin_db = margins.gain_db;
-        memory.phase_margin_deg = margins.phase_deg;
-    }
-    memory.stable = memory.spectral_abscissa < 0;
-    memory.neutral = memory.spectral_abscissa == 0;
-    if (const auto turned = real_loop(joint, linear, V, TurnedGain::k_p)) {
-        memory.stable_intervals = stable_intervals_of(*turned, memory.crossings, memory.doubtful, memory.searched_to);
-        memory.k_cr = single_gain(memory.crossings, memory.stable_intervals).k_cr;
-    }
-    const auto curve = velocity_only(linear);
-    if (const auto loop = real_loop(joint, curve, V, TurnedGain::all)) {
-        const double rate = growth(*loop);
-        simple.stable = rate < 0;
-        simple.neutral = rate == 0;
-    }
-    if (const auto turned = real_loop(joint, curve, V, TurnedGain::k_v)) {
-        std::vector<Crossing> crossings;
-        std::vector<Interval> doubtful;
-        double searched_to = infinity;
-        simple.stable_k_v = stable_intervals_of(*turned, crossings, doubtful, searched_to);
-        if (!simple.stable_k_v.empty()) simple.k_v_min = simple.stable_k_v.front().low;
-    }
-    return verdict;
+    const auto& late = std::get<LateLoop>(loop.loop);
+    auto axis = axis_crossings(late);
+    found.stable = stable_gains(late, axis, loop.gain);
+    found.crossings = std::move(axis.crossings);
+    found.doubtful = std::move(axis.doubtful);
+    found.searched_to = axis.searched_to;
+    take_endless(found);
+    return found;
 }
 
 }  // namespace stickslip

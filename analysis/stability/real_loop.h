@@ -7,6 +7,7 @@
 #include "analysis/loop/discrete_search.h"
 #include "analysis/loop/late_loop.h"
 #include "analysis/stability/linear_joint.h"
+#include "analysis/stability/stable_gains.h"
 #include "analysis/stability/verdict.h"
 
 namespace stickslip {
@@ -36,6 +37,15 @@ struct RealLoop {
     double gain = 1;
 };
 std::optional<RealLoop> real_loop(const Joint& joint, const LinearJoint& linear, double velocity, TurnedGain turned);
+
+/// The mechanism about steady sliding at V with its actuator, without its controller.
+LoopPlant loop_plant(const Joint& joint, const LinearJoint& linear, double velocity);
+
+/// The windows of the gain that is open. Ticks and dead time always leave an end above.
+StableGains turned_gains(const RealLoop& loop);
+
+/// The mechanism slides at V_0 by what the encoder says.
+double sliding_velocity(const Joint& joint, double commanded);
 
 /// max Re s, or max ln|z|/T.
 double growth(const RealLoop& loop);

@@ -22,7 +22,7 @@ double side_of_stability(const Joint& joint)
     const auto steady = steady_sliding(joint);
     if (steady.reason != Reason::none) return missing;
     const auto linear = linear_joint(joint, steady.velocity);
-    if (linear.rational()) return growth_rate(joint);
+    if (linear.rational() || loop_kind(joint) != LoopKind::ideal) return growth_rate(joint);
     const auto right = roots_right_of(linear, 0);
     return !right ? missing : *right == 0 ? -1 : 1;
 }
@@ -30,11 +30,7 @@ double side_of_stability(const Joint& joint)
 /// Negative where the joint is stable at its own velocity, by either theory; NaN where it cannot slide.
 double instability(const Joint& joint, Theory theory)
 {
-    if (theory == Theory::state_variable) return side_of_stability(joint);
-    const auto steady = steady_sliding(joint);
-    if (steady.reason != Reason::none) return missing;
-    if (loop_kind(joint) != LoopKind::ideal) return real_growth(joint, steady.velocity, true);
-    return spectral_abscissa(velocity_only(linear_joint(joint, steady.velocity)));
+    return theory == Theory::state_variable ? side_of_stability(joint) : velocity_only_growth_rate(joint);
 }
 
 /// Where f < 0 within [low, high] of one sign, by a logarithmic scan and bracketed roots.
@@ -112,10 +108,16 @@ std::vector<Interval> common(const std::vector<Interval>& a, const std::vector<I
     return both;
 }
 
-/// For several bodies, where too much velocity feedback is unstable, too.
+/// For several bodies and real loops, where too much velocity feedback is unstable, too.
 RangeGain common_gain(const Joint& joint, const std::vector<double>& V)
 {
-    const auto gains = [&](double v) { return velocity_only_gains(linear_joint(joint, v)); };
+    const bool ideal = loop_kind(joint) == LoopKind::ideal;
+    const auto gains = [&](double v) {
+        auto linear = linear_joint(joint, v);
+        if (ideal) return velocity_only_gains(linear);
+        const auto loop = real_loop(joint, velocity_only(std::move(linear)), v, TurnedGain::k_v);
+        return loop ? turned_gains(*loop).stable : std::vector<Interval>{};
+    };
     const auto least = [&](double v) {
         const auto stable = gains(v);
         return stable.empty() ? infinity : stable.front().low;
@@ -148,7 +150,8 @@ RangeGain velocity_gain_for_range(const Joint& joint, double highest, int scan)
     const auto falling = [&](double V) { return -steady_slope(linearise(joint.friction, V)); };
     std::vector<double> V;
     for (int i = 0; i <= scan; ++i) V.push_back(highest * std::pow(1e-6, 1 - double(i) / scan));
-    if (joint.mechanism.model != Model::single_mass) return common_gain(joint, V);
+    if (joint.mechanism.model != Model::single_mass || loop_kind(joint) != LoopKind::ideal)
+        return common_gain(joint, V);
     std::size_t best = 0;
     for (std::size_t i = 1; i < V.size(); ++i)
         if (falling(V[i]) > falling(V[best])) best = i;

@@ -8,6 +8,7 @@
 #include "analysis/stability/crossings.h"
 #include "analysis/stability/joint_crossings.h"
 #include "analysis/stability/joint_spectrum.h"
+#include "analysis/stability/real_loop.h"
 #include "analysis/stability/spectrum.h"
 #include "analysis/stability/steady.h"
 #include "analysis/stability/winding.h"
@@ -196,15 +197,15 @@ class GainScan {
     std::vector<Crossing> found_;
 };
 
-void single_gain(StableGains& gains)
+}  // namespace
+
+void take_single_gain(StableGains& gains)
 {
     const auto& stable = gains.stable;
     if (gains.crossings.size() != 1 || stable.size() != 1 || stable[0].low != gains.crossings[0].k_p) return;
     gains.k_cr = gains.crossings[0].k_p;
     gains.omega = gains.crossings[0].omega;
 }
-
-}  // namespace
 
 bool gain_moves_sliding(const Joint& joint)
 {
@@ -227,16 +228,25 @@ StableGains stable_gains(const Joint& joint, Theory theory)
 {
     const double V = commanded_velocity(joint);
     StableGains gains;
+    if (loop_kind(joint) != LoopKind::ideal) {
+        const double sliding = sliding_velocity(joint, V);
+        auto linear = linear_joint(joint, sliding);
+        if (theory == Theory::velocity_only) linear = velocity_only(std::move(linear));
+        const auto loop = real_loop(joint, linear, sliding, TurnedGain::k_p);
+        if (loop) return turned_gains(*loop);
+        gains.known = false;
+        return gains;
+    }
     if (gain_moves_sliding(joint)) {
         gains = GainScan(joint, theory).gains;
-        single_gain(gains);
+        take_single_gain(gains);
         return gains;
     }
     if (theory == Theory::velocity_only) {
         const auto curve = velocity_only(linear_joint(joint, V));
         gains.crossings = rational_crossings(curve, Gain::k_p);
         gains.stable = stable_intervals(curve, gains.crossings, gains.searched_to);
-        single_gain(gains);
+        take_single_gain(gains);
         return gains;
     }
     if (is_plain_mass(joint)) {
@@ -244,7 +254,7 @@ StableGains stable_gains(const Joint& joint, Theory theory)
         if (mass.friction.rational()) {
             gains.crossings = crossings(mass);
             gains.stable = stable_intervals(mass, gains.crossings);
-            single_gain(gains);
+            take_single_gain(gains);
             return gains;
         }
     }
@@ -255,7 +265,7 @@ StableGains stable_gains(const Joint& joint, Theory theory)
     gains.doubtful = std::move(search.doubtful);
     gains.stable = stable_intervals(linear, gains.crossings, gains.searched_to);
     // where delays go on, so may the crossings
-    if (gains.searched_to == infinity) single_gain(gains);
+    if (gains.searched_to == infinity) take_single_gain(gains);
     return gains;
 }
 

@@ -14,9 +14,13 @@ struct StableGains {
     std::vector<Interval> stable;
     std::vector<Interval> doubtful;  ///< bands of ω in which a touch of the axis could not be excluded
     double searched_to = infinity;   ///< crossings are complete up to here
+    bool known = true;               ///< false: the joint's own loop has no such gain to turn alone
     double k_cr = missing;           ///< the single critical gain: all above it are stable, none below
     double omega = missing;          ///< its frequency
 };
+
+/// Fills in k_cr and omega where one crossing divides the gains into none and all.
+void take_single_gain(StableGains& gains);
 
 /// Whether k_p moves the joint to another steady sliding, where friction answers differently: a force that ramps at a
 /// given rate slides at rate/(k_p + k_c), and behind the springs of a ramp the motor runs ahead of the link

@@ -4,17 +4,25 @@
 
 #include "analysis/joint/gains.h"
 #include "analysis/stability/frequency_search.h"
-#include "analysis/stability/real_loop.h"
+#include "analysis/stability/real_response.h"
 #include "analysis/stability/stable_gains.h"
 #include "analysis/stability/steady.h"
 
 namespace stickslip {
 namespace {
 
-/// Several bodies ask for a set of gains at each velocity, one mass for a slope.
+/// Several bodies and real loops ask for a set of gains at each velocity, one mass of the ideal loop for a slope.
 int range_scan(const Joint& joint)
 {
-    return joint.mechanism.model == Model::single_mass ? 600 : 120;
+    switch (loop_kind(joint)) {
+        case LoopKind::ideal:
+            return joint.mechanism.model == Model::single_mass ? 600 : 120;
+        case LoopKind::sampled:
+            return 120;
+        case LoopKind::continuous:
+            return 24;
+    }
+    return 0;
 }
 
 /// What costs many searches is asked of joints that answer late only where more than the usual effort is allowed.
@@ -54,9 +62,11 @@ LinearStudy linear_study(const Joint& given)
     const auto linear = linear_joint(joint, steady.velocity);
     const bool thorough = linear.rational() || search_effort() >= effort_of_late_studies;
     const auto gains = stable_gains(joint);
+    if (const auto response = LoopResponse::of(joint, Theory::state_variable)) {
+        study.compliance = std::abs(response->at(0));
+        study.peak = response->peak();
+    }
     if (loop_kind(joint) == LoopKind::ideal) {
-        study.compliance = std::abs(disturbance_response(linear, 0));
-        study.peak = response_peak(linear);
         study.margins = loop_margins(linear, gains.crossings);
     } else if (const auto margins = real_margins(joint, steady.velocity); growth_rate(joint) < 0) {
         study.margins = {margins.gain_below, margins.gain_above, margins.lag, margins.crossover};

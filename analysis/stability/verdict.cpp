@@ -205,6 +205,15 @@ double growth_rate(const Joint& joint)
     return spectral_abscissa(linear_joint(joint, steady.velocity));
 }
 
+double velocity_only_growth_rate(const Joint& joint)
+{
+    const auto steady = possible_sliding(joint);
+    if (steady.reason != Reason::none) return missing;
+    if (loop_kind(joint) != LoopKind::ideal) return real_growth(joint, steady.velocity, true);
+    if (joint.control.structure == Structure::cascade) return velocity_only_growth_rate(with_gains(joint));
+    return spectral_abscissa(velocity_only(linear_joint(joint, steady.velocity)));
+}
+
 PointResult linear_point(const Joint& joint)
 {
     PointResult point;

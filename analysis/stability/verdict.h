@@ -60,6 +60,8 @@ LinearVerdict linear_verdict(const Joint& joint);
 /// max Re s with memory alone, without the search for critical gains, which costs much where memory is a delay or a
 /// table. NaN where there is no verdict.
 double growth_rate(const Joint& joint);
+/// The same with friction replaced by its steady-state curve.
+double velocity_only_growth_rate(const Joint& joint);
 
 /// The same verdicts as one row of a sweep; without allocation for a single mass with at most one state. Safe to call
 /// from many threads.

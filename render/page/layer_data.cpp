@@ -27,6 +27,7 @@ std::string curve_data(const Curve& curve, const Frame& frame)
     }
     return JsonObject()
         .flag("memory", curve.kind == Curve::Kind::state_variable)
+        .flag("ideal", curve.kind == Curve::Kind::ideal_loop)
         .text("points", pack_coarse(positions))
         .close();
 }

@@ -25,6 +25,8 @@ CurveStyle curve_style(Curve::Kind kind)
             return {{field_ink, 2.6, {}}, "boundary, with frictional memory"};
         case Curve::Kind::fold:
             return {{from_hex(0x00594c), 2.4, {10, 4, 2, 4}}, "fold of limit cycles"};
+        case Curve::Kind::ideal_loop:
+            return {{from_hex(0x00506e), 2.2, {1.5, 4}}, "boundary, the paper's ideal loop"};
         case Curve::Kind::outcome:
             break;
     }
@@ -37,8 +39,8 @@ Pen halo_of(const CurveStyle& style)
 }
 
 /// Solid first: where two boundaries coincide, both show.
-constexpr Curve::Kind drawing_order[] = {Curve::Kind::state_variable, Curve::Kind::velocity_only, Curve::Kind::fold,
-                                         Curve::Kind::outcome};
+constexpr Curve::Kind drawing_order[] = {Curve::Kind::state_variable, Curve::Kind::ideal_loop,
+                                         Curve::Kind::velocity_only, Curve::Kind::fold, Curve::Kind::outcome};
 
 void check(const StabilityBody& body, const std::string& title)
 {

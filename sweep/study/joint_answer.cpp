@@ -35,7 +35,7 @@ JointAnswer answer_joint(const Joint& joint, const LinearVerdict& linear, const 
     answer.velocities = search_velocities(joint);
     if (linear.loop.kind != LoopKind::ideal)
         answer.ideal_gains = linear_verdict(with_ideal_loop(joint)).state_variable.stable_intervals;
-    else if (question.locus)
+    if (question.locus)
         answer.locus = sampled_root_locus(
             joint, std::isnan(question.lowest_gain) ? joint.control.k_p / locus_span : question.lowest_gain,
             std::isnan(question.highest_gain) ? joint.control.k_p * locus_span : question.highest_gain);

@@ -1,10 +1,11 @@
 #include "sweep/study/linear_details.h"
 
-#include "analysis/stability/joint_spectrum.h"
+#include "analysis/stability/real_response.h"
 #include "analysis/stability/steady.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace stickslip {
 namespace {
@@ -15,17 +16,17 @@ void add_demands(LinearDetails& d, Joint joint)
 {
     const double own = d.velocity;
     joint.control.force_rate = not_set;
-    const auto at = [&](double V) {
+    const auto least = [&](double V, Theory theory) {
         joint.control.V0 = std::copysign(V, own);
-        return compare_theories(joint);
+        const auto gains = stable_velocity_gains(joint, theory);
+        return gains && !gains->empty() ? gains->front().low : missing;
     };
-    const auto simple_at = [&](double V) { return at(V).k_v_demanded_velocity_only(); };
-    const auto memory_at = [&](double V) { return at(V).k_v_demanded_memory(); };
+    const auto simple_at = [&](double V) { return least(V, Theory::velocity_only); };
+    const auto memory_at = [&](double V) { return least(V, Theory::state_variable); };
     Samples &simple = d.demanded_simple, &memory = d.demanded_memory;
     for (const double V : log_steps(d.study.velocities.low, d.study.velocities.high, d.sampled_finely ? 121 : 25)) {
-        const auto both = at(V);
-        simple.x.push_back(V), simple.y.push_back(both.k_v_demanded_velocity_only());
-        memory.x.push_back(V), memory.y.push_back(both.k_v_demanded_memory());
+        simple.x.push_back(V), simple.y.push_back(simple_at(V));
+        memory.x.push_back(V), memory.y.push_back(memory_at(V));
     }
     if (!d.sampled_finely) return;
     smooth(simple, simple_at);
@@ -70,15 +71,20 @@ void add_least_velocities(LinearDetails& d, const Joint& given)
 
 void add_responses(LinearDetails& d, const Joint& joint)
 {
-    const auto memory = linear_joint(joint, d.velocity);
-    const auto simple = velocity_only(memory);
+    const auto memory = LoopResponse::of(joint, Theory::state_variable);
+    const auto simple = LoopResponse::of(joint, Theory::velocity_only);
+    if (!memory || !simple) return;
     double low = infinity, high = 0;
-    for (const auto& s : spectrum(memory))
+    for (const auto& s : memory->roots())
         if (std::abs(s) > 0) low = std::min(low, std::abs(s)), high = std::max(high, std::abs(s));
+    // ticks see nothing above half their rate
+    const double highest = memory->period() > 0 ? std::numbers::pi / memory->period() : infinity;
+    high = std::min(high, highest / 3);
+    low = std::min(low, high);
     for (const double omega : log_steps(low / 30, high * 3, 801)) {
         d.response_memory.x.push_back(omega), d.response_simple.x.push_back(omega);
-        d.response_memory.y.push_back(std::abs(disturbance_response(memory, {0, omega})));
-        d.response_simple.y.push_back(std::abs(disturbance_response(simple, {0, omega})));
+        d.response_memory.y.push_back(std::abs(memory->at(omega)));
+        d.response_simple.y.push_back(std::abs(simple->at(omega)));
     }
 }
 
@@ -110,7 +116,8 @@ LinearDetails linear_details(const Joint& joint, LinearStudy study)
     d.study = std::move(study);
     if (std::isnan(d.study.compliance)) return d;
     d.velocity = commanded_velocity(joint);
-    d.sampled_finely = linear_joint(joint, d.velocity).rational();
+    // dead time and late friction leave roots without end, and each point costs a search
+    d.sampled_finely = linear_joint(joint, d.velocity).rational() && loop_kind(joint) != LoopKind::continuous;
     if (!std::isnan(d.study.velocities.low)) {
         add_demands(d, joint);
         add_least_velocities(d, joint);

@@ -44,7 +44,9 @@ DesignPoint design_point(const Joint& given, const Slice& slice)
 std::vector<Curve> chart_boundaries(const Joint& joint, const Axis& x, const Axis& y, int mesh)
 {
     std::vector<Curve> curves;
-    for (const auto theory : {Curve::Kind::velocity_only, Curve::Kind::state_variable}) {
+    std::vector<Curve::Kind> theories{Curve::Kind::velocity_only, Curve::Kind::state_variable};
+    if (loop_kind(joint) != LoopKind::ideal) theories.push_back(Curve::Kind::ideal_loop);
+    for (const auto theory : theories) {
         auto curve = locate_over_chart(joint, x, y, theory, mesh);
         if (!curve.x.empty()) curves.push_back(std::move(curve));
     }

@@ -24,7 +24,8 @@ struct MapAnswer {
 
 MapAnswer answer_map(const Joint& design, const Slice& slice);
 
-/// Both theories' boundaries over two axes, those that are met; `mesh` as in locate_over_chart.
+/// Both theories' boundaries over two axes, those that are met, and that of the paper's loop beside a real one; `mesh`
+/// as in locate_over_chart.
 std::vector<Curve> chart_boundaries(const Joint& joint, const Axis& x, const Axis& y, int mesh);
 
 /// The design as a slice shows it: the slice's axes at their design values, the others as held.

@@ -2,7 +2,7 @@
 
 #include "analysis/boundary/trace/locate.h"
 #include "analysis/stability/linear_joint.h"
-#include "analysis/stability/loop.h"
+#include "analysis/stability/real_response.h"
 #include "analysis/stability/steady.h"
 #include "sweep/study/samples.h"
 
@@ -40,13 +40,13 @@ std::size_t cut_to_shortest(RootLocus& locus)
 
 /// Gains close enough that no visible branch is drawn with corners: where two roots meet they run apart like a square
 /// root of the gain. False where no root is known.
-bool sample(RootLocus& locus, const LinearJoint& linear)
+bool sample(RootLocus& locus, const Joint& joint)
 {
-    const int rounds = linear.rational() ? 10 : 3;
-    const double step = linear.rational() ? longest : longest_late;
+    const int rounds = locus.rational ? 10 : 3;
+    const double step = locus.rational ? longest : longest_late;
     for (int round = 0;; ++round) {
-        locus.roots = root_locus(linear, locus.gains);
-        if (cut_to_shortest(locus) == 0) return false;
+        locus.roots = root_locus(joint, locus.gains);
+        if (locus.roots.empty() || cut_to_shortest(locus) == 0) return false;
         if (round == 0) locus.limit = 1.2 * reach(locus.roots);
         std::vector<double> finer{locus.gains.front()};
         for (std::size_t i = 1; i < locus.gains.size(); ++i) {
@@ -70,13 +70,13 @@ std::optional<RootLocus> sampled_root_locus(const Joint& joint, double low, doub
 {
     const auto steady = steady_sliding(joint);
     if (steady.reason != Reason::none || !(steady.velocity > 0) || !(low > 0)) return std::nullopt;
-    const LinearJoint linear = linear_joint(joint, steady.velocity);
     RootLocus locus;
-    locus.rational = linear.rational();
+    locus.rational = loop_kind(joint) == LoopKind::sampled ||
+                     (joint.control.delay == 0 && linear_joint(joint, steady.velocity).rational());
     locus.gains = log_steps(low, high, locus.rational ? locus_gains : late_gains);
-    if (!sample(locus, linear)) return std::nullopt;
+    if (!sample(locus, joint)) return std::nullopt;
     locus.own_gain = joint.control.k_p;
-    locus.own = root_locus(linear, {joint.control.k_p}).front();
+    locus.own = root_locus(joint, {joint.control.k_p}).front();
     locus.crossings = locate_on_ray(joint, "control.k_p", low, high, true, Curve::Kind::state_variable);
     return locus;
 }

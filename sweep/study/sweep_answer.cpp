@@ -2,8 +2,7 @@
 
 #include "analysis/boundary/trace/locate.h"
 #include "analysis/joint/parameters.h"
-#include "analysis/stability/joint_spectrum.h"
-#include "analysis/stability/steady.h"
+#include "analysis/stability/verdict.h"
 #include "sweep/study/evaluate.h"
 
 namespace stickslip {
@@ -16,9 +15,7 @@ std::vector<double> velocity_only_abscissa(Joint joint, const Axis& axis)
     std::vector<double> abscissa;
     for (const double value : axis.values) {
         *number = value;
-        const bool slides = steady_sliding(joint).reason == Reason::none;
-        abscissa.push_back(slides ? spectral_abscissa(velocity_only(linear_joint(joint, commanded_velocity(joint))))
-                                  : missing);
+        abscissa.push_back(velocity_only_growth_rate(joint));
     }
     return abscissa;
 }

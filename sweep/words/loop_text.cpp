@@ -1,5 +1,8 @@
 #include "sweep/words/loop_text.h"
 
+#include "analysis/joint/loop_side.h"
+#include "analysis/results/text.h"
+
 #include <algorithm>
 
 namespace stickslip {
@@ -52,6 +55,20 @@ std::string loop_text(const LoopUse& loop)
     if (!matters.empty()) text += " Left out, though it may change the verdict: " + matters + ".";
     if (!rest.empty()) text += " No part of the linear verdict: " + rest + ".";
     return text;
+}
+
+std::string side_text(const Joint& joint, bool of_record)
+{
+    const double N = reading_per_joint(joint);
+    if (N == 1) return {};
+    const auto gear = "the gear of " + plain_number(N, 4) + ":1";
+    if (of_record)
+        return "Readings, gains and efforts of a record are counted at the motor's side of " + gear +
+               "; verdicts and maps of the same file count them at the joint's, where k_{p} is " +
+               plain_number(N * N, 4) + " times as large.";
+    return "Displacement, gains and efforts are counted at the joint's side of " + gear +
+           "; a record of the same file counts them at the motor's, where k_{p} is " + plain_number(N * N, 4) +
+           " times smaller.";
 }
 
 bool leaves_out_what_matters(const LoopUse& loop)

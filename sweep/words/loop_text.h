@@ -15,6 +15,9 @@ std::string why_text(WhyNot why);
 /// A sentence with what the loop used and what it could not; empty for an ideal loop that leaves nothing out.
 std::string loop_text(const LoopUse& loop);
 
+/// At which side of a gear numbers are counted, of a record or of a verdict; empty without a gear between.
+std::string side_text(const Joint& joint, bool of_record);
+
 /// Whether something that matters was left out: such a verdict is no clean yes.
 bool leaves_out_what_matters(const LoopUse& loop);
 

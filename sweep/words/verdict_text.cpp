@@ -89,7 +89,8 @@ std::string verdict_text(const Joint& joint, const LinearVerdict& v, bool bistab
                 " × the critical gain k_{cr} = " + stiffness(memory.k_cr, motion) + ".";
     else
         text += stable_gains(joint, memory);
-    return text + other_theory(joint, v) + loop_text(v.loop);
+    const auto side = side_text(joint, false);
+    return text + other_theory(joint, v) + loop_text(v.loop) + (side.empty() ? "" : " " + side);
 }
 
 Table linear_table(const Joint& joint, const LinearVerdict& v)

@@ -16,6 +16,7 @@ namespace stickslip {
 
 double instability(const Joint& joint, Curve::Kind theory)
 {
+    if (theory == Curve::Kind::ideal_loop) return growth_rate(with_ideal_loop(joint));
     if (theory == Curve::Kind::velocity_only) {
         const auto steady = steady_sliding(joint);
         if (steady.reason != Reason::none) return missing;

@@ -80,7 +80,8 @@ const drawCurves = (pen, layer, width, height) => {
   for (const curve of layer.curves) trace(curve, 5.6, "#fefefe", []);
   // solid first: where the two coincide, both show
   for (const curve of layer.curves) if (curve.memory) trace(curve, 2.6, "#000", []);
-  for (const curve of layer.curves) if (!curve.memory) trace(curve, 2.6, "#a4006d", [9, 5]);
+  for (const curve of layer.curves) if (curve.ideal) trace(curve, 2.2, "#00506e", [1.5, 4]);
+  for (const curve of layer.curves) if (!curve.memory && !curve.ideal) trace(curve, 2.6, "#a4006d", [9, 5]);
 };
 
 const paintLayer = (chart, canvas, layer) => {

@@ -1,5 +1,6 @@
 #include "sweep/files/json/diagnosis_json.h"
 
+#include "analysis/joint/loop_side.h"
 #include "analysis/stability/verdict.h"
 #include "sweep/files/json/verdict_json.h"
 #include "sweep/words/diagnosis_text.h"
@@ -101,15 +102,21 @@ void add_ladder(const Diagnosis& d, Json& json)
 
 Json boundary_json(const Joint& given, double speed)
 {
-    Joint joint = given;
+    Joint joint = with_loop_at_joint(given);
     if (!is_set(joint.control.V0) && !is_set(joint.control.force_rate)) joint.control.V0 = 0.1 * speed;
     try {
         const auto verdict = linear_verdict(joint);
+        // as the drive counts them, which reads and pushes at the encoder's side of a gear
+        const double unit = given.control.k_p > 0 ? joint.control.k_p / given.control.k_p : 1;
+        Json stable = Json::array();
+        for (const auto& i : verdict.state_variable.stable_intervals)
+            stable.push_back({json_number(i.low / unit), json_number(i.high / unit)});
         return {{"V0", json_number(joint.control.V0)},
-                {"velocity_only_k_v_min", json_number(verdict.velocity_only.k_v_min)},
+                {"velocity_only_k_v_min", json_number(verdict.velocity_only.k_v_min / unit)},
                 {"state_variable_stable", verdict.state_variable.stable},
                 {"spectral_abscissa", json_number(verdict.state_variable.spectral_abscissa)},
-                {"k_cr", json_number(verdict.state_variable.k_cr)}};
+                {"stable_k_p", stable},
+                {"k_cr", json_number(verdict.state_variable.k_cr / unit)}};
     } catch (const std::exception& e) {
         return {{"reason", e.what()}};
     }

@@ -1,5 +1,6 @@
 #include "sweep/files/json/study_json.h"
 
+#include "analysis/stability/real_response.h"
 #include "analysis/stability/steady.h"
 
 #include "sweep/words/verdict_text.h"
@@ -91,16 +92,25 @@ Json mix_reason(const LinearStudy& s)
 
 Json comparison_json(const Comparison& c)
 {
-    return {
-        {"k_v_demanded",
-         {{"velocity_only", json_number(c.k_v_demanded_velocity_only())},
-          {"state_variable", json_number(c.k_v_demanded_memory())}}},
-        {"stable_k_v",
-         {{"velocity_only", intervals_json(c.k_v_velocity_only)}, {"state_variable", intervals_json(c.k_v_memory)}}},
-        {"stable_k_p",
-         {{"velocity_only", intervals_json(c.k_p_velocity_only)}, {"state_variable", intervals_json(c.k_p_memory)}}},
-        {"forbidden_needlessly_k_p", intervals_json(c.forbidden_needlessly)},
-        {"allowed_wrongly_k_p", intervals_json(c.allowed_wrongly)}};
+    const auto sets = [&](const std::vector<Interval>& list) { return c.known ? intervals_json(list) : Json(nullptr); };
+    return {{"k_v_demanded",
+             {{"velocity_only", json_number(c.k_v_demanded_velocity_only())},
+              {"state_variable", json_number(c.k_v_demanded_memory())}}},
+            {"stable_k_v", {{"velocity_only", sets(c.k_v_velocity_only)}, {"state_variable", sets(c.k_v_memory)}}},
+            {"stable_k_p", {{"velocity_only", sets(c.k_p_velocity_only)}, {"state_variable", sets(c.k_p_memory)}}},
+            {"forbidden_needlessly_k_p", sets(c.forbidden_needlessly)},
+            {"allowed_wrongly_k_p", sets(c.allowed_wrongly)},
+            {"reason",
+             c.known ? Json(nullptr) : Json("this loop has not both k_p and k_v as gains that can be turned alone")}};
+}
+
+/// Why there is no answer to a steady sine.
+Json response_reason(const LinearStudy& s)
+{
+    if (std::isinf(s.peak.magnitude)) return "sliding is neutral: the answer to a sine at peak_omega grows without end";
+    if (!std::isnan(s.peak.magnitude)) return nullptr;
+    if (std::isnan(s.compliance)) return "the linear theory has no response of this loop with this friction";
+    return "sliding is not stable: a steady sine has no steady answer";
 }
 
 /// Why there is no error of a reduction; nothing where there is one.
@@ -138,11 +148,13 @@ Json reduction_json(const ReductionStudy& r)
 /// Two decades to either side of the joint's own gain, in twelve steps a decade.
 Json locus_json(const Joint& joint)
 {
-    const auto linear = linear_joint(joint, commanded_velocity(joint));
-    const int steps = linear.rational() ? 48 : 8;  // where roots have no end, each gain costs a search
+    const bool finite = loop_kind(joint) == LoopKind::sampled ||
+                        (joint.control.delay == 0 && linear_joint(joint, commanded_velocity(joint)).rational());
+    const int steps = finite ? 48 : 8;  // where roots have no end, each gain costs a search
     std::vector<double> gains;
     for (int i = 0; i <= steps; ++i) gains.push_back(joint.control.k_p * std::pow(10, 4.0 * i / steps - 2));
-    const auto rows = root_locus(linear, gains);
+    const auto rows = root_locus(joint, gains);
+    if (rows.empty()) return Json::array();
     Json json = Json::array();
     for (std::size_t i = 0; i < gains.size(); ++i) {
         Json roots = Json::array();
@@ -157,14 +169,10 @@ Json locus_json(const Joint& joint)
 Json study_json(const Joint& joint, const LinearStudy& s)
 {
     Json json;
-    json["response"] = {
-        {"at_rest", json_number(s.compliance)},
-        {"peak", json_number(s.peak.magnitude)},
-        {"peak_omega", json_number(s.peak.omega)},
-        {"reason", std::isnan(s.peak.magnitude) ? Json("sliding is not stable: a steady sine has no steady answer")
-                   : std::isinf(s.peak.magnitude)
-                       ? Json("sliding is neutral: the answer to a sine at peak_omega grows without end")
-                       : Json(nullptr)}};
+    json["response"] = {{"at_rest", json_number(s.compliance)},
+                        {"peak", json_number(s.peak.magnitude)},
+                        {"peak_omega", json_number(s.peak.omega)},
+                        {"reason", response_reason(s)}};
     json["margins"] = {{"gain_below", json_number(s.margins.gain_below)},
                        {"gain_above", json_number(s.margins.gain_above)},
                        {"phase", json_number(s.margins.phase)},

@@ -125,7 +125,9 @@ Requirements read_requirements(const std::filesystem::path& file, const Joint& j
     r.noise.period = joint.control.period;
     r.noise.filter = joint.control.velocity_estimate.tau;
     r.noise.average = joint.control.velocity_estimate.average;
-    r.effort_limit = std::min(joint.control.effort_limit, joint.actuator.limit);
+    r.effort_limit = joint.actuator.limit;
+    if (joint.actuator.kind == ActuatorKind::effort)  // the controller's own limit is one of its signal
+        r.effort_limit = std::min(r.effort_limit, joint.control.effort_limit * std::abs(joint.actuator.effort_gain));
     const auto explain = [](const std::string& path, const std::vector<std::string>& siblings) {
         return "unknown key, allowed here are " + files::listed(siblings) +
                files::did_you_mean(path.substr(path.rfind('.') + 1), siblings);

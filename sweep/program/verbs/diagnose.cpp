@@ -17,6 +17,7 @@
 #include "sweep/report/pages/write_report.h"
 #include "sweep/words/diagnosis_tables.h"
 #include "sweep/words/diagnosis_text.h"
+#include "sweep/words/loop_text.h"
 
 #include <fmt/format.h>
 #include <optional>
@@ -228,6 +229,7 @@ int diagnose(const Options& options, const Invocation& invocation)
     }();
     Diagnosis& d = result.diagnosis;
     d.notes.insert(d.notes.begin(), warnings.begin(), warnings.end());
+    if (const auto side = side_text(joint, true); !side.empty()) d.notes.push_back(plain_text(side));
 
     remove_earlier(directory);
     const auto json = diagnosis_json(d, joint, result.after);

@@ -16,6 +16,7 @@
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/trajectory_report.h"
 #include "sweep/report/pages/write_report.h"
+#include "sweep/words/loop_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
@@ -107,6 +108,7 @@ int record_joint(const Options& options)
     const auto record = record_along(joint, reference, options.surroundings.force.seed, options.tolerance);
     if (record.time.empty()) throw BadInput(options.joint + ": cannot follow a reference: " + std::string(record.why));
     fmt::print("record:     {}\n", write_record(record, options.directory).string());
+    if (const auto side = side_text(joint, true); !side.empty()) fmt::print("{}\n", plain_text(side));
     tell_measures(measure_motion(record.time, record.reference_position, record.position), joint.mechanism.motion,
                   options.directory);
     if (record.reason == Reason::none) return exit_done;

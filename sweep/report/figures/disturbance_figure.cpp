@@ -1,9 +1,7 @@
 #include "sweep/report/figures/disturbance_figure.h"
 
 #include "analysis/results/text.h"
-#include "analysis/stability/joint_spectrum.h"
-#include "analysis/stability/loop.h"
-#include "analysis/stability/steady.h"
+#include "analysis/stability/real_response.h"
 #include "sweep/files/text/series_file.h"
 #include "sweep/words/line_figure.h"
 
@@ -17,10 +15,10 @@ namespace {
 constexpr int samples = sampled_disturbance;
 
 /// Ten times what the slowest mode needs to change by e, but no more than two hundred of its turns.
-double shown_duration(const LinearJoint& joint)
+double shown_duration(const std::vector<std::complex<double>>& roots)
 {
     double longest = 0;
-    for (const auto& s : spectrum(joint)) {
+    for (const auto& s : roots) {
         if (std::abs(s) == 0) continue;
         const double settled = 10 / std::abs(s.real()), turns = 200 * 2 * std::numbers::pi / std::abs(s);
         longest = std::max(longest, std::min(settled, turns));
@@ -56,19 +54,21 @@ bool is_force_file(const AskedDisturbance& asked)
     return true;
 }
 
-DisturbedMotion disturbed_motion(const Joint& joint, const AskedDisturbance& asked)
+std::optional<DisturbedMotion> disturbed_motion(const Joint& joint, const AskedDisturbance& asked)
 {
-    const auto linear = linear_joint(joint, commanded_velocity(joint));
+    const auto memory = LoopResponse::of(joint, Theory::state_variable);
+    const auto simple = LoopResponse::of(joint, Theory::velocity_only);
+    if (!memory || !simple) return std::nullopt;
     double duration = is_set(asked.duration) ? asked.duration
                       : is_force_file(asked) ? force_record(asked, joint.mechanism.motion).duration()
-                                             : shown_duration(linear);
-    const auto peak = response_peak(linear);
+                                             : shown_duration(memory->roots());
+    const auto peak = memory->peak();
     const double omega = is_set(asked.omega) ? asked.omega : peak.omega > 0 ? peak.omega : 20 / duration;
     if (!is_set(asked.duration) && asked.kind == "sine") duration = std::max(duration, 12 * std::numbers::pi / omega);
     DisturbedMotion motion;
     motion.force = force_of(asked, duration, omega, joint.mechanism.motion);
-    motion.memory = forced_response(linear, motion.force);
-    motion.velocity_only = forced_response(velocity_only(linear), motion.force);
+    motion.memory = memory->forced(motion.force);
+    motion.velocity_only = simple->forced(motion.force);
     const auto& x = motion.memory.position;
     const auto largest =
         std::max_element(x.begin(), x.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });

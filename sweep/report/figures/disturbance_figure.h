@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace stickslip {
@@ -29,9 +30,9 @@ inline constexpr int sampled_disturbance = 4000;  ///< samples of a force or a l
 /// Whether `kind` is none of the names.
 bool is_force_file(const AskedDisturbance& asked);
 
-/// Not set: a duration that shows the slowest mode or the whole file, a sine at the peak of |X/D|. Throws BadInput for
-/// a file that cannot be read.
-DisturbedMotion disturbed_motion(const Joint& joint, const AskedDisturbance& asked);
+/// Nothing where the linear theory has no response of the loop. Not set: a duration that shows the slowest mode or the
+/// whole file, a sine at the peak of |X/D|. Throws BadInput for a file that cannot be read.
+std::optional<DisturbedMotion> disturbed_motion(const Joint& joint, const AskedDisturbance& asked);
 
 Figure disturbance_figure(const Joint& joint, const AskedDisturbance& asked, const DisturbedMotion& motion);
 

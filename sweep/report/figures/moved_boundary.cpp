@@ -1,9 +1,11 @@
 #include "sweep/report/figures/moved_boundary.h"
 
+#include "analysis/joint/loop_side.h"
 #include "analysis/results/text.h"
 #include "analysis/stability/verdict.h"
 #include "sweep/words/line_figure.h"
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 
@@ -12,47 +14,55 @@ namespace {
 
 struct Guarded {
     LinearVerdict verdict;
-    std::string reason;  ///< why there is none
+    std::vector<Interval> gains;  ///< stable k_p as the drive counts it
+    std::string reason;           ///< why there is none
     bool known() const { return reason.empty(); }
 };
 
-Guarded verdict_at(Joint joint, double velocity)
+Guarded verdict_at(const Joint& joint, double velocity)
 {
-    joint.control.V0 = velocity;
-    joint.control.force_rate = not_set;
+    Joint there = with_loop_at_joint(joint);
+    there.control.V0 = velocity;
+    there.control.force_rate = not_set;
     Guarded g;
     try {
-        g.verdict = linear_verdict(joint);
+        g.verdict = linear_verdict(there);
         const auto& v = g.verdict.state_variable;
         if (std::isnan(v.spectral_abscissa)) g.reason = "no steady sliding at this velocity";
+        const double unit = there.control.k_p / joint.control.k_p;
+        for (const auto& i : v.stable_intervals) g.gains.push_back({i.low / unit, i.high / unit});
     } catch (const std::exception& e) {
         g.reason = e.what();
     }
     return g;
 }
 
-/// What small disturbances do where no gain is critical.
-std::string always_text(const Guarded& g)
-{
-    return g.verdict.state_variable.stable ? "small disturbances always decay" : "they always grow";
-}
-
 std::string gain_text(const Guarded& g, Motion motion)
 {
     if (!g.known()) return "no verdict: " + g.reason;
-    const auto& v = g.verdict.state_variable;
-    return std::isfinite(v.k_cr) ? with_unit(v.k_cr, Quantity::stiffness, motion) : "none: " + always_text(g);
+    return g.gains.empty() ? "none" : intervals_text(g.gains, Quantity::stiffness, motion);
 }
 
-LineChart::Line critical_gains(const Joint& joint, const std::vector<double>& velocities, std::string name, bool dashed)
+/// Both ends of the window that holds the joint's own gain, or else of the first.
+struct Window {
+    LineChart::Line low, high;
+};
+
+Window windows(const Joint& joint, const std::vector<double>& velocities, const std::string& name, bool dashed)
 {
-    LineChart::Line line{std::move(name), {}, {}, dashed};
+    Window window{{name, {}, {}, dashed}, {name + ", upper end", {}, {}, dashed}};
     for (const double V : velocities) {
         const auto g = verdict_at(joint, V);
-        const double k = g.known() ? g.verdict.state_variable.k_cr : not_set;
-        line.x.push_back(V), line.y.push_back(std::isfinite(k) && k > 0 ? k : not_set);
+        const auto own = std::find_if(g.gains.begin(), g.gains.end(), [&](const Interval& i) {
+            return i.low < joint.control.k_p && joint.control.k_p < i.high;
+        });
+        const auto shown = own != g.gains.end() ? own : g.gains.begin();
+        const bool none = !g.known() || g.gains.empty();
+        window.low.x.push_back(V), window.high.x.push_back(V);
+        window.low.y.push_back(none || !(shown->low > 0) ? missing : shown->low);
+        window.high.y.push_back(none || !std::isfinite(shown->high) ? missing : shown->high);
     }
-    return line;
+    return window;
 }
 
 bool any(const LineChart::Line& line)
@@ -74,7 +84,7 @@ MovedBoundary moved_boundary(const Joint& before, const Joint& after, double spe
     }
     const auto one = verdict_at(before, speed), two = verdict_at(after, speed);
     moved.table = {"At V_{0} = " + with_unit(speed, Quantity::velocity, motion), {"", "nominal joint", with}, {}};
-    moved.table.rows.push_back({"critical position gain k_{cr}", gain_text(one, motion), gain_text(two, motion)});
+    moved.table.rows.push_back({"stable position gains k_{p}", gain_text(one, motion), gain_text(two, motion)});
     const auto row = [&](const char* name, auto number) {
         moved.table.rows.push_back({name, one.known() ? number(one.verdict) : std::string("–"),
                                     two.known() ? number(two.verdict) : std::string("–")});
@@ -87,38 +97,40 @@ MovedBoundary moved_boundary(const Joint& before, const Joint& after, double spe
         [](const LinearVerdict& v) { return std::string(v.state_variable.stable ? "slides" : "sticks and slips"); });
 
     const auto velocities = log_steps(0.01 * speed, 2 * speed, 41);
-    auto nominal = critical_gains(before, velocities, "nominal joint", true);
-    auto cause = critical_gains(after, velocities, with, false);
-    const bool drawn = any(nominal) || any(cause);
-    const double k = one.known() ? one.verdict.state_variable.k_cr : not_set;
-    const double k_after = two.known() ? two.verdict.state_variable.k_cr : not_set;
+    const auto nominal = windows(before, velocities, "nominal joint", true);
+    const auto cause = windows(after, velocities, with, false);
+    const auto lines = {&nominal.low, &nominal.high, &cause.low, &cause.high};
+    const bool drawn = std::any_of(lines.begin(), lines.end(), [](const auto* line) { return any(*line); });
+    const auto alike = [&] {
+        constexpr double same = 1e-9;
+        const auto close = [](double a, double b) { return a == b || std::abs(a / b - 1) < same; };
+        return std::equal(
+            one.gains.begin(), one.gains.end(), two.gains.begin(), two.gains.end(),
+            [&](const Interval& a, const Interval& b) { return close(a.low, b.low) && close(a.high, b.high); });
+    };
     if (!one.known() || !two.known())
         moved.sentence = "The linear theory has no verdict for " +
                          std::string(one.known() ? "the joint " + with : "the nominal joint") + ".";
-    else if (std::isfinite(k) && std::isfinite(k_after))
-        moved.sentence = std::abs(k_after / k - 1) < 1e-9
-                             ? "The cause does not act in this theory: the critical gain stays where it was."
-                             : "The critical position gain moves from " + with_unit(k, Quantity::stiffness, motion) +
-                                   " to " + with_unit(k_after, Quantity::stiffness, motion) + ".";
-    else if (std::isfinite(k_after))
-        moved.sentence = "The nominal joint has no critical gain; " + with + " it has one, " +
-                         with_unit(k_after, Quantity::stiffness, motion) + ".";
-    else if (std::isfinite(k))
-        moved.sentence = "The critical gain of the nominal joint, " + with_unit(k, Quantity::stiffness, motion) +
-                         ", is no longer one " + with + ": " + always_text(two) + ".";
+    else if (alike())
+        moved.sentence = "The cause does not act in this theory: the stable gains stay where they were, " +
+                         gain_text(one, motion) + ".";
     else
-        moved.sentence = "No position gain is critical at this velocity, neither before nor after.";
+        moved.sentence = "The stable position gains move from " + gain_text(one, motion) + " to " +
+                         gain_text(two, motion) + "; the joint's own, " +
+                         with_unit(before.control.k_p, Quantity::stiffness, motion) + ", " +
+                         (two.verdict.state_variable.stable ? "slides" : "sticks and slips") + " " + with + ".";
     if (!drawn) return moved;
     LineChart chart;
     chart.title = "The boundary moves";
     chart.x_label = axis_label("commanded velocity V_{0}", Quantity::velocity, motion);
-    chart.y_label = axis_label("critical position gain k_{cr}", Quantity::stiffness, motion);
+    chart.y_label = axis_label("position gain k_{p}", Quantity::stiffness, motion);
     chart.x_log = chart.y_log = true;
-    for (auto* line : {&nominal, &cause})
+    for (const auto* line : lines)
         if (any(*line)) chart.lines.push_back({line->name, line->x, line->y, line->dashed});
     moved.figures.push_back(line_figure("moved-boundary", std::move(chart), moved.sentence,
-                                        "Gains on one side of a curve slide, on the other they stick and slip; where a "
-                                        "curve is missing, no gain is critical."));
+                                        "Between the ends of a window gains slide, outside they stick and slip or "
+                                        "oscillate; where a curve is missing, the window has no such end. Gains as the "
+                                        "drive counts them."));
     return moved;
 }
 

@@ -1,4 +1,4 @@
-// What a cause does to the stability map: the critical gain without and with it. Shared by the pages of a diagnosis.
+// What a cause does to the stability map: the stable gains without and with it. Shared by the pages of a diagnosis.
 #pragma once
 #include "analysis/joint/joint.h"
 #include "analysis/results/report.h"
@@ -9,7 +9,7 @@ namespace stickslip {
 
 struct MovedBoundary {
     Table table;
-    std::vector<Figure> figures;  ///< k_cr over V_0 for both joints, where either has one
+    std::vector<Figure> figures;  ///< ends of stable k_p over V_0 for both joints, where either has one
     std::string sentence;         ///< what happens to the safe gains
 };
 

@@ -63,14 +63,15 @@ Table comparison_table(const Joint& joint, const LinearStudy& study)
     Table table;
     table.title = "What each theory demands of this joint";
     table.columns = {"", "velocity alone", "with memory"};
-    table.rows = {{"velocity gain asked for at this k_{p}", demanded_text(c.k_v_velocity_only, words.motion),
-                   demanded_text(c.k_v_memory, words.motion)},
-                  {"stable k_{v} at this k_{p}", words.gains(c.k_v_velocity_only, Quantity::damping),
-                   words.gains(c.k_v_memory, Quantity::damping)},
-                  {"stable k_{p} at this k_{v}", words.gains(c.k_p_velocity_only, Quantity::stiffness),
-                   words.gains(c.k_p_memory, Quantity::stiffness)},
-                  {"k_{p} that only this theory allows", words.gains(c.allowed_wrongly, Quantity::stiffness),
-                   words.gains(c.forbidden_needlessly, Quantity::stiffness)}};
+    if (c.known)
+        table.rows = {{"velocity gain asked for at this k_{p}", demanded_text(c.k_v_velocity_only, words.motion),
+                       demanded_text(c.k_v_memory, words.motion)},
+                      {"stable k_{v} at this k_{p}", words.gains(c.k_v_velocity_only, Quantity::damping),
+                       words.gains(c.k_v_memory, Quantity::damping)},
+                      {"stable k_{p} at this k_{v}", words.gains(c.k_p_velocity_only, Quantity::stiffness),
+                       words.gains(c.k_p_memory, Quantity::stiffness)},
+                      {"k_{p} that only this theory allows", words.gains(c.allowed_wrongly, Quantity::stiffness),
+                       words.gains(c.forbidden_needlessly, Quantity::stiffness)}};
     if (!std::isnan(study.velocities.low)) {
         table.rows.push_back({"least stable velocity", words.velocity(study.velocity_only.least),
                               words.velocity(study.state_variable.least)});
@@ -119,8 +120,10 @@ Section comparison_section(const Joint& joint, const LinearDetails& details)
     const auto& study = details.study;
     const Words words{joint.mechanism.motion};
     Section section{"comparison", "Velocity alone against memory", comparison_words(study.comparison, words), {}, {}};
+    if (!study.comparison.known)
+        section.text += " This loop has not both k_{p} and k_{v} as gains that can be turned alone.";
     if (!std::isnan(study.velocities.low)) {
-        section.figures.push_back(demand_figure(joint, details));
+        if (study.comparison.known) section.figures.push_back(demand_figure(joint, details));
         auto slowest = vmin_figure(joint, details);
         if (!std::get<LineChart>(slowest.picture).lines.empty()) section.figures.push_back(std::move(slowest));
     }

@@ -233,13 +233,14 @@ Report diagnosis_report(const Diagnosis& d, const Joint& before, const Joint& af
         constexpr double slow_part = 0.1;  // where stick-slip is to be feared
         auto moved = moved_boundary(before, after, given ? before.control.V0 : slow_part * d.usual_speed,
                                     "with " + together(d.effects[0].names));
-        Section boundary{"boundary",
-                         "What it does to the stability map",
-                         moved.sentence +
-                             " Friction, inertia and gains move the boundary; delays, sampling and what "
-                             "depends on place or time are not in this theory.",
-                         std::move(moved.figures),
-                         {}};
+        Section boundary{
+            "boundary",
+            "What it does to the stability map",
+            moved.sentence +
+                " Friction, inertia, gains, delays, filters and sampling move the boundary; limits and what "
+                "depends on place or time are not in this theory.",
+            std::move(moved.figures),
+            {}};
         if (!moved.table.rows.empty()) boundary.tables.push_back(std::move(moved.table));
         r.sections.push_back(std::move(boundary));
     }

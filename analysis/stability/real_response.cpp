@@ -1,0 +1,191 @@
+#include "analysis/stability/real_response.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include "analysis/stability/joint_spectrum.h"
+#include "analysis/stability/steady.h"
+
+namespace stickslip {
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr int past_nodes = 24;  ///< over the dead time, in which what is drawn turns less than they resolve
+
+/// ln(z)/T. A multiplier of 0 forgets at once: its root is as far left as any number of digits can tell.
+std::vector<Complex> rates(const std::vector<Complex>& multipliers, double period)
+{
+    constexpr double nothing = 1e-300;
+    std::vector<Complex> roots;
+    for (const Complex& z : multipliers) roots.push_back(std::log(std::abs(z) > nothing ? z : nothing) / period);
+    return roots;
+}
+
+std::vector<Complex> roots_of(const RealLoop& loop, double gain)
+{
+    if (const auto* sampled = std::get_if<DiscreteLoop>(&loop.loop))
+        return rates(multipliers(*sampled, gain), sampled->period);
+    return roots(std::get<LateLoop>(loop.loop), gain);
+}
+
+}  // namespace
+
+std::optional<LoopResponse> LoopResponse::of(const Joint& joint, Theory theory)
+{
+    const auto steady = steady_sliding(joint);
+    if (steady.reason != Reason::none) return std::nullopt;
+    const bool ideal = loop_kind(joint) == LoopKind::ideal;
+    const double velocity = ideal ? steady.velocity : sliding_velocity(joint, steady.velocity);
+    LoopResponse answer;
+    answer.linear_ = linear_joint(joint, velocity);
+    const auto& linear = answer.linear_;
+    if (theory == Theory::velocity_only) answer.linear_ = velocity_only(std::move(answer.linear_));
+    if (ideal) {
+        answer.roots_ = spectrum(linear);
+        return answer;
+    }
+    answer.loop_ = real_loop(joint, linear, velocity, TurnedGain::all);
+    if (!answer.loop_) return std::nullopt;
+    answer.roots_ = roots_of(*answer.loop_, answer.loop_->gain);
+    if (const auto* sampled = std::get_if<DiscreteLoop>(&answer.loop_->loop)) answer.period_ = sampled->period;
+    answer.plant_ = loop_plant(joint, linear, velocity);
+    answer.speed_ = linear.bodies + linear.link();
+    const Eigen::VectorXd pushed = rates_per_force(linear, linear.link());
+    answer.pushed_ = Eigen::VectorXd::Zero(answer.plant_.A.rows());
+    answer.pushed_.head(pushed.size()) = pushed;
+    return answer;
+}
+
+Complex LoopResponse::at(double omega) const
+{
+    if (!loop_) return disturbance_response(linear_, {0, omega});
+    const Complex s(0, omega);
+    const auto n = plant_.A.rows();
+    if (const auto* late = std::get_if<LateLoop>(&loop_->loop)) {
+        Eigen::VectorXcd d = Eigen::VectorXcd::Zero(late->A.rows());
+        d.head(n) = pushed_.cast<Complex>();
+        return closed(omega, d)[linear_.link()];
+    }
+    const auto& sampled = std::get<DiscreteLoop>(loop_->loop);
+    // ∫ e^{A(T−t)} e^{iωt} dt d; for slow sines by the integral of the exponential alone, as (iω − A) may be singular
+    Eigen::MatrixXcd shifted = plant_.A.cast<Complex>();
+    shifted.diagonal().array() -= s;
+    Eigen::MatrixXcd wide = Eigen::MatrixXcd::Zero(n + 1, n + 1);
+    wide.topLeftCorner(n, n) = shifted * period_;
+    wide.col(n).head(n) = pushed_.cast<Complex>() * period_;
+    const Eigen::VectorXcd held = std::exp(s * period_) * wide.exp().col(n).head(n);
+    Eigen::VectorXcd d = Eigen::VectorXcd::Zero(sampled.difference.rows());
+    d.head(n) = held;
+    return closed(omega, d)[linear_.link()];
+}
+
+Eigen::VectorXcd LoopResponse::closed(double omega, const Eigen::VectorXcd& input) const
+{
+    Eigen::MatrixXcd Z;
+    if (const auto* late = std::get_if<LateLoop>(&loop_->loop)) {
+        const Complex s(0, omega);
+        Z = -late->A.cast<Complex>();
+        Z.diagonal().array() += s;
+        Z -= late->input * ((late->held - loop_->gain * late->output) * std::exp(-s * late->delay));
+    } else {
+        Z = -std::get<DiscreteLoop>(loop_->loop).closed(loop_->gain).cast<Complex>();
+        // e^{iωT} − 1 with its digits
+        Z.diagonal().array() += Complex(-2 * std::pow(std::sin(omega * period_ / 2), 2), std::sin(omega * period_));
+    }
+    return Z.partialPivLu().solve(input);
+}
+
+Complex LoopResponse::by_command(double omega) const
+{
+    if (const auto* late = std::get_if<LateLoop>(&loop_->loop))
+        return std::exp(Complex(0, -omega * late->delay)) * closed(omega, late->input.cast<Complex>())[linear_.link()];
+    return closed(omega, std::get<DiscreteLoop>(loop_->loop).input.cast<Complex>())[linear_.link()];
+}
+
+Complex LoopResponse::sensitivity(double omega) const
+{
+    if (const auto* late = std::get_if<LateLoop>(&loop_->loop)) {
+        const Eigen::RowVectorXd command = late->held - loop_->gain * late->output;
+        return 1.0 + std::exp(Complex(0, -omega * late->delay)) *
+                         (command.cast<Complex>() * closed(omega, late->input.cast<Complex>()))[0];
+    }
+    const auto& sampled = std::get<DiscreteLoop>(loop_->loop);
+    return 1.0 - loop_->gain * (sampled.output.cast<Complex>() * closed(omega, sampled.input.cast<Complex>()))[0];
+}
+
+ResponsePeak LoopResponse::peak(int points) const
+{
+    if (!loop_) return response_peak(linear_, points);
+    if (!(growth(*loop_) <= 0)) return {missing, missing};
+    const double highest = period_ > 0 ? std::numbers::pi / period_ : infinity;
+    return response_peak([this](double omega) { return std::abs(at(omega)); }, roots_, points, highest);
+}
+
+ForcedResponse LoopResponse::forced(const SampledForce& force) const
+{
+    if (!loop_) return forced_response(linear_, force);
+    return period_ > 0 ? ticks(force) : continuous(force);
+}
+
+ForcedResponse LoopResponse::ticks(const SampledForce& force) const
+{
+    const auto& sampled = std::get<DiscreteLoop>(loop_->loop);
+    const auto n = plant_.A.rows();
+    const Eigen::VectorXd held = integral_of_exponential(plant_.A, period_) * pushed_;
+    const Eigen::MatrixXd change = sampled.closed(loop_->gain);
+    Eigen::VectorXd X = Eigen::VectorXd::Zero(change.rows());
+    X.head(n) = force.impulse * pushed_;
+    ForcedResponse response;
+    const double end = force.step * static_cast<double>(force.value.size());
+    for (std::size_t tick = 0;; ++tick) {
+        const double t = static_cast<double>(tick) * period_;
+        response.time.push_back(t);
+        response.position.push_back(X[linear_.link()]);
+        response.velocity.push_back(X[speed_]);
+        if (t >= end) return response;
+        const auto at = std::min(force.value.size() - 1, static_cast<std::size_t>(t / force.step));
+        X += (change * X).eval();
+        X.head(n) += force.value[at] * held;
+    }
+}
+
+ForcedResponse LoopResponse::continuous(const SampledForce& force) const
+{
+    const auto& late = std::get<LateLoop>(loop_->loop);
+    const Eigen::MatrixXd A = late_matrix(late, loop_->gain, past_nodes);
+    const Eigen::MatrixXd sum = integral_of_exponential(A, force.step);
+    Eigen::VectorXd pushed = Eigen::VectorXd::Zero(A.rows());
+    pushed.head(pushed_.size()) = pushed_;
+    Eigen::VectorXd y = force.impulse * pushed;
+    ForcedResponse response;
+    const auto keep = [&](double t) {
+        response.time.push_back(t);
+        response.position.push_back(y[linear_.link()]);
+        response.velocity.push_back(y[speed_]);
+    };
+    keep(0);
+    for (std::size_t i = 0; i < force.value.size(); ++i) {
+        y += sum * (A * y + force.value[i] * pushed);
+        keep(force.step * static_cast<double>(i + 1));
+    }
+    return response;
+}
+
+std::vector<std::vector<Complex>> root_locus(const Joint& joint, const std::vector<double>& gains)
+{
+    const double commanded = commanded_velocity(joint);
+    if (loop_kind(joint) == LoopKind::ideal) return root_locus(linear_joint(joint, commanded), gains);
+    const double velocity = sliding_velocity(joint, commanded);
+    const auto loop = real_loop(joint, linear_joint(joint, velocity), velocity, TurnedGain::k_p);
+    if (!loop || joint.control.structure == Structure::cascade) return {};
+    std::vector<std::vector<Complex>> rows;
+    for (const double k_p : gains) rows.push_back(roots_of(*loop, k_p));
+    follow_branches(rows);
+    return rows;
+}
+
+}  // namespace stickslip

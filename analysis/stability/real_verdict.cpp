@@ -1,0 +1,143 @@
+#include "analysis/stability/real_loop.h"
+
+#include "analysis/stability/steady.h"
+
+namespace stickslip {
+namespace {
+
+using Complex = std::complex<double>;
+
+std::uint8_t code_of(double growth)
+{
+    return growth < 0 ? 1 : growth == 0 ? verdict_neutral : 0;
+}
+
+}  // namespace
+
+double sliding_velocity(const Joint& joint, double commanded)
+{
+    return commanded / joint.sensor.position_scale;
+}
+
+CommandMargins real_margins(const Joint& joint, double commanded)
+{
+    const double velocity = sliding_velocity(joint, commanded);
+    const auto loop = real_loop(joint, linear_joint(joint, velocity), velocity, TurnedGain::all);
+    if (!loop) return {};
+    if (const auto* sampled = std::get_if<DiscreteLoop>(&loop->loop)) return command_margins(*sampled);
+    return command_margins(std::get<LateLoop>(loop->loop));
+}
+
+void add_margins(const Joint& joint, LinearVerdict& verdict)
+{
+    if (verdict.steady.reason != Reason::none || joint.control.kind != ControlKind::position) return;
+    if (!std::isnan(verdict.state_variable.phase_margin_deg)) return;
+    const auto margins = real_margins(joint, verdict.steady.velocity);
+    verdict.state_variable.gain_margin_db = margins.gain_db;
+    verdict.state_variable.phase_margin_deg = margins.phase_deg;
+}
+
+double real_growth(const Joint& joint, double commanded, bool velocity_only_friction)
+{
+    const double velocity = sliding_velocity(joint, commanded);
+    auto linear = linear_joint(joint, velocity);
+    if (velocity_only_friction) linear = velocity_only(std::move(linear));
+    const auto loop = real_loop(joint, linear, velocity, TurnedGain::all);
+    return loop ? growth(*loop) : missing;
+}
+
+PointResult real_point(const Joint& joint, double commanded)
+{
+    const double velocity = sliding_velocity(joint, commanded);
+    PointResult point;
+    const auto linear = linear_joint(joint, velocity);
+    const auto loop = real_loop(joint, linear, velocity, TurnedGain::all);
+    if (!loop) {
+        point.reason = linear.rational() ? Reason::not_finite : Reason::unsupported;
+        return point;
+    }
+    point.spectral_abscissa = growth(*loop);
+    if (!std::isfinite(point.spectral_abscissa)) {
+        point.reason = Reason::not_finite;
+        return point;
+    }
+    const auto simple = real_loop(joint, velocity_only(linear), velocity, TurnedGain::all);
+    const double simply = simple ? growth(*simple) : missing;
+    point.velocity_only_stable = std::isfinite(simply) ? code_of(simply) : verdict_missing;
+    point.state_variable_stable = code_of(point.spectral_abscissa);
+    if (point.state_variable_stable == verdict_neutral)
+        point.region = Region::neutral;
+    else if (point.state_variable_stable == 1)
+        point.region = point.velocity_only_stable == 1 ? Region::stable : Region::memory_only;
+    else
+        point.region = point.velocity_only_stable == 1 ? Region::velocity_only : Region::unstable;
+    const auto* late = std::get_if<LateLoop>(&loop->loop);
+    if (!late || late->delay > 0) return point;
+    if (const auto turned = real_loop(joint, linear, velocity, TurnedGain::k_p)) {
+        const auto gains = turned_gains(*turned);
+        point.k_cr = gains.k_cr, point.omega = gains.omega;
+    }
+    return point;
+}
+
+LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
+{
+    const double V = sliding_velocity(joint, verdict.steady.velocity);
+    const auto linear = linear_joint(joint, V);
+    auto& simple = verdict.velocity_only;
+    auto& memory = verdict.state_variable;
+    simple.slope = memory.f_v = memory.kernel_integral = 0;
+    for (int i = 0; i < linear.bodies; ++i) {
+        simple.slope += steady_slope(linear.friction[i]);
+        memory.f_v += linear.friction[i].f_v;
+        memory.kernel_integral += kernel_integral(linear.friction[i]);
+    }
+    const auto all = real_loop(joint, linear, V, TurnedGain::all);
+    if (!all) {
+        verdict.steady.reason = linear.rational() ? Reason::not_finite : Reason::unsupported;
+        return verdict;
+    }
+    memory.spectral_abscissa = growth(*all);
+    if (!std::isfinite(memory.spectral_abscissa)) {
+        verdict.steady.reason = Reason::not_finite;
+        return verdict;
+    }
+    if (const auto* sampled = std::get_if<DiscreteLoop>(&all->loop)) {
+        memory.multipliers = multipliers(*sampled, 1);
+        for (const Complex& z : memory.multipliers)
+            if (std::abs(z) > 0) memory.eigenvalues.push_back(std::log(z) / sampled->period);
+        const auto margins = command_margins(*sampled);
+        memory.gain_margin_db = margins.gain_db;
+        memory.phase_margin_deg = margins.phase_deg;
+    } else {
+        const auto& late = std::get<LateLoop>(all->loop);
+        memory.eigenvalues = roots(late, 1);
+        memory.all_eigenvalues = late.delay == 0;
+        const auto margins = command_margins(late);
+        memory.gain_margin_db = margins.gain_db;
+        memory.phase_margin_deg = margins.phase_deg;
+    }
+    memory.stable = memory.spectral_abscissa < 0;
+    memory.neutral = memory.spectral_abscissa == 0;
+    if (const auto turned = real_loop(joint, linear, V, TurnedGain::k_p)) {
+        auto gains = turned_gains(*turned);
+        memory.crossings = std::move(gains.crossings);
+        memory.stable_intervals = std::move(gains.stable);
+        memory.doubtful = std::move(gains.doubtful);
+        memory.searched_to = gains.searched_to;
+        memory.k_cr = gains.k_cr;
+    }
+    const auto curve = velocity_only(linear);
+    if (const auto loop = real_loop(joint, curve, V, TurnedGain::all)) {
+        const double rate = growth(*loop);
+        simple.stable = rate < 0;
+        simple.neutral = rate == 0;
+    }
+    if (const auto turned = real_loop(joint, curve, V, TurnedGain::k_v)) {
+        simple.stable_k_v = turned_gains(*turned).stable;
+        if (!simple.stable_k_v.empty()) simple.k_v_min = simple.stable_k_v.front().low;
+    }
+    return verdict;
+}
+
+}  // namespace stickslip

@@ -156,7 +156,7 @@ void fields(A& a, Like<Comparison> auto& v)
     a("k_v_velocity_only", v.k_v_velocity_only), a("k_v_memory", v.k_v_memory);
     a("k_p_velocity_only", v.k_p_velocity_only), a("k_p_memory", v.k_p_memory);
     a("forbidden_needlessly", v.forbidden_needlessly), a("allowed_wrongly", v.allowed_wrongly);
-    a("searched_to", v.searched_to);
+    a("searched_to", v.searched_to), a("known", v.known);
 }
 
 template <class A>

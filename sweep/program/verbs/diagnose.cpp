@@ -1,6 +1,7 @@
 // stickslip diagnose: where the sim-to-real gap of a joint lies, what causes it, how far it shrinks.
 #include "analysis/diagnosis/diagnose.h"
 #include "analysis/joint/parameters.h"
+#include "analysis/results/text.h"
 #include "sweep/engine/build.h"
 #include "sweep/files/json/diagnosis_json.h"
 #include "sweep/files/records/outcome_file.h"

@@ -135,7 +135,10 @@ int evaluate(const Options& options, const Invocation& invocation)
     const auto servo = files::servo_text(files::read_text(options.joint), options.joint);
     std::filesystem::path page;
     if (!options.directory.empty()) {
-        auto report = linear_report(summed, answer_joint(summed, verdict, nonlinear, *study));
+        const auto answer = answer_joint(summed, verdict, nonlinear, *study);
+        auto report = linear_report(summed, answer);
+        if (const auto chart = gain_chart(summed))
+            report.sections.insert(report.sections.begin(), gains_section(summed, answer, *chart));
         report.provenance = {{"version", program_version()}, {"command", invocation.command}};
         if (motion)
             for (auto& section : report.sections)

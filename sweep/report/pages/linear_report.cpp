@@ -2,6 +2,7 @@
 
 #include "analysis/results/text.h"
 #include "sweep/report/figures/loop_figures.h"
+#include "sweep/report/figures/map_figures.h"
 #include "sweep/report/figures/model_drawing.h"
 #include "sweep/report/pages/comparison_section.h"
 #include "sweep/report/pages/first_screen.h"
@@ -77,6 +78,23 @@ Headline gains_headline(const std::vector<Interval>& stable, const std::string& 
 }
 
 }  // namespace
+
+Section gains_section(const Joint& joint, const JointAnswer& answer, const GainChart& chart)
+{
+    const auto motion = joint.mechanism.motion;
+    Section section{
+        "gains",
+        "Safe gains: this loop and the paper's",
+        "Under the paper's ideal loop, k_{p} and k_{v} at once and without end, sliding is stable for k_{p} " +
+            intervals_text(answer.ideal_gains, Quantity::stiffness, motion) +
+            " at this k_{v}; in the loop as it is for k_{p} " +
+            intervals_text(answer.linear.state_variable.stable_intervals, Quantity::stiffness, motion) +
+            ". Colours and regions are those of the loop as it is.",
+        {},
+        {}};
+    section.figures.push_back(map_figure(motion, chart.slice, chart.answer));
+    return section;
+}
 
 Report linear_report(const Joint& joint, const JointAnswer& answer)
 {

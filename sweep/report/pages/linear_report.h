@@ -2,6 +2,7 @@
 #pragma once
 #include "analysis/joint/joint.h"
 #include "analysis/results/report.h"
+#include "sweep/study/gain_chart.h"
 #include "sweep/study/joint_answer.h"
 
 #include <vector>
@@ -11,6 +12,9 @@ namespace stickslip {
 /// Comparison of the theories, disturbances and margins, force ramps, reductions: the sections that the joint has.
 /// Empty without steady sliding.
 std::vector<Section> linear_sections(const Joint& joint, const LinearDetails& details);
+
+/// What the paper's loop allows beside what the joint's own does: the first chart of a joint with a real loop.
+Section gains_section(const Joint& joint, const JointAnswer& answer, const GainChart& chart);
 
 /// Verdict, sections and tables of one joint.
 Report linear_report(const Joint& joint, const JointAnswer& answer);

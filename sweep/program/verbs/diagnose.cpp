@@ -1,7 +1,6 @@
 // stickslip diagnose: where the sim-to-real gap of a joint lies, what causes it, how far it shrinks.
 #include "analysis/diagnosis/diagnose.h"
 #include "analysis/joint/parameters.h"
-#include "analysis/results/text.h"
 #include "sweep/engine/build.h"
 #include "sweep/files/json/diagnosis_json.h"
 #include "sweep/files/records/outcome_file.h"
@@ -19,6 +18,7 @@
 #include "sweep/words/diagnosis_tables.h"
 #include "sweep/words/diagnosis_text.h"
 #include "sweep/words/loop_text.h"
+#include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
 #include <optional>

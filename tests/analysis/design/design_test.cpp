@@ -157,6 +157,42 @@ TEST_CASE("a front holds no choice that another one beats in both", "[design]")
     }
 }
 
+TEST_CASE("a design under a sampled loop holds in that loop, and no gains of a grid beat it", "[design]")
+{
+    Joint joint = example_joint(9e4, 10, 1e-3);
+    joint.control.period = 1e-3;
+    joint.control.delay = 1e-3;
+    joint.control.velocity_estimate = {EstimateForm::backward_difference, 2e-3, 1};
+    auto r = noisy();
+    r.noise.position = 2e-7, r.noise.period = 1e-3, r.noise.filter = 2e-3;
+    r.margin = 0.1, r.k_p_low = 2e4, r.k_p_high = 1e6;
+    r.front_points = 2;
+    const auto d = design_gains(joint, r, one_by_one);
+    REQUIRE(d.feasible);
+    Joint best = joint;
+    best.control.k_p = d.best.k_p, best.control.k_v = d.best.k_v;
+    CHECK(growth_rate(best) < 0);
+    CHECK(d.best.margin >= r.margin * (1 - 1e-4));
+    const auto range = gain_range(joint, r);
+    int held = 0;
+    for (int i = 0; i < 8; ++i)
+        for (int k = 0; k < 6; ++k) {
+            Joint there = joint;
+            there.control.k_p = range.k_p.low * std::pow(range.k_p.high / range.k_p.low, i / 7.0);
+            there.control.k_v = range.k_v.high * k / 25.0;
+            if (!(growth_rate(there) < 0)) continue;
+            const auto near = nearest_boundary(there, friction_coordinates(there), {});
+            if (!(signed_margin(near) >= r.margin)) continue;
+            const auto response = LoopResponse::of(there, Theory::state_variable);
+            ++held;
+            CHECK(loop_noise(there, *response, r.noise).motion >= d.best.motion_noise * (1 - 1e-3));
+        }
+    CHECK(held > 2);
+    // the loop's own reading is the one that is noisy
+    r.noise.period = 2e-3;
+    CHECK_THROWS_AS(design_gains(joint, r, one_by_one), std::invalid_argument);
+}
+
 TEST_CASE("a margin beyond a factor of ten is looked for as far as it is demanded", "[design]")
 {
     // almost no inertia: margin = ln(k_p L/(B − A))/√2, and k_p may grow by e^{√2·4} = 286

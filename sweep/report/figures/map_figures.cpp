@@ -163,6 +163,11 @@ Figure map_figure(Motion motion, const Slice& slice, const MapAnswer& answer)
         ". Both curves are located to a relative bracket of " + power_of_ten(answer.precision) +
         ", not contoured from the grid; a closed piece smaller than 1/" + std::to_string(answer.mesh) +
         " of an axis could be missed." + held_words(slice, motion);
+    if (std::any_of(map.curves.begin(), map.curves.end(),
+                    [](const Curve& c) { return c.kind == Curve::Kind::ideal_loop; }))
+        figure.caption +=
+            " Dotted: the boundary with memory under the paper's ideal loop, without sampling, dead time, "
+            "lag, filter and integral.";
     if (const auto text = large_disturbances_text(slice, answer.large, motion); !text.empty())
         figure.caption += " " + text;
     figure.picture = std::move(map);

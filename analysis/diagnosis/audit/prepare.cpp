@@ -1,6 +1,7 @@
 #include "analysis/diagnosis/audit/prepare.h"
 
 #include "analysis/diagnosis/audit/audit.h"
+#include "analysis/diagnosis/records/even_clock.h"
 #include "analysis/joint/parameters.h"
 
 #include <algorithm>
@@ -199,9 +200,15 @@ Joint joint_in(const Record& record, const Joint& nominal)
     return joint;
 }
 
-Case prepare(const Record& record, const Joint& nominal, std::vector<std::string>& notes)
+Case prepare(const Record& stamped, const Joint& nominal, std::vector<std::string>& notes)
 {
-    const Joint joint = joint_in(record, nominal);
+    const Joint joint = joint_in(stamped, nominal);
+    Record record = stamped;
+    if (auto even = is_set(joint.control.period) ? even_times(stamped.time, joint.control.period) : std::nullopt) {
+        record.time = std::move(*even);
+        notes.push_back(record.name +
+                        ": the time stamps scatter about the documented period; its ticks are taken as even");
+    }
     if (record.effort_measured.empty() && !record.current.empty() && joint.actuator.kind == ActuatorKind::dc_motor) {
         // a motor's current is its effort: one place converts it
         Record converted = record;

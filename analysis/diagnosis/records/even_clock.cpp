@@ -1,0 +1,48 @@
+#include "analysis/diagnosis/records/even_clock.h"
+
+#include "analysis/diagnosis/records/ticks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip::gap {
+namespace {
+
+constexpr std::size_t least_rows = 100;   // fewer do not tell scatter from wandering
+constexpr double near = 0.05;             // of a row: how far the median step may be from a multiple of the period
+constexpr double already_even = 1e-4;     // of a row, RMS
+constexpr double widest = 0.1;            // of a row, RMS: more may have swapped rows
+constexpr double farthest = 0.45;         // of a row: half a row away is the next one
+constexpr double least_independence = 1;  // von Neumann's ratio: 2 where rows scatter on their own, 0 where they wander
+
+}  // namespace
+
+std::optional<std::vector<double>> even_times(const std::vector<double>& stamps, double period)
+{
+    if (stamps.size() < least_rows || !(period > 0)) return std::nullopt;
+    const double step = median_step(stamps), row = std::max(1.0, std::round(step / period)) * period;
+    if (std::abs(step - row) > near * row) return std::nullopt;
+    std::vector<double> off;
+    for (const double t : stamps) {
+        const double rows = (t - stamps[0]) / row;
+        off.push_back(rows - std::round(rows));
+    }
+    std::nth_element(off.begin(), off.begin() + off.size() / 2, off.end());
+    const double first = off[off.size() / 2];  // the first stamp scatters, too
+    std::vector<double> even;
+    double squares = 0, differences = 0, before = 0;
+    for (std::size_t k = 0; k < stamps.size(); ++k) {
+        const double rows = (stamps[k] - stamps[0]) / row - first, deviation = rows - std::round(rows);
+        const double time = stamps[0] + row * (first + std::round(rows));
+        if (std::abs(deviation) > farthest || (k > 0 && !(time > even.back() + 0.5 * row))) return std::nullopt;
+        squares += deviation * deviation;
+        if (k > 0) differences += (deviation - before) * (deviation - before);
+        before = deviation;
+        even.push_back(time);
+    }
+    const double rms = std::sqrt(squares / static_cast<double>(stamps.size()));
+    if (rms < already_even || rms > widest || differences < least_independence * squares) return std::nullopt;
+    return even;
+}
+
+}  // namespace stickslip::gap

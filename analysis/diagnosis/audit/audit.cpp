@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/audit/audit.h"
 
+#include "analysis/diagnosis/audit/after_hole.h"
 #include "analysis/diagnosis/audit/audit_filter.h"
 #include "analysis/diagnosis/audit/audit_reference.h"
 #include "analysis/diagnosis/audit/audit_terms.h"
@@ -37,11 +38,13 @@ GainRegression regression_of(const Case& c, double tau, double limit)
                      after = (t.reference[k + 1] - t.reference[k]) / t.step[k];
         return std::abs(after - before) > bent * fastest;
     };
+    AfterHole hole(t, control);
     for (std::size_t k = 0; k < t.size(); ++k) {
+        const bool blind = hole.holds(k);
         const double exact = is_set(t.velocity[k]) ? t.velocity[k] : 0;
         controller.read(t.position[k], k == 0 ? t.step[0] : t.step[k - 1], exact);
         if (believed && is_set(t.velocity[k])) controller.believe(t.velocity[k]);
-        if (!is_set(t.command[k]) || std::abs(t.command[k]) > 0.999 * limit || !t.enabled[k]) continue;
+        if (blind || !is_set(t.command[k]) || std::abs(t.command[k]) > 0.999 * limit || !t.enabled[k]) continue;
         if (control.reference_velocity && control.k_v != 0 && kinked(k)) continue;
         const double rate = control.reference_velocity ? t.reference_rate[k] : 0;
         rows.add(t.reference[k] - t.position[k], rate - controller.velocity(), t.command[k] - t.added(k));
@@ -246,7 +249,8 @@ Audit audit(std::vector<Case>& cases)
     }
     for (const auto& c : cases)
         if (c.ticks.source != CommandSource::logged || !c.ticks.has_reference ||
-            c.joint.control.kind != ControlKind::position || (c.ticks.unseen_between() && !c.ticks.has_velocity))
+            c.joint.control.kind != ControlKind::position ||
+            (c.ticks.ticks_per_row > 1 && c.ticks.unseen_between() && !c.ticks.has_velocity))
             return result;
     result.possible = true;
     const Control documented = cases[0].joint.control;

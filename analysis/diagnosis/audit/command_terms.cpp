@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 
+#include "analysis/diagnosis/audit/after_hole.h"
 #include "analysis/diagnosis/plant/controller.h"
 
 namespace stickslip::gap {
@@ -59,7 +60,9 @@ void add_record(CommandTerms& terms, const Case& c, std::size_t record, double d
     double fastest = 0, own_integral = 0, error_integral = 0;
     for (double rate : t.reference_rate) fastest = std::max(fastest, std::abs(rate));
     auto restart = t.restarts.begin();
+    AfterHole hole(t, control);
     for (std::size_t k = 0; k < t.size(); ++k) {
+        const bool blind = hole.holds(k);
         if (restart != t.restarts.end() && restart->tick == k)
             controller.restart(), own_integral = error_integral = 0, ++restart;
         const double step = k == 0 ? t.step[0] : t.step[k - 1];
@@ -78,7 +81,8 @@ void add_record(CommandTerms& terms, const Case& c, std::size_t record, double d
         own_integral += step * (cascaded(control) ? control.position_gain * now.error + now.rate_error : now.error);
         now.integral = controller.integrates() ? controller.integral() : own_integral;
         now.error_integral = error_integral;
-        if (!is_set(t.command[k]) || std::abs(t.command[k]) > 0.999 * limit || !t.enabled[k] || !c.judged(k)) continue;
+        if (blind || !is_set(t.command[k]) || std::abs(t.command[k]) > 0.999 * limit || !t.enabled[k] || !c.judged(k))
+            continue;
         if (kinked(t, k, fastest)) continue;
         terms.rows.push_back(
             {t.command[k] - controller.wanted(), changes(control, now, controller.integrates()), record});

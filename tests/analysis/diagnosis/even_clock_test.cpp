@@ -52,7 +52,7 @@ TEST_CASE("a loop that runs unevenly keeps its own times, and an even one, too",
     CHECK_FALSE(even_times(torn, 1e-3));
 }
 
-TEST_CASE("a wrong gain is read off a command whose time stamps scatter", "[gap]")
+TEST_CASE("a wrong gain is read off a command whose time stamps scatter and whose log has holes", "[gap]")
 {
     test::Machine m;
     m.k_v *= 1.16;
@@ -64,6 +64,10 @@ TEST_CASE("a wrong gain is read off a command whose time stamps scatter", "[gap]
         Record r = test::record_of(m, seed);
         r.velocity.clear();
         for (double& t : r.time) t += 0.03e-3 * normal(random);
+        for (std::size_t hole : {700u, 2100u, 4000u})
+            for (auto* column : {&r.time, &r.position, &r.reference_position, &r.reference_velocity, &r.effort_command})
+                column->erase(column->begin() + static_cast<std::ptrdiff_t>(hole),
+                              column->begin() + static_cast<std::ptrdiff_t>(hole + 3));
         cases.push_back(prepare(r, test::nominal_joint(), notes));
     }
     const Audit found = audit(cases);

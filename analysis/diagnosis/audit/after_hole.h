@@ -1,0 +1,31 @@
+// Rows behind a hole in a log, in which a filter of the readings still remembers what nobody saw.
+#pragma once
+#include "analysis/diagnosis/records/ticks.h"
+
+namespace stickslip::gap {
+
+class AfterHole {
+  public:
+    /// A logged velocity knows what was in the hole.
+    AfterHole(const Ticks& ticks, const Control& control)
+        : ticks_(ticks),
+          matters_(ticks.lost && !ticks.has_velocity),
+          memory_(forgotten * control.velocity_estimate.tau + (control.velocity_estimate.average + 1) * ticks.step[0])
+    {
+    }
+
+    /// Whether the estimate of the velocity at tick k goes back to a reading that was not logged; asked tick by tick.
+    bool holds(std::size_t k)
+    {
+        if (matters_ && !ticks_.logged[k]) until_ = ticks_.time[k] + memory_;
+        return matters_ && ticks_.time[k] <= until_;
+    }
+
+  private:
+    static constexpr double forgotten = 15;  // time constants: e⁻¹⁵ of a reading is left
+    const Ticks& ticks_;
+    bool matters_;
+    double memory_, until_ = -infinity;
+};
+
+}  // namespace stickslip::gap

@@ -59,20 +59,19 @@ void tell_accepted(const Prepared& p, const ParallelFor& parallel, Findings& f)
     f.climbed = true;
 }
 
-/// Rungs beyond the first that are less likely than not go, the last first; all of them go where the document's numbers
-/// are what the gap comes from.
+/// Rungs that are small against the corrections go, and further ones that are less likely than not, the last first.
 void shorten_to_likely(const LadderSearch& search, const Prepared& p, const ParallelFor& parallel, JudgedLadder& j)
 {
-    const auto to = [&](std::size_t rungs) {
+    const auto unlikely = [&] {
+        return j.ladder.rungs.size() > 1 && j.chances.back() < policy::least_chance_of_further_rung;
+    };
+    while (!j.noise_left && (small_against_corrections(j) || unlikely())) {
         JudgedLadder shorter;
         shorter.ladder = std::move(j.ladder);
-        while (shorter.ladder.rungs.size() > rungs) search.shorten(shorter.ladder);
+        search.shorten(shorter.ladder);
         judge(shorter, search.data(), p.scales, p.nominal, parallel);
         j = std::move(shorter);
-    };
-    if (small_against_corrections(j)) return to(0);
-    while (!j.noise_left && j.ladder.rungs.size() > 1 && j.chances.back() < policy::least_chance_of_further_rung)
-        to(j.ladder.rungs.size() - 1);
+    }
 }
 
 bool accepted(const Decision& d)

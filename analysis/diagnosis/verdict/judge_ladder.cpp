@@ -93,7 +93,8 @@ bool small_against_corrections(const JudgedLadder& j)
 {
     const Shares& s = j.shares;
     if (j.noise_left || s.rungs.empty()) return false;
-    return s.corrected - s.rungs.back() < policy::least_against_corrections * (s.documented - s.corrected);
+    const double above = s.rungs.size() > 1 ? s.rungs[s.rungs.size() - 2] : s.corrected;
+    return above - s.rungs.back() < policy::least_against_corrections * (s.documented - s.corrected);
 }
 
 std::string_view signal_of(const Effect& effect)

@@ -39,7 +39,7 @@ void judge(JudgedLadder& judged, const HeldOutData& data, const Scales& scales, 
 /// How sure every rung is: against its rivals, and against what is left of the explainable.
 std::vector<double> chances_of(const JudgedLadder& judged);
 
-/// Whether the corrections take so much more of the gap than the causes that they are what it comes from.
+/// Whether the corrections take so much more of the gap than the last rung that it is not what the gap comes from.
 bool small_against_corrections(const JudgedLadder& judged);
 
 /// A fitted set at all levels.

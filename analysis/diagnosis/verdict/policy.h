@@ -85,11 +85,11 @@ inline constexpr double doubt_of_rest = 0.22;
 /// the right second rungs had 0.78 and more and the wrong one 0.30; on a measured ball screw a second rung beside the
 /// published asymmetry had 0.22.
 inline constexpr double least_chance_of_further_rung = 0.5;
-/// Of what the corrections take of the gap, in squares: where the causes take less and leave more than noise, the
-/// document's numbers are the answer, not the causes. Reason: half as far as the corrections move the joint, such a
-/// cause is one of the small things that every machine has (a ripple, an uneven winding), not what the gap comes from.
-/// Evidence: in a joint whose four numbers were 2-9 % off and nothing else, a cogging of 1.7 % of the Coulomb level
-/// took 8 % of the gap beside corrections that took 86 %.
+/// Of what the corrections take of the gap, in squares: a rung that takes less, where more than noise is left, is not
+/// named, and where none is left the document's numbers are the answer. Reason: half as far as the corrections move the
+/// joint, such a cause is one of the small things that every machine has (a ripple, an uneven winding), not what the
+/// gap comes from. Evidence: in a joint whose four numbers were 2-9 % off and nothing else, a cogging of 1.7 % of the
+/// Coulomb level took 8 % of the gap beside corrections that took 86 %.
 inline constexpr double least_against_corrections = 0.25;
 /// A correction is told as what is wrong with the document where leaving it out costs so much of what all of them take.
 inline constexpr double worth_correcting = 0.05;

@@ -133,7 +133,13 @@ TEST_CASE("a cause that takes little beside the corrections is not what the gap 
     CHECK(small_against_corrections(j));
     j.shares.corrected = 0.3;  // 0.25 beside 0.7
     CHECK_FALSE(small_against_corrections(j));
+    j.shares.corrected = 0.3;
+    j.shares.rungs = {0.2, 0.1};  // the second takes 0.1 beside 0.7, whatever the first takes
+    CHECK(small_against_corrections(j));
+    j.shares.rungs = {0.29, 0.1};
+    CHECK_FALSE(small_against_corrections(j));
     j.shares.corrected = 0.2;
+    j.shares.rungs = {0.05};
     j.noise_left = true;  // what explains everything stands, however little that is
     CHECK_FALSE(small_against_corrections(j));
 }

@@ -159,8 +159,51 @@ PICTURES = {
 }
 
 
+# the gallery: one command, and charts of the page that it writes into the folder OUT, each with what it shows
+GALLERY = [
+    ("stickslip sweep -o OUT", [
+        ("map-k-p-k-v", "Stability over two gains, for friction with memory and for friction of velocity alone"),
+        ("panels-k-p-k-v", "The same map at six velocities"),
+        ("root-locus", "The roots of the joint while the position gain moves; reading a place on the page gives its gain"),
+        ("k-v-demanded", "The velocity gain that each theory demands"),
+    ]),
+    ("stickslip simulate examples/03-bistable-strip/spec.toml --set control.k_p=15e3 --set control.k_v=45 -o OUT", [
+        ("path", "Position and reference of a joint that sticks and slips, and the force of its loop"),
+        ("loop", "Friction over velocity: what friction with memory does, and the steady curve"),
+    ]),
+    ("stickslip boundary examples/03-bistable-strip/spec.toml --kind linear fold --over control.k_p control.k_v -o OUT", [
+        ("boundaries-k-p-k-v", "Located boundaries: where sliding loses its stability, and where limit cycles begin"),
+    ]),
+    ("stickslip design examples/04-design/spec.toml -o OUT", [
+        ("noise-against-margin", "What a margin against stick-slip costs in noise"),
+    ]),
+    ("stickslip margins examples/04-design/spec.toml -o OUT", [
+        ("growth-by-parameter", "How far each parameter may move before the joint sticks and slips"),
+    ]),
+]
+
+
+def gallery():
+    text = MADE + "# Gallery\n\nCharts of the examples, each page by one command from the folder of the project.\n"
+    for command, charts in GALLERY:
+        text += f"\n```sh\n{command.replace('OUT', 'out')}\n```\n"
+        for chart, words in charts:
+            text += f"\n![{words}](pictures/gallery-{command.split()[1]}-{chart}.svg)\n\n{words}.\n"
+    return text
+
+
+def draw_gallery(program, folder):
+    for command, charts in GALLERY:
+        with tempfile.TemporaryDirectory() as room:
+            words = [f"{room}/out" if word == "OUT" else word for word in command.split()[1:]]
+            subprocess.run([program, *words], cwd=ROOT, stdout=subprocess.DEVNULL, check=True)
+            for chart, _ in charts:
+                shutil.copy(f"{room}/out/charts/{chart}.svg", folder / f"gallery-{command.split()[1]}-{chart}.svg")
+
+
 def draw(program, folder):
     folder.mkdir(parents=True, exist_ok=True)
+    draw_gallery(program, folder)
     for picture, (spec, chart) in PICTURES.items():
         with tempfile.TemporaryDirectory() as room:
             if ": " in spec:
@@ -195,7 +238,7 @@ def main():
     what, program = sys.argv[1], str(pathlib.Path(sys.argv[2]).resolve())
     if what == "site":
         return site(program, pathlib.Path(sys.argv[3]).resolve())
-    pages = {"docs/reference.md": reference(program), "docs/method.md": method()}
+    pages = {"docs/reference.md": reference(program), "docs/method.md": method(), "docs/gallery.md": gallery()}
     stale = []
     for name, text in pages.items():
         path = ROOT / name

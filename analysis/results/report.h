@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "analysis/results/detailed_chart.h"
 #include "analysis/results/line_drawing.h"
 #include "analysis/results/stability_panels.h"
 
@@ -24,13 +25,28 @@ struct Alert {
     std::string text;
 };
 
+/// A share of 1, drawn before the words of a table's cell; NaN: none. Its interval is NaN where there is none.
+struct ShareBar {
+    double share, low, high;
+};
+
 struct Table {
     std::string title;
     std::vector<std::string> columns;            ///< mark-up
     std::vector<std::vector<std::string>> rows;  ///< mark-up
+    std::size_t bar_column = 0;                  ///< which cells the bars stand in
+    std::vector<ShareBar> bars = {};             ///< empty, or one for each row
 };
 
-using Picture = std::variant<StabilityMap, CriticalGainSurface, LineChart, FieldMap, StabilityPanels, LineDrawing>;
+/// Text to take along as it is, such as the lines of a file: shown in a box that copies and saves it.
+struct Snippet {
+    std::string title;  ///< mark-up
+    std::string text;   ///< plain
+    std::string file;   ///< name under which it is saved; empty: it can only be copied
+};
+
+using Picture =
+    std::variant<StabilityMap, CriticalGainSurface, LineChart, FieldMap, StabilityPanels, LineDrawing, DetailedChart>;
 
 /// A chart with the words under it.
 struct Figure {
@@ -54,6 +70,8 @@ struct Report {
     Headline::Tone tone = Headline::Tone::neutral;
     std::vector<Headline> headlines;
     std::vector<Alert> alerts;
+    std::vector<std::string> findings = {};  ///< mark-up: short paragraphs of the first screen, below the numbers
+    std::vector<Snippet> snippets = {};      ///< below them
     std::vector<Section> sections;
     std::vector<std::string> not_checked;                         ///< mark-up
     std::vector<std::pair<std::string, std::string>> provenance;  ///< version, commit, spec hash, seed, command …

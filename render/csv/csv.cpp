@@ -104,15 +104,26 @@ std::string csv(const LineDrawing&)
     return "";
 }
 
+std::string csv(const DetailedChart& chart)
+{
+    const bool along = !chart.along_label.empty();
+    const std::string label =
+        chart.y_label + (chart.below.empty() || chart.below_label == chart.y_label ? "" : " | " + chart.below_label);
+    std::string text = "line," + field(plain_text(chart.x_label)) + "," + field(plain_text(label)) +
+                       (along ? "," + field(plain_text(chart.along_label)) : "") + "\n";
+    for (const auto* lines : {&chart.lines, &chart.below})
+        for (const auto& line : *lines) {
+            const std::string name = field(plain_text(line.name)) + ",";
+            for (std::size_t i = 0; i < line.x.size(); ++i)
+                text += name + number(line.x[i]) + "," + number(line.y[i]) +
+                        (along ? "," + (line.along.empty() ? std::string() : number(line.along[i])) : "") + "\n";
+        }
+    return text;
+}
+
 std::string csv(const LineChart& chart)
 {
-    std::string text = "line," + field(plain_text(chart.x_label)) + "," + field(plain_text(chart.y_label)) + "\n";
-    for (const auto& line : chart.lines) {
-        const std::string name = field(plain_text(line.name)) + ",";
-        for (std::size_t i = 0; i < line.x.size(); ++i)
-            text += name + number(line.x[i]) + "," + number(line.y[i]) + "\n";
-    }
-    return text;
+    return csv(detailed(chart));
 }
 
 }  // namespace stickslip::drawing

@@ -1,5 +1,6 @@
 // The numbers behind a picture as a table that any program opens: full precision, SI, one header line.
 #pragma once
+#include "analysis/results/detailed_chart.h"
 #include "analysis/results/line_drawing.h"
 #include "analysis/results/stability_panels.h"
 
@@ -13,7 +14,8 @@ std::string csv(const StabilityPanels& panels);       ///< the further axes, x, 
 std::string csv(const FieldMap& map);                 ///< x, y, value or class
 std::string csv(const CriticalGainSurface& surface);  ///< x, y, z
 std::string csv(const LineChart& chart);              ///< line, x, y
-std::string csv(const LineDrawing& drawing);          ///< nothing: a drawing has no numbers but its words
+std::string csv(const DetailedChart& chart);  ///< the same, what lies below too, and what a curve was drawn over
+std::string csv(const LineDrawing& drawing);  ///< nothing: a drawing has no numbers but its words
 
 /// The shortest digits that read back to the same number; "nan", "inf", "-inf" otherwise.
 std::string number(double value);

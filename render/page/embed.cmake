@@ -5,7 +5,7 @@ foreach(name page.html figure.html page.css page.js dygraph.min.js dygraph.min.c
   if(name STREQUAL "page.js")
     # one script, in this order: what a part uses stands before it
     set(content "")
-    foreach(part numbers data reader lines place regions layers zoom wide main)
+    foreach(part numbers data reader lines place regions layers play surface zoom wide main)
       file(READ ${SOURCE_DIR}/script/${part}.js text_of_part)
       string(APPEND content "${text_of_part}")
     endforeach()

@@ -152,6 +152,7 @@ std::string data(const CriticalGainSurface& surface, const RenderedFigure& rende
     RenderedFigure seen_from_aside = rendered;
     seen_from_aside.plot = {};  // no place of the picture is a place of the grid
     return grid_data({surface.x, surface.y, surface.motion, nullptr}, seen_from_aside)
+        .flag("surface", true)
         .raw("readings", json_array({reading(surface.z_name, surface.z_quantity, surface.motion, surface.z)}))
         .close();
 }
@@ -172,18 +173,33 @@ std::string drawn_axis(const std::string& label, const Scale& scale)
         .close();
 }
 
-std::string data(const LineChart& chart, const RenderedFigure& rendered)
+std::string line_data(const std::vector<DetailedChart::Line>& list)
 {
     std::vector<std::string> lines;
-    for (const auto& line : chart.lines)
-        lines.push_back(
-            JsonObject().text("name", plain_text(line.name)).text("x", pack(line.x)).text("y", pack(line.y)).close());
+    for (const auto& line : list) {
+        JsonObject json;
+        json.text("name", plain_text(line.name)).text("x", pack(line.x)).text("y", pack(line.y));
+        if (!line.along.empty()) json.text("along", pack(line.along));
+        lines.push_back(json.close());
+    }
+    return json_array(lines);
+}
+
+std::string data(const DetailedChart& chart, const RenderedFigure& rendered)
+{
     JsonObject json;
     if (rendered.plot.width > 0) {
-        const auto [x, y] = scales_of(chart);
+        const auto [x, y, below] = scales_of(chart);
         json.raw("area", area_data(rendered.plot, rendered)).raw("xAxis", drawn_axis(chart.x_label, x));
         json.raw("yAxis", drawn_axis(chart.y_label, y));
+        if (!rendered.panels.empty())
+            json.raw("belowArea", area_data(rendered.panels.front(), rendered))
+                .raw("belowAxis", drawn_axis(chart.below_label, below));
+        // whatever it spans: only its name and unit are read
+        if (!chart.along_label.empty()) json.raw("alongAxis", drawn_axis(chart.along_label, Scale{}));
     }
+    if (!chart.below.empty()) json.raw("below", line_data(chart.below));
+    if (chart.played) json.flag("played", true).flag("turns", chart.turns);
     return json.text("kind", "lines")
         .text("header", header(rendered))
         .text("xLabel", plain_text(chart.x_label))
@@ -191,8 +207,13 @@ std::string data(const LineChart& chart, const RenderedFigure& rendered)
         .flag("xLog", chart.x_log)
         .flag("yLog", chart.y_log)
         .flag("zoom", zoomable(chart))
-        .raw("lines", json_array(lines))
+        .raw("lines", line_data(chart.lines))
         .close();
+}
+
+std::string data(const LineChart& chart, const RenderedFigure& rendered)
+{
+    return data(detailed(chart), rendered);
 }
 
 /// Nothing behind the picture.
@@ -206,10 +227,13 @@ std::string data(const LineDrawing&, const RenderedFigure&)
 bool zoomable(const Picture& picture)
 {
     constexpr std::size_t long_series = 500;
-    const auto* chart = std::get_if<LineChart>(&picture);
-    if (!chart || chart->x_log) return false;
+    const auto* plain = std::get_if<LineChart>(&picture);
+    const auto* more = std::get_if<DetailedChart>(&picture);
+    if (!plain && !more) return false;
+    const DetailedChart chart = plain ? detailed(*plain) : *more;
+    if (chart.x_log) return false;
     std::size_t points = 0;
-    for (const auto& line : chart->lines) {
+    for (const auto& line : chart.lines) {
         if (!std::is_sorted(line.x.begin(), line.x.end())) return false;
         points += line.x.size();
     }

@@ -2,6 +2,7 @@
 
 #include "render/drawing/encode.h"
 #include "render/drawing/markup.h"
+#include "render/page/typeset.h"
 
 #include <algorithm>
 #include <charconv>
@@ -88,7 +89,7 @@ std::string escape(std::string_view text)
 std::string html_of_markup(std::string_view markup)
 {
     std::string html;
-    for (const Run& run : parse_markup(markup)) {
+    for (const Run& run : parse_markup(typeset(markup))) {
         const char* tag = run.level == Run::Level::subscript ? "sub" : "sup";
         if (run.level == Run::Level::base)
             html += escape(run.text);

@@ -4,6 +4,8 @@
 #include "render/page/sources.h"
 #include "render/render.h"
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 #include <stdexcept>
 
@@ -78,6 +80,24 @@ std::string alerts(const std::vector<Alert>& list)
     return html + "</ul>\n";
 }
 
+/// A share from 0 to 1 as a drawn bar, its interval as a whisker on it. The number stands beside it in words.
+std::string bar(const ShareBar& b)
+{
+    if (!std::isfinite(b.share)) return "";
+    constexpr double width = 100, height = 14;
+    const auto at = [](double share) { return std::to_string(std::lround(width * std::clamp(share, 0.0, 1.0))); };
+    const auto box = [](const char* name, const std::string& wide, double y, double high) {
+        return "<rect class=\"" + std::string(name) + "\" y=\"" + std::to_string(std::lround(y)) + "\" width=\"" +
+               wide + "\" height=\"" + std::to_string(std::lround(high)) + "\"/>";
+    };
+    std::string svg = "<svg class=\"bar\" width=\"100\" height=\"14\" viewBox=\"0 0 100 14\" aria-hidden=\"true\">" +
+                      box("whole", at(1), 0, height) + box("part", at(b.share), 0, height);
+    if (std::isfinite(b.low) && std::isfinite(b.high) && b.high > b.low)
+        svg += "<path class=\"interval\" d=\"M" + at(b.low) + " 3V11M" + at(b.high) + " 3V11M" + at(b.low) + " 7H" +
+               at(b.high) + "\"/>";
+    return svg + "</svg>";
+}
+
 std::string table(const Table& t)
 {
     std::string html = "<div class=\"table\" tabindex=\"0\" role=\"region\" aria-label=\"" +
@@ -86,12 +106,39 @@ std::string table(const Table& t)
     for (const std::string& column : t.columns)
         html += column.empty() ? "<td></td>" : "<th scope=\"col\">" + html_of_markup(column) + "</th>";
     html += "</tr></thead>\n<tbody>\n";
-    for (const auto& row : t.rows) {
+    if (!t.bars.empty() && t.bars.size() != t.rows.size())
+        throw std::invalid_argument("table \"" + t.title + "\": " + std::to_string(t.rows.size()) + " rows and " +
+                                    std::to_string(t.bars.size()) + " bars");
+    for (std::size_t row = 0; row < t.rows.size(); ++row) {
         html += "<tr>";
-        for (const std::string& cell : row) html += "<td>" + html_of_markup(cell) + "</td>";
+        for (std::size_t column = 0; column < t.rows[row].size(); ++column) {
+            const bool barred = !t.bars.empty() && column == t.bar_column;
+            html += (barred ? "<td class=\"barred\">" + bar(t.bars[row]) : "<td>") +
+                    html_of_markup(t.rows[row][column]) + "</td>";
+        }
         html += "</tr>\n";
     }
     return html + "</tbody></table></div>\n";
+}
+
+std::string paragraphs(const std::vector<std::string>& list)
+{
+    std::string html;
+    for (const std::string& text : list) html += "<p class=\"finding\">" + html_of_markup(text) + "</p>\n";
+    return html;
+}
+
+/// What is only copied stands open; a whole file, to be saved, is folded away.
+std::string snippets(const std::vector<Snippet>& list)
+{
+    std::string html;
+    for (const Snippet& s : list) {
+        const std::string title = html_of_markup(s.title), text = "<pre tabindex=\"0\">" + escape(s.text) + "</pre>";
+        html += s.file.empty() ? "<div class=\"snippet\"><p>" + title + "</p>" + text + "</div>\n"
+                               : "<details class=\"snippet\" data-file=\"" + escape(s.file) + "\"><summary>" + title +
+                                     "</summary>" + text + "</details>\n";
+    }
+    return html;
 }
 
 /// What a reader can do with a picture on the page.
@@ -100,9 +147,12 @@ std::string how_to_read(const Picture& picture)
     const auto* map = std::get_if<StabilityMap>(&picture);
     const auto* field = std::get_if<FieldMap>(&picture);
     const auto* panels = std::get_if<StabilityPanels>(&picture);
-    if (const auto* chart = std::get_if<LineChart>(&picture))
-        return std::string("Point at a line, or focus the chart and use the arrow keys, to read its values") +
-               (chart->lines.size() > 1 ? "; up and down change the line." : ".");
+    const auto* plain = std::get_if<LineChart>(&picture);
+    const auto* more = std::get_if<DetailedChart>(&picture);
+    if (plain || more)
+        return std::string(more && more->played ? "Press Play to see it move. " : "") +
+               "Point at a line, or focus the chart and use the arrow keys, to read its values" +
+               ((plain ? plain->lines.size() : more->lines.size()) > 1 ? "; up and down change the line." : ".");
     if (!map && !field && !panels) return "";
     std::string text = "Point at the chart, or focus it and use the arrow keys, to read its values.";
     if (!(map ? map->command : field ? field->command : panels->command).empty())
@@ -212,6 +262,7 @@ std::string page(const Report& report, const std::vector<RenderedFigure>& figure
                                  {"verdict", html_of_markup(report.verdict)},
                                  {"headlines", headlines(report.headlines)},
                                  {"alerts", alerts(report.alerts)},
+                                 {"findings", paragraphs(report.findings) + snippets(report.snippets)},
                                  {"contents", contents},
                                  {"sections", sections},
                                  {"not-checked", not_checked(report.not_checked)},

@@ -177,7 +177,7 @@ Drawn draw(const CriticalGainSurface& surface, const std::string& description, c
                       z_room,
                       [&](double w, double out) { return scene.project(-out, 0, w); },
                       {-12, 0},
-                      0,
+                      58,
                       Across::right,
                       Along::middle};
     draw_walls(canvas, scene, x_edge, y_edge, z_edge);

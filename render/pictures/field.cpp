@@ -57,7 +57,7 @@ Raster field_raster(const Grid& grid, const std::vector<double>& field, const Fi
 }
 
 Raster table_raster(const Grid& grid, const std::vector<double>& positions, const ColourTable& table, int width,
-                    int height)
+                    int height, const Shown& shown)
 {
     Raster raster{width, height, 3, {}};
     raster.pixels.reserve(static_cast<std::size_t>(width) * height * 3);
@@ -71,7 +71,8 @@ Raster table_raster(const Grid& grid, const std::vector<double>& positions, cons
                     weight += place.weight[k];
                 }
             Colour colour = no_value;
-            if (std::isfinite(positions[place.nearest()])) {
+            const bool here = shown ? shown(column, row) : std::isfinite(positions[place.nearest()]);
+            if (here && weight > 0) {
                 // Whole entries of the table: neighbouring pixels repeat, and the PNG shrinks to a third.
                 const auto entry = std::lround(255 * std::clamp(position / weight, 0.0, 1.0));
                 colour = from_hex(table[static_cast<std::size_t>(entry)]);

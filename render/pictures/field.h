@@ -4,6 +4,7 @@
 #include "render/drawing/colour_map.h"
 #include "render/pictures/grid.h"
 
+#include <functional>
 #include <vector>
 
 namespace stickslip::drawing {
@@ -26,9 +27,13 @@ std::vector<ColourBar::Mark> field_marks(const FieldScale& scale, double height)
 /// The field as pixels; nodes without a value stay grey.
 Raster field_raster(const Grid& grid, const std::vector<double>& field, const FieldScale& scale, int width, int height);
 
-/// The same for positions in [0, 1] of a colour table; NaN is grey.
+/// Whether a pixel of a raster has a value.
+using Shown = std::function<bool(int column, int row)>;
+
+/// The same for positions in [0, 1] of a colour table; NaN is grey. Values end half way between the nodes with one and
+/// those without, or where `shown` says: there the nodes that have one speak for the pixel.
 Raster table_raster(const Grid& grid, const std::vector<double>& positions, const ColourTable& table, int width,
-                    int height);
+                    int height, const Shown& shown = {});
 
 constexpr Colour no_value = from_hex(0xb8bcc2);
 

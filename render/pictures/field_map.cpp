@@ -64,7 +64,10 @@ Colouring colouring(const FieldMap& map, const Rectangle& plot)
     }
     const bool log = map.scale == FieldMap::Scale::log;
     const bool none = std::none_of(map.values.begin(), map.values.end(), [](double v) { return std::isfinite(v); });
-    const Scale scale = none ? Scale{1, 10, log} : spanning(map.values, log);
+    const bool nothing = !none && std::all_of(map.values.begin(), map.values.end(),
+                                              [](double v) { return v == 0 || !std::isfinite(v); });
+    // of zero everywhere neither a negative nor a large value is meant
+    const Scale scale = none ? Scale{1, 10, log} : nothing ? Scale{0, 1, false} : spanning(map.values, log);
     const AxisLabel label = axis_label(map.name, map.symbol, map.quantity, map.motion, scale);
     for (double& v : result.positions) v = scale.at(v);
     const Ticks marks = ticks(scale, static_cast<int>(plot.height / 60), label.divisor);
@@ -93,6 +96,15 @@ RegionRaster classes_of(const FieldMap& map, const Grid& grid, const std::vector
 {
     std::vector<Region> regions;
     for (const double value : map.values) regions.push_back(class_textures[static_cast<std::size_t>(value)]);
+    return RegionRaster(grid, regions, lines, box);
+}
+
+/// Values end at the lines, too, as limit cycles do at their fold: not in stairs of the grid.
+RegionRaster presence_of(const FieldMap& map, const Grid& grid, const std::vector<Polyline>& lines,
+                         const Rectangle& box)
+{
+    std::vector<Region> regions;
+    for (const double value : map.values) regions.push_back(std::isfinite(value) ? Region::stable : Region::undecided);
     return RegionRaster(grid, regions, lines, box);
 }
 
@@ -160,7 +172,11 @@ Drawn draw(const FieldMap& map, const std::string& description, const Fonts& fon
         }
     if (map.classes.empty()) {
         const Colouring c = colouring(map, frame.box);
-        canvas.image(frame.box, table_raster(grid, c.positions, *c.table, plot_width, plot_height));
+        const RegionRaster values = presence_of(map, grid, obstacles.lines, frame.box);
+        const auto shown = [&](int column, int row) {
+            return values.at({frame.box.left + column + 0.5, frame.box.top + row + 0.5}) == Region::stable;
+        };
+        canvas.image(frame.box, table_raster(grid, c.positions, *c.table, plot_width, plot_height, shown));
         draw_colour_bar(canvas, c.bar, bar_colours(*c.table));
     } else {
         const RegionRaster regions = classes_of(map, grid, obstacles.lines, frame.box);

@@ -1,6 +1,7 @@
-// Several named curves over one axis.
+// Several named curves over one axis, and a second panel of them below.
 #include "render/axes/frame.h"
 #include "render/drawing/markup.h"
+#include "render/pictures/line_marks.h"
 #include "render/pictures/line_scales.h"
 #include "render/pictures/picture.h"
 #include "render/pictures/regions.h"
@@ -14,45 +15,31 @@ namespace stickslip::drawing {
 namespace {
 
 constexpr int picture_width = 900;
-constexpr double plot_width = 780, plot_height = 340;
+constexpr double plot_width = 780, plot_height = 340, lower_height = 190;
 
 // Okabe and Ito's colours for all kinds of colour vision (M. Okabe, K. Ito, Color Universal Design, 2008), the
 // yellow left out for its contrast on white.
 constexpr std::array<std::uint32_t, 6> line_colours{0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7, 0xe69f00, 0x56b4e9};
 
-void check(const LineChart& chart)
+void check(const DetailedChart& chart, const std::vector<DetailedChart::Line>& lines)
 {
-    for (const auto& line : chart.lines)
-        if (line.x.size() != line.y.size())
-            throw std::invalid_argument("line chart \"" + chart.title + "\": line \"" + line.name + "\" has " +
-                                        std::to_string(line.x.size()) + " x and " + std::to_string(line.y.size()) +
-                                        " y values");
-}
-
-Pen pen_of(std::size_t index, bool dashed)
-{
-    Pen pen{from_hex(line_colours[index % line_colours.size()]), 1.8, {}};
-    if (dashed) pen.dash = {7, 4};
-    return pen;
-}
-
-/// One of four shapes, so that lines are told apart without colour.
-void marker(Canvas& canvas, Point at, std::size_t index, Colour colour)
-{
-    constexpr double r = 4;
-    switch (index % 4) {
-        case 0:
-            return canvas.circle(at, r, colour);
-        case 1:
-            return canvas.rectangle({at.x - r * 0.9, at.y - r * 0.9, r * 1.8, r * 1.8}, colour);
-        case 2:
-            return canvas.area({{at.x, at.y - r * 1.2}, {at.x + r * 1.15, at.y + r}, {at.x - r * 1.15, at.y + r}},
-                               colour);
-        default:
-            return canvas.area(
-                {{at.x, at.y - r * 1.3}, {at.x + r * 1.3, at.y}, {at.x, at.y + r * 1.3}, {at.x - r * 1.3, at.y}},
-                colour);
+    const auto refuse = [&](const DetailedChart::Line& line, std::size_t others, const char* name) {
+        throw std::invalid_argument("line chart \"" + chart.title + "\": line \"" + line.name + "\" has " +
+                                    std::to_string(line.x.size()) + " x and " + std::to_string(others) + " " + name +
+                                    " values");
+    };
+    for (const auto& line : lines) {
+        if (line.x.size() != line.y.size()) refuse(line, line.y.size(), "y");
+        if (!line.along.empty() && line.x.size() != line.along.size()) refuse(line, line.along.size(), "further");
     }
+}
+
+Pen pen_of(std::size_t index, const DetailedChart::Line& line)
+{
+    constexpr double fine = 1.8, broad = 5, pale = 0.45;
+    Pen pen{from_hex(line_colours[index % line_colours.size()], line.wide ? pale : 1), line.wide ? broad : fine, {}};
+    if (line.dashed) pen.dash = {7, 4};
+    return pen;
 }
 
 double length_of(const std::vector<Polyline>& pieces)
@@ -64,42 +51,26 @@ double length_of(const std::vector<Polyline>& pieces)
     return length;
 }
 
-/// Marks on a line that winds, like an orbit or an oscillation, or on one made of dashes would read as samples.
-bool takes_markers(const LineChart& chart, std::size_t index, const std::vector<Polyline>& pieces)
+/// Marks on a line that winds, like an orbit or an oscillation, or on one made of dashes would hide it.
+bool takes_markers(const std::vector<DetailedChart::Line>& lines, std::size_t index,
+                   const std::vector<Polyline>& pieces)
 {
-    return chart.lines.size() > 1 && !chart.lines[index].dashed && length_of(pieces) < 3 * (plot_width + plot_height);
+    const auto& line = lines[index];
+    return lines.size() > 1 && !line.dashed && !line.wide && length_of(pieces) < 3 * (plot_width + plot_height);
 }
 
 /// A single line needs a legend only where the axis does not name it already.
-bool needs_legend(const LineChart& chart)
+bool needs_legend(const DetailedChart& chart)
 {
     if (chart.lines.size() != 1) return !chart.lines.empty();
     return chart.y_label.find(chart.lines[0].name) == std::string::npos;
-}
-
-/// Evenly spaced along the visible line, each line with its own offset.
-void draw_markers(Canvas& canvas, const std::vector<Polyline>& pieces, std::size_t index)
-{
-    constexpr double apart = 130;
-    double until_next = 30 + 27.0 * static_cast<double>(index % 4);
-    for (const Polyline& piece : pieces)
-        for (std::size_t i = 0; i + 1 < piece.size(); ++i) {
-            const Point a = piece[i], b = piece[i + 1];
-            const double length = std::hypot(b.x - a.x, b.y - a.y);
-            for (; until_next < length; until_next += apart) {
-                const double t = until_next / length;
-                marker(canvas, {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}, index,
-                       from_hex(line_colours[index % line_colours.size()]));
-            }
-            until_next -= length;
-        }
 }
 
 constexpr TextStyle mark_style{12, theme::muted};
 constexpr double mark_line = 17;
 
 /// Labels of vertical marks stand above the frame, on as many levels as they need. Returns the level of each.
-std::vector<int> mark_levels(Canvas& canvas, const LineChart& chart, const Scale& x)
+std::vector<int> mark_levels(Canvas& canvas, const DetailedChart& chart, const Scale& x)
 {
     std::vector<int> levels;
     std::vector<double> right_end;  // of the last label on each level
@@ -114,52 +85,85 @@ std::vector<int> mark_levels(Canvas& canvas, const LineChart& chart, const Scale
     return levels;
 }
 
+/// The lines of one panel, and what the legend says of each.
+std::vector<LegendEntry> draw_lines(Canvas& canvas, const Frame& frame, const std::vector<DetailedChart::Line>& lines)
+{
+    std::vector<LegendEntry> entries;
+    const Scale& y = frame.y.scale;
+    const double edge = y.value(2 / frame.box.height);  // the whole pen's width above the frame
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const auto& line = lines[i];
+        Polyline points;
+        for (std::size_t k = 0; k < line.x.size(); ++k)
+            points.push_back(frame.at(line.x[k], y.log && line.y[k] >= 0 && line.y[k] < edge ? edge : line.y[k]));
+        const bool alone = points.size() == 1 || line.look == DetailedChart::Line::Look::points;
+        std::vector<Polyline> pieces = alone ? std::vector<Polyline>{} : clip(points, frame.box);
+        const Pen pen = pen_of(i, line);
+        for (Polyline& piece : pieces) canvas.line(piece = thin(piece, 0.1), pen);
+        const bool marked = alone || takes_markers(lines, i, pieces);
+        if (alone)
+            for (const Point& p : points) {
+                if (frame.box.holds(p)) draw_mark(canvas, p, i, pen.colour);
+            }
+        else if (marked)
+            for (const Point& p : marked_samples(points, frame.box, i)) draw_mark(canvas, p, i, pen.colour);
+        entries.push_back({[&canvas, alone, marked, pen, i](const Rectangle& box) {
+                               const double middle = box.top + box.height / 2;
+                               if (!alone) canvas.line({{box.left, middle}, {box.right(), middle}}, pen);
+                               if (marked) draw_mark(canvas, {box.left + box.width / 2, middle}, i, pen.colour);
+                           },
+                           line.name});
+    }
+    return entries;
+}
+
 }  // namespace
 
-Drawn draw(const LineChart& chart, const std::string& description, const Fonts& fonts)
+Drawn draw(const DetailedChart& chart, const std::string& description, const Fonts& fonts)
 {
-    check(chart);
-    const auto [x, y] = scales_of(chart);
+    check(chart, chart.lines);
+    check(chart, chart.below);
+    const auto [x, y, lower] = scales_of(chart);
     Canvas canvas(picture_width, fonts);
     const double heading = draw_heading(canvas, axis_margin, plot_width, chart.title, chart.fixed, "");
     const std::vector<int> levels = mark_levels(canvas, chart, x);
     const double marks = levels.empty() ? 0 : mark_line * (*std::max_element(levels.begin(), levels.end()) + 1);
-    const Frame frame{{axis_margin, heading + marks, plot_width, plot_height},
-                      {x, axis_label(chart.x_label, x)},
-                      {y, axis_label(chart.y_label, y)}};
+    const ChartAxis across{x, axis_label(chart.x_label, x)};
+    const Frame frame{
+        {axis_margin, heading + marks, plot_width, plot_height}, across, {y, axis_label(chart.y_label, y)}};
     draw_grid(canvas, frame);
     for (std::size_t i = 0; i < chart.x_marks.size(); ++i) {
         const double at = frame.at(chart.x_marks[i].second, y.low).x, top = frame.box.top - mark_line * levels[i];
         canvas.line({{at, top - 2}, {at, frame.box.bottom()}}, {theme::muted, 1, {4, 3}});
         canvas.text({at, top - 6}, chart.x_marks[i].first, mark_style, Across::centre, Along::baseline);
     }
-    std::vector<LegendEntry> entries;
-    const double edge = y.value(2 / plot_height);  // the whole pen's width above the frame
-    for (std::size_t i = 0; i < chart.lines.size(); ++i) {
-        const auto& line = chart.lines[i];
-        Polyline points;
-        for (std::size_t k = 0; k < line.x.size(); ++k)
-            points.push_back(frame.at(line.x[k], y.log && line.y[k] >= 0 && line.y[k] < edge ? edge : line.y[k]));
-        std::vector<Polyline> pieces = clip(points, frame.box);
-        const Pen pen = pen_of(i, line.dashed);
-        for (Polyline& piece : pieces) canvas.line(piece = thin(piece, 0.1), pen);
-        const bool alone = points.size() == 1, marked = alone || takes_markers(chart, i, pieces);
-        if (alone)
-            marker(canvas, points.front(), i, pen.colour);
-        else if (marked)
-            draw_markers(canvas, pieces, i);
-        entries.push_back({[&canvas, alone, marked, pen, i](const Rectangle& box) {
-                               const double middle = box.top + box.height / 2;
-                               if (!alone) canvas.line({{box.left, middle}, {box.right(), middle}}, pen);
-                               if (marked) marker(canvas, {box.left + box.width / 2, middle}, i, pen.colour);
-                           },
-                           line.name});
-    }
-    draw_axes(canvas, frame);
+    const auto entries = draw_lines(canvas, frame, chart.lines);
     double bottom = frame.box.bottom() + axis_depth;
+    draw_axes(canvas, frame);
     if (needs_legend(chart)) bottom = draw_legend(canvas, entries, frame.box.left, bottom + 12, plot_width);
+    std::vector<Rectangle> panels;
+    if (!chart.below.empty()) {
+        const Frame second{{axis_margin, bottom + 14, plot_width, lower_height},
+                           across,
+                           {lower, axis_label(chart.below_label, lower)}};
+        draw_grid(canvas, second);
+        const auto named = draw_lines(canvas, second, chart.below);
+        draw_axes(canvas, second);
+        bottom = draw_legend(canvas, named, second.box.left, second.box.bottom() + axis_depth + 12, plot_width);
+        panels.push_back(second.box);
+    }
     const int height = static_cast<int>(std::ceil(bottom)) + 6;
-    return {canvas.svg(height, plain_text(chart.title), description), "", picture_width, height, frame.box};
+    return {canvas.svg(height, plain_text(chart.title), description),
+            "",
+            picture_width,
+            height,
+            frame.box,
+            std::move(panels)};
+}
+
+Drawn draw(const LineChart& chart, const std::string& description, const Fonts& fonts)
+{
+    return draw(detailed(chart), description, fonts);
 }
 
 }  // namespace stickslip::drawing

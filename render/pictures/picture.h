@@ -1,5 +1,6 @@
 // What every picture hands back, and the pictures.
 #pragma once
+#include "analysis/results/detailed_chart.h"
 #include "analysis/results/line_drawing.h"
 #include "analysis/results/stability_panels.h"
 #include "render/drawing/canvas.h"
@@ -23,6 +24,7 @@ Drawn draw(const StabilityMap& map, const std::string& description, const Fonts&
 Drawn draw(const StabilityPanels& panels, const std::string& description, const Fonts& fonts);
 Drawn draw(const CriticalGainSurface& surface, const std::string& description, const Fonts& fonts);
 Drawn draw(const FieldMap& map, const std::string& description, const Fonts& fonts);
+Drawn draw(const DetailedChart& chart, const std::string& description, const Fonts& fonts);
 Drawn draw(const LineChart& chart, const std::string& description, const Fonts& fonts);
 Drawn draw(const LineDrawing& drawing, const std::string& description, const Fonts& fonts);
 

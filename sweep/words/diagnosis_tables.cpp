@@ -1,18 +1,26 @@
 #include "sweep/words/diagnosis_tables.h"
 
+#include "analysis/results/text.h"
+#include "sweep/words/cause_text.h"
 #include "sweep/words/diagnosis_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace stickslip {
 namespace {
 
 std::string number(double value)
 {
-    return std::isfinite(value) ? fmt::format("{:.4g}", value) : "–";
+    return plain_number(value, 4);
+}
+
+ShareBar bar_of(double share)
+{
+    return {share, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 }
 
 std::string ranged(double value, const ConfidenceInterval& interval)
@@ -34,25 +42,13 @@ std::string whole_percent(double part)
     return std::isfinite(part) ? fmt::format("{:.0f} %", 100 * part) : "–";
 }
 
-std::string share_bar(double share, const ConfidenceInterval& interval)
-{
-    static constexpr int cells = 10;
-    const auto blocks = [](double part) {
-        return std::isfinite(part) ? std::clamp(static_cast<int>(std::lround(cells * part)), 0, cells) : 0;
-    };
-    const int low = std::min(blocks(share), std::isfinite(interval.low) ? blocks(interval.low) : cells);
-    const int high = std::max(blocks(share), blocks(interval.high));
-    std::string bar;
-    for (int i = 0; i < cells; ++i) bar += i < low ? "█" : i < high ? "▒" : "·";
-    return bar;
-}
-
 Table causes_table(const Diagnosis& d)
 {
     Table t{
         "Causes, most probable first",
-        {"cause", "probability", "held-out gain", "its tell-tale is there", "plausible", "form", "misfit (0 is noise)"},
+        {"cause", "probability", "held-out gain", "its signature is there", "plausible", "form", "misfit (0 is noise)"},
         {}};
+    t.bar_column = 1;
     const bool forces = d.drive_force.corner > 0;
     if (forces)
         t.columns.insert(t.columns.begin() + 3,
@@ -61,10 +57,11 @@ Table causes_table(const Diagnosis& d)
     for (const auto& c : d.effects) {
         const bool held = std::isfinite(c.heldout_gain_interval.low) || c.heldout_gain != 0;
         all += c.probability;
-        t.rows.push_back({together(c.names), share_bar(c.probability, {}) + fmt::format(" {:.3f}", c.probability),
+        t.rows.push_back({together(c.names), fmt::format("{:.3f}", c.probability),
                           held ? ranged(c.heldout_gain, c.heldout_gain_interval) : "not held out",
                           c.signature ? "yes" : "no", c.plausible ? "yes" : "no", c.form.empty() ? "–" : c.form,
                           number(c.misfit)});
+        t.bars.push_back(bar_of(c.probability));
         if (forces) {
             auto& row = t.rows.back();
             row.insert(row.begin() + 3, ranged(c.force_gain, c.force_gain_interval));
@@ -72,7 +69,8 @@ Table causes_table(const Diagnosis& d)
     }
     constexpr double visible = 5e-4;
     if (!d.effects.empty() && 1 - all > visible) {
-        t.rows.push_back({"none of these", share_bar(1 - all, {}) + fmt::format(" {:.3f}", 1 - all)});
+        t.rows.push_back({"none of these", fmt::format("{:.3f}", 1 - all)});
+        t.bars.push_back(bar_of(1 - all));
         t.rows.back().resize(t.columns.size(), "–");
     }
     return t;
@@ -80,10 +78,10 @@ Table causes_table(const Diagnosis& d)
 
 Table parameters_table(const Diagnosis& d)
 {
-    Table t{"Numbers of the first cause", {"parameter", "value", "standard error", "unit"}, {}};
+    Table t{"Numbers of the first cause, ± standard error", {"parameter", "value"}, {}};
     if (!d.effects.empty())
         for (const auto& p : d.effects[0].parameters)
-            t.rows.push_back({p.name, number(p.value), number(p.standard_error), p.unit});
+            t.rows.push_back({p.name, with_error(p.value, p.standard_error, p.unit)});
     return t;
 }
 
@@ -104,10 +102,13 @@ Table values_table(const Diagnosis& d)
 Table shares_table(const char* title, const std::vector<Share>& shares)
 {
     Table t{title, {"where", "share of the gap", "95 % interval", "RMS", "noise floor", "unit"}, {}};
-    for (const auto& s : shares)
-        t.rows.push_back({s.name, share_bar(s.share, s.interval) + " " + whole_percent(s.share),
+    t.bar_column = 1;
+    for (const auto& s : shares) {
+        t.rows.push_back({s.name, whole_percent(s.share),
                           whole_percent(s.interval.low) + " … " + whole_percent(s.interval.high), number(s.rms),
                           number(s.floor), s.unit});
+        t.bars.push_back({s.share, s.interval.low, s.interval.high});
+    }
     return t;
 }
 

@@ -9,8 +9,6 @@ namespace stickslip {
 std::string together(const std::vector<std::string>& names);
 /// "38 %", "–" where there is none.
 std::string whole_percent(double part);
-/// A share as ten blocks that a glance can compare, and its interval in lighter ones: "██████▒▒··".
-std::string share_bar(double share, const ConfidenceInterval& interval);
 
 Table causes_table(const Diagnosis& d);
 Table parameters_table(const Diagnosis& d);

@@ -18,7 +18,7 @@ void smooth(LineChart::Line& line, const std::function<double(double)>& y, doubl
     line.x = std::move(samples.x), line.y = std::move(samples.y);
 }
 
-Figure line_figure(std::string id, LineChart chart, std::string finding, std::string reading)
+Figure line_figure(std::string id, Picture chart, std::string finding, std::string reading)
 {
     Figure figure;
     figure.id = std::move(id);

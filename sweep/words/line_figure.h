@@ -17,7 +17,7 @@ std::string axis_label(std::string_view name, Quantity quantity, Motion motion);
 void smooth(LineChart::Line& line, const std::function<double(double)>& y, double most = 0.15, int rounds = 6);
 
 /// A chart with its words; the finding is what a screen reader says and stands first in the caption.
-Figure line_figure(std::string id, LineChart chart, std::string finding, std::string reading);
+Figure line_figure(std::string id, Picture chart, std::string finding, std::string reading);
 
 /// "55 kN/m … ∞, …" of open intervals; "none" of none.
 std::string intervals_text(const std::vector<Interval>& list, Quantity quantity, Motion motion);

@@ -5,6 +5,7 @@
 #include "sweep/words/loop_text.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace stickslip {
 namespace {
@@ -121,9 +122,11 @@ Table linear_table(const Joint& joint, const LinearVerdict& v)
     if (std::isnan(v.state_variable.k_cr))
         table.rows.push_back(
             {"stable k_{p}", intervals_text(v.state_variable.stable_intervals, Quantity::stiffness, motion)});
-    else
-        table.rows.push_back(row("frequency at the critical gain ω", v.state_variable.crossings.back().omega,
-                                 Quantity::angular_frequency));
+    else {
+        const double omega = v.state_variable.crossings.back().omega;
+        table.rows.push_back(row("frequency at the critical gain ω", omega, Quantity::angular_frequency));
+        table.rows.back().back() += " (" + plain_number(omega / (2 * std::numbers::pi)) + " Hz)";
+    }
     return table;
 }
 

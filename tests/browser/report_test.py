@@ -3,9 +3,12 @@
     report_test.py STICKSLIP [--update]     --update stores the screenshots anew
 """
 import base64
+import json
+import math
 import os
 import pathlib
 import random
+import re
 import shlex
 import subprocess
 import sys
@@ -49,10 +52,25 @@ class Report(unittest.TestCase):
         stickslip("boundary", "examples/03-bistable-strip/spec.toml", "--kind", "linear", "fold", "--over",
                   "control.k_p", "control.k_v", "-o", cls.out / "boundary")
         stickslip("design", "examples/04-design/spec.toml", "-o", cls.out / "design")
-        names = ("linear", "nonlinear", "motion", "comparison", "boundary", "design")
+        cls.diagnose()
+        names = ("linear", "nonlinear", "motion", "comparison", "boundary", "design", "gap")
         cls.pages = {name: cls.out / name / "report.html" for name in names}
         cls.results = netCDF4.Dataset(cls.out / "linear/results.nc")
         cls.browser = Browser()
+
+    @classmethod
+    def diagnose(cls):
+        """An arm whose weight the joint file does not state, along a motion that turns round."""
+        joint = ("[joint]\nmotion = \"revolute\"\ninertia = 1.1\n[control]\nk_p = 4000\nk_v = 120\nperiod = 1e-3\n"
+                 "velocity_estimate = { form = \"backward-difference\", tau = 1e-3 }\n"
+                 "[friction]\nlaw = \"coulomb-viscous\"\ncoulomb = 2.0\nviscous = 0.5\n"
+                 "[sensor]\nencoder_quantum = 1e-6\nposition_noise = 1e-6\n")
+        (cls.out / "arm.toml").write_text(joint)
+        rows = [(i / 500, 0.3 * (1 - math.cos(math.pi * i / 500))) for i in range(2000)]
+        (cls.out / "arm.csv").write_text("time,reference_position\n" + "".join(f"{t:.6g},{r:.9g}\n" for t, r in rows))
+        stickslip("simulate", "arm.toml", "--reference", "arm.csv", "--set", "load.gravity_amplitude=6", "--seed", "3",
+                  "-o", "arm", cwd=cls.out)
+        stickslip("diagnose", "arm.toml", "arm/record.csv", "-o", "gap", cwd=cls.out)
 
     @classmethod
     def tearDownClass(cls):
@@ -120,7 +138,7 @@ class Report(unittest.TestCase):
         numpy.testing.assert_allclose(data["field"], numpy.concatenate(planes), rtol=COARSE)
         self.browser.run("document.querySelectorAll('#panels-k-p-k-v .reader')[5].focus({focusVisible: true})")
         self.browser.key("ArrowLeft")
-        self.assertIn("V0 = 100 mm/s", self.browser.run("return document.querySelector('#panels-k-p-k-v .tip.on').innerText"))
+        self.assertIn("V0 = 100 mm/s", self.said("return document.querySelector('#panels-k-p-k-v .tip.on').innerText"))
         self.browser.key("Enter")
         command = self.browser.run("return document.querySelector('#panels-k-p-k-v .place code').textContent")
         self.assertIn("control.V0=0.1", command)
@@ -131,7 +149,11 @@ class Report(unittest.TestCase):
                                 "const r = e.getBoundingClientRect(); return [r.left, r.top, r.width, r.height]", figure)
 
     def tip(self, figure):
-        return self.browser.run("return document.querySelector(arguments[0] + ' .tip').innerText", figure)
+        return self.said("return document.querySelector(arguments[0] + ' .tip').innerText", figure)
+
+    def said(self, script, *arguments):
+        """What a script returns as words, numbers apart from their units by ordinary spaces."""
+        return self.browser.run(script, *arguments).replace("\u00a0", " ")
 
     def test_the_pointer_reads_the_values_of_the_file(self):
         self.browser.open(self.pages["linear"])
@@ -168,7 +190,7 @@ class Report(unittest.TestCase):
     def test_the_slider_moves_the_chart(self):
         self.browser.open(self.pages["linear"])
         self.browser.run("const s = document.querySelector('#map-k-p-k-v input'); s.value = s.max; s.dispatchEvent(new Event('input'))")
-        self.assertEqual(self.browser.run("return document.querySelector('#map-k-p-k-v output').textContent"), "100 mm/s")
+        self.assertEqual(self.said("return document.querySelector('#map-k-p-k-v output').textContent"), "100 mm/s")
         left, top, width, height = self.area("#map-k-p-k-v")
         self.browser.move(left + width / 2, top + height / 2)
         self.assertIn("V0 = 100 mm/s", self.tip("#map-k-p-k-v"))
@@ -177,7 +199,7 @@ class Report(unittest.TestCase):
         weights = lambda v: (lambda u: (numpy.append(u[1:], u[-1]) - numpy.insert(u[:-1], 0, u[0])) / 2 / (u[-1] - u[0]))(numpy.log(v))
         region = self.results["region"][:, :, -1]
         shares = numpy.outer(weights(k_p), weights(k_v))
-        said = self.browser.run("return document.querySelector('#map-k-p-k-v .layer-words').textContent")
+        said = self.said("return document.querySelector('#map-k-p-k-v .layer-words').textContent")
         for codes, words in (((0, 1), "smooth on"), ((1, 2), "theories differ on")):
             share = 100 * shares[numpy.isin(region, codes)].sum()
             self.assertAlmostEqual(float(said.split(words + " ")[1].split(" ")[0]), share, delta=0.006 * share + 0.1, msg=said)
@@ -321,6 +343,139 @@ class Report(unittest.TestCase):
             self.browser.key("ArrowDown")
         for name in ("best", "velocity-only thinking", "as in the joint"):
             self.assertTrue(any(name in text for text in read), (name, read))
+
+    def test_numbers_never_part_from_their_units(self):
+        """In all words of all pages: no ordinary space between a number and a unit, and no hyphen for a minus."""
+        unit = re.compile(r"[0-9] (?:[pnµmkMG]?(?:m|N|s|Hz|rad|V|A)\b|%|1/s)")
+        words = "return [...document.querySelectorAll('p, li, td, th, figcaption, .card b, .card span')].map(e => e.textContent)"
+        for name, page in self.pages.items():
+            with self.subTest(page=name):
+                self.browser.open(page)
+                for text in self.browser.run(words):
+                    self.assertIsNone(unit.search(text), text)
+                    self.assertIsNone(re.search(r"(?:^|[ (])-[0-9]", text), text)
+                    self.assertIsNone(re.search(r"[0-9]e[-+]?[0-9]", text), text)
+                    self.assertIsNone(re.search("[█▒░]", text), text)
+
+    def test_marks_on_lines_are_samples(self):
+        """Every circle in a chart stands where the numbers behind it have a sample."""
+        self.browser.open(self.pages["linear"])
+        for figure in ("v-min", "root-locus"):
+            with self.subTest(figure=figure):
+                near = self.browser.run_async(f"""{{
+                  const svg = document.querySelector('#{figure} .sheet > svg'), data = await unpack(JSON.parse(document.querySelector('#{figure} script').textContent));
+                  const sheet = svg.getBoundingClientRect(), [left, top, width, height] = data.area.map((v, i) => v * (i % 2 ? sheet.height : sheet.width));
+                  const at = (axis, v) => Math.max(0, position(axis, v)), line = data.lines[0];
+                  const places = line.x.map((x, i) => [left + width * at(data.xAxis, x), top + height * (1 - at(data.yAxis, line.y[i]))]);
+                  const marks = [...svg.querySelectorAll('path[fill="#0072b2"]')].map((p) => p.getBoundingClientRect())
+                    .map((r) => [r.left + r.width / 2 - sheet.left, r.top + r.height / 2 - sheet.top]);
+                  return marks.filter(([x, y]) => x <= left + width && y <= top + height)
+                    .map(([x, y]) => Math.min(...places.map(([a, b]) => Math.hypot(a - x, b - y)).filter(Number.isFinite))); }}""")
+                self.assertGreater(len(near), 0)
+                self.assertLess(max(near), 0.5)
+
+    def test_the_root_locus_says_its_gain(self):
+        self.browser.open(self.pages["linear"])
+        self.browser.run("document.querySelector('#root-locus .reader').focus({focusVisible: true})")
+        self.browser.key("ArrowRight")
+        self.assertRegex(self.tip("#root-locus"), r"kp = [0-9.]+ [kM]?N/m")
+        rows = [line.split(",") for line in (self.out / "linear/charts/root-locus.csv").read_text().splitlines()]
+        self.assertEqual(rows[0][3], "kp [N/m]")
+        gains = [float(row[3]) for row in rows[1:] if row[3] != "nan"]
+        self.assertTrue(0.999e3 <= min(gains) and max(gains) <= 1.001e6, (min(gains), max(gains)))
+        own = [row for row in rows[1:] if row[0].startswith("the design")]
+        self.assertEqual({float(row[3]) for row in own}, {6e4})
+        self.assertEqual(len(own), 2 if float(own[0][2]) else 1)
+
+    def test_the_slider_takes_the_words_of_the_printed_slice_away(self):
+        self.browser.open(self.pages["linear"])
+        shown = ("return [...document.querySelectorAll('#map-k-p-k-v svg .held')].map(e => getComputedStyle(e).opacity)")
+        self.assertGreater(len(self.browser.run(shown)), 0)
+        self.assertEqual(set(self.browser.run(shown)), {"1"})
+        self.browser.run("const s = document.querySelector('#map-k-p-k-v input'); s.value = s.max; s.dispatchEvent(new Event('input'))")
+        self.assertEqual(set(self.browser.run(shown)), {"0"})
+
+    def test_the_surface_can_be_turned(self):
+        self.browser.open(self.pages["linear"])
+        name = self.browser.run("return [...document.querySelectorAll('figure')].find(f => f.querySelector('canvas.turned')).id")
+        self.browser.run(f"[...document.querySelectorAll('#{name} button')].find(b => b.textContent === 'Turn it').click()")
+        canvas = f"document.querySelector('#{name} canvas.turned')"
+        before = self.browser.run(f"{canvas}.focus(); return {canvas}.toDataURL()")
+        self.browser.key("ArrowLeft")
+        self.assertNotEqual(self.browser.run(f"return {canvas}.toDataURL()"), before)
+        self.assertEqual(self.browser.run("return document.documentElement.scrollWidth <= innerWidth"), True)
+        self.assertEqual(self.browser.complaints(), [])
+
+    def test_values_are_read_in_the_units_of_a_workshop_on_request(self):
+        self.browser.open(self.pages["gap"])
+        self.browser.run("document.querySelector('#record-1-position .reader').focus({focusVisible: true})")
+        self.browser.key("ArrowRight")
+        pattern = r"position = (−?[0-9.×10⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+) (\S+)"
+        number, unit = re.search(pattern, self.tip("#record-1-position")).groups()
+        radians = float(number.replace("−", "-")) * {"rad": 1, "mrad": 1e-3, "µrad": 1e-6}[unit]
+        self.browser.run("const s = document.querySelector('#units'); s.value = 'workshop'; s.dispatchEvent(new Event('change'));"
+                         "document.querySelector('#record-1-position .reader').focus({focusVisible: true})")
+        self.browser.key("ArrowRight"), self.browser.key("ArrowLeft")
+        number, unit = re.search(pattern, self.tip("#record-1-position")).groups()
+        self.assertEqual(unit, "°")
+        self.assertAlmostEqual(float(number.replace("−", "-")) / math.degrees(radians), 1, delta=0.01)
+
+    def test_a_picture_is_saved_with_300_dots_an_inch(self):
+        self.browser.open(self.pages["linear"])
+        width, dots = self.browser.run_async("""{
+          const svg = document.querySelector('#k-v-demanded .sheet > svg'), bytes = new Uint8Array(await (await pngOf(svg)).arrayBuffer());
+          const view = new DataView(bytes.buffer), at = 33, name = String.fromCharCode(...bytes.subarray(at + 4, at + 8));
+          const image = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+          return [image.width / Number(svg.getAttribute('width')), name === 'pHYs' ? view.getUint32(at + 8) * 0.0254 : 0]; }""")
+        self.assertAlmostEqual(width, 300 / 96, delta=0.01)
+        self.assertAlmostEqual(dots, 300, delta=0.1)
+
+    def test_the_first_screen_of_a_diagnosis_can_be_acted_on(self):
+        self.browser.open(self.pages["gap"], width=1400)
+        verdict = self.said("return document.querySelector('.verdict').innerText")
+        amplitude = float(re.search(r"amplitude ([0-9.]+) ± [^ ]+ N·m", verdict)[1])
+        self.assertAlmostEqual(amplitude, 6, delta=0.05)
+        for question in ("what:", "how much:", "how sure:", "where:"):
+            self.assertIn(question, self.said("return document.querySelector('.cards').innerText"))
+        lines = self.browser.run("return document.querySelector('.snippet pre').textContent")
+        self.assertIn("[load]", lines)
+        self.assertAlmostEqual(float(re.search(r"gravity_amplitude = ([0-9.e+-]+)", lines)[1]), 6, delta=0.05)
+        # the whole file is the one beside the page, and the program reads it
+        whole = self.browser.run("return document.querySelector('details.snippet pre').textContent")
+        self.assertEqual(whole, (self.out / "gap/corrected-joint.toml").read_text())
+        stickslip("simulate", self.out / "gap/corrected-joint.toml", "--reference", self.out / "arm.csv", "-o", self.out / "again")
+        buttons = self.browser.run("return [...document.querySelectorAll('.snippet button')].map(b => b.textContent)")
+        self.assertEqual(buttons, ["Copy", "Copy", "Save corrected-joint.toml"])
+        self.assertLess(self.browser.run("return document.querySelector('.snippet pre').getBoundingClientRect().bottom"), 900)
+
+    def test_a_record_is_played_from_its_own_numbers(self):
+        self.browser.open(self.pages["gap"])
+        box = "document.querySelector('#record-played')"
+        self.assertEqual(self.browser.run(f"return {box}.querySelectorAll('canvas.played').length"), 1)
+        self.browser.run(f"const s = {box}.querySelector('input[type=range]'); s.value = 500; s.dispatchEvent(new Event('input'))")
+        said = self.said(f"return {box}.querySelector('.layer-words').textContent")
+        rows = [line.split(",") for line in (self.out / "gap/charts/record-played.csv").read_text().splitlines()[1:]]
+        measured = [(float(r[1]), float(r[2])) for r in rows if r[0] == "measured"]
+        self.assertGreater(len(measured), 1000)
+        self.assertRegex(said, "position [0-9.]+ m?rad; off by: simulated before .* simulated after ")
+        before = self.browser.run(f"return {box}.querySelector('canvas.played').toDataURL()")
+        self.browser.run(f"[...{box}.querySelectorAll('button')].find(b => b.textContent === 'Play').click()")
+        self.browser.wait(f"return {box}.querySelector('canvas.played').toDataURL() !== {json.dumps(before)}")
+        self.assertEqual(self.browser.complaints(), [])
+
+    def test_the_next_experiment_is_a_motion_that_the_machine_has_shown_to_survive(self):
+        rows = numpy.genfromtxt(self.out / "gap/next-experiment.csv", delimiter=",", names=True)
+        record = numpy.genfromtxt(self.out / "arm/record.csv", delimiter=",", names=True)
+        time, motion = rows["time"], rows["reference_position"]
+        speed = numpy.diff(motion) / numpy.diff(time)
+        seen = numpy.diff(record["reference_position"]) / numpy.diff(record["time"])
+        self.assertLess(abs(speed).max(), 1.05 * abs(seen).max())
+        self.assertTrue(record["position"].min() - 1e-3 < motion.min() and motion.max() < record["position"].max() + 1e-3)
+        self.assertLess(abs(speed[[0, -1]]).max(), 0.02 * abs(seen).max())  # from rest to rest
+        self.browser.open(self.pages["gap"])
+        text = self.said("return document.querySelector('#next').innerText")
+        self.assertIn("next-experiment.csv", text)
+        self.assertIn("Check before running it", text)
 
     def test_it_looks_as_it_did(self):
         """The first screen, reduced to a quarter, so that letters of another version of the typeface do not matter."""

@@ -55,12 +55,18 @@ class Folder {
     TemporaryDirectory directory_;
 };
 
+/// A file as it is; of a page the words, numbers apart from their units by ordinary spaces.
 inline std::string read(const std::string& file)
 {
     std::ifstream in(file, std::ios::binary);
     std::ostringstream text;
     text << in.rdbuf();
-    return text.str();
+    std::string all = text.str();
+    const std::string no_break = "\u00a0";
+    if (file.ends_with(".html"))
+        for (auto at = all.find(no_break); at != std::string::npos; at = all.find(no_break, at))
+            all.replace(at, 2, " ");
+    return all;
 }
 
 }  // namespace program

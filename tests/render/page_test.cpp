@@ -1,4 +1,5 @@
 #include "render/page/html.h"
+#include "render/page/typeset.h"
 #include "render/render.h"
 #include "tests/render/example_report.h"
 
@@ -46,9 +47,49 @@ const std::string attack = "</script><img src=x onerror=alert(1)>\"'&";
 TEST_CASE("text and mark-up are escaped", "[page]")
 {
     CHECK(escape("<a href=\"x\">'&") == "&lt;a href=&quot;x&quot;&gt;&#39;&amp;");
-    CHECK(html_of_markup("k_{p} < 10^{−6}") == "k<sub>p</sub> &lt; 10<sup>−6</sup>");
+    CHECK(html_of_markup("k_{p} < 10^{−6}") == "k<sub>p</sub>\u00a0&lt;\u00a010<sup>−6</sup>");
     CHECK(html_of_markup("x_{<b>}") == "x<sub>&lt;b&gt;</sub>");
     CHECK(json_string("</script>\"\\\n") == R"("\u003c/script\u003e\"\\\u000a")");
+}
+
+TEST_CASE("numbers stay with their units, minus signs are minus signs, exponents are powers of ten", "[page]")
+{
+    const std::pair<const char*, const char*> said[] = {
+        {"is 53.9 kN/m at 1 mm/s, 30.4 % of it", "is 53.9\u00a0kN/m at 1\u00a0mm/s, 30.4\u00a0% of it"},
+        {"from -36.7 N·s/m to 12 1/s", "from −36.7\u00a0N·s/m to 12\u00a01/s"},
+        {"14 ± 5e-05 N·m", "14\u00a0±\u00a05×10^{−5}\u00a0N·m"},
+        {"10^{−6} m²", "10^{−6}\u00a0m²"},
+        {"1.11 × the gain; < 5 s", "1.11\u00a0× the gain; <\u00a05\u00a0s"},
+        // names, options, dates, counts and words stay
+        {"take gain-k_p or --set=-5 of 2026-11-23", "take gain-k_p or --set=-5 of 2026-11-23"},
+        {"2 means, 3 seconds, 4 of 5 points, 6 markers", "2 means, 3 seconds, 4 of 5 points, 6 markers"},
+        {"case-12 a1e5 x 2e5y", "case-12 a1e5 x 2e5y"},
+        {"", ""}};
+    for (const auto& [given, set] : said) CHECK(drawing::typeset(given) == set);
+}
+
+TEST_CASE("bars of a table are drawn, one for each row", "[page]")
+{
+    Report report = example::report();
+    Table table{"shares", {"where", "share"}, {{"motion", "90 %"}, {"command", "10 %"}}};
+    table.bar_column = 1;
+    table.bars = {{0.9, 0.8, 0.95}, {0.1, NAN, NAN}};
+    report.sections[0].tables = {table};
+    const std::string html = page(report, render(report));
+    CHECK_THAT(html, Catch::Matchers::Contains("<rect class=\"part\" y=\"0\" width=\"90\""));
+    CHECK_THAT(html, Catch::Matchers::Contains("M80 3V11M95 3V11M80 7H95"));
+    table.bars.pop_back();
+    report.sections[0].tables = {table};
+    CHECK_THROWS_AS(page(report, render(report)), std::invalid_argument);
+}
+
+TEST_CASE("text to take along is shown as it is, and a whole file is folded away", "[page]")
+{
+    Report report = example::report();
+    report.snippets = {{"To paste", "viscous = -3   # <N>", ""}, {"The file", "[joint]\n", "joint.toml"}};
+    const std::string html = page(report, render(report));
+    CHECK_THAT(html, Catch::Matchers::Contains("<pre tabindex=\"0\">viscous = -3   # &lt;N&gt;</pre></div>"));
+    CHECK_THAT(html, Catch::Matchers::Contains("<details class=\"snippet\" data-file=\"joint.toml\">"));
 }
 
 TEST_CASE("text of unknown origin loses controls, marks of direction and broken bytes, and nothing else", "[page]")

@@ -14,7 +14,11 @@ const codes = async (text) => new Uint8Array(await inflate(text, 1));
 const unpackAxis = async (axis) => { axis.values = await doubles(axis.values); return axis; };
 
 const unpack = async (data) => {
-  for (const line of data.lines || []) { line.x = await doubles(line.x); line.y = await doubles(line.y); }
+  for (const line of [...(data.lines || []), ...(data.below || [])]) {
+    line.x = await doubles(line.x);
+    line.y = await doubles(line.y);
+    if (line.along) line.along = await doubles(line.along);
+  }
   if (data.kind === "lines") return data;
   for (const axis of [data.x, data.y, data.across, data.up]) if (axis) await unpackAxis(axis);
   if (data.field) data.field = await floats(data.field);
@@ -39,7 +43,8 @@ const csv = (data) => {
       lines.push(row.join(","));
     }));
   else
-    data.lines.forEach((line) => line.x.forEach((x, i) => lines.push([quoted(line.name), x, line.y[i]].join(","))));
+    [...data.lines, ...(data.below || [])].forEach((line) => line.x.forEach((x, i) =>
+      lines.push([quoted(line.name), x, line.y[i], ...(data.alongAxis ? [line.along ? line.along[i] : ""] : [])].join(","))));
   return lines.join("\n") + "\n";
 };
 

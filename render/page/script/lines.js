@@ -1,8 +1,12 @@
 // Reading the lines of a chart: the cursor sits on a sample of the data, never between two.
 const addLineReader = (figure, data) => {
-  const { xAxis, yAxis } = data;
+  addPanelReader(figure, data, data.lines, data.yAxis, data.area);
+  if (data.belowArea) addPanelReader(figure, data, data.below, data.belowAxis, data.belowArea);
+};
+
+const addPanelReader = (figure, { xAxis, alongAxis }, drawn, yAxis, area) => {
   const visible = (p) => Number.isFinite(p) && p > -1e-9 && p < 1 + 1e-9;
-  const lines = data.lines.map((line) => {
+  const lines = drawn.map((line) => {
     // zero and what a log axis does not reach lie on its lower edge, as in the picture
     const level = (y) => (yAxis.log && y >= 0 ? Math.max(0, y > 0 ? position(yAxis, y) : 0) : position(yAxis, y));
     const places = line.x.map((x, i) => [position(xAxis, x), level(line.y[i])]);
@@ -20,18 +24,19 @@ const addLineReader = (figure, data) => {
       });
   };
   const named = (axis, value) => element("div", {}, ...marked(axis.name), " = " + withUnit(value, axis));
-  const several = data.lines.length > 1;
+  const several = drawn.length > 1;
   const readOut = () => {
     const { line } = lines[n], i = own(), said = [named(xAxis, line.x[i]), named(yAxis, line.y[i])];
+    if (line.along) said.unshift(named(alongAxis, line.along[i]));
     if (several) said.unshift(element("b", {}, line.name));
     // lines over the same samples are compared at once
-    for (const other of data.lines)
+    for (const other of drawn)
       if (other !== line && other.x[i] === line.x[i] && other.x.length === line.x.length && Number.isFinite(other.y[i]))
         said.push(element("div", {}, other.name + ": " + withUnit(other.y[i], yAxis)));
     return said;
   };
   const label = `Values of the chart: left and right move along a line, with Shift ten steps${several ? "; up and down change the line" : ""}; Escape leaves`;
-  addFrame(figure, data.area, label, {
+  addFrame(figure, area, label, {
     point: (across, up, frame) => nearestOf(lines.keys(), across, up, frame.width, frame.height),
     step: (right, up, far) => {
       const { samples } = lines[n], stride = Math.ceil(samples.length / 400) * (far ? 10 : 1);

@@ -1,10 +1,23 @@
 // Every figure gets its buttons and, over a grid, its reader. The page is complete without this script.
+// 300 dots an inch, and the file says so: the chunk pHYs before the first IDAT.
+const dotsPerInch = 300, fineness = dotsPerInch / 96;
+const crcOf = (bytes) => {
+  let crc = -1;
+  for (const byte of bytes) { crc ^= byte; for (let k = 0; k < 8; ++k) crc = crc & 1 ? (crc >>> 1) ^ 0xedb88320 : crc >>> 1; }
+  return ~crc >>> 0;
+};
+const withResolution = async (blob) => {
+  const header = 33, bytes = new Uint8Array(await blob.arrayBuffer()), chunk = new DataView(new ArrayBuffer(21)), perMetre = Math.round(dotsPerInch / 0.0254);
+  chunk.setUint32(0, 9); chunk.setUint32(4, 0x70485973); chunk.setUint32(8, perMetre); chunk.setUint32(12, perMetre); chunk.setUint8(16, 1);
+  chunk.setUint32(17, crcOf(new Uint8Array(chunk.buffer, 4, 13)));
+  return new Blob([bytes.subarray(0, header), chunk.buffer, bytes.subarray(header)], { type: "image/png" });
+};
 const pngOf = (picture) => new Promise((resolve, reject) => {
   const image = new Image(), width = Number(picture.getAttribute("width")), height = Number(picture.getAttribute("height"));
   image.onload = () => {
-    const canvas = newCanvas(2 * width, 2 * height);
-    canvas.getContext("2d").drawImage(image, 0, 0, 2 * width, 2 * height);
-    canvas.toBlob(resolve, "image/png");
+    const canvas = newCanvas(Math.round(fineness * width), Math.round(fineness * height));
+    canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
+    canvas.toBlob((blob) => withResolution(blob).then(resolve, reject), "image/png");
   };
   image.onerror = reject;
   image.src = "data:image/svg+xml;charset=utf-8," + encodeURIComponent(new XMLSerializer().serializeToString(picture));
@@ -57,12 +70,35 @@ const prepare = async (figure) => {
     if (data.kind === "lines" && data.area && picture) addLineReader(figure, data);
     if (data.kind === "grid" && data.area && picture) await prepareGrid(figure, data);
     if (data.areas && picture) preparePanels(figure, data);
+    if (data.surface && picture) addTurning(figure, data, button);
+    if (data.played && data.yAxis) addPlayer(figure, data);
     if (data.kind === "lines" && picture) addZoom(figure, data, button);
     button("Data (CSV)", () => save(figure.id + ".csv", "text/csv", csv(data)));
   }
   if (!picture) return;
   button("Picture (SVG)", () => save(figure.id + ".svg", "image/svg+xml", new XMLSerializer().serializeToString(picture)));
   button("Picture (PNG)", async () => save(figure.id + ".png", "image/png", await pngOf(picture)));
+  button("Print or PDF", () => printAlone(figure));
+};
+
+// One figure on a sheet of its own, which every browser prints or saves as PDF with its text as text.
+const printAlone = (figure) => {
+  const done = () => { document.documentElement.classList.remove("one-figure"); figure.classList.remove("chosen"); };
+  document.documentElement.classList.add("one-figure");
+  figure.classList.add("chosen");
+  window.addEventListener("afterprint", done, { once: true });
+  window.print();
+};
+
+// Text to take along: copied, or saved under its name.
+const prepareSnippet = (box) => {
+  const text = box.querySelector("pre"), tools = box.appendChild(element("div", { class: "tools" }));
+  const button = (label, action) => tools.appendChild(element("button", { type: "button" }, label)).addEventListener("click", action);
+  button("Copy", () => {
+    getSelection().selectAllChildren(text);
+    if (navigator.clipboard) navigator.clipboard.writeText(text.textContent).catch(() => {});
+  });
+  if (box.dataset.file) button("Save " + box.dataset.file, () => save(box.dataset.file, "text/plain", text.textContent));
 };
 
 const prepareContents = () => {
@@ -81,6 +117,18 @@ const prepareContents = () => {
   }
 };
 
+// The units in which values are read off the charts: SI, or those of a workshop.
+const prepareUnits = () => {
+  const select = element("select", { id: "units" }, element("option", { value: "" }, "SI"), element("option", { value: "workshop" }, "°, mm, rpm"));
+  document.querySelector("nav").append(element("label", { class: "units", for: "units" }, "Values read off charts in ", select));
+  select.addEventListener("change", () => {
+    readingUnits = select.value ? workshopUnits : {};
+    for (const slider of document.querySelectorAll("input[type=range]")) slider.dispatchEvent(new Event("input"));
+  });
+};
+
 prepareContents();
+prepareUnits();
 prepareWidths();
+for (const box of document.querySelectorAll(".snippet")) prepareSnippet(box);
 Promise.all([...document.querySelectorAll("figure[id]")].map(prepare)).then(() => { document.documentElement.dataset.ready = "true"; });

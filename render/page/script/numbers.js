@@ -12,13 +12,21 @@ const digits = (value) => {
   return String(Number(mantissa)).replace("-", "−") + "×10" + raised;
 };
 
+// A number and its unit stay on one line, as in the printed words.
+const nbsp = "\u00a0";
+
+// What a reader may choose to read values in: factor and name for each unit; pictures and printed words keep SI.
+const workshopUnits = { rad: [180 / Math.PI, "°"], "rad/s": [30 / Math.PI, "rpm"], m: [1e3, "mm"], "m/s": [1e3, "mm/s"] };
+let readingUnits = {};
+
 // `kind` has a unit and says whether it takes a prefix.
 const withUnit = (value, kind) => {
-  const unit = kind.unit === "1" ? "" : kind.unit;
-  if (!kind.prefix || !value || !Number.isFinite(value)) return (digits(value) + " " + unit).trim();
+  const unit = kind.unit === "1" ? "" : kind.unit, chosen = readingUnits[unit];
+  if (chosen) return digits(value * chosen[0]) + nbsp + chosen[1];
+  if (!kind.prefix || !value || !Number.isFinite(value)) return digits(value) + (unit && nbsp + unit);
   const size = Math.abs(Number(value.toPrecision(3)));
   const found = prefixes.find(([factor]) => size >= factor * (1 - 1e-12) && size < factor * 1000 * (1 - 1e-12));
-  return found ? digits(value / found[0]) + " " + found[1] + unit : digits(value) + " " + unit;
+  return found ? digits(value / found[0]) + nbsp + found[1] + unit : digits(value) + nbsp + unit;
 };
 
 // Chart mark-up as nodes: "k_{p}" is a subscript.

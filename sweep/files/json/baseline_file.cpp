@@ -97,17 +97,37 @@ std::vector<WatchedBoundary> read_baseline(const std::filesystem::path& file)
             }
         }
     } catch (const Json::exception& e) {
-        throw BadInput(fmt::format("{}: is no baseline of this program: {}", file.string(), e.what()));
+        const auto* broken = dynamic_cast<const Json::parse_error*>(&e);  // the library's own words are for programmers
+        const std::size_t at_byte = broken ? broken->byte : 0;
+        throw BadInput(
+            fmt::format("{}: is no baseline of this program: it is no complete JSON, or lacks a field{}; write "
+                        "it anew with --update",
+                        file.string(), at_byte > 0 ? fmt::format("; reading stopped at byte {}", at_byte) : ""));
     } catch (const std::invalid_argument& e) {
         throw BadInput(fmt::format("{}: boundaries[{}]: {}", file.string(), watched.size(), e.what()));
     }
     return watched;
 }
 
-void write_baseline(const std::filesystem::path& file, const std::string& title,
-                    const std::vector<WatchedBoundary>& watched)
+std::map<std::string, double> read_baseline_numbers(const std::filesystem::path& file)
 {
-    Json json = {{"format", format_name}, {"title", title}, {"boundaries", Json::array()}};
+    std::ifstream in(file, std::ios::binary);
+    std::map<std::string, double> numbers;
+    try {
+        const Json json = Json::parse(in);
+        if (!json.contains("numbers")) return {};
+        for (const auto& [path, value] : json.at("numbers").items()) numbers[path] = value.get<double>();
+    } catch (const Json::exception&) {
+        throw BadInput(fmt::format(
+            "{}: numbers: is not a list of paths with a number each; write it anew with --update", file.string()));
+    }
+    return numbers;
+}
+
+void write_baseline(const std::filesystem::path& file, const std::string& title,
+                    const std::vector<WatchedBoundary>& watched, const std::map<std::string, double>& numbers)
+{
+    Json json = {{"format", format_name}, {"title", title}, {"numbers", numbers}, {"boundaries", Json::array()}};
     for (const auto& w : watched) json["boundaries"].push_back(json_of(w));
     write_whole(file, json.dump(1) + "\n");
 }

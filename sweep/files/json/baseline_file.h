@@ -3,6 +3,7 @@
 #include "sweep/study/check/boundaries.h"
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,10 +12,13 @@ namespace stickslip {
 /// Reads a baseline. Throws BadInput naming file and position for anything that is not one.
 std::vector<WatchedBoundary> read_baseline(const std::filesystem::path& file);
 
+/// The joint's numbers that a baseline was made with; empty of one that was written before it stored them.
+std::map<std::string, double> read_baseline_numbers(const std::filesystem::path& file);
+
 /// Writes a baseline beside the old one, then replaces it. Throws
 /// std::filesystem::filesystem_error if the place cannot be written.
 void write_baseline(const std::filesystem::path& file, const std::string& title,
-                    const std::vector<WatchedBoundary>& watched);
+                    const std::vector<WatchedBoundary>& watched, const std::map<std::string, double>& numbers);
 
 /// One JUnit test case a boundary.
 void write_junit(const std::filesystem::path& file, const std::string& title, const std::vector<Deviation>& deviations);

@@ -79,6 +79,9 @@ class RecordReader {
                 ++line;
                 column = 0;
             } else if (c < 0x20 && c != '\t' && c != '\r') {
+                if (c == 0 && (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")))
+                    throw BadInput(name_ +
+                                   ": is written in UTF-16, expected is UTF-8; save it again with that encoding");
                 throw BadInput(name_ + ":" + std::to_string(line) + ":" + std::to_string(column) +
                                ": is not text, expected is a CSV table (plain or gzip)");
             }

@@ -34,6 +34,7 @@ constexpr Dimension impulse_d{{2, 1, -1, 0, 0, 0}};
 constexpr Dimension power_d{{2, 1, -3, 0, 0, 0}};
 constexpr Dimension pressure_d{{-1, 1, -2, 0, 0, 0}};
 constexpr Dimension voltage_d{{2, 1, -3, -1, 0, 0}};
+constexpr Dimension volt_second_d{{2, 1, -2, -1, 0, 0}};
 constexpr Dimension ohm_d{{2, 1, -3, -2, 0, 0}};
 
 const Symbol symbols[] = {
@@ -50,6 +51,7 @@ const Symbol symbols[] = {
     {"W", true, {power_d}},
     {"Pa", true, {pressure_d}},
     {"V", true, {voltage_d}},
+    {"Vs", true, {volt_second_d}},  // back-EMF constants of data sheets, Vs/rad
     {"Ω", true, {ohm_d}},
     {"\u2126", true, {ohm_d}},  // the ohm sign, another code point than the Greek letter
     {"ohm", true, {ohm_d}},

@@ -44,6 +44,7 @@ class AxisReader {
         const std::size_t before = complaints_.count();
         const auto* table = given_.node->as_table();
         if (table) complain_unknown_keys(*table, axis_keys, path_, complaints_);
+        misspelt_ = complaints_.count() > before;
         if (!table) {
             axis.values = list(*given_.node, path_);
             axis.log = looks_logarithmic(axis.values);
@@ -123,7 +124,7 @@ class AxisReader {
             const char* key = i == 0 ? "from" : "to";
             if (const auto* node = table.get(key))
                 ends[i] = read_value(*node, leaf_, motion_, given_.place, path_ + "." + key, complaints_);
-            else
+            else if (!misspelt_)
                 complain(table, key, "is missing, an axis is a list of values or { from, to, points, scale }");
         }
         const std::uint64_t points = points_of(table);
@@ -147,7 +148,7 @@ class AxisReader {
     {
         const auto* node = table.get("points");
         if (!node) {
-            complain(table, "points", "is missing, allowed is a whole number ≥ 1");
+            if (!misspelt_) complain(table, "points", "is missing, allowed is a whole number ≥ 1");
             return 0;
         }
         const auto given = node->is_number() ? node->value<double>() : std::nullopt;
@@ -166,6 +167,7 @@ class AxisReader {
     Complaints& complaints_;
     std::string path_;
     double requested_ = 1;
+    bool misspelt_ = false;  ///< what a key with a typo stands for is not missing as well
 };
 
 }  // namespace

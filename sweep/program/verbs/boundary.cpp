@@ -17,10 +17,15 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <functional>
 #include <memory>
 
 namespace stickslip {
 namespace {
+
+/// Somebody asked to stop.
+struct Stopped {};
+using Task = std::function<void(std::size_t)>;
 
 int locate(const BoundaryOptions& options, const Invocation& invocation)
 {
@@ -36,16 +41,36 @@ int locate(const BoundaryOptions& options, const Invocation& invocation)
     answer.command = invocation.command;
     answer.design = asked.design;
     const auto start = std::chrono::steady_clock::now();
-    for (const auto& [request, axes] : questions) {
+    std::size_t answered = 0;
+    const auto answer_one = [&](BoundaryRequest request, const std::vector<Axis>& axes) {
+        request.parallel = [&invocation, run = request.parallel](std::size_t n, const Task& task) {
+            const auto unless_asked_to_stop = [&](std::size_t i) {
+                if (!invocation.interrupted) task(i);
+            };
+            if (run) run(n, unless_asked_to_stop);
+            for (std::size_t i = 0; !run && i < n; ++i) unless_asked_to_stop(i);
+            if (invocation.interrupted) throw Stopped();
+        };
         if (request.kind == BoundaryKind::outcome)
             answer.outcome_means = disturbance_text(request.disturbance, asked.design.mechanism.motion);
         if (axes.size() == 2) {
             answer.curves.push_back(follow_boundaries(asked.design, axes[0], axes[1], request));
-            continue;
+            return;
         }
         auto ray = locate_boundaries(asked.design, axes[0], request);
         if (ray.points.empty() && ray.undecided < ray.nodes) ray.outside = nearest_outside(asked.design, ray, request);
         answer.rays.push_back(std::move(ray));
+    };
+    try {
+        for (const auto& [request, axes] : questions) {
+            if (invocation.interrupted) throw Stopped();
+            answer_one(request, axes);
+            ++answered;
+        }
+    } catch (const Stopped&) {
+        fmt::print(stderr, "interrupted: {} of {} boundaries were located{}\n", answered, questions.size(),
+                   answered > 0 ? " and are kept; the others are left out" : "; nothing was written");
+        if (answered == 0) return exit_interrupted;
     }
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
 
@@ -97,6 +122,7 @@ int locate(const BoundaryOptions& options, const Invocation& invocation)
             fmt::print("outcomes follow a disturbance: {}\n", plain_text(answer.outcome_means));
         fmt::print("{} points, {} evaluations, {:.2f} s\n", points, evaluations, wall.count());
     }
+    if (answered < questions.size()) return exit_interrupted;
     return coarse || undecided ? exit_undecided : exit_done;
 }
 
@@ -149,10 +175,14 @@ void add_boundary(CLI::App& app, Invocation& invocation)
         "out\n"
         "  stickslip boundary joint.toml --kind v-min --along 'control.V0=1 um/s..10 mm/s'\n"
         "A spec may ask the same in a [boundary] table: kind, along, over, guard, precision.\n"
-        "Exit codes: 0 answered (also: no boundary there), 2 bad input, 4 a point is coarser than asked for or too "
+        "Exit codes: 0 answered (also: no boundary there), 2 bad input, 3 interrupted: what was located is kept, 4 a "
+        "point is coarser than asked for or too "
         "many "
         "points have no verdict.");
-    verb->callback([options, &invocation] { invocation.exit_code = locate(*options, invocation); });
+    verb->callback([options, &invocation] {
+        catch_interrupts(invocation);
+        invocation.exit_code = locate(*options, invocation);
+    });
 }
 
 }  // namespace stickslip

@@ -29,11 +29,14 @@ int check(const Options& options, const Invocation& invocation)
     const auto now = watched_boundaries(spec, parallel_for_each);
     if (now.empty()) throw BadInput(options.spec + ": no boundary lies within the axes: a check would compare nothing");
     if (options.update) {
-        write_baseline(options.baseline, spec.title, now);
+        write_baseline(options.baseline, spec.title, now, numbers_of(spec));
         fmt::print("{}: {} boundaries written\n", options.baseline, now.size());
         return exit_done;
     }
     const auto deviations = compare(read_baseline(options.baseline), now);
+    const auto stored_numbers = read_baseline_numbers(options.baseline);
+    const auto changed =
+        stored_numbers.empty() ? std::vector<ChangedNumber>{} : changed_numbers(stored_numbers, numbers_of(spec));
     std::size_t failed = 0, refined = 0;
     for (const auto& d : deviations) {
         const bool within = d.passes();
@@ -42,11 +45,13 @@ int check(const Options& options, const Invocation& invocation)
         const auto& shown = d.kind == Deviation::Kind::appeared ? d.now : d.stored;
         fmt::print("{} {:<80} {}\n", within ? "ok  " : "FAIL", shown.name(), describe(d));
     }
+    for (const auto& c : changed) fmt::print("changed since the baseline: {}\n", changed_text(spec, c));
     if (!options.junit.empty()) write_junit(options.junit, spec.title, deviations);
     fmt::print("{} boundaries, {} out of tolerance, {} refined\n", deviations.size(), failed, refined);
     if (!options.directory.empty())
-        fmt::print("report: {}\n",
-                   write_report(check_report(spec, deviations, invocation.command), options.directory).string());
+        fmt::print(
+            "report: {}\n",
+            write_report(check_report(spec, deviations, changed, invocation.command), options.directory).string());
     if (failed)
         fmt::print("If the change is wanted: stickslip check {} {} --update\n", shell_word(options.spec),
                    shell_word(options.baseline));

@@ -1,7 +1,10 @@
 // stickslip design: the best gains under requirements.
+#include "analysis/simulation/simulate.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/whole_file.h"
 #include "sweep/files/toml/asked_axes.h"
+#include "sweep/files/toml/changed_lines.h"
+#include "sweep/files/toml/joint_file.h"
 #include "sweep/files/toml/requirements_file.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/parallel.h"
@@ -69,6 +72,10 @@ int design(const Options& options, const Invocation& invocation)
         const auto& uncertain = answer.requirements.uncertain;
         answer.nearest =
             nearest_boundary(best, uncertain.empty() ? friction_coordinates(best) : uncertain, affordable_search(best));
+        if (!options.directory.empty()) {  // only the page shows them
+            answer.motion = simulate(best, {});
+            answer.motion_before = simulate(answer.joint, {});
+        }
     }
     const auto json = design_json(answer);
     if (options.json) {
@@ -86,7 +93,18 @@ int design(const Options& options, const Invocation& invocation)
     }
     if (!options.directory.empty()) {
         write_whole(std::filesystem::path(options.directory) / "design.json", json.dump(1) + "\n");
-        const auto page = write_report(design_report(answer), options.directory);
+        std::vector<Snippet> snippets;
+        if (answer.design.feasible) {
+            Joint best = answer.joint;
+            // as many digits as the page prints, and two more
+            const auto typed = [](double gain) { return std::stod(fmt::format("{:.6g}", gain)); };
+            best.control.k_p = typed(answer.design.best.k_p), best.control.k_v = typed(answer.design.best.k_v);
+            const auto text = joint_text(best);
+            write_whole(std::filesystem::path(options.directory) / "designed-joint.toml", text);
+            snippets = {{"To put into the joint file", changed_lines(joint_text(answer.joint), text), ""},
+                        {"The whole joint file with these gains", text, "designed-joint.toml"}};
+        }
+        const auto page = write_report(design_report(answer, std::move(snippets)), options.directory);
         if (!options.json) fmt::print("\nreport: {}\n", page.string());
     }
     return !answer.design.decided ? exit_undecided : answer.design.feasible ? exit_done : exit_check_failed;
@@ -106,7 +124,7 @@ void add_design(CLI::App& app, Invocation& invocation)
                      "velocity_noise [m/s], sample_time [s], filter [s], average, effort_limit [N], noise_multiple, "
                      "margin, least_velocity [m/s], stiffness_scale [N/m], k_p_from, k_p_to [N/m], k_v_from, k_v_to "
                      "[N·s/m], front_points; rad, N·m for revolute joints; values may carry units");
-    verb->add_option("-o,--output", options->directory, "write design.json and report.html here");
+    verb->add_option("-o,--output", options->directory, "write design.json, designed-joint.toml and report.html here");
     verb->add_option("--threads", options->threads, "0: all cores")->capture_default_str();
     verb->add_flag("--json", options->json, "print design.json instead of text");
     verb->footer(

@@ -1,5 +1,6 @@
 // stickslip diagnose: where the sim-to-real gap of a joint lies, what causes it, how far it shrinks.
 #include "analysis/diagnosis/diagnose.h"
+#include "analysis/diagnosis/rig/rig.h"
 #include "analysis/joint/parameters.h"
 #include "sweep/engine/build.h"
 #include "sweep/files/json/diagnosis_json.h"
@@ -7,6 +8,7 @@
 #include "sweep/files/records/record_file.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/whole_file.h"
+#include "sweep/files/toml/changed_lines.h"
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/parallel.h"
@@ -124,17 +126,25 @@ ParallelFor until_interrupted(const std::atomic<bool>& interrupted, ParallelFor 
     };
 }
 
-/// The joint with everything that was found in it, as the program reads joints; nothing where nothing was named.
-void write_corrected_joint(const std::filesystem::path& file, const Diagnosis& d, const Joint& joint,
-                           const Joint& after)
+/// The joint with everything that was found in it, as the program reads joints; empty where nothing was named.
+std::string corrected_joint(const Diagnosis& d, const Joint& joint, const Joint& after)
 {
-    if (d.verdict != Verdict::gap || d.effects.empty() || joint_text(after) == joint_text(joint)) return;
+    if (d.verdict != Verdict::gap || d.effects.empty() || joint_text(after) == joint_text(joint)) return "";
     std::string head = "# The documented joint with what the diagnosis found:";
     for (const auto& name : d.effects.front().names) head += " " + name;
     for (const auto& [name, value, error, unit] : d.effects.front().parameters)
         head += fmt::format("\n#   {} = {:.6g}{} {}", name, value,
                             std::isfinite(error) ? fmt::format(" +- {:.2g}", error) : "", unit == "1" ? "" : unit);
-    write_whole(file, head + "\n" + joint_text(after));
+    return head + "\n" + joint_text(after);
+}
+
+/// What the page offers to take along.
+std::vector<Snippet> corrections(const std::string& corrected, const Joint& joint, const Joint& after)
+{
+    if (corrected.empty()) return {};
+    return {{"To put into the joint file: what the diagnosis changes in it, documented values behind #",
+             changed_lines(joint_text(joint), joint_text(after)), ""},
+            {"The whole corrected joint file", corrected, "corrected-joint.toml"}};
 }
 
 /// A table of measured outcomes in place of records.
@@ -235,11 +245,13 @@ int diagnose(const Options& options, const Invocation& invocation)
     remove_earlier(directory);
     const auto json = diagnosis_json(d, joint, result.after);
     write_whole(directory / "diagnosis.json", json.dump(2) + "\n");
-    write_corrected_joint(directory / "corrected-joint.toml", d, joint, result.after);
+    const auto corrected = corrected_joint(d, joint, result.after);
+    if (!corrected.empty()) write_whole(directory / "corrected-joint.toml", corrected);
     if (!d.next_experiment.reference.empty()) write_experiment(directory / "next-experiment.csv", d.next_experiment);
     if (!options.no_report)
         write_report(
-            diagnosis_report(d, joint, result.after, {{"version", program_version()}, {"command", invocation.command}}),
+            diagnosis_report(d, joint, result.after, {{"version", program_version()}, {"command", invocation.command}},
+                             corrections(corrected, joint, result.after), gap::is_rig(records.front())),
             directory);
     if (options.json) {
         fmt::print("{}\n", json.dump(2));

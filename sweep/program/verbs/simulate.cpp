@@ -14,8 +14,10 @@
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/surroundings_option.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/report/pages/record_report.h"
 #include "sweep/report/pages/trajectory_report.h"
 #include "sweep/report/pages/write_report.h"
+#include "sweep/study/control_force.h"
 #include "sweep/words/loop_text.h"
 #include "sweep/words/verdict_text.h"
 
@@ -62,17 +64,22 @@ SimulatedSurroundings surround(const Joint& joint, const SurroundingsOption& ask
 }
 
 /// trajectory.csv, one row a step of the solver.
-std::filesystem::path write_trajectory(const Joint& joint, const Trajectory& t, const std::filesystem::path& directory)
+std::filesystem::path write_trajectory(const Joint& joint, const Trajectory& t, const std::vector<double>& force,
+                                       const std::filesystem::path& directory)
 {
-    std::filesystem::create_directories(directory);
     const auto file = directory / "trajectory.csv";
     const auto motion = joint.mechanism.motion;
-    auto out = fmt::output_file(file.string());
-    out.print("time [s],excess_position [{}],velocity [{}],friction [{}],stuck\n", unit_of(Quantity::position, motion),
-              unit_of(Quantity::velocity, motion), unit_of(Quantity::effort, motion));
-    for (std::size_t i = 0; i < t.time.size(); ++i)
-        out.print("{},{},{},{},{}\n", t.time[i], t.position[i], t.velocity[i], t.friction[i],
-                  static_cast<int>(t.stuck[i]));
+    const bool forces = !force.empty();
+    auto text = fmt::format("time [s],excess_position [{}],velocity [{}],friction [{}],stuck",
+                            unit_of(Quantity::position, motion), unit_of(Quantity::velocity, motion),
+                            unit_of(Quantity::effort, motion));
+    text += forces ? fmt::format(",control_force [{}]\n", unit_of(Quantity::effort, motion)) : "\n";
+    for (std::size_t i = 0; i < t.time.size(); ++i) {
+        fmt::format_to(std::back_inserter(text), "{},{},{},{},{}", t.time[i], t.position[i], t.velocity[i],
+                       t.friction[i], static_cast<int>(t.stuck[i]));
+        text += forces ? fmt::format(",{}\n", force[i]) : "\n";
+    }
+    write_whole(file, text);  // a full disk is said, not met by the destructor of a stream
     return file;
 }
 
@@ -101,7 +108,7 @@ MotionMeasures measured(const Trajectory& trajectory, double velocity)
 }
 
 /// --reference: the record that the joint's controller would have logged.
-int record_joint(const Options& options)
+int record_joint(const Options& options, const Invocation& invocation)
 {
     const Joint joint = read_spec_or_joint(options.joint, options.settings).design;
     const auto reference = read_reference(options.reference, joint.mechanism.motion);
@@ -111,6 +118,11 @@ int record_joint(const Options& options)
     if (const auto side = side_text(joint, true); !side.empty()) fmt::print("{}\n", plain_text(side));
     tell_measures(measure_motion(record.time, record.reference_position, record.position), joint.mechanism.motion,
                   options.directory);
+    auto report =
+        record_report(joint, {record.time, record.reference_position, record.position, record.effort_command,
+                              record.effort_measured, record.reason == Reason::none ? "" : std::string(record.why)});
+    report.provenance = {{"version", program_version()}, {"command", invocation.command}};
+    fmt::print("report:     {}\n", write_report(report, options.directory).string());
     if (record.reason == Reason::none) return exit_done;
     fmt::print("it ends at {} s: {}\n", record.time.back(), record.why);
     return exit_undecided;
@@ -131,11 +143,12 @@ int simulate_joint(const Options& options, const Invocation& invocation)
     const auto verdict = nonlinear_verdict(joint, outcome);
     simulation.cycle_period = verdict.period;
     const auto trajectory = simulate(joint, simulation);
-    auto report = trajectory_report(joint, trajectory, verdict, surroundings);
+    const auto force = control_force(joint, trajectory);
+    auto report = trajectory_report(joint, trajectory, verdict, surroundings, force);
     report.provenance = {{"version", program_version()}, {"command", invocation.command}};
     fmt::print("{}\n", plain_text(report.verdict));
     if (trajectory.time.empty()) return exit_undecided;
-    fmt::print("trajectory: {}\n", write_trajectory(joint, trajectory, options.directory).string());
+    fmt::print("trajectory: {}\n", write_trajectory(joint, trajectory, force, options.directory).string());
     tell_measures(measured(trajectory, commanded_velocity(joint)), joint.mechanism.motion, options.directory);
     fmt::print("report:     {}\n", write_report(report, options.directory).string());
     return trajectory.reason == Reason::none ? exit_done : exit_undecided;
@@ -171,7 +184,7 @@ void add_simulate(CLI::App& app, Invocation& invocation)
         "Example: stickslip simulate joint.toml --normal-load record.csv --nominal-load 250 -o out");
     verb->callback([options, &invocation] {
         invocation.exit_code =
-            options->reference.empty() ? simulate_joint(*options, invocation) : record_joint(*options);
+            options->reference.empty() ? simulate_joint(*options, invocation) : record_joint(*options, invocation);
     });
 }
 

@@ -8,6 +8,7 @@ namespace stickslip {
 namespace {
 
 constexpr int most_records = 3;
+constexpr double usual_share = 0.995;  ///< of a line, that its axis must show: a start-up spike would flatten the rest
 
 std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b)
 {
@@ -63,44 +64,71 @@ std::vector<double> cut(const std::vector<double>& values, std::pair<std::size_t
             values.begin() + static_cast<std::ptrdiff_t>(end)};
 }
 
+DetailedChart::Line measured_line(std::vector<double> time, std::vector<double> values)
+{
+    DetailedChart::Line line{"measured", std::move(time), std::move(values), false};
+    line.wide = true;  // a simulation that follows it is seen on it, not under it
+    return line;
+}
+
 Figure overlay(const Signal& s)
 {
     const auto stretch = worst_stretch(s);
     const auto time = cut(s.trace.time, stretch);
-    LineChart chart;
+    const auto wrong = [&](const std::vector<double>& simulated) {
+        return cut(difference(s.measured, simulated), stretch);
+    };
+    DetailedChart chart;
     constexpr std::string_view measured = "measured ";
     const bool twice = s.name.starts_with(measured);
     chart.title = "Measured and simulated " + (twice ? s.name.substr(measured.size()) : s.name) +
                   " where it is worst: " + s.trace.file;
     chart.x_label = "time [s]";
     chart.y_label = s.name + " [" + s.unit + "]";
-    chart.lines = {{"measured", time, cut(s.measured, stretch), false},
+    chart.below_label = "measured minus simulated [" + s.unit + "]";
+    chart.shown_share = usual_share;
+    chart.lines = {measured_line(time, cut(s.measured, stretch)),
                    {s.named ? "simulated before" : "simulated", time, cut(s.before, stretch), true}};
-    if (s.named) chart.lines.push_back({"simulated after", time, cut(s.after, stretch), true});
+    chart.below = {{s.named ? "before" : "residual", time, wrong(s.before), true}};
+    if (s.named) {
+        chart.lines.push_back({"simulated after", time, cut(s.after, stretch), false});
+        chart.below.push_back({"after", time, wrong(s.after), false});
+    }
     return {s.id, chart,
-            "The stretch in which the joint as documented errs most. The simulation follows the reference on its own; "
-            "the measured motion is no part of it.",
+            "The stretch in which the joint as documented errs most; below, what is left of it. The simulation follows "
+            "the reference on its own; the measured motion is no part of it.",
             "Measured " + s.name + " over time and " +
-                (s.named ? "two simulations, before and after the cause is added" : "the simulation")};
+                (s.named ? "two simulations, before and after the cause is added" : "the simulation") +
+                ", and their residuals below"};
 }
 
 Figure residual(const Signal& s)
 {
     const auto before = difference(s.measured, s.before), after = difference(s.measured, s.after);
-    LineChart chart;
+    DetailedChart chart;
     chart.title = "What the simulation gets wrong in " + s.name + ": " + s.trace.file;
     chart.x_label = "time [s]";
     chart.y_label = "measured minus simulated [" + s.unit + "]";
+    chart.shown_share = usual_share;
+    constexpr const char* spikes = " Rare spikes may end at the frame; the data have them whole.";
     if (!s.named) {
         chart.lines = {{"measured minus simulated", s.trace.time, before, false}};
         const std::string words = "Residual of " + s.name + " over time.";
-        return {s.id + "-residual", chart, words, words};
+        return {s.id + "-residual", chart, words + spikes, words};
     }
     chart.lines = {{"before", s.trace.time, before, true}, {"after", s.trace.time, after, false}};
     const double was = rms(before), is = rms(after);
     std::string words = "Residual of " + s.name + " over time, before and after";
     if (was > 0) words += ": its RMS goes to " + std::to_string(std::lround(100 * is / was)) + " % of what it was";
-    return {s.id + "-residual", chart, words + ".", words};
+    return {s.id + "-residual", chart, words + "." + spikes, words};
+}
+
+/// Every n-th sample, so that a page of a long record stays small.
+std::vector<double> thinned(const std::vector<double>& values, std::size_t stride)
+{
+    std::vector<double> some;
+    for (std::size_t k = 0; k < values.size(); k += stride) some.push_back(values[k]);
+    return some;
 }
 
 }  // namespace
@@ -136,9 +164,47 @@ std::vector<Figure> trace_figures(const Diagnosis& d)
     return figures;
 }
 
+std::vector<Figure> played_figures(const Diagnosis& d)
+{
+    if (d.traces.empty()) return {};
+    const auto& trace = d.traces.front();
+    const std::size_t n = std::min({trace.time.size(), trace.measured.size(), trace.before.size()});
+    if (n < 2 || rms(difference(trace.measured, trace.before)) == 0) return {};
+    constexpr std::size_t most = 1500;
+    const std::size_t stride = (n + most - 1) / most;
+    const bool named = d.verdict == Verdict::gap, efforts = !trace.effort_measured.empty();
+    const auto time = thinned(trace.time, stride);
+    DetailedChart chart;
+    chart.title = "The record, measured and simulated: " + trace.file;
+    chart.x_label = "time [s]";
+    chart.y_label = "position [" + std::string(unit_of(Quantity::position, d.motion)) + "]";
+    chart.played = true;
+    chart.turns = d.motion == Motion::revolute;
+    const auto three = [&](const std::vector<double>& measured, const std::vector<double>& before,
+                           const std::vector<double>& after) {
+        std::vector<DetailedChart::Line> lines{
+            measured_line(time, thinned(measured, stride)),
+            {named ? "simulated before" : "simulated", time, thinned(before, stride), true}};
+        if (named) lines.push_back({"simulated after", time, thinned(after, stride), false});
+        return lines;
+    };
+    chart.lines = three(trace.measured, trace.before, trace.after);
+    if (efforts) {
+        chart.below_label = trace.effort_name + " [" + trace.effort_unit + "]";
+        chart.below = three(trace.effort_measured, trace.effort_before, trace.effort_after);
+        chart.shown_share = usual_share;
+    }
+    std::string words = "Position" + std::string(efforts ? " and effort" : "") + " over the whole record";
+    if (stride > 1) words += ", every " + std::to_string(stride) + "th sample";
+    return {{"record-played", chart,
+             words + ". On a screen the record can be played: the joint as it moved and as the simulations move it, "
+                     "their errors magnified.",
+             words + ", measured and simulated"}};
+}
+
 Figure experiment_figure(const Diagnosis& d)
 {
-    LineChart motion;
+    DetailedChart motion;
     motion.title = "Next experiment";
     motion.x_label = "time [s]";
     motion.y_label = "reference [" + std::string(unit_of(Quantity::position, d.motion)) + "]";

@@ -2,6 +2,7 @@
 
 #include "analysis/results/point.h"
 #include "analysis/results/text.h"
+#include "sweep/words/line_figure.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,9 +25,9 @@ class LocusLines {
         for (std::size_t branch = 0; branch < locus.roots.front().size(); ++branch) add(branch);
     }
 
-    std::vector<LineChart::Line> drawn() &&
+    std::vector<DetailedChart::Line> drawn() &&
     {
-        std::vector<LineChart::Line> lines;
+        std::vector<DetailedChart::Line> lines;
         for (auto* line : {&stable_, &unstable_})
             if (std::any_of(line->x.begin(), line->x.end(), [](double v) { return std::isfinite(v); }))
                 lines.push_back(std::move(*line));
@@ -48,22 +49,24 @@ class LocusLines {
             if (leaps || std::abs(a) > locus_.limit || std::abs(b) > locus_.limit) continue;
             auto& line = stable_at(i) ? stable_ : unstable_;
             const bool goes_on = !line.x.empty() && line.x.back() == a.real() && line.y.back() == a.imag();
-            if (!goes_on) append(line, missing, missing), append(line, a.real(), a.imag());
-            append(line, b.real(), b.imag());
+            if (!goes_on) append(line, {missing, missing}, missing), append(line, a, locus_.gains[i - 1]);
+            append(line, b, locus_.gains[i]);
         }
     }
 
-    static void append(LineChart::Line& line, double x, double y) { line.x.push_back(x), line.y.push_back(y); }
+    static void append(DetailedChart::Line& line, std::complex<double> root, double gain)
+    {
+        line.x.push_back(root.real()), line.y.push_back(root.imag()), line.along.push_back(gain);
+    }
 
     const RootLocus& locus_;
-    LineChart::Line stable_{"k_{p} at which sliding is stable", {}, {}},
+    DetailedChart::Line stable_{"k_{p} at which sliding is stable", {}, {}},
         unstable_{"k_{p} at which it is not", {}, {}, true};
 };
 
-/// A cross at each root of the design's own gain.
-void add_own_roots(LineChart& chart, const RootLocus& locus, Motion motion)
+/// A mark at each root of the design's own gain that lies within what is drawn.
+void add_own_roots(DetailedChart& chart, const RootLocus& locus, Motion motion)
 {
-    constexpr double half = 0.012;  // of the drawn span
     double left = infinity, right = -infinity, low = infinity, high = -infinity;
     for (const auto& line : chart.lines)
         for (std::size_t i = 0; i < line.x.size(); ++i) {
@@ -71,14 +74,11 @@ void add_own_roots(LineChart& chart, const RootLocus& locus, Motion motion)
             left = std::min(left, line.x[i]), right = std::max(right, line.x[i]);
             low = std::min(low, line.y[i]), high = std::max(high, line.y[i]);
         }
-    const double dx = half * (right - left), dy = half * (high - low);
-    LineChart::Line own{"the design, k_{p} = " + stiffness(locus.own_gain, motion), {}, {}};
+    DetailedChart::Line own{"the design, k_{p} = " + stiffness(locus.own_gain, motion), {}, {}};
+    own.look = DetailedChart::Line::Look::points;
     for (const auto s : locus.own) {
         if (s.real() < left || s.real() > right || s.imag() < low || s.imag() > high) continue;
-        for (const double slope : {-1.0, 1.0}) {
-            own.x.insert(own.x.end(), {s.real() - dx, s.real() + dx, missing});
-            own.y.insert(own.y.end(), {s.imag() - slope * dy, s.imag() + slope * dy, missing});
-        }
+        own.x.push_back(s.real()), own.y.push_back(s.imag()), own.along.push_back(locus.own_gain);
     }
     if (!own.x.empty()) chart.lines.push_back(std::move(own));
 }
@@ -86,12 +86,13 @@ void add_own_roots(LineChart& chart, const RootLocus& locus, Motion motion)
 Figure root_locus_figure(const RootLocus& locus, Motion motion)
 {
     const double low = locus.gains.front(), high = locus.gains.back(), limit = locus.limit;
-    LineChart chart;
+    DetailedChart chart;
     chart.title = "Root locus over k_{p}";
     chart.fixed = "k_{p} from " + stiffness(low, motion) + " to " + stiffness(high, motion) + ", roots with |s| < " +
                   with_unit(limit, Quantity::rate, motion);
     chart.x_label = "Re s [1/s]";
     chart.y_label = "Im s [rad/s]";
+    chart.along_label = axis_label("k_{p}", Quantity::stiffness, motion);
     chart.lines = LocusLines(locus).drawn();
     if (!chart.lines.empty()) add_own_roots(chart, locus, motion);
     chart.x_marks.emplace_back("boundary Re s = 0", 0);
@@ -105,7 +106,8 @@ Figure root_locus_figure(const RootLocus& locus, Motion motion)
                                                                   : "Stability changes at k_{p} = " + crossing + ".");
     figure.caption =
         "How to read it: the lines follow the roots of the design's characteristic equation while k_{p} alone "
-        "changes; crosses are those of its own k_{p}. Left of the mark a root decays, and where all of them do, "
+        "changes, and marks without a line are those of its own k_{p}; reading a place gives its k_{p}. Left of the "
+        "mark a root decays, and where all of them do, "
         "sliding is stable. " +
         std::string(locus.rational ? "" : "A delay has roots without end; those furthest to the right are drawn. ") +
         figure.finding;
@@ -119,7 +121,7 @@ std::vector<Figure> loop_figures(const std::optional<RootLocus>& locus, Motion m
 {
     if (!locus) return {};
     Figure figure = root_locus_figure(*locus, motion);
-    if (std::get<LineChart>(figure.picture).lines.empty()) return {};
+    if (std::get<DetailedChart>(figure.picture).lines.empty()) return {};
     return {std::move(figure)};
 }
 

@@ -1,5 +1,6 @@
 #include "sweep/report/pages/check_report.h"
 
+#include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
 
 #include <algorithm>
@@ -129,7 +130,20 @@ std::vector<std::string> row_of(const Spec& spec, const Deviation& d)
 
 }  // namespace
 
-Report check_report(const Spec& spec, const std::vector<Deviation>& deviations, const std::string& command)
+std::string changed_text(const Spec& spec, const ChangedNumber& c)
+{
+    Joint joint = spec.joint;
+    Quantity quantity = Quantity::number;
+    for (const auto& p : parameters(joint))
+        if (p.path == c.path) quantity = p.quantity;
+    const auto text = [&](double value) {
+        return is_set(value) ? with_unit(value, quantity, joint.mechanism.motion, 6) : std::string("none");
+    };
+    return c.path + " " + text(c.before) + " → " + text(c.after);
+}
+
+Report check_report(const Spec& spec, const std::vector<Deviation>& deviations,
+                    const std::vector<ChangedNumber>& changed, const std::string& command)
 {
     std::size_t failed = 0, refined = 0;
     for (const auto& d : deviations) {
@@ -152,6 +166,12 @@ Report check_report(const Spec& spec, const std::vector<Deviation>& deviations, 
         {Tone::neutral, largest > 0 ? plain_number(largest, 2) : "0",
          "largest relative move of a boundary; each has a tolerance of its own"},
         {Tone::neutral, std::to_string(refined), "are located more finely than in the baseline"}};
+    for (const auto& c : changed)
+        report.findings.push_back("Changed since the baseline: " + changed_text(spec, c) + ".");
+    if (changed.empty() && failed)
+        report.findings.push_back(
+            "No number of the joint has changed since the baseline, or the baseline is older than such lists: look at "
+            "the choices of the joint file, the axes and the version of the program.");
     Section curves{"curves", "Before and now", "", {}, {}};
     for (const auto& [x, y] : spec.report.charts)
         if (const Axis* a = axis_of(spec, x), *b = axis_of(spec, y); a && b) {

@@ -2,11 +2,16 @@
 #pragma once
 #include "analysis/results/report.h"
 #include "sweep/study/check/boundaries.h"
+#include "sweep/study/check/numbers.h"
 
 #include <vector>
 
 namespace stickslip {
 
-Report check_report(const Spec& spec, const std::vector<Deviation>& deviations, const std::string& command);
+Report check_report(const Spec& spec, const std::vector<Deviation>& deviations,
+                    const std::vector<ChangedNumber>& changed, const std::string& command);
+
+/// "friction.memory.L 10 µm → 11 µm"
+std::string changed_text(const Spec& spec, const ChangedNumber& changed);
 
 }  // namespace stickslip

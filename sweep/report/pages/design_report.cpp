@@ -164,7 +164,36 @@ std::vector<Table> design_tables(const DesignAnswer& a)
     return {choices, demands};
 }
 
-Report design_report(const DesignAnswer& a)
+namespace {
+
+/// How the joint slides after the same disturbance, with the gains as given and with the best ones.
+Section motion_section(const DesignAnswer& a)
+{
+    const Motion motion = a.joint.mechanism.motion;
+    const auto off = [](const Trajectory& t) {
+        std::vector<double> excess;
+        for (const double v : t.velocity) excess.push_back(v - t.commanded_velocity);
+        return excess;
+    };
+    LineChart chart;
+    chart.title = "Velocity after a small disturbance at V_{0} = " +
+                  with_unit(a.motion.commanded_velocity, Quantity::velocity, motion);
+    chart.x_label = "time t [s]";
+    chart.y_label = "velocity off V_{0} [" + std::string(unit_of(Quantity::velocity, motion)) + "]";
+    if (!a.motion_before.time.empty())
+        chart.lines.push_back({"gains as in the joint", a.motion_before.time, off(a.motion_before), true});
+    chart.lines.push_back({"best gains", a.motion.time, off(a.motion)});
+    Figure figure;
+    figure.id = "motion";
+    figure.caption = "Simulated from the disturbance that simulate takes by default; one motion is one example.";
+    figure.finding = chart.title;
+    figure.picture = std::move(chart);
+    return {"motion-section", "How it moves", "", {std::move(figure)}, {}};
+}
+
+}  // namespace
+
+Report design_report(const DesignAnswer& a, std::vector<Snippet> snippets)
 {
     const Units u{a.joint.mechanism.motion};
     const auto& d = a.design;
@@ -173,6 +202,7 @@ Report design_report(const DesignAnswer& a)
     report.subtitle = "design of gains";
     report.verdict = design_text(a);
     report.tone = d.feasible ? Tone::good : Tone::bad;
+    report.snippets = std::move(snippets);
     if (d.feasible) {
         report.headlines.push_back({Tone::neutral, u.stiffness(d.best.k_p), "position gain k_{p}"});
         report.headlines.push_back({Tone::neutral, u.damping(d.best.k_v), "velocity gain k_{v}"});
@@ -235,6 +265,7 @@ Report design_report(const DesignAnswer& a)
         front.tables.push_back(std::move(table));
         report.sections.push_back(std::move(front));
     }
+    if (!a.motion.time.empty()) report.sections.push_back(motion_section(a));
     Section choices{"choices", "Choices", "", {}, design_tables(a)};
     report.sections.push_back(std::move(choices));
     report.not_checked = {

@@ -3,6 +3,7 @@
 #include "analysis/boundary/kinds/nearest.h"
 #include "analysis/design/design.h"
 #include "analysis/results/report.h"
+#include "analysis/results/trajectory.h"
 
 #include <nlohmann/json.hpp>
 
@@ -19,6 +20,7 @@ struct DesignAnswer {
     GainDesign design;
     GainRange range{{missing, missing}, {missing, missing}};  ///< that was searched
     NearestBoundary nearest;                                  ///< of the best gains
+    Trajectory motion, motion_before;  ///< after a disturbance at the commanded velocity: best gains, gains as given
 };
 
 /// The answer in a few sentences, mark-up: the optimum, or why there is none and what would be feasible.
@@ -27,7 +29,8 @@ std::string design_text(const DesignAnswer& answer);
 /// The choices side by side, and how each demand fared.
 std::vector<Table> design_tables(const DesignAnswer& answer);
 
-Report design_report(const DesignAnswer& answer);
+/// `snippets`: the gains to take into the joint file, and the file.
+Report design_report(const DesignAnswer& answer, std::vector<Snippet> snippets = {});
 
 nlohmann::ordered_json design_json(const DesignAnswer& answer);
 

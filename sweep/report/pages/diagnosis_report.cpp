@@ -1,9 +1,11 @@
 #include "sweep/report/pages/diagnosis_report.h"
 
+#include "analysis/results/text.h"
 #include "sweep/report/figures/diagnosis_figures.h"
 #include "sweep/report/figures/ladder_drawing.h"
 #include "sweep/report/figures/moved_boundary.h"
 #include "sweep/report/figures/where_drawing.h"
+#include "sweep/words/cause_text.h"
 #include "sweep/words/diagnosis_tables.h"
 #include "sweep/words/diagnosis_text.h"
 
@@ -52,16 +54,8 @@ Headline what_card(const Diagnosis& d)
     if (d.verdict == Verdict::no_gap) return {Tone::good, "nothing", "what: the nominal joint is enough"};
     if (d.verdict == Verdict::unknown || d.effects.empty())
         return {Tone::bad, "none of the catalogue", "what: no named effect explains the gap"};
-    std::string numbers;
-    constexpr std::size_t most = 2;
-    const auto& parameters = d.effects[0].parameters;
-    for (std::size_t i = 0; i < std::min(most, parameters.size()); ++i) {
-        const auto& p = parameters[i];
-        numbers += (i ? ", " : "") + p.name.substr(p.name.rfind('.') + 1) + fmt::format(" {:.3g}", p.value);
-        if (std::isfinite(p.standard_error)) numbers += fmt::format(" ± {:.1g}", p.standard_error);
-        if (p.unit != "1") numbers += " " + p.unit;
-    }
-    return {Tone::warning, together(d.effects[0].names), "what: the most probable cause; " + numbers};
+    return {Tone::warning, together(d.effects[0].names),
+            "what: the most probable cause, by its name in the catalogue; its numbers stand above"};
 }
 
 Headline where_card(const Diagnosis& d)
@@ -114,6 +108,36 @@ Headline how_sure_card(const Diagnosis& d)
     return {Tone::neutral, whole_percent(first.probability), meaning};
 }
 
+/// What the ladder leaves of the gap, where there is one.
+std::vector<Headline> remains_card(const Diagnosis& d)
+{
+    if (d.ladder.empty() || !std::isfinite(d.remainder.share)) return {};
+    std::string meaning = "what remains: of the gap's held-out squares beyond the noise";
+    if (!d.remainder.structure.empty())
+        meaning += fmt::format("; it still depends on {}", fmt::join(d.remainder.structure, ", "));
+    return {{Tone::neutral, whole_percent(std::max(0.0, d.remainder.share)), meaning}};
+}
+
+/// What a machine must bear to follow the motion.
+std::string reach_text(const NextExperiment& e, Motion motion)
+{
+    const auto [low, high] = std::minmax_element(e.reference.begin(), e.reference.end());
+    double fastest = 0, hardest = 0;
+    for (std::size_t k = 1; k + 1 < e.reference.size(); ++k) {
+        const double before = (e.reference[k] - e.reference[k - 1]) / (e.time[k] - e.time[k - 1]),
+                     behind = (e.reference[k + 1] - e.reference[k]) / (e.time[k + 1] - e.time[k]);
+        fastest = std::max(fastest, std::abs(behind));
+        hardest = std::max(hardest, std::abs(behind - before) / (e.time[k + 1] - e.time[k]));
+    }
+    return fmt::format(
+        "It moves between {} and {}, at most at {} with {}, and takes {}. Check before running it that the machine "
+        "is free over that stroke and may move so; the program knows only what the records show.",
+        with_unit(*low, Quantity::position, motion), with_unit(*high, Quantity::position, motion),
+        with_unit(fastest, Quantity::velocity, motion),
+        with_error(hardest, 0, motion == Motion::revolute ? "rad/s²" : "m/s²"),
+        with_unit(e.time.back() - e.time.front(), Quantity::time, motion));
+}
+
 Section next_section(const Diagnosis& d)
 {
     const auto& e = d.next_experiment;
@@ -136,7 +160,13 @@ Section next_section(const Diagnosis& d)
     next.text = fmt::format("Move along {}: there {} and {} differ by {}.", e.description, one, two,
                             e.distance > beyond_doubt ? std::string("more than a hundred noise standard deviations")
                                                       : fmt::format("{:.1f} noise standard deviations", e.distance));
-    if (!e.reference.empty()) next.figures.push_back(experiment_figure(d));
+    if (!e.reference.empty()) {
+        next.text +=
+            " The reference is next-experiment.csv beside this page: continuous, from rest to rest, within the "
+            "stroke, the speed and the acceleration that the records show. " +
+            reach_text(e, d.motion);
+        next.figures.push_back(experiment_figure(d));
+    }
     return next;
 }
 
@@ -176,15 +206,40 @@ std::string diagnosis_sentence(const Diagnosis& d)
     }
 }
 
-Report diagnosis_report(const Diagnosis& d, const Joint& before, const Joint& after,
-                        std::vector<std::pair<std::string, std::string>> provenance)
+namespace {
+
+/// A rig measures a coefficient, or a force: its record does not say which, and neither does the page.
+Diagnosis in_units_of_the_record(Diagnosis d)
 {
+    const auto as_logged = [](std::string& unit) {
+        if (unit == "N" || unit == "N·m") unit = "as logged";
+    };
+    for (auto* shares : {&d.signals, &d.regimes})
+        for (auto& s : *shares) as_logged(s.unit);
+    for (auto& cause : d.effects)
+        for (auto& p : cause.parameters) as_logged(p.unit);
+    for (auto& g : d.gap) as_logged(g.unit);
+    return d;
+}
+
+}  // namespace
+
+Report diagnosis_report(const Diagnosis& diagnosis, const Joint& before, const Joint& after,
+                        std::vector<std::pair<std::string, std::string>> provenance, std::vector<Snippet> snippets,
+                        bool rig)
+{
+    const Diagnosis d = rig ? in_units_of_the_record(diagnosis) : diagnosis;
     Report r;
     r.title = "Sim-to-real gap of one joint";
     if (!d.records.empty())
         r.subtitle =
             d.records.size() == 1 ? "One record: " + d.records[0].file : fmt::format("{} records", d.records.size());
     r.verdict = diagnosis_sentence(d);
+    if (d.verdict == Verdict::gap) {
+        r.findings.push_back(r.verdict);
+        r.verdict = cause_text(d.effects[0], before, after);
+    }
+    r.snippets = std::move(snippets);
     r.tone = d.verdict == Verdict::no_gap ? Tone::good : d.verdict == Verdict::gap ? Tone::warning : Tone::bad;
     // that nothing is wrong is the verdict already, and no warning
     if (d.verdict != Verdict::no_gap)
@@ -194,15 +249,20 @@ Report diagnosis_report(const Diagnosis& d, const Joint& before, const Joint& af
     // nothing was concluded: pages of empty tables would hide the reason
     if (d.verdict == Verdict::insufficient_data && d.signals.empty()) return r;
 
-    if (!d.signals.empty()) r.headlines.push_back(where_card(d));
     r.headlines.push_back(what_card(d));
     if (d.overall.before > 0) r.headlines.push_back(how_much_card(d));
-    if (d.verdict == Verdict::gap) r.headlines.push_back(how_sure_card(d));
+    if (d.verdict == Verdict::gap) {
+        r.headlines.push_back(how_sure_card(d));
+        for (auto& card : remains_card(d)) r.headlines.push_back(std::move(card));
+    }
+    if (!d.signals.empty()) r.headlines.push_back(where_card(d));
 
+    if (auto played = played_figures(d); !played.empty())
+        r.sections.push_back({"played", "The motion, measured and simulated", "", std::move(played), {}});
     Section where{"where",
                   "Where the gap lies",
-                  "In the tables full blocks are sure, light ones lie within the 95 % interval; stages are compared "
-                  "as efforts on the mechanism.",
+                  "Bars are shares of the gap, whiskers their 95 % intervals; stages are compared as efforts on the "
+                  "mechanism.",
                   {},
                   {shares_table("By stage of the chain", d.signals)}};
     if (!d.signals.empty()) where.figures.push_back(where_figure(d));
@@ -222,13 +282,13 @@ Report diagnosis_report(const Diagnosis& d, const Joint& before, const Joint& af
         Section what{"what", "What causes it", "", {}, {causes_table(d), parameters_table(d)}};
         if (auto values = values_table(d); !values.rows.empty()) what.tables.insert(what.tables.begin() + 1, values);
         if (!d.ladder.empty()) what.figures.push_back(ladder_figure(d));
-        what.text = d.verdict == Verdict::gap ? "Tell-tale of the first: " + d.effects[0].tell_tale + "."
+        what.text = d.verdict == Verdict::gap ? "Signature of the first: " + d.effects[0].tell_tale + "."
                                               : "Nothing here is named as the cause; this is how far each one came.";
         r.sections.push_back(std::move(what));
     }
     r.sections.push_back(std::move(much));
     r.sections.push_back(next_section(d));
-    if (d.verdict == Verdict::gap) {
+    if (d.verdict == Verdict::gap && !rig) {
         const bool given = is_set(before.control.V0);
         constexpr double slow_part = 0.1;  // where stick-slip is to be feared
         auto moved = moved_boundary(before, after, given ? before.control.V0 : slow_part * d.usual_speed,

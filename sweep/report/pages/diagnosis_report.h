@@ -6,9 +6,12 @@
 
 namespace stickslip {
 
-/// Composes the page. `before` and `after` are the nominal joint and the one with the named effects.
+/// Composes the page. `before` and `after` are the nominal joint and the one with the named effects; `snippets` are
+/// what to take from it into files.
+/// `rig`: a friction rig, which has no controller and whose friction is in the unit of its record.
 Report diagnosis_report(const Diagnosis& diagnosis, const Joint& before, const Joint& after,
-                        std::vector<std::pair<std::string, std::string>> provenance);
+                        std::vector<std::pair<std::string, std::string>> provenance, std::vector<Snippet> snippets = {},
+                        bool rig = false);
 
 /// The answer in one sentence.
 std::string diagnosis_sentence(const Diagnosis& diagnosis);

@@ -83,7 +83,7 @@ Figure crossing_condition()
 Figure locus()
 {
     Figure figure = loop_figures(sampled_root_locus(paper_joint(), 1e3, 1e7), Motion::prismatic).front();
-    std::get<LineChart>(figure.picture).title = "Root locus over k_{p} at k_{v} = 0 (§4)";
+    std::get<DetailedChart>(figure.picture).title = "Root locus over k_{p} at k_{v} = 0 (§4)";
     figure.finding =
         "As k_{p} grows, two real growing roots meet, turn into a pair and cross the imaginary axis at "
         "± 70.7 i rad/s, where k_{p} = k_{cr} = 55 kN/m.";

@@ -72,9 +72,12 @@ Table rows_table(const OutcomeAnswer& a)
 Table settings_table(const OutcomeAnswer& a)
 {
     Table t{"By settings", {"where", "share of the gap", "95 % interval", "rows misjudged there"}, {}};
-    for (const auto& s : a.diagnosis.regimes)
-        t.rows.push_back({s.name, share_bar(s.share, s.interval) + " " + percent(s.share),
-                          percent(s.interval.low) + " … " + percent(s.interval.high), percent(s.rms)});
+    t.bar_column = 1;
+    for (const auto& s : a.diagnosis.regimes) {
+        t.rows.push_back(
+            {s.name, percent(s.share), percent(s.interval.low) + " … " + percent(s.interval.high), percent(s.rms)});
+        t.bars.push_back({s.share, s.interval.low, s.interval.high});
+    }
     return t;
 }
 

@@ -105,6 +105,33 @@ LineChart::Line linear_line(const ForcedResponse& linear, const Trajectory& t)
     return line;
 }
 
+/// Reference and position themselves; the control force below where it is known.
+Figure path_figure(const Trajectory& t, const std::vector<double>& force, Motion motion)
+{
+    std::vector<double> reference, position;
+    for (std::size_t i = 0; i < t.time.size(); ++i) {
+        reference.push_back(t.commanded_velocity * t.time[i]);
+        position.push_back(reference.back() + t.position[i]);
+    }
+    auto chart = detailed(
+        chart_of("Position and reference in time", label("time t", Quantity::time, motion),
+                 label("position", Quantity::position, motion),
+                 {{"position", t.time, std::move(position)}, {"steady path", t.time, std::move(reference), true}}));
+    std::string caption = "Position of the link, and the path of steady sliding at the commanded velocity.";
+    if (!force.empty()) {
+        chart.below_label = label("control force u", Quantity::effort, motion);
+        chart.below = {{"control force", t.time, force}};
+        caption += " Below, the force of the loop: u = f_{ss}(V_{0}) − k_{p} x − k_{v} (V − V_{0}).";
+    }
+    Figure figure;
+    figure.id = "path";
+    figure.caption = std::move(caption);
+    figure.finding = chart.title + ".";
+    if (!force.empty()) figure.finding += " The control force stays " + range(force, Quantity::effort, motion) + ".";
+    figure.picture = std::move(chart);
+    return figure;
+}
+
 Section surroundings_section(const SimulatedSurroundings& surroundings, const std::string& time, Motion motion)
 {
     Section section{"surroundings", "What acted from outside", "", {}, {}};
@@ -135,7 +162,7 @@ Section surroundings_section(const SimulatedSurroundings& surroundings, const st
 }  // namespace
 
 Report trajectory_report(const Joint& joint, const Trajectory& t, const NonlinearVerdict& verdict,
-                         const SimulatedSurroundings& surroundings)
+                         const SimulatedSurroundings& surroundings, const std::vector<double>& control_force)
 {
     const auto motion = joint.mechanism.motion;
     const auto time = label("time t", Quantity::time, motion),
@@ -175,6 +202,7 @@ Report trajectory_report(const Joint& joint, const Trajectory& t, const Nonlinea
     section.figures.push_back(
         line_figure("position", std::move(in_time), "Position of the link beyond its steady path.",
                     "In the last third it stays " + range(settled(t, t.position), Quantity::position, motion) + "."));
+    section.figures.push_back(path_figure(t, control_force, motion));
     section.figures.push_back(
         line_figure("phase",
                     chart_of("Phase portrait", position, velocity,

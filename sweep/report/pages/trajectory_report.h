@@ -17,8 +17,9 @@ struct SimulatedSurroundings {
     SampledLoad normal_load;
 };
 
+/// `control_force` is the loop's, a value for each sample, or empty where it is not known.
 /// `verdict` is where the same disturbance ends without them; it stands beside the motion as a table.
 Report trajectory_report(const Joint& joint, const Trajectory& trajectory, const NonlinearVerdict& verdict,
-                         const SimulatedSurroundings& surroundings);
+                         const SimulatedSurroundings& surroundings, const std::vector<double>& control_force = {});
 
 }  // namespace stickslip

@@ -1,4 +1,5 @@
 #include "render/drawing/canvas.h"
+#include "render/pictures/line_marks.h"
 #include "render/pictures/line_scales.h"
 #include "render/pictures/scene.h"
 #include "render/render.h"
@@ -117,7 +118,7 @@ TEST_CASE("zero on a log axis lies on the lower edge and does not stretch it", "
     chart.title = "demand";
     chart.y_log = true;
     chart.lines = {{"falls to none", {1, 2, 3, 4}, {1e4, 1e2, 1e-12, 0}}, {"none", {1, 2, 3, 4}, {0, 0, 0, 0}}};
-    const auto [x, y] = drawing::scales_of(chart);
+    const auto [x, y, below] = drawing::scales_of(chart);
     CHECK(y.low > 1e-3);
     CHECK(y.low < 1e2);
     CHECK(y.high > 1e4);
@@ -135,7 +136,7 @@ TEST_CASE("a line of a single sample is a mark, with air around it", "[picture]"
     LineChart chart;
     chart.title = "front and choice";
     chart.lines = {{"front", {1, 2, 3}, {3, 2, 1}}, {"choice", {3}, {5}}};
-    const auto [x, y] = drawing::scales_of(chart);
+    const auto [x, y, below] = drawing::scales_of(chart);
     CHECK(x.high > 3);
     CHECK(y.high > 5);
     const auto made = render(figure(chart));
@@ -145,6 +146,48 @@ TEST_CASE("a line of a single sample is a mark, with air around it", "[picture]"
     for (auto at = made.svg.find("#d55e00"); at != std::string::npos; at = made.svg.find("#d55e00", at + 1)) ++squares;
     CHECK(squares == 2);
     CHECK_THAT(made.csv, Catch::Matchers::Contains("choice,3,5"));
+}
+
+TEST_CASE("a mark is a datum: it stands on a sample", "[picture]")
+{
+    drawing::Polyline samples;
+    for (int i = 0; i <= 40; ++i) samples.push_back({20.0 * i, 100 + 37.0 * (i % 7)});
+    const drawing::Rectangle window{0, 0, 700, 400};
+    for (std::size_t line = 0; line < 4; ++line) {
+        const auto marks = drawing::marked_samples(samples, window, line);
+        CHECK((marks.size() > 3 && marks.size() < 20));
+        for (const auto& m : marks) CHECK(std::find(samples.begin(), samples.end(), m) != samples.end());
+    }
+    // of few samples each one is marked
+    samples.resize(9);
+    CHECK(drawing::marked_samples(samples, window, 2) == samples);
+}
+
+TEST_CASE("a second panel has its own scale and numbers, and a spike does not flatten what the axis is for",
+          "[picture]")
+{
+    DetailedChart chart;
+    chart.title = "record";
+    chart.x_label = "time [s]", chart.y_label = "position [m]", chart.below_label = "residual [m]";
+    chart.along_label = "gain [N/m]";
+    chart.shown_share = 0.99;
+    DetailedChart::Line measured{"measured", {}, {}}, residual{"after", {}, {}};
+    for (int i = 0; i < 1000; ++i) {
+        measured.x.push_back(i), measured.y.push_back(i % 10), measured.along.push_back(i);
+        residual.x.push_back(i), residual.y.push_back(i == 3 ? 1e3 : 1e-3 * (i % 10));
+    }
+    chart.lines = {measured}, chart.below = {residual};
+    const auto scales = drawing::scales_of(chart);
+    CHECK(scales.y.high > 9);
+    CHECK(scales.below.high < 0.1);
+    const auto made = render(Figure{"two", chart, "caption", "finding"});
+    CHECK(fault_in_markup(made.svg) == "");
+    CHECK(made.panels.size() == 1);
+    CHECK_THAT(made.csv, Catch::Matchers::StartsWith("line,time [s],position [m] | residual [m],gain [N/m]\n"));
+    CHECK_THAT(made.csv, Catch::Matchers::Contains("measured,7,7,7\n"));
+    CHECK_THAT(made.csv, Catch::Matchers::Contains("after,3,1000,\n"));
+    chart.lines[0].along.pop_back();
+    CHECK_THROWS_AS(render(Figure{"two", chart, "caption", "finding"}), std::invalid_argument);
 }
 
 TEST_CASE("threads that draw at once get what one thread gets", "[picture]")

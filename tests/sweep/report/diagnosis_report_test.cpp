@@ -4,6 +4,7 @@
 #include "sweep/files/json/diagnosis_json.h"
 #include "sweep/report/figures/moved_boundary.h"
 #include "sweep/report/figures/where_drawing.h"
+#include "sweep/words/cause_text.h"
 #include "sweep/words/diagnosis_tables.h"
 
 #include <catch2/catch.hpp>
@@ -59,12 +60,13 @@ TEST_CASE("the first screen of a diagnosis says where, what, how much and how su
 {
     const auto r = diagnosis_report(named(), joint_with(slip_law(1e-5)), joint_with(slip_law(2e-5)), {});
     REQUIRE(r.headlines.size() == 4);
-    const char* questions[] = {"where:", "what:", "how much:", "how sure:"};
+    const char* questions[] = {"what:", "how much:", "how sure:", "where:"};
     for (std::size_t i = 0; i < 4; ++i) CHECK(r.headlines[i].meaning.starts_with(questions[i]));
-    CHECK(r.headlines[0].value == "motion");
-    CHECK(r.headlines[1].value == "frictional-memory");
-    CHECK(r.headlines[2].value == "− 76 %");
-    CHECK(r.headlines[3].value == "90 %");
+    CHECK(r.headlines[0].value == "frictional-memory");
+    CHECK(r.headlines[1].value == "− 76 %");
+    CHECK(r.headlines[2].value == "90 %");
+    CHECK(r.headlines[3].value == "motion");
+    CHECK(r.verdict == "Friction remembers how it slid before.");
     // anchors of a page are its own
     std::set<std::string> ids;
     for (const auto& section : r.sections) {
@@ -111,11 +113,35 @@ TEST_CASE("a joint for which the linear theory has no verdict is said to have no
     CHECK_NOTHROW(diagnosis_report(named(), broken, broken, {}));
 }
 
-TEST_CASE("bars show a share and how sure it is", "[report]")
+TEST_CASE("every share of a table has its bar", "[report]")
 {
-    CHECK(share_bar(0.5, {0.3, 0.7}) == "███▒▒▒▒···");
-    CHECK(share_bar(1, {}) == "██████████");
-    CHECK(share_bar(0, {0, 0}) == "··········");
+    const Table t = shares_table("By stage", named().signals);
+    REQUIRE(t.bars.size() == t.rows.size());
+    CHECK(t.columns[t.bar_column] == "share of the gap");
+    CHECK((t.bars[1].share == 0.9 && t.bars[1].low == 0.8 && t.bars[1].high == 0.95));
+    CHECK(causes_table(named()).bars.size() == causes_table(named()).rows.size());
+}
+
+TEST_CASE("a cause is said in words, with the numbers as a joint file states them", "[report]")
+{
+    // Janot, Gautier and Brunot 2019: viscous 166.7 and 240.4 N·s/m in the two directions
+    Joint before, after;
+    CoulombViscous law;
+    law.coulomb = 20, law.viscous = 203.5;
+    before.friction.law = after.friction.law = law;
+    after.friction.asymmetry.viscous = -36.8, after.friction.asymmetry.coulomb = 2.9;
+    Cause c;
+    c.names = {"asymmetric-friction"};
+    c.parameters = {{"asymmetric-friction.coulomb", 2.9, 5.8, "N"},
+                    {"asymmetric-friction.viscous", -36.8, 1.6, "N·s/m"}};
+    CHECK(
+        cause_text(c, before, after) ==
+        "Friction differs between the directions: viscous 166.7 ± 1.6 N·s/m in the positive direction and 240.3 ± 1.6 "
+        "N·s/m in the negative one; Coulomb not measurably different (2.9 ± 5.8 N half the difference).");
+    c.names = {"gain-k_p"};
+    before.control.k_p = 2e4, after.control.k_p = 1e4;
+    CHECK(cause_text(c, before, after) ==
+          "The position gain in the controller is not the documented one: 10 kN/m instead of 20 kN/m.");
 }
 
 TEST_CASE("the drawing of where says every stage, logged or not, and every regime", "[report]")
@@ -164,7 +190,8 @@ TEST_CASE("a page without a gap shows no shares of noise, and a suspicion is sai
     fine.reasons = {"the nominal joint predicts every record to the noise"};
     const auto page = diagnosis_report(fine, j, j, {});
     CHECK(page.alerts.empty());
-    CHECK(page.headlines[0].value == "nowhere");
+    CHECK(page.headlines[0].value == "nothing");
+    CHECK(page.headlines.back().value == "nowhere");
     for (const auto& s : page.sections) CHECK(s.id != "where");
 
     Diagnosis foreign;

@@ -132,7 +132,7 @@ TEST_CASE("the root locus of a lag crosses the axis at the ends of its windows",
     const auto figures = loop_figures(sampled_root_locus(joint, 2e4, 2e6), Motion::prismatic);
     REQUIRE(figures.size() == 1);
     CHECK(figures[0].finding.find("130.1 kN/m, 794 kN/m") != std::string::npos);
-    const auto& lines = std::get<LineChart>(figures[0].picture).lines;
+    const auto& lines = std::get<DetailedChart>(figures[0].picture).lines;
     REQUIRE(lines.size() >= 2);
     CHECK(lines[0].name.find("sliding is stable") != std::string::npos);
     // no root to the right among those of the stable gains, but the last step from the boundary

@@ -1,0 +1,60 @@
+#include "sweep/files/toml/changed_lines.h"
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+namespace stickslip {
+namespace {
+
+struct Entry {
+    std::string table, key, value;  ///< "[friction.motor]", "coulomb", "2.1   # N"
+};
+
+std::string trimmed(std::string_view text)
+{
+    const auto first = text.find_first_not_of(' '), last = text.find_last_not_of(' ');
+    return first == std::string_view::npos ? "" : std::string(text.substr(first, last - first + 1));
+}
+
+std::vector<Entry> entries(std::string_view text)
+{
+    std::vector<Entry> list;
+    std::string table;
+    while (!text.empty()) {
+        const auto end = std::min(text.find('\n'), text.size());
+        const std::string_view line = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        const auto equals = line.find('=');
+        if (line.starts_with('['))
+            table = line;
+        else if (equals != std::string_view::npos && !line.starts_with('#'))
+            list.push_back({table, trimmed(line.substr(0, equals)), trimmed(line.substr(equals + 1))});
+    }
+    return list;
+}
+
+}  // namespace
+
+std::string changed_lines(std::string_view before, std::string_view after)
+{
+    std::map<std::pair<std::string, std::string>, std::string> was;
+    for (const auto& e : entries(before)) was[{e.table, e.key}] = e.value;
+    std::string text, table;
+    for (const auto& e : entries(after)) {
+        const auto old = was.find({e.table, e.key});
+        if (old != was.end() && old->second == e.value) continue;
+        if (e.table != table) text += (text.empty() ? "" : "\n") + e.table + "\n";
+        table = e.table;
+        const std::string number = trimmed(e.value.substr(0, e.value.find('#')));
+        const std::string unit =
+            e.value.find('#') == std::string::npos ? "" : trimmed(e.value.substr(e.value.find('#') + 1));
+        text += e.key + " = " + number + "   #";
+        if (!unit.empty()) text += " " + unit + ",";
+        text += old == was.end() ? " not in the documented file\n"
+                                 : " documented: " + trimmed(old->second.substr(0, old->second.find('#'))) + "\n";
+    }
+    return text;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,77 @@
+#include "sweep/report/pages/record_report.h"
+
+#include "analysis/results/text.h"
+#include "sweep/words/line_figure.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+std::vector<double> error_of(const FollowedReference& r)
+{
+    std::vector<double> error;
+    for (std::size_t k = 0; k < std::min(r.reference_position.size(), r.position.size()); ++k)
+        error.push_back(r.reference_position[k] - r.position[k]);
+    return error;
+}
+
+double largest(const std::vector<double>& values)
+{
+    double size = 0;
+    for (const double v : values)
+        if (std::isfinite(v)) size = std::max(size, std::abs(v));
+    return size;
+}
+
+Figure position_figure(const FollowedReference& r, const std::vector<double>& error, Motion motion)
+{
+    DetailedChart chart;
+    chart.title = "Reference and position";
+    chart.x_label = axis_label("time t", Quantity::time, motion);
+    chart.y_label = axis_label("position", Quantity::position, motion);
+    chart.lines = {{"position", r.time, r.position}, {"reference", r.time, r.reference_position, true}};
+    chart.lines[0].wide = true;
+    chart.below_label = axis_label("reference minus position", Quantity::position, motion);
+    chart.below = {{"tracking error", r.time, error}};
+    return line_figure("reference", std::move(chart),
+                       "The largest tracking error is " + with_unit(largest(error), Quantity::position, motion) + ".",
+                       "Position as the encoder reads it; below, how far it lies behind the reference.");
+}
+
+Figure effort_figure(const FollowedReference& r, Motion motion)
+{
+    DetailedChart chart;
+    chart.title = "Effort";
+    chart.x_label = axis_label("time t", Quantity::time, motion);
+    chart.y_label = axis_label("effort", Quantity::effort, motion);
+    chart.lines = {{"command", r.time, r.effort_command, true}};
+    if (!r.effort_measured.empty()) chart.lines.push_back({"measured", r.time, r.effort_measured});
+    return line_figure("effort", std::move(chart),
+                       "The command reaches " + with_unit(largest(r.effort_command), Quantity::effort, motion) + ".",
+                       "What the controller commands, and what the drive reports.");
+}
+
+}  // namespace
+
+Report record_report(const Joint& joint, const FollowedReference& r)
+{
+    const Motion motion = joint.mechanism.motion;
+    const auto error = error_of(r);
+    Report report;
+    report.title = "The joint along a reference";
+    report.subtitle = "k_{p} = " + with_unit(joint.control.k_p, Quantity::stiffness, motion) +
+                      " · k_{v} = " + with_unit(joint.control.k_v, Quantity::damping, motion);
+    report.verdict = "The position stays within " + with_unit(largest(error), Quantity::position, motion) +
+                     " of the reference over " + with_unit(r.time.back(), Quantity::time, motion) + ".";
+    if (!r.ends_early.empty())
+        report.alerts.push_back({Headline::Tone::warning, "The motion ends early: " + r.ends_early + "."});
+    Section section{"motion", "Motion", "", {position_figure(r, error, motion)}, {}};
+    if (!r.effort_command.empty()) section.figures.push_back(effort_figure(r, motion));
+    report.sections.push_back(std::move(section));
+    report.not_checked = {"Other references, loads and noise: one motion is one example."};
+    return report;
+}
+
+}  // namespace stickslip

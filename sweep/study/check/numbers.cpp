@@ -1,0 +1,36 @@
+#include "sweep/study/check/numbers.h"
+
+#include "analysis/joint/parameters.h"
+
+#include <cmath>
+
+namespace stickslip {
+
+std::map<std::string, double> numbers_of(const Spec& spec)
+{
+    Joint joint = spec.joint;
+    for (std::size_t i = 0; i < spec.axes.size() && i < spec.design.size(); ++i)
+        if (double* value = find_parameter(joint, spec.design[i].first)) *value = spec.design[i].second;
+    std::map<std::string, double> numbers;
+    for (const auto& p : parameters(joint))
+        if (std::isfinite(*p.value)) numbers[p.path] = *p.value;
+    return numbers;
+}
+
+std::vector<ChangedNumber> changed_numbers(const std::map<std::string, double>& before,
+                                           const std::map<std::string, double>& after)
+{
+    std::vector<ChangedNumber> changed;
+    for (const auto& [path, value] : before) {
+        const auto now = after.find(path);
+        if (now == after.end())
+            changed.push_back({path, value, not_set});
+        else if (now->second != value)
+            changed.push_back({path, value, now->second});
+    }
+    for (const auto& [path, value] : after)
+        if (!before.count(path)) changed.push_back({path, not_set, value});
+    return changed;
+}
+
+}  // namespace stickslip

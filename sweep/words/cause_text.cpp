@@ -1,0 +1,159 @@
+#include "sweep/words/cause_text.h"
+
+#include "analysis/joint/parameters.h"
+#include "analysis/results/text.h"
+#include "sweep/words/symbols.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace stickslip {
+namespace {
+
+/// What an effect is in words, and at the ends of which paths of a joint its numbers stand; where none is named, the
+/// fitted numbers are said under their own names.
+struct Words {
+    std::string_view effect, sentence;
+    std::array<std::string_view, 3> paths = {};
+};
+
+constexpr Words all_words[] = {
+    {"coulomb-level", "Coulomb friction is not the documented one", {".coulomb"}},
+    {"viscous", "Viscous friction is not the documented one", {".viscous"}},
+    {"stribeck", "Friction falls from standstill to low speed (Stribeck)"},
+    {"load-dependent-friction", "Friction grows with the transmitted effort"},
+    {"presliding", "Friction yields like a spring before it slides"},
+    {"frictional-memory", "Friction remembers how it slid before"},
+    {"position-dependent-friction", "Friction depends on the position"},
+    {"friction-drift", "The level of friction drifts with time"},
+    {"inertia", "The inertia is not the documented one", {"inertia"}},
+    {"constant-load", "A constant load acts that the joint file does not state", {"load.constant"}},
+    {"gravity", "A weight acts that the joint file does not state"},
+    {"cogging", "A force locked to the position acts that does not depend on the direction (cogging)"},
+    {"backlash", "There is backlash between motor and link"},
+    {"compliance", "The transmission between motor and link is compliant"},
+    {"effort-gain", "The drive delivers another effort than documented", {"effort_gain", "torque_constant"}},
+    {"saturation", "The effort is limited below what is documented", {"effort_limit"}},
+    {"supply-sag", "The supply voltage sags under load"},
+    {"actuator-lag", "The actuator follows its command late"},
+    {"delay", "The loop is later than the joint file states", {"control.delay"}},
+    {"velocity-filter", "The velocity in the controller is filtered more than documented"},
+    {"gain-k_p", "The position gain in the controller is not the documented one", {"control.k_p"}},
+    {"gain-k_v", "The velocity gain in the controller is not the documented one", {"control.k_v"}},
+    {"gain-k_i", "The integral gain in the controller is not the documented one", {"control.k_i"}},
+    {"feed-forward", "The controller adds a feed-forward that the joint file does not state"},
+    {"dead-zone", "The controller ignores position errors within a dead zone"},
+    {"quantisation", "The position is read on a coarser grid than documented"},
+    {"sensor-offset", "The position reading is offset or scaled"},
+    {"periodic-disturbance", "A periodic force acts from outside"},
+};
+
+const FittedParameter* fitted(const Cause& cause, std::string_view name)
+{
+    for (const auto& p : cause.parameters)
+        if (p.name == name) return &p;
+    return nullptr;
+}
+
+/// "friction.motor.asymmetry.viscous" of the body whose friction differs, empty where none does.
+std::string asymmetric_body(Joint& joint)
+{
+    constexpr std::string_view table = "asymmetry.";
+    for (const auto& p : parameters(joint))
+        if (const auto at = p.path.find(table); at != std::string::npos && *p.value != 0) return p.path.substr(0, at);
+    return "";
+}
+
+/// "viscous 166.9 ± 1.6 N·s/m in the positive direction and 240.1 N·s/m in the negative one"
+std::string both_directions(const char* name, double level, const FittedParameter& half)
+{
+    constexpr double surely = 2;  // standard errors
+    if (std::abs(half.value) < surely * half.standard_error)
+        return fmt::format("{} not measurably different ({} half the difference)", name,
+                           with_error(half.value, half.standard_error, half.unit));
+    return fmt::format("{} {} in the positive direction and {} in the negative one", name,
+                       with_error(level + half.value, half.standard_error, half.unit),
+                       with_error(level - half.value, half.standard_error, half.unit));
+}
+
+std::string directions_text(const Cause& cause, Joint after)
+{
+    const std::string body = asymmetric_body(after);
+    std::string text;
+    for (const char* name : {"viscous", "coulomb"}) {
+        const auto* half = fitted(cause, std::string("asymmetric-friction.") + name);
+        const double* level = find_parameter(after, body + name);
+        if (!half || !level || half->value == 0) continue;
+        text += (text.empty() ? ": " : "; ") + both_directions(name[0] == 'c' ? "Coulomb" : name, *level, *half);
+    }
+    return "Friction differs between the directions" + text + ".";
+}
+
+/// The numbers of a joint file that end like one of the paths and have moved.
+std::string moved_numbers(const Words& words, Joint before, Joint after)
+{
+    const Motion motion = after.mechanism.motion;
+    std::string text;
+    for (const auto& p : parameters(after)) {
+        const double* was = find_parameter(before, p.path);
+        const bool own = std::any_of(words.paths.begin(), words.paths.end(),
+                                     [&](auto end) { return !end.empty() && p.path.ends_with(end); });
+        if (!own || !was || *was == *p.value) continue;
+        text += (text.empty() ? "" : ", ") + with_unit(*p.value, p.quantity, motion, 4);
+        text += std::isfinite(*was) && *was != 0 ? " instead of " + with_unit(*was, p.quantity, motion, 4)
+                                                 : " where the joint file has none";
+    }
+    return text;
+}
+
+std::string fitted_numbers(const Cause& cause, const std::string& effect)
+{
+    std::string text;
+    for (const auto& p : cause.parameters) {
+        if (!p.name.starts_with(effect + ".")) continue;
+        std::string name = p.name.substr(effect.size() + 1);
+        std::replace(name.begin(), name.end(), '_', ' ');
+        text += (text.empty() ? "" : ", ") + name + " " + with_error(p.value, p.standard_error, p.unit);
+    }
+    return text;
+}
+
+std::string one_text(const std::string& effect, const Cause& cause, const Joint& before, const Joint& after)
+{
+    if (effect == "asymmetric-friction") return directions_text(cause, after);
+    const auto* words =
+        std::find_if(std::begin(all_words), std::end(all_words), [&](const Words& w) { return w.effect == effect; });
+    std::string text(words == std::end(all_words) ? std::string_view(effect) : words->sentence);
+    std::string numbers = words == std::end(all_words) ? "" : moved_numbers(*words, before, after);
+    if (numbers.empty()) numbers = fitted_numbers(cause, effect);
+    return text + (numbers.empty() ? "." : ": " + numbers + ".");
+}
+
+}  // namespace
+
+std::string with_error(double value, double standard_error, const std::string& unit)
+{
+    const ScaledUnit scaled = scaled_unit(std::abs(value), unit);
+    const std::string shown = unit == "1" || unit.empty() ? "" : " " + scaled.text;
+    const double v = value / scaled.size, e = standard_error / scaled.size;
+    if (!std::isfinite(e) || !(e > 0)) return plain_number(v, 4) + shown;
+    constexpr int least = 1, most = 6;
+    const int digits =
+        v == 0 ? least
+               : std::clamp(static_cast<int>(std::floor(std::log10(std::abs(v))) - std::floor(std::log10(e))) + 2,
+                            least, most);
+    return plain_number(v, digits) + " ± " + plain_number(e, 2) + shown;
+}
+
+std::string cause_text(const Cause& cause, const Joint& before, const Joint& after)
+{
+    std::string text;
+    for (const auto& name : cause.names) text += (text.empty() ? "" : " ") + one_text(name, cause, before, after);
+    return text;
+}
+
+}  // namespace stickslip

@@ -3,6 +3,7 @@
     report_test.py STICKSLIP [--update]     --update stores the screenshots anew
 """
 import base64
+import csv
 import json
 import math
 import os
@@ -379,7 +380,7 @@ class Report(unittest.TestCase):
         self.browser.run("document.querySelector('#root-locus .reader').focus({focusVisible: true})")
         self.browser.key("ArrowRight")
         self.assertRegex(self.tip("#root-locus"), r"kp = [0-9.]+ [kM]?N/m")
-        rows = [line.split(",") for line in (self.out / "linear/charts/root-locus.csv").read_text().splitlines()]
+        rows = list(csv.reader((self.out / "linear/charts/root-locus.csv").read_text().splitlines()))
         self.assertEqual(rows[0][3], "kp [N/m]")
         gains = [float(row[3]) for row in rows[1:] if row[3] != "nan"]
         self.assertTrue(0.999e3 <= min(gains) and max(gains) <= 1.001e6, (min(gains), max(gains)))
@@ -457,7 +458,7 @@ class Report(unittest.TestCase):
         rows = [line.split(",") for line in (self.out / "gap/charts/record-played.csv").read_text().splitlines()[1:]]
         measured = [(float(r[1]), float(r[2])) for r in rows if r[0] == "measured"]
         self.assertGreater(len(measured), 1000)
-        self.assertRegex(said, "position [0-9.]+ m?rad; off by: simulated before .* simulated after ")
+        self.assertRegex(said, r"position \S+ [mµ]?rad; off by: simulated before \S+ [mµ]?rad, simulated after \S+ [mµ]?rad")
         before = self.browser.run(f"return {box}.querySelector('canvas.played').toDataURL()")
         self.browser.run(f"[...{box}.querySelectorAll('button')].find(b => b.textContent === 'Play').click()")
         self.browser.wait(f"return {box}.querySelector('canvas.played').toDataURL() !== {json.dumps(before)}")

@@ -1,4 +1,5 @@
 // Noise against closed forms of white noise, and designs whose optimum is known.
+#include "analysis/boundary/kinds/nearest.h"
 #include "analysis/design/design.h"
 #include "tests/analysis/simulation/joints.h"
 

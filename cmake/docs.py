@@ -183,12 +183,21 @@ GALLERY = [
 ]
 
 
+def gallery_picture(command, chart):
+    return f"gallery-{command.split()[1]}-{chart}.svg"
+
+
+def drawn():
+    """Names of all pictures that the site draws."""
+    return {*PICTURES, *(gallery_picture(command, chart) for command, charts in GALLERY for chart, _ in charts)}
+
+
 def gallery():
     text = MADE + "# Gallery\n\nCharts of the examples, each page by one command from the folder of the project.\n"
     for command, charts in GALLERY:
         text += f"\n```sh\n{command.replace('OUT', 'out')}\n```\n"
         for chart, words in charts:
-            text += f"\n![{words}](pictures/gallery-{command.split()[1]}-{chart}.svg)\n\n{words}.\n"
+            text += f"\n![{words}](pictures/{gallery_picture(command, chart)})\n\n{words}.\n"
     return text
 
 
@@ -198,7 +207,7 @@ def draw_gallery(program, folder):
             words = [f"{room}/out" if word == "OUT" else word for word in command.split()[1:]]
             subprocess.run([program, *words], cwd=ROOT, stdout=subprocess.DEVNULL, check=True)
             for chart, _ in charts:
-                shutil.copy(f"{room}/out/charts/{chart}.svg", folder / f"gallery-{command.split()[1]}-{chart}.svg")
+                shutil.copy(f"{room}/out/charts/{chart}.svg", folder / gallery_picture(command, chart))
 
 
 def draw(program, folder):

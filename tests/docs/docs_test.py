@@ -72,7 +72,7 @@ for page in sorted((ROOT / "docs").rglob("*.md")):
     if f": {name}\n" not in site + "\n":
         wrong.append(f"mkdocs.yml: {name} stands nowhere in nav")
     for target in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8")):
-        if not (page.parent / target).exists() and target.removeprefix("pictures/") not in docs.PICTURES:
+        if not (page.parent / target).exists() and target.removeprefix("pictures/") not in docs.drawn():
             wrong.append(f"docs/{name}: leads to {target}, which does not exist")
 
 print("\n".join(wrong))

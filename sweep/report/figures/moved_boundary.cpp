@@ -115,8 +115,8 @@ MovedBoundary moved_boundary(const Joint& before, const Joint& after, double spe
         moved.sentence = "The cause does not act in this theory: the stable gains stay where they were, " +
                          gain_text(one, motion) + ".";
     else
-        moved.sentence = "The stable position gains move from " + gain_text(one, motion) + " to " +
-                         gain_text(two, motion) + "; the joint's own, " +
+        moved.sentence = "The stable position gains are " + gain_text(one, motion) + " in the nominal joint and " +
+                         gain_text(two, motion) + " " + with + "; the joint's own, " +
                          with_unit(before.control.k_p, Quantity::stiffness, motion) + ", " +
                          (two.verdict.state_variable.stable ? "slides" : "sticks and slips") + " " + with + ".";
     if (!drawn) return moved;

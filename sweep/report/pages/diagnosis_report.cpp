@@ -163,7 +163,7 @@ Section next_section(const Diagnosis& d)
     if (!e.reference.empty()) {
         next.text +=
             " The reference is next-experiment.csv beside this page: continuous, from rest to rest, within the "
-            "stroke, the speed and the acceleration that the records show. " +
+            "stroke and the speed that the records show; its acceleration is told below. " +
             reach_text(e, d.motion);
         next.figures.push_back(experiment_figure(d));
     }

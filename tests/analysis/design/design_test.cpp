@@ -1,6 +1,6 @@
 // Noise against closed forms of white noise, and designs whose optimum is known.
-#include "analysis/boundary/kinds/nearest.h"
 #include "analysis/design/design.h"
+#include "analysis/boundary/kinds/nearest.h"
 #include "tests/analysis/simulation/joints.h"
 
 #include <catch2/catch.hpp>

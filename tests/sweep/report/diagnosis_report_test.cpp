@@ -89,14 +89,43 @@ TEST_CASE("a diagnosis whose cause makes held-out data worse is not written", "[
     CHECK_NOTHROW(diagnosis_json(d, j, j));
 }
 
-TEST_CASE("the page shows that the critical gain moves with the memory's length", "[report]")
+TEST_CASE("the page shows that the stable gains move with the length of the memory", "[report]")
 {
     // k_cr of the quasi-static slip law is (B − A)/L
     const auto moved =
         moved_boundary(joint_with(slip_law(1e-5)), joint_with(slip_law(2e-5)), 1e-6, "with frictional-memory");
-    CHECK_THAT(moved.sentence, Contains("from 50 kN/m to 25 kN/m"));
+    CHECK_THAT(moved.sentence, Contains("above 50 kN/m in the nominal joint and above 25 kN/m with"));
     REQUIRE(moved.figures.size() == 1);
     CHECK(std::get<LineChart>(moved.figures[0].picture).lines.size() == 2);
+}
+
+TEST_CASE("the page shows both ends of the window that ticks leave, in the gains of a geared motor", "[report]")
+{
+    Joint plain = joint_with(slip_law(1e-5));
+    plain.control.period = 1e-3;
+    const auto sampled = moved_boundary(plain, joint_with(slip_law(1e-5)), 1e-3, "without ticks");
+    CHECK_THAT(sampled.sentence, Contains("MN/m in the nominal joint and above"));
+    REQUIRE(sampled.figures.size() == 1);
+    CHECK(std::get<LineChart>(sampled.figures[0].picture).lines.size() == 3);
+
+    Joint rigid = plain;
+    rigid.mechanism.model = Model::two_mass;
+    rigid.mechanism.motor_inertia = 0.3, rigid.mechanism.link_inertia = 1;
+    rigid.mechanism.transmission = {1e7, 100, 1, 0};
+    rigid.frictions.motor.law = CoulombViscous{1, 1};
+    rigid.frictions.link = plain.friction;
+    Joint geared = rigid;  // the same bodies behind a gear of 10, as their motor counts them
+    geared.mechanism.motor_inertia /= 100;
+    geared.mechanism.transmission.ratio = 10;
+    geared.frictions.motor.law = CoulombViscous{0.1, 0.01};
+    geared.control.k_p /= 100;
+    const double unit = 100;
+    const auto at_joint = boundary_json(rigid, 1e-3), at_motor = boundary_json(geared, 1e-3);
+    REQUIRE(at_joint["stable_k_p"].size() >= 1);
+    CHECK(at_motor["stable_k_p"][0][0].get<double>() * unit ==
+          Approx(at_joint["stable_k_p"][0][0].get<double>()).epsilon(1e-6));
+    CHECK(at_motor["spectral_abscissa"].get<double>() ==
+          Approx(at_joint["spectral_abscissa"].get<double>()).epsilon(1e-6));
 }
 
 TEST_CASE("a joint for which the linear theory has no verdict is said to have none", "[report]")

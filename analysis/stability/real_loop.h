@@ -56,6 +56,9 @@ CommandMargins real_margins(const Joint& joint, double velocity);
 /// Fills in the margins of an ideal loop, which verdicts do without as they take long beside it.
 void add_margins(const Joint& joint, LinearVerdict& verdict);
 
+/// Slope of the steady curve, direct effect and kernel integral, summed over all bodies, whatever the loop.
+void add_frictions(const LinearJoint& linear, LinearVerdict& verdict);
+
 /// Both theories under the joint's own loop, in the terms of the ideal one.
 LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict);
 double real_growth(const Joint& joint, double velocity, bool velocity_only_friction);

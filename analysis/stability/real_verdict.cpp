@@ -86,12 +86,7 @@ LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
     const auto linear = linear_joint(joint, V);
     auto& simple = verdict.velocity_only;
     auto& memory = verdict.state_variable;
-    simple.slope = memory.f_v = memory.kernel_integral = 0;
-    for (int i = 0; i < linear.bodies; ++i) {
-        simple.slope += steady_slope(linear.friction[i]);
-        memory.f_v += linear.friction[i].f_v;
-        memory.kernel_integral += kernel_integral(linear.friction[i]);
-    }
+    add_frictions(linear, verdict);
     const auto all = real_loop(joint, linear, V, TurnedGain::all);
     if (!all) {
         verdict.steady.reason = linear.rational() ? Reason::not_finite : Reason::unsupported;

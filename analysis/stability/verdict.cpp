@@ -72,13 +72,7 @@ LinearVerdict joint_verdict(const Joint& joint, LinearVerdict verdict)
     const auto linear = linear_joint(joint, verdict.steady.velocity);
     auto& simple = verdict.velocity_only;
     auto& memory = verdict.state_variable;
-    simple.slope = memory.f_v = memory.kernel_integral = 0;
-    for (int i = 0; i < linear.bodies; ++i) {
-        simple.slope += steady_slope(linear.friction[i]);
-        memory.f_v += linear.friction[i].f_v;
-        memory.kernel_integral += kernel_integral(linear.friction[i]);
-    }
-    simple.slope -= linear.state_slope;
+    add_frictions(linear, verdict);
     simple.stable_k_v = velocity_only_gains(linear);
     simple.k_v_min = least(simple.stable_k_v);
     const auto simply = velocity_only_code(linear);
@@ -203,6 +197,18 @@ double growth_rate(const Joint& joint)
         if (mass.friction.rational()) return spectral_abscissa(mass);
     }
     return spectral_abscissa(linear_joint(joint, steady.velocity));
+}
+
+void add_frictions(const LinearJoint& linear, LinearVerdict& verdict)
+{
+    auto& slope = verdict.velocity_only.slope = -linear.state_slope;
+    auto& memory = verdict.state_variable;
+    memory.f_v = memory.kernel_integral = 0;
+    for (int i = 0; i < linear.bodies; ++i) {
+        slope += steady_slope(linear.friction[i]);
+        memory.f_v += linear.friction[i].f_v;
+        memory.kernel_integral += kernel_integral(linear.friction[i]);
+    }
 }
 
 double velocity_only_growth_rate(const Joint& joint)

@@ -1,5 +1,6 @@
 #include "sweep/files/json/diagnosis_json.h"
 
+#include "analysis/joint/gains.h"
 #include "analysis/joint/loop_side.h"
 #include "analysis/stability/verdict.h"
 #include "sweep/files/json/verdict_json.h"
@@ -102,12 +103,13 @@ void add_ladder(const Diagnosis& d, Json& json)
 
 Json boundary_json(const Joint& given, double speed)
 {
-    Joint joint = with_loop_at_joint(given);
+    const Joint summed = with_gains(given);  // a cascade has k_p only as part of its sum of gains
+    Joint joint = with_loop_at_joint(summed);
     if (!is_set(joint.control.V0) && !is_set(joint.control.force_rate)) joint.control.V0 = 0.1 * speed;
     try {
         const auto verdict = linear_verdict(joint);
         // as the drive counts them, which reads and pushes at the encoder's side of a gear
-        const double unit = given.control.k_p > 0 ? joint.control.k_p / given.control.k_p : 1;
+        const double unit = summed.control.k_p > 0 ? joint.control.k_p / summed.control.k_p : 1;
         Json stable = Json::array();
         for (const auto& i : verdict.state_variable.stable_intervals)
             stable.push_back({json_number(i.low / unit), json_number(i.high / unit)});

@@ -1,5 +1,6 @@
 #include "sweep/report/figures/moved_boundary.h"
 
+#include "analysis/joint/gains.h"
 #include "analysis/joint/loop_side.h"
 #include "analysis/results/text.h"
 #include "analysis/stability/verdict.h"
@@ -21,7 +22,8 @@ struct Guarded {
 
 Guarded verdict_at(const Joint& joint, double velocity)
 {
-    Joint there = with_loop_at_joint(joint);
+    const Joint summed = with_gains(joint);  // a cascade has k_p only as part of its sum of gains
+    Joint there = with_loop_at_joint(summed);
     there.control.V0 = velocity;
     there.control.force_rate = not_set;
     Guarded g;
@@ -29,7 +31,7 @@ Guarded verdict_at(const Joint& joint, double velocity)
         g.verdict = linear_verdict(there);
         const auto& v = g.verdict.state_variable;
         if (std::isnan(v.spectral_abscissa)) g.reason = "no steady sliding at this velocity";
-        const double unit = there.control.k_p / joint.control.k_p;
+        const double unit = there.control.k_p / summed.control.k_p;
         for (const auto& i : v.stable_intervals) g.gains.push_back({i.low / unit, i.high / unit});
     } catch (const std::exception& e) {
         g.reason = e.what();
@@ -50,12 +52,12 @@ struct Window {
 
 Window windows(const Joint& joint, const std::vector<double>& velocities, const std::string& name, bool dashed)
 {
+    const double own_gain = gains_of(joint.control).k_p;
     Window window{{name, {}, {}, dashed}, {name + ", upper end", {}, {}, dashed}};
     for (const double V : velocities) {
         const auto g = verdict_at(joint, V);
-        const auto own = std::find_if(g.gains.begin(), g.gains.end(), [&](const Interval& i) {
-            return i.low < joint.control.k_p && joint.control.k_p < i.high;
-        });
+        const auto own = std::find_if(g.gains.begin(), g.gains.end(),
+                                      [&](const Interval& i) { return i.low < own_gain && own_gain < i.high; });
         const auto shown = own != g.gains.end() ? own : g.gains.begin();
         const bool none = !g.known() || g.gains.empty();
         window.low.x.push_back(V), window.high.x.push_back(V);
@@ -117,7 +119,7 @@ MovedBoundary moved_boundary(const Joint& before, const Joint& after, double spe
     else
         moved.sentence = "The stable position gains are " + gain_text(one, motion) + " in the nominal joint and " +
                          gain_text(two, motion) + " " + with + "; the joint's own, " +
-                         with_unit(before.control.k_p, Quantity::stiffness, motion) + ", " +
+                         with_unit(gains_of(before.control).k_p, Quantity::stiffness, motion) + ", " +
                          (two.verdict.state_variable.stable ? "slides" : "sticks and slips") + " " + with + ".";
     if (!drawn) return moved;
     LineChart chart;

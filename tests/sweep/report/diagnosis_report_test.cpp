@@ -108,6 +108,15 @@ TEST_CASE("the page shows both ends of the window that ticks leave, in the gains
     REQUIRE(sampled.figures.size() == 1);
     CHECK(std::get<LineChart>(sampled.figures[0].picture).lines.size() == 3);
 
+    Joint cascade = plain;  // the same gains, as a velocity loop inside a position loop
+    cascade.control.structure = Structure::cascade;
+    cascade.control.velocity_gain = plain.control.k_v = 40;
+    cascade.control.position_gain = 500, plain.control.k_p = 40 * 500;
+    cascade.control.k_p = not_set;
+    CHECK(moved_boundary(cascade, cascade, 1e-3, "as it is").sentence ==
+          moved_boundary(plain, plain, 1e-3, "as it is").sentence);
+    CHECK(boundary_json(cascade, 1e-3)["stable_k_p"].dump() == boundary_json(plain, 1e-3)["stable_k_p"].dump());
+
     Joint rigid = plain;
     rigid.mechanism.model = Model::two_mass;
     rigid.mechanism.motor_inertia = 0.3, rigid.mechanism.link_inertia = 1;
@@ -118,7 +127,7 @@ TEST_CASE("the page shows both ends of the window that ticks leave, in the gains
     geared.mechanism.motor_inertia /= 100;
     geared.mechanism.transmission.ratio = 10;
     geared.frictions.motor.law = CoulombViscous{0.1, 0.01};
-    geared.control.k_p /= 100;
+    geared.control.k_p /= 100, geared.control.k_v /= 100;
     const double unit = 100;
     const auto at_joint = boundary_json(rigid, 1e-3), at_motor = boundary_json(geared, 1e-3);
     REQUIRE(at_joint["stable_k_p"].size() >= 1);

@@ -43,12 +43,14 @@ class Climber {
     std::vector<FittedSet> next(const FittedSet& below)
     {
         std::vector<Start> looks;
-        // divided masses cost ten times as much: only those that come near alone, and beside them only what does
+        // divided masses cost ten times as much: beside another cause only those that come near alone, and beside them
+        // only what does. With the document's numbers as they are anything that mends those comes nearer: the first
+        // rung looks at all
         const std::size_t most = two_mass_edit(below.causes) ? dear_looks : rules_.first_look;
         for (std::size_t i = 0; i < singles_.size() && looks.size() < most; ++i) {
             const Candidate& single = singles_[i].candidate;
             const auto& in = below.causes.effects;
-            const bool too_dear = two_mass_edit(single) && i >= near;
+            const bool too_dear = two_mass_edit(single) && i >= near && !in.empty();
             if (std::find(in.begin(), in.end(), single.effects[0]) != in.end() || too_dear) continue;
             looks.push_back({below.causes, single.effects[0], single.forms[0], singles_[i].x});
             looks.back().causes.records = single.records;

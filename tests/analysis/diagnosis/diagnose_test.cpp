@@ -156,6 +156,23 @@ TEST_CASE("more friction is named, sized and halves nothing but the gap; the ord
     CHECK(again.diagnosis.overall.after == d.overall.after);
 }
 
+TEST_CASE("a wrong filter of the controller is the cause, and not the few per cent of the document beside it", "[gap]")
+{
+    Machine m;
+    m.tau = 0.0051;
+    m.inertia = 1.2 * 1.04, m.coulomb = 2 * 0.96;
+    DiagnosisOptions options;
+    options.ensemble = 4;
+    const auto d = diagnose(nominal_joint(), records_of(m), in_order, options).diagnosis;
+    REQUIRE(d.verdict == Verdict::gap);
+    REQUIRE(!d.effects.empty());
+    CHECK(d.effects[0].names == std::vector<std::string>{"velocity-filter"});
+    CHECK(d.effects[0].probability > 0.9);
+    const auto inertia = std::ranges::find(d.corrections, "inertia", &Correction::name);
+    REQUIRE(inertia != d.corrections.end());
+    CHECK(inertia->number.value == Approx(1.04).margin(0.01));
+}
+
 TEST_CASE("records that say nothing are answered with insufficient-data or refused, never with a cause", "[gap]")
 {
     Record still = record_of({}, 1, 1);

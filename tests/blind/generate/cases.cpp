@@ -88,9 +88,9 @@ void make(SealedCase& c, const Wish& wish, const std::vector<std::string>& effec
     Draw draw(seed);
     const bool gain_effect =
         std::any_of(effects.begin(), effects.end(), [](const auto& e) { return e.starts_with("gain-"); });
-    c.setting =
-        draw_setting({c.kind, wish.columns, families_of(wish, effects), !gain_effect, wish.dirty, wish.mujoco.empty()},
-                     draw, seed_of(seed, 1));
+    c.setting = draw_setting({c.kind, wish.columns, families_of(wish, effects), !gain_effect, wish.dirty,
+                              wish.mujoco.empty(), wish.controller},
+                             draw, seed_of(seed, 1));
     const auto& s = c.setting;
     for (const auto& name : effects) c.edits.push_back(draw_effect(name, s.nominal, s.peak_command, draw));
     // An effect that splits the body in two takes over what the other has made of it.
@@ -143,6 +143,7 @@ std::vector<std::string> effects_of(const std::string& kind, const Wish& wish, s
     if (kind == "none" || kind == "outside") return {};
     std::vector<std::string> names = effect_names();
     if (!wish.mujoco.empty()) std::erase_if(names, [](const auto& n) { return !mujoco_has(n); });
+    std::erase_if(names, [&](const auto& n) { return !controller_has(wish.controller, n); });
     const int count = static_cast<int>(names.size());
     Draw(seed_of(seed, 1u << 20 | index / count)).shuffle(names);
     const std::string first = wish.effect.empty() ? names[index % count] : wish.effect;

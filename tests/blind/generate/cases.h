@@ -9,8 +9,9 @@ namespace blind {
 struct Wish {
     std::string kind = "mixed";  ///< single | pair | none | outside | noisy | few | mixed
     std::string effect, strength, columns, family;
-    bool dirty = false;  ///< the joint is not quite its document, see dirty.h
-    std::string mujoco;  ///< folder of the MuJoCo script; empty: the own mechanism makes the records
+    std::string controller = "pd";  ///< pd | pid | cascade
+    bool dirty = false;             ///< the joint is not quite its document, see dirty.h
+    std::string mujoco;             ///< folder of the MuJoCo script; empty: the own mechanism makes the records
 };
 
 struct SealedCase {

@@ -53,6 +53,13 @@ const std::vector<std::string>& effect_names()
     return names;
 }
 
+bool controller_has(const std::string& structure, const std::string& effect)
+{
+    const bool of_integral = effect == "gain-k_i" || effect == "feed-forward" || effect == "dead-zone";
+    if (structure == "pd") return !of_integral;
+    return structure == "pid" || (effect != "gain-k_p" && effect != "gain-k_v");
+}
+
 std::vector<std::string> families_for(const std::string& effect)
 {
     return entry(effect).families;

@@ -30,6 +30,8 @@ struct Edit {
 
 const std::vector<std::string>& effect_names();
 /// Families of joints on which the effect can be seen at all.
+/// Whether a controller of this structure can have the effect: the gains of a PD law alone, those of an integral not.
+bool controller_has(const std::string& structure, const std::string& effect);
 std::vector<std::string> families_for(const std::string& effect);
 /// Draws everything but the size. `peak_command` is the largest drive signal of the nominal records.
 Edit draw_effect(const std::string& name, const Nominal& nominal, double peak_command, Draw& draw);

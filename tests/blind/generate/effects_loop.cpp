@@ -94,6 +94,37 @@ Edit gain_k_v(const Nominal& n, double, Draw& draw)
         draw);
 }
 
+Edit gain_k_i(const Nominal& n, double, Draw& draw)
+{
+    const auto& c = n.machine.controller;
+    if (c.cascade)
+        return scaled(
+            "control.velocity_integral_gain", 1e-2, 0.8, c.velocity_integral,
+            [](Machine& m) -> double& { return m.controller.velocity_integral; }, draw);
+    return scaled(
+        "control.k_i", 1e-2, 0.8, c.k_i, [](Machine& m) -> double& { return m.controller.k_i; }, draw);
+}
+/// A Coulomb friction that the controller compensates without the document's saying so.
+Edit feed_forward(const Nominal& n, double, Draw& draw)
+{
+    Edit e{.smallest = 0.02, .largest = 1};
+    const double level = n.machine.mechanism.friction[0].coulomb / effort_per_signal(n.machine.drive);
+    const double speed = n.bandwidth * n.travel * draw.log_uniform(0.01, 0.1);
+    e.apply = [=](Machine& m, double size) -> Changed {
+        m.controller.coulomb_speed = speed;
+        return {changed("control.feed_forward.coulomb", m.controller.coulomb, size * level)};
+    };
+    return e;
+}
+Edit dead_zone(const Nominal& n, double, Draw&)
+{
+    Edit e{.smallest = 1e-4, .largest = 0.05};
+    e.apply = [travel = n.travel](Machine& m, double size) -> Changed {
+        return {changed("control.dead_zone", m.controller.dead_zone, size * travel)};
+    };
+    return e;
+}
+
 Edit quantisation(const Nominal& n, double, Draw&)
 {
     const auto& s = n.machine.sensors;
@@ -135,6 +166,9 @@ std::vector<EffectEntry> loop_effects()
         {"velocity-filter", joint_families(), velocity_filter},
         {"gain-k_p", joint_families(), gain_k_p},
         {"gain-k_v", joint_families(), gain_k_v},
+        {"gain-k_i", joint_families(), gain_k_i},
+        {"feed-forward", joint_families(), feed_forward},
+        {"dead-zone", joint_families(), dead_zone},
         {"quantisation", joint_families(), quantisation},
         {"sensor-offset", {"pendulum", "dc-duty"}, sensor_offset},
     };

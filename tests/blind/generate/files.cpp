@@ -106,8 +106,16 @@ std::string joint_toml(const Setting& setting)
     t.table("control");
     t.word("kind", "position");
     t.word("feedback", "motor");
-    t.number("k_p", c.k_p);
-    t.number("k_v", c.k_v);
+    if (c.cascade) {
+        t.word("structure", "cascade");
+        t.number("position_gain", c.position_gain);
+        t.number("velocity_gain", c.velocity_gain);
+        t.number("velocity_integral_gain", c.velocity_integral);
+    } else {
+        t.number("k_p", c.k_p);
+        t.number("k_v", c.k_v);
+        t.number_if(c.k_i != 0, "k_i", c.k_i);
+    }
     t.number("period", c.period);
     t.line("reference_velocity", c.reference_velocity ? "true" : "false");
     t.number_if(std::isfinite(c.limit), "effort_limit", c.limit);

@@ -25,7 +25,11 @@ double motor_factor(const std::string& path, const Machine& machine)
             return 1;
         return 1 / N;  // levels, and periods per angle of the motor
     }
-    if (path == "control.k_p" || path == "control.k_v") return commands_effort(machine.drive) ? 1 / (N * N) : 1 / N;
+    if (path == "control.dead_zone") return N;
+    if (path == "control.feed_forward.coulomb") return commands_effort(machine.drive) ? 1 / N : 1;
+    if (path == "control.k_p" || path == "control.k_v" || path == "control.k_i" ||
+        path == "control.velocity_integral_gain")
+        return commands_effort(machine.drive) ? 1 / (N * N) : 1 / N;
     if (path == "actuator.effort_gain" && machine.drive.kind == Drive::Kind::effort)
         return commands_effort(machine.drive) ? 1 : 1 / N;
     if (path == "actuator.limit" || path == "actuator.sag_effort") return 1 / N;
@@ -47,8 +51,10 @@ Machine at_motor(const Machine& machine)
     f.viscous /= N * N;
     f.stribeck_velocity *= N;
     const double gains = motor_factor("control.k_p", machine);
-    m.controller.k_p *= gains, m.controller.k_v *= gains;
-    if (commands_effort(m.drive)) m.controller.limit /= N;
+    auto& c = m.controller;
+    for (double* gain : {&c.k_p, &c.k_v, &c.k_i, &c.velocity_gain, &c.velocity_integral}) *gain *= gains;
+    c.dead_zone *= N, c.coulomb_speed *= N;
+    if (commands_effort(m.drive)) c.limit /= N, c.coulomb /= N;
     if (m.drive.kind == Drive::Kind::effort && !commands_effort(m.drive)) m.drive.gain /= N;
     m.drive.torque_constant /= N, m.drive.back_emf /= N;
     m.sensors.quantum *= N, m.sensors.position_noise *= N, m.sensors.effort_noise /= N;

@@ -81,6 +81,32 @@ class VelocityEstimate {
     double mean_;
 };
 
+/// The law of a controller and its integral.
+class Law {
+  public:
+    explicit Law(const Controller& c) : c_(c) {}
+    double command(const Reference& ref, double y, double v)
+    {
+        const double error = ref.position - y;
+        const double seen = error - std::clamp(error, -c_.dead_zone, c_.dead_zone);
+        const double late = (c_.reference_velocity ? ref.velocity : 0) - v;
+        double u = c_.coulomb * std::tanh(ref.velocity / c_.coulomb_speed);
+        if (c_.cascade) {
+            const double wanted = c_.position_gain * seen + late;
+            sum_ += c_.period * wanted;
+            u += c_.velocity_gain * wanted + c_.velocity_integral * sum_;
+        } else {
+            sum_ += c_.period * seen;
+            u += c_.k_p * seen + c_.k_v * late + c_.k_i * sum_;
+        }
+        return std::clamp(u, -c_.limit, c_.limit);
+    }
+
+  private:
+    const Controller& c_;
+    double sum_ = 0;
+};
+
 }  // namespace
 
 Record run_loop(const Machine& machine, const Excitation& excitation, std::uint64_t noise_seed, int stride)
@@ -99,14 +125,14 @@ Record run_loop(const Machine& machine, const Excitation& excitation, std::uint6
 
     double y = encoder.read(plant.position(0));
     VelocityEstimate estimate(c, y);
+    Law law(c);
     Record r;
     for (int k = 0; k < samples; ++k) {
         const double t = k * c.period;
         if (k > 0) y = encoder.read(plant.position(0));
         const double v = k > 0 ? estimate.update(y) : 0;
         const Reference ref = excitation.at(t);
-        const double rate = c.reference_velocity ? ref.velocity : 0;
-        const double command = std::clamp(c.k_p * (ref.position - y) + c.k_v * (rate - v), -c.limit, c.limit);
+        const double command = law.command(ref, y, v);
         chain.give(t, command);
         chain.update(t);
         const DriveState drive = drive_effort(machine.drive, chain.signal().at(t), plant.velocity(0));

@@ -79,10 +79,16 @@ struct Drive {
     double sag_effort = unlimited;  ///< effort source: the share |effort| / sag_effort of the effort is lost
 };
 
+/// k_p (r − y) + k_v (ṙ − v) + k_i Σ T (r − y), or, as a cascade, velocity_gain w + velocity_integral Σ T w with
+/// w = position_gain (r − y) + ṙ − v. Errors within the dead zone count as none; coulomb tanh(ṙ/coulomb_speed) is
+/// added.
 struct Controller {
     double period = 1e-3, k_p = 0, k_v = 0, filter = 0, limit = unlimited;
     int average = 1;
     bool reference_velocity = true;
+    bool cascade = false;
+    double k_i = 0, position_gain = 0, velocity_gain = 0, velocity_integral = 0;
+    double dead_zone = 0, coulomb = 0, coulomb_speed = 1;
 };
 
 struct Sensors {

@@ -64,6 +64,8 @@ int main(int argc, char** argv)
     app.add_option("--columns", wish.columns, "only this set of columns")
         ->check(CLI::IsMember(
             {"full", "no-effort", "no-velocity", "no-reference", "no-command", "motion-only", "position-only"}));
+    app.add_option("--controller", wish.controller, "structure of the law; pid and cascade integrate")
+        ->check(CLI::IsMember({"pd", "pid", "cascade"}));
     std::string state = "both";
     app.add_option("--state", state, "joints that are their documents, joints that are not quite, or either in turn")
         ->check(CLI::IsMember({"clean", "dirty", "both"}));

@@ -66,6 +66,12 @@ double draw_drive(Nominal& n, double damping, const std::string& kind, Draw& dra
     return d.gain;
 }
 
+double three_digits(double x)
+{
+    const double unit = std::pow(10, std::floor(std::log10(x)) - 2);
+    return std::round(x / unit) * unit;
+}
+
 void draw_controller(Nominal& n, const std::string& drive, Draw& draw, Draw& own)
 {
     auto& c = n.machine.controller;
@@ -86,12 +92,23 @@ void draw_controller(Nominal& n, const std::string& drive, Draw& draw, Draw& own
     if (d.kind == Drive::Kind::dc_duty) c.limit = 1;
     if (d.kind == Drive::Kind::dc_voltage) c.limit = d.supply;
     if (d.kind == Drive::Kind::effort && draw.chance(0.3)) c.limit = 1.5 * c.k_p * n.travel;
-    const auto three_digits = [](double& x) {
-        const double unit = std::pow(10, std::floor(std::log10(x)) - 2);
-        x = std::round(x / unit) * unit;
-    };
-    three_digits(c.k_p);
-    three_digits(c.k_v);
+    c.k_p = three_digits(c.k_p);
+    c.k_v = three_digits(c.k_v);
+}
+
+/// Makes the law integrate: its corner lies at a twentieth to a third of the bandwidth.
+void add_integral(Nominal& n, const std::string& structure, Draw& draw)
+{
+    auto& c = n.machine.controller;
+    const double corner = n.bandwidth * draw.uniform(0.05, 0.3);
+    if (structure == "pid") {
+        c.k_i = three_digits(c.k_p * corner);
+        return;
+    }
+    c.cascade = true;
+    c.position_gain = three_digits(c.k_p / c.k_v);
+    c.velocity_gain = c.k_v;
+    c.velocity_integral = three_digits(c.k_v * corner);
 }
 
 void draw_sensors(Nominal& n, Draw& draw)
@@ -115,7 +132,7 @@ const std::vector<std::string>& joint_families()
     return families;
 }
 
-Nominal draw_nominal(const std::string& family, Draw& draw)
+Nominal draw_nominal(const std::string& family, Draw& draw, const std::string& controller)
 {
     Nominal n;
     n.family = family;
@@ -128,6 +145,10 @@ Nominal draw_nominal(const std::string& family, Draw& draw)
         drive = own.pick<std::string>({"effort", "drive-volts", "dc-voltage", "dc-duty"});
     }
     draw_controller(n, drive, draw, own);
+    if (controller != "pd") {
+        Draw of_law(seed_of(copy.seed(), 12));
+        add_integral(n, controller, of_law);
+    }
     draw_sensors(n, draw);
     return n;
 }

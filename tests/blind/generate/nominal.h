@@ -23,6 +23,6 @@ struct Nominal {
 /// "revolute", "pendulum", "prismatic", "drive-volts" (effort source behind an amplifier), "dc-voltage", "dc-duty",
 /// "two-mass" (any drive, mostly behind a reduction of 1 to 160), "stribeck".
 const std::vector<std::string>& joint_families();
-Nominal draw_nominal(const std::string& family, Draw& draw);
+Nominal draw_nominal(const std::string& family, Draw& draw, const std::string& controller = "pd");
 
 }  // namespace blind

@@ -107,7 +107,7 @@ Setting draw_setting(const SettingWish& wish, Draw& draw, std::uint64_t noise_se
     if (wish.families.empty()) throw std::invalid_argument("no family of joints shows these effects");
     Setting s;
     s.noise_seed = noise_seed;
-    s.nominal = draw_nominal(wish.families[draw.below(static_cast<int>(wish.families.size()))], draw);
+    s.nominal = draw_nominal(wish.families[draw.below(static_cast<int>(wish.families.size()))], draw, wish.controller);
     auto& machine = s.nominal.machine;
     if (wish.kind == "noisy") {
         machine.sensors.position_noise *= 6;
@@ -123,7 +123,7 @@ Setting draw_setting(const SettingWish& wish, Draw& draw, std::uint64_t noise_se
         Draw own(seed_of(noise_seed, 5));  // a clean case of this seed stays what it is
         s.dirt = draw_dirt(s.nominal, s.machines.size(), wish.forms, own);
     }
-    if (wish.may_change_gains && draw.chance(0.2)) {
+    if (wish.may_change_gains && draw.chance(0.2) && wish.controller == "pd") {
         auto& other = s.machines.back().controller;
         const double softer = draw.uniform(0.6, 0.85);
         other.k_p *= softer * softer;

@@ -53,6 +53,7 @@ struct SettingWish {
     std::vector<std::string> families;
     bool may_change_gains = true, dirty = false;
     bool forms = true;  ///< the mechanism can show forms that are not the catalogue's
+    std::string controller = "pd";
 };
 Setting draw_setting(const SettingWish& wish, Draw& draw, std::uint64_t noise_seed);
 

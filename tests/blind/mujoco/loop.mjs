@@ -80,7 +80,7 @@ export function runLoop(mechanism, machine, reference, referenceVelocity, subste
   const out = {};
   for (const name of ["position", "velocity", "command", "effort", "current", "supply", "link_position"])
     out[name] = new Float64Array(samples);
-  let y = 0, last = 0, v = 0;
+  let y = 0, last = 0, v = 0, sum = 0;
   for (let k = 0; k < samples; ++k) {
     y = read(mechanism.position(0), noise[0]);
     if (k > 0) {
@@ -89,8 +89,13 @@ export function runLoop(mechanism, machine, reference, referenceVelocity, subste
       v += (T / (c.filter + T)) * (d - v);
     }
     last = y;
-    const rate = c.reference_velocity ? referenceVelocity[k] : 0;
-    const command = Math.min(Math.max(c.k_p * (reference[k] - y) + c.k_v * (rate - v), -c.limit), c.limit);
+    const late = (c.reference_velocity ? referenceVelocity[k] : 0) - v, error = reference[k] - y;
+    const seen = error - Math.min(Math.max(error, -c.dead_zone), c.dead_zone);
+    const wanted = c.cascade ? c.position_gain * seen + late : seen;
+    sum += T * wanted;
+    const law = c.cascade ? c.velocity_gain * wanted + c.velocity_integral * sum : c.k_p * seen + c.k_v * late + c.k_i * sum;
+    const ahead = c.coulomb * Math.tanh(referenceVelocity[k] / c.coulomb_speed);
+    const command = Math.min(Math.max(law + ahead, -c.limit), c.limit);
     way.give(k * T, command);
     const drive = motorEffort(machine.drive, way.now(), mechanism.velocity(0));
     out.position[k] = y;

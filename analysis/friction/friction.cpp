@@ -30,12 +30,13 @@ void append(FrictionResponse& r, int i, double by_state, double rate, double rat
     r.rate_by_state[i] = rate_by_state;
 }
 
-/// The law with its level at the lagged speed s, which is state i.
-FrictionResponse lagged_response(const StaticParts& lagged, double lag, double V, double s, int i)
+/// The law with its level, or all of it, at the lagged speed s, which is state i.
+FrictionResponse lagged_response(const StaticParts& lagged, const Memory& m, double V, double s, int i)
 {
     const double direction = std::copysign(1.0, V);
-    FrictionResponse r = slide({lagged.level.value, 0}, lagged.viscous, V);
-    append(r, i, direction * lagged.level.slope, (std::abs(V) - s) / lag, direction / lag, -1 / lag);
+    const double late = m.lag_viscous ? lagged.viscous : 0;
+    FrictionResponse r = slide({lagged.level.value + late * s, 0}, lagged.viscous - late, V);
+    append(r, i, direction * (lagged.level.slope + late), (std::abs(V) - s) / m.lag, direction / m.lag, -1 / m.lag);
     return r;
 }
 
@@ -94,7 +95,7 @@ FrictionResponse respond(const Friction& friction, double V, const States& theta
     int next = states(friction.law);
     if (friction.has_lag()) {
         if (const auto lagged = static_parts(friction.law, theta[next]))
-            r = lagged_response(*lagged, friction.memory.lag, V, theta[next], next);
+            r = lagged_response(*lagged, friction.memory, V, theta[next], next);
         ++next;
     }
     if (friction.has_bristle()) {

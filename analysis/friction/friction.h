@@ -69,11 +69,12 @@ struct Bristle {
 
 /// Memory on top of a law f: A asinh(V/(2V*) e^{(|f| + θ)/A}), away from rest f + (A ln(|V|/V*) + θ) sgn V, with one
 /// state after the slip law, (5), or the ageing law. With A = 0: f + θ sgn V. And, apart from it, a lag with which a
-/// static law's level follows the speed: g(s) in place of g(|V|), ṡ = (|V| − s)/lag. The simulation of a record has the
-/// logarithmic form with |V| held above V*/1000, so that the joint can stick.
+/// static law's level, or all of it, follows the speed: g(s) in place of g(|V|), ṡ = (|V| − s)/lag. The simulation of
+/// a record has the logarithmic form with |V| held above V*/1000, so that the joint can stick.
 struct Memory {
     double A = 0, B = 0, L = 1e-5, V_star = 1e-3;
     double lag = 0;
+    bool lag_viscous = false;  ///< the lag holds for the viscous part, too: the whole curve follows late
     MemoryForm form = MemoryForm::slip;
 
     template <class Self, class Visitor>
@@ -87,6 +88,7 @@ struct Memory {
         visit.number(
             {"lag", Quantity::time, not_negative, Need::optional, "time lag of the velocity dependence, 0 for none"},
             self.lag);
+        visit.flag("lag_viscous", "viscous friction follows the speed late, too", self.lag_viscous);
         visit.choice("form", "how the state evolves", self.form, memory_forms);
     }
 };

@@ -345,6 +345,7 @@ struct Actuator {
 struct Sensor {
     double encoder_quantum = 0, position_noise = 0, effort_noise = 0;  ///< noises are standard deviations
     double position_offset = 0, position_scale = 1;
+    double delay = 0;  ///< s, by which a reading is older than the tick that takes it
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
@@ -362,6 +363,9 @@ struct Sensor {
                      self.position_offset);
         visit.number({"position_scale", Quantity::number, positive, Need::optional, "reading per true position"},
                      self.position_scale);
+        visit.number({"delay", Quantity::time, not_negative, Need::optional,
+                      "dead time of the reading: how long it is on its way to the controller and the log"},
+                     self.delay);
     }
 };
 
@@ -463,9 +467,15 @@ struct Joint {
         visit.rows("neighbour", "joints that the mass matrix couples to this one", self.neighbour);
     }
 
-    /// The mass matrix of the link and its neighbours is positive definite: Σ m_jk²/m_kk < m_jj.
+    /// Of the whole loop: what goes round it is late by all delays together, wherever they arise.
+    double dead_time() const { return control.delay + sensor.delay; }
+
+    /// The dead time is one that a sampled loop can remember, and the mass matrix of the link and its neighbours is
+    /// positive definite: Σ m_jk²/m_kk < m_jj.
     std::string problem() const
     {
+        if (is_set(control.period) && sensor.delay > 0 && dead_time() > most_dead_ticks * control.period)
+            return "sensor.delay and control.delay are more than 1000 periods, allowed are at most 1000";
         const bool single = mechanism.model == Model::single_mass;
         double carried = 0;
         for (const auto& n : neighbour) carried += n.coupling * n.coupling / n.inertia;

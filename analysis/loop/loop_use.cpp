@@ -21,7 +21,7 @@ LoopKind loop_kind(const Joint& joint)
     const auto& a = joint.actuator;
     if (!feeds_back(joint)) return LoopKind::ideal;
     if (is_set(c.period)) return LoopKind::sampled;
-    const bool late = c.delay > 0 || a.lag > 0 || c.velocity_estimate.tau > 0;
+    const bool late = joint.dead_time() > 0 || a.lag > 0 || c.velocity_estimate.tau > 0;
     const bool other = gains_of(c).k_i != 0 || a.effort_gain != 1 || joint.sensor.position_scale != 1 ||
                        a.sag_effort < infinity || a.kind == ActuatorKind::dc_motor;
     return late || other ? LoopKind::continuous : LoopKind::ideal;
@@ -61,6 +61,7 @@ void take_controller(Collector& c, const Joint& joint)
     c.take(!cascade && control.k_i != 0, "control.k_i");
     c.take(sampled, "control.period");
     c.take(control.delay > 0, "control.delay");
+    c.take(joint.sensor.delay > 0, "sensor.delay");
     if (estimates) {
         c.take(sampled && estimate.form != EstimateForm::unstated, "control.velocity_estimate.form");
         c.take(estimate.tau > 0 && !(sampled && estimate.form == EstimateForm::exact), "control.velocity_estimate.tau");

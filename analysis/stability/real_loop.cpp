@@ -167,12 +167,13 @@ std::optional<RealLoop> real_loop(const Joint& joint, const LinearJoint& linear,
     if (!plant.A.allFinite() || !plant.B.allFinite()) return {};
     const auto& c = joint.control;
     if (loop_kind(joint) == LoopKind::sampled) {
-        const LoopTiming timing{c.period, c.delay, c.velocity_estimate.tau,
+        const LoopTiming timing{c.period, joint.dead_time(), c.velocity_estimate.tau,
                                 static_cast<int>(c.velocity_estimate.average),
                                 c.velocity_estimate.form == EstimateForm::exact};
         return RealLoop{sampled_loop(plant, timing, gains->base, gains->turned), gains->gain};
     }
-    return RealLoop{late_loop(plant, c.delay, c.velocity_estimate.tau, gains->base, gains->turned), gains->gain};
+    return RealLoop{late_loop(plant, joint.dead_time(), c.velocity_estimate.tau, gains->base, gains->turned),
+                    gains->gain};
 }
 
 double growth(const RealLoop& loop)

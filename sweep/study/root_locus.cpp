@@ -72,7 +72,7 @@ std::optional<RootLocus> sampled_root_locus(const Joint& joint, double low, doub
     if (steady.reason != Reason::none || !(steady.velocity > 0) || !(low > 0)) return std::nullopt;
     RootLocus locus;
     locus.rational = loop_kind(joint) == LoopKind::sampled ||
-                     (joint.control.delay == 0 && linear_joint(joint, steady.velocity).rational());
+                     (joint.dead_time() == 0 && linear_joint(joint, steady.velocity).rational());
     locus.gains = log_steps(low, high, locus.rational ? locus_gains : late_gains);
     if (!sample(locus, joint)) return std::nullopt;
     locus.own_gain = joint.control.k_p;

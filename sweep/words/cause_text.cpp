@@ -40,7 +40,7 @@ constexpr Words all_words[] = {
     {"saturation", "The effort is limited below what is documented", {"effort_limit"}},
     {"supply-sag", "The supply voltage sags under load"},
     {"actuator-lag", "The actuator follows its command late"},
-    {"delay", "The loop is later than the joint file states", {"control.delay"}},
+    {"delay", "The loop is later than the joint file states", {"control.delay", "sensor.delay"}},
     {"velocity-filter", "The velocity in the controller is filtered more than documented"},
     {"gain-k_p", "The position gain in the controller is not the documented one", {"control.k_p"}},
     {"gain-k_v", "The velocity gain in the controller is not the documented one", {"control.k_v"}},

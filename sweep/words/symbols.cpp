@@ -32,6 +32,7 @@ constexpr Entry entries[] = {
     {"control.force_rate", "Ḟ_{0}", "force rate"},
     {"control.period", "T", "sample time"},
     {"control.delay", "T_{d}", "dead time"},
+    {"sensor.delay", "T_{s}", "dead time of the reading"},
     {"control.effort_limit", "u_{max}", "controller limit"},
     {"velocity_estimate.tau", "τ_{v}", "velocity filter time constant"},
     {"joint.inertia", "m", "inertia"},

@@ -19,6 +19,11 @@ Effect delay()
         f.apply = [](Joint& j, const double* p) { j.control.delay += p[0]; };
         for (int ticks = 0; ticks < 25; ++ticks) f.seeds.push_back({ticks + 0.5});
         e.forms.push_back(f);
+        // round the loop the two are one: what tells them apart is whether the logged effort is late, too
+        f.name = "of-the-reading";
+        f.parameters[0].help = "additional dead time of the position's reading";
+        f.apply = [](Joint& j, const double* p) { j.sensor.delay += p[0]; };
+        e.forms.push_back(f);
     }
     return e;
 }

@@ -65,6 +65,20 @@ Effect frictional_memory()
         f.seeds = {{0.1, 0.1, 10}};
         e.forms.push_back(f);
     }
+    {
+        // the documented curve itself is followed late, its viscous part included
+        EffectForm f;
+        f.name = "lag-of-curve";
+        f.parameters = {
+            {"lag", Quantity::time, Scale::tick, true, 0.5, 300, 10, "time lag of the whole curve"},
+        };
+        f.apply = [](Joint& j, const double* p) {
+            main_friction(j).memory.lag = p[0];
+            main_friction(j).memory.lag_viscous = true;
+        };
+        f.seeds = {{5}, {30}, {100}};
+        e.forms.push_back(f);
+    }
     return e;
 }
 

@@ -34,7 +34,8 @@ inline double logarithm_of(double speed, const Rubbing& r)
     return std::log(speed * r.per_V_star + memory_floor);
 }
 
-/// The resisting force apart from viscous friction and asymmetric_viscous, never negative, for motion in `direction`.
+/// The resisting force apart from viscous friction that follows the speed at once, never negative, for motion in
+/// `direction`.
 inline double resistance(const Rubbing& r, const RubState& s, double speed, double direction, const Surroundings& at)
 {
     double level = r.coulomb;
@@ -47,13 +48,14 @@ inline double resistance(const Rubbing& r, const RubState& s, double speed, doub
     level += direction * r.asymmetric_coulomb + r.load_coefficient * std::abs(at.transmitted);
     if (r.ripple != 0) level += r.ripple * std::sin(r.ripple_periods * at.position + r.ripple_phase);
     if (r.remembers()) level += r.A * logarithm_of(speed, r) + s.theta;
+    if (r.late()) level += (r.viscous + direction * r.asymmetric_viscous) * s.speed;
     return std::max(level, 0.0);
 }
 
-/// Slope of the friction with speed in this direction.
+/// Slope of the friction with the speed of this instant in this direction.
 inline double viscous(const Rubbing& r, double direction)
 {
-    return r.viscous + direction * r.asymmetric_viscous;
+    return r.late() ? 0 : r.viscous + direction * r.asymmetric_viscous;
 }
 
 /// The state after sliding at this mean speed for h: exact for constant speed.

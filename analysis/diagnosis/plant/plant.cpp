@@ -62,7 +62,7 @@ Rubbing flatten(const Friction& f)
         r.ageing = f.memory.form == MemoryForm::ageing;
     }
     r.per_L = 1 / r.L, r.per_V_star = 1 / r.V_star;
-    r.lag = f.memory.lag;
+    r.lag = f.memory.lag, r.lag_viscous = f.memory.lag_viscous;
     for (double* force : {&r.coulomb, &r.viscous, &r.stribeck, &r.A, &r.B, &r.asymmetric_coulomb, &r.asymmetric_viscous,
                           &r.ripple, &r.drift, &r.bristle_stiffness, &r.bristle_damping})
         *force *= f.normal_load;
@@ -99,7 +99,7 @@ Plant flatten(const Joint& joint)
     p.actuator = joint.actuator;
     p.control = joint.control;
     p.sensor = joint.sensor;
-    p.dead_time = joint.control.delay;
+    p.dead_time = joint.dead_time();
     return p;
 }
 

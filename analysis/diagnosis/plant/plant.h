@@ -21,11 +21,14 @@ struct Rubbing {
     double A = 0, B = 0, L = 1, V_star = 1, lag = 0;
     double per_L = 1, per_V_star = 1;
     bool ageing = false;
+    bool lag_viscous = false;  ///< the lag holds for viscous friction, too
     bool remembers() const { return A != 0 || B != 0; }
+    bool late() const { return lag > 0 && lag_viscous; }
     /// Apart from its drift, which a tick holds.
     bool plain() const
     {
-        return stribeck == 0 && asymmetric_coulomb == 0 && load_coefficient == 0 && ripple == 0 && !remembers();
+        return stribeck == 0 && asymmetric_coulomb == 0 && load_coefficient == 0 && ripple == 0 && !remembers() &&
+               !late();
     }
 };
 
@@ -57,7 +60,7 @@ struct Plant {
     Load load;
     FreeForce free;
     Actuator actuator;
-    double dead_time = 0;
+    double dead_time = 0;  ///< of the loop: the motion that is read now is that of a command so long ago
     Control control;
     Sensor sensor;
     bool feedback_link = false;

@@ -40,11 +40,16 @@ class HeldCommand {
 /// switches a simulation or a brake on finds it, level with the motor, in the middle of its play.
 enum class Rest { pressed, level };
 
-/// Mechanism and actuator over one tick.
+/// Mechanism and actuator over one tick. Where readings come late, the motion is that of the moment which is read, so
+/// that a reading is compared with what it shows; the effort that is logged beside it is not late.
 class Mechanics {
   public:
     Mechanics(const Plant& plant, const Ticks& ticks, std::span<const double> command)
-        : plant_(plant), ticks_(ticks), held_(ticks, command, plant.dead_time), length_(plant, ticks.step[0])
+        : plant_(plant),
+          ticks_(ticks),
+          held_(ticks, command, plant.dead_time),
+          logged_(ticks, command, plant.dead_time - plant.sensor.delay),
+          length_(plant, ticks.step[0])
     {
     }
 
@@ -89,18 +94,19 @@ class Mechanics {
     double effort_now(std::size_t k)
     {
         const double t = ticks_.time[k];
-        HeldCommand probe = held_;
-        const double arrived = probe.mean(t, 1e-9, k);
-        return push(k, plant_.actuator.lag > 0 ? state.lagged : arrived).at(state.motor_velocity);
+        const bool read_late = plant_.sensor.delay > 0;
+        const double arrived = (read_late ? logged_ : held_).mean(t, 1e-9, k);
+        const double lagged = read_late ? logged_lagged_ : state.lagged;
+        return push(k, plant_.actuator.lag > 0 ? lagged : arrived).at(state.motor_velocity);
     }
 
     void advance(std::size_t k)
     {
-        const double tick = ticks_.step[k], t0 = ticks_.time[k];
+        const double tick = ticks_.step[k], t0 = ticks_.time[k], read_late = plant_.sensor.delay;
         if (tick != tick_) tick_ = tick, parts_ = substeps(plant_, tick);
         const double h = tick / parts_;
         if (drifts_) {
-            const double middle = t0 + 0.5 * tick;
+            const double middle = t0 - read_late + 0.5 * tick;
             plant_.motor.coulomb = motor_level_ + drifted(plant_.motor, middle);
             plant_.link.coulomb = link_level_ + drifted(plant_.link, middle);
         }
@@ -116,6 +122,10 @@ class Mechanics {
             const double t = t0 + i * h;
             if (!steady) {
                 double arrived = held_.mean(t, h, k);
+                if (read_late > 0 && lag > 0) {
+                    const double at_once = logged_.mean(t, h, k);
+                    logged_lagged_ = at_once + (logged_lagged_ - at_once) * keep;
+                }
                 if (lag > 0) {
                     const double gap = state.lagged - arrived;
                     state.lagged = arrived + gap * keep;
@@ -124,9 +134,9 @@ class Mechanics {
                 drive = push(k, arrived);
             }
             if (plant_.two_mass)
-                step_two_mass(plant_, state, drive, t, length_);
+                step_two_mass(plant_, state, drive, t - read_late, length_);
             else
-                step_single(plant_, state, drive, t, length_);
+                step_single(plant_, state, drive, t - read_late, length_);
         }
     }
 
@@ -161,7 +171,9 @@ class Mechanics {
 
     Plant plant_;  ///< with the levels of friction, the load and the inertia of this tick
     const Ticks& ticks_;
-    HeldCommand held_;
+    HeldCommand held_;    ///< that moves what is read
+    HeldCommand logged_;  ///< behind the effort that is logged
+    double logged_lagged_ = 0;
     StepLength length_;
     double motor_level_ = plant_.motor.coulomb, link_level_ = plant_.link.coulomb;
     double constant_load_ = plant_.load.constant;

@@ -111,22 +111,23 @@ LoopRecord record_along(const Joint& joint, const ReferenceMotion& reference, st
         loop.begin_at_rest(start.position);
     else if (!loop.begin_sliding(start.position, start.velocity))
         return refused(Reason::no_steady_state, "the limit of the effort is below what steady sliding takes");
-    loop.set_clock(reference.time.front());
+    loop.set_clock(reference.time.front() - joint.sensor.delay);
     LoopRecord record;
     const long ticks = std::lround(std::floor(span / T + same_time));
-    for (long k = 0; k <= ticks; ++k) {
+    const long late = loop.ticks_late();
+    for (long k = 0; k <= ticks + late; ++k) {
         const double t = reference.time.front() + static_cast<double>(k) * T;
         const auto now = told.at(t);
         const bool moved = loop.tick(now.position, now.velocity, now.feed_forward, [](const DrivenStep&) {});
-        if (k % each == 0) {
-            const auto& r = loop.readings();
+        const auto& r = loop.readings();
+        if (k >= late && (k - late) % each == 0) record.effort_measured.push_back(r.effort);
+        if (k <= ticks && k % each == 0) {
             record.time.push_back(t);
             record.reference_position.push_back(now.position);
             record.reference_velocity.push_back(now.velocity);
             record.position.push_back(r.position);
             record.velocity.push_back(r.velocity);
             record.effort_command.push_back(r.command);
-            record.effort_measured.push_back(r.effort);
             if (!reference.feed_forward.empty()) record.feed_forward.push_back(now.feed_forward);
         }
         if (!moved) {
@@ -135,6 +136,11 @@ LoopRecord record_along(const Joint& joint, const ReferenceMotion& reference, st
             break;
         }
     }
+    const std::size_t rows = record.effort_measured.size();
+    for (auto* column : {&record.time, &record.reference_position, &record.reference_velocity, &record.position,
+                         &record.velocity, &record.effort_command})
+        column->resize(rows);
+    if (!reference.feed_forward.empty()) record.feed_forward.resize(rows);
     return record;
 }
 

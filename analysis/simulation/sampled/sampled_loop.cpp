@@ -41,9 +41,13 @@ SampledLoop::SampledLoop(const Joint& joint, double frame, double speed, LoopSid
       frame_reading_(joint.sensor.position_scale * motion.joint.reading_ratio() * frame),
       controller_(joint, frame_reading_, motion.joint.reading_ratio())
 {
-    const double late = joint.control.delay / period_;
-    const double ticks = std::floor(late + whole);
-    late_part_ = late - ticks > whole ? late - ticks : 0;
+    const auto in_ticks = [&](double time, double& part) {
+        const double late = time / period_, ticks = std::floor(late + whole);
+        part = late - ticks > whole ? late - ticks : 0;
+        return ticks;
+    };
+    const double ticks = in_ticks(joint.dead_time(), late_part_);
+    ticks_late_ = static_cast<long>(in_ticks(joint.sensor.delay, reading_part_));
     // with a part of a tick of dead time the command before the oldest one still holds when a tick begins
     line_.resize(static_cast<std::size_t>(ticks) + 1 + (late_part_ > 0 ? 1 : 0));
 }
@@ -139,8 +143,14 @@ void SampledLoop::ask(double reference, double rate, double added)
     motion.enter();
     readings_.velocity = controller_.state.velocity;
     readings_.command = line_.back();
-    readings_.effort = j.effort(motion.y.data());
-    if (options_.seed != 0 && !options_.ideal_encoder) readings_.effort += joint_.sensor.effort_noise * noise_();
+    if (reading_part_ == 0) readings_.effort = measured_effort();
+}
+
+double SampledLoop::measured_effort()
+{
+    const double effort = motion.joint.effort(motion.y.data());
+    const bool noisy = options_.seed != 0 && !options_.ideal_encoder;
+    return noisy ? effort + joint_.sensor.effort_noise * noise_() : effort;
 }
 
 std::vector<double> SampledLoop::state() const

@@ -19,7 +19,8 @@ struct LoopOptions {
 /// The period of the loop; of a continuous one, ticks short enough beside all that it does.
 double tick_of(const Joint& joint);
 
-/// What one tick read and asked for.
+/// What one tick read and asked for. Where readings come late, the loop lives at the moment that is read: all dead time
+/// lies behind the command, and the effort beside a reading is that of `ticks_late()` ticks later.
 struct TickReadings {
     double position = 0, velocity = 0, command = 0, effort = 0;
 };
@@ -62,6 +63,8 @@ class SampledLoop {
     }
 
     double period() const { return period_; }
+    /// Whole ticks by which readings are late.
+    long ticks_late() const { return ticks_late_; }
     double time() const { return static_cast<double>(ticks_) * period_; }
     double frame() const { return motion.joint.frame(); }
     double reference_velocity() const { return frame_reading_; }
@@ -78,6 +81,7 @@ class SampledLoop {
   private:
     bool slide(double rate, double reference);
     double read();
+    double measured_effort();
     void ask(double reference, double rate, double added);
     template <class Observer>
     bool move(Observer&& observe);
@@ -89,6 +93,8 @@ class SampledLoop {
     LoopController controller_;
     std::vector<double> line_;  ///< commands on their way, oldest first; the last is that of the present tick
     double late_part_ = 0;      ///< of the tick, in which the command before the oldest still holds
+    long ticks_late_ = 0;
+    double reading_part_ = 0;  ///< of the tick by which readings are late beyond whole ones
     long ticks_ = 0;
     double steady_command_ = missing;
     TickReadings readings_;
@@ -106,14 +112,23 @@ bool SampledLoop::tick(double reference, double rate, double added, Observer&& o
 template <class Observer>
 bool SampledLoop::move(Observer&& observe)
 {
-    const double t = time(), early = late_part_ * period_;
+    const double t = time(), early = late_part_ * period_, logged = reading_part_ * period_;
     bool moved = true;
-    if (early > 0) moved = motion.advance(t, early, observe);
+    double from = 0;
+    const auto advance = [&](double to) {
+        if (moved && to > from) moved = motion.advance(t + from, to - from, observe);
+        from = to;
+    };
+    const auto log_effort = [&] { advance(logged), readings_.effort = measured_effort(); };
+    if (logged > 0 && logged < early) log_effort();
     if (early > 0) {
+        advance(early);
         motion.joint.arriving = line_[1];
         motion.enter();
     }
-    return moved && motion.advance(t + early, period_ - early, observe);
+    if (logged > 0 && logged >= early) log_effort();
+    advance(period_);
+    return moved;
 }
 
 }  // namespace stickslip

@@ -150,6 +150,7 @@ std::vector<std::string> left_out(const Joint& joint)
     };
     add(is_set(joint.control.period), "control.period");
     add(joint.control.delay > 0, "control.delay");
+    add(joint.sensor.delay > 0, "sensor.delay");
     add(joint.control.velocity_estimate.tau > 0, "control.velocity_estimate.tau");
     add(joint.actuator.lag > 0, "actuator.lag");
     add(joint.sensor.encoder_quantum > 0, "sensor.encoder_quantum");

@@ -149,7 +149,7 @@ Json reduction_json(const ReductionStudy& r)
 Json locus_json(const Joint& joint)
 {
     const bool finite = loop_kind(joint) == LoopKind::sampled ||
-                        (joint.control.delay == 0 && linear_joint(joint, commanded_velocity(joint)).rational());
+                        (joint.dead_time() == 0 && linear_joint(joint, commanded_velocity(joint)).rational());
     const int steps = finite ? 48 : 8;  // where roots have no end, each gain costs a search
     std::vector<double> gains;
     for (int i = 0; i <= steps; ++i) gains.push_back(joint.control.k_p * std::pow(10, 4.0 * i / steps - 2));

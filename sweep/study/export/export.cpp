@@ -75,6 +75,7 @@ constexpr Rule rules[] = {
     {"actuator.sag_effort", nobody, Lost::supply},
     {"actuator.limit", "musi", Lost::mechanism_elsewhere},
     {"actuator.lag", nobody, Lost::lag},
+    {"sensor.delay", nobody, Lost::delay_of_target},
     {"sensor.", nobody, Lost::sensor},
     {"normal.", nobody, Lost::load_dependent},
     {"friction.normal_load", "musi", Lost::mechanism_elsewhere},

@@ -139,7 +139,7 @@ void take_drive(SimulatorJoint& s, const Joint& joint)
     s.effort_limit = std::min({c.effort_limit * std::abs(shaft), a.limit, s.stall_effort / N}) * N;
     s.reference_velocity = c.reference_velocity;
     s.period = c.period;
-    s.delay = c.delay;
+    s.delay = joint.dead_time();
 }
 
 }  // namespace

@@ -56,9 +56,16 @@ class ContinuousMachine {
         const double T = c.period;
         std::vector<double> readings, commands;
         double estimate = 0, last = 0;
+        // a late reading is taken so many whole ticks and a part of one before the tick that gets it
+        const int late = static_cast<int>(std::floor(j_.sensor.delay / T + 1e-9));
+        const double late_part = std::max(0.0, j_.sensor.delay - late * T);
+        const int seen = two_ && j_.control.feedback == Feedback::link ? 1 : 0;
+        std::vector<double> taken(static_cast<std::size_t>(late) + 1, state_[position(seen)]);
         for (int k = 0; k < ticks; ++k) {
-            const int seen = two_ && j_.control.feedback == Feedback::link ? 1 : 0;
-            double y = j_.sensor.position_scale * state_[position(seen)] + j_.sensor.position_offset;
+            if (late_part < 1e-9 * T) taken.push_back(state_[position(seen)]);
+            const double q =
+                late_part < 1e-9 * T ? taken[static_cast<std::size_t>(k) + 1] : taken[static_cast<std::size_t>(k)];
+            double y = j_.sensor.position_scale * q + j_.sensor.position_offset;
             if (j_.sensor.encoder_quantum > 0)
                 y = j_.sensor.encoder_quantum * std::round(y / j_.sensor.encoder_quantum);
             if (k > 0) estimate += T / (c.velocity_estimate.tau + T) * ((y - last) / T - estimate);
@@ -70,15 +77,21 @@ class ContinuousMachine {
             const int whole = static_cast<int>(std::floor(c.delay / T + 1e-9));
             const double part = c.delay - whole * T;
             const auto at = [&](int n) { return n < 0 ? 0.0 : commands[static_cast<std::size_t>(n)]; };
-            if (part > 1e-9 * T) {
-                arrived_ = at(k - whole - 1);
-                integrate(k * T, k * T + part);
+            const double now = k * T;
+            double from = now;
+            const auto to = [&](double instant) {
+                if (instant > from) integrate(from, instant), from = instant;
+            };
+            const auto arrive = [&] {
+                if (part > 1e-9 * T) to(now + part);
                 arrived_ = at(k - whole);
-                integrate(k * T + part, (k + 1) * T);
-            } else {
-                arrived_ = at(k - whole);
-                integrate(k * T, (k + 1) * T);
-            }
+            };
+            if (part > 1e-9 * T) arrived_ = at(k - whole - 1);
+            const double taking = T - late_part;
+            if (part <= taking) arrive();
+            if (late_part >= 1e-9 * T) to(now + taking), taken.push_back(state_[position(seen)]);
+            if (part > taking) arrive();
+            to(now + T);
         }
         return readings;
     }
@@ -156,6 +169,7 @@ class ContinuousMachine {
         if (const auto* law = std::get_if<CoulombViscous>(&f.law)) level = law->coulomb;
         if (const auto* law = std::get_if<Stribeck>(&f.law))
             level = law->c0 + law->c2 * std::exp(-std::pow(late / law->c3, law->c4));
+        if (f.memory.lag_viscous) level += viscous(b, direction) * late;
         level += direction * f.asymmetry.coulomb + f.load_coefficient * std::abs(transmitted) +
                  f.ripple.amplitude * std::sin(f.ripple.periods * y[position(b)] + f.ripple.phase) +
                  f.drift.change * (1 - std::exp(-t / f.drift.time_constant));
@@ -163,7 +177,8 @@ class ContinuousMachine {
             level += f.memory.A * std::log(speed / f.memory.V_star + least_ratio) + y[each * b + 3];
         return std::max(level, 0.0);
     }
-    double slope(int b, double direction) const
+    double slope(int b, double direction) const { return friction(b).memory.lag_viscous ? 0 : viscous(b, direction); }
+    double viscous(int b, double direction) const
     {
         const Friction& f = friction(b);
         double viscous = 0;

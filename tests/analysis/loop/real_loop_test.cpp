@@ -60,6 +60,22 @@ TEST_CASE("Windows of stable k_p of real loops are those that were told")
     }
 }
 
+TEST_CASE("Dead time counts wherever in the loop it arises")
+{
+    for (const auto& t : table) {
+        if (t.high == 0 || t.delay == 0) continue;
+        Joint joint = told_joint(t);
+        joint.sensor.delay = 0.7 * joint.control.delay;
+        joint.control.delay *= 0.3;
+        const auto verdict = linear_verdict(joint);
+        INFO("period " << t.period << " delay " << t.delay << " lag " << t.lag << " k_v " << t.k_v);
+        REQUIRE(verdict.state_variable.stable_intervals.size() == 1);
+        CHECK(verdict.state_variable.stable_intervals[0].low == Approx(t.low).epsilon(1e-9).margin(1e-9));
+        CHECK(verdict.state_variable.stable_intervals[0].high == Approx(t.high).epsilon(1e-9));
+        CHECK(std::ranges::count(verdict.loop.used, "sensor.delay") == 1);
+    }
+}
+
 TEST_CASE("The integral moves the critical gain to the root of a quadratic")
 {
     const std::pair<double, double> told[] = {

@@ -63,6 +63,41 @@ TEST_CASE("loop record: the motion of coulomb friction, step by small step")
     CHECK(worst_v < 1e-4);
 }
 
+TEST_CASE("loop record: a late reading shows where the joint was, beside the effort of now")
+{
+    Joint joint = machine();
+    joint.control.delay = 1e-3;
+    joint.sensor.delay = 2.6e-3;
+    joint.actuator.lag = 2e-3;
+    const auto reference = swing(2, 1e-3);
+    const auto record = record_along(joint, reference, 0);
+    REQUIRE(record.reason == Reason::none);
+    REQUIRE(record.effort_measured.size() == reference.time.size());
+    // semi-implicit Euler in 500 parts a tick, with the positions of the last 2.6 ms kept as they were
+    constexpr int parts = 500, read_after = 1300;  // parts
+    double q = 0, v = 0, effort = 0, estimate = 0, before = 0, worst = 0, worst_effort = 0;
+    std::vector<double> line(2, 0.0), been(read_after, 0.0);
+    for (std::size_t k = 0; k < record.time.size(); ++k) {
+        const double reading = been[been.size() - read_after];
+        if (k > 0) estimate += 1e-3 / 4e-3 * ((reading - before) / 1e-3 - estimate);
+        before = reading;
+        line.erase(line.begin());
+        line.push_back(4000 * (reference.position[k] - reading) + 120 * (reference.velocity[k] - estimate));
+        worst = std::max(worst, std::abs(record.position[k] - reading));
+        worst_effort = std::max(worst_effort, std::abs(record.effort_measured[k] - effort));
+        for (int i = 0; i < parts; ++i) {
+            const double h = 1e-3 / parts, begun = effort;
+            effort = line.front() + (effort - line.front()) * std::exp(-h / 2e-3);
+            const double free = v + h / 2 * ((begun + effort) / 2 - 10 * v);
+            v = free - std::clamp(free, -h / 2 * 5, h / 2 * 5);
+            q += h * v;
+            been.push_back(q);
+        }
+    }
+    CHECK(worst < 2e-6);
+    CHECK(worst_effort < 5e-2);
+}
+
 TEST_CASE("loop record: a set point under static friction is held, not crept away from")
 {
     Joint joint = machine();

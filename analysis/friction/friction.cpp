@@ -30,13 +30,22 @@ void append(FrictionResponse& r, int i, double by_state, double rate, double rat
     r.rate_by_state[i] = rate_by_state;
 }
 
-/// The law with its level, or all of it, at the lagged speed s, which is state i.
-FrictionResponse lagged_response(const StaticParts& lagged, const Memory& m, double V, double s, int i)
+/// The law with its level at the lagged speed s, which is state i.
+FrictionResponse lagged_response(const StaticParts& lagged, double lag, double V, double s, int i)
 {
     const double direction = std::copysign(1.0, V);
-    const double late = m.lag_viscous ? lagged.viscous : 0;
-    FrictionResponse r = slide({lagged.level.value + late * s, 0}, lagged.viscous - late, V);
-    append(r, i, direction * (lagged.level.slope + late), (std::abs(V) - s) / m.lag, direction / m.lag, -1 / m.lag);
+    FrictionResponse r = slide({lagged.level.value, 0}, lagged.viscous, V);
+    append(r, i, direction * lagged.level.slope, (std::abs(V) - s) / lag, direction / lag, -1 / lag);
+    return r;
+}
+
+/// The law whose force s, state i, follows the curve late.
+FrictionResponse late_response(const StaticParts& now, double lag, double V, double s, int i)
+{
+    const double direction = std::copysign(1.0, V);
+    FrictionResponse r = slide({s, 0}, 0, V);
+    const double curve = now.level.value + now.viscous * std::abs(V), slope = now.level.slope + now.viscous;
+    append(r, i, direction, (curve - s) / lag, direction * slope / lag, -1 / lag);
     return r;
 }
 
@@ -79,7 +88,8 @@ States steady_state(const Friction& friction, double V)
     States theta = steady_state(friction.law, V);
     int next = states(friction.law);
     const double speed = std::abs(V);
-    if (friction.has_lag()) theta[next++] = speed;
+    if (friction.has_lag())
+        theta[next++] = friction.memory.lag_viscous ? std::abs(steady_force(friction.law, speed)) : speed;
     if (friction.has_bristle()) {
         if (const auto parts = static_parts(friction.law, speed))
             theta[next] = slide(parts->level, 0, V).force / friction.bristle.stiffness;
@@ -94,8 +104,10 @@ FrictionResponse respond(const Friction& friction, double V, const States& theta
     FrictionResponse r = respond(friction.law, V, theta);
     int next = states(friction.law);
     if (friction.has_lag()) {
-        if (const auto lagged = static_parts(friction.law, theta[next]))
-            r = lagged_response(*lagged, friction.memory, V, theta[next], next);
+        const Memory& m = friction.memory;
+        if (const auto parts = static_parts(friction.law, m.lag_viscous ? std::abs(V) : theta[next]))
+            r = m.lag_viscous ? late_response(*parts, m.lag, V, theta[next], next)
+                              : lagged_response(*parts, m.lag, V, theta[next], next);
         ++next;
     }
     if (friction.has_bristle()) {

@@ -63,10 +63,12 @@ Effect frictional_memory()
             main_friction(j).memory.lag = p[2];
         };
         f.seeds = {{0.1, 0.1, 10}};
+        // a falling curve that the document lacks, all of it followed late
+        f.parts = {{"stribeck", "gaussian"}, {"frictional-memory", "lag-of-curve"}};
         e.forms.push_back(f);
     }
     {
-        // the documented curve itself is followed late, its viscous part included
+        // the force follows its curve late, the viscous part included
         EffectForm f;
         f.name = "lag-of-curve";
         f.parameters = {

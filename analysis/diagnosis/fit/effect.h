@@ -79,6 +79,11 @@ struct EffectParameter {
 };
 
 /// One way to write the effect down; an effect may have several (Dahl or LuGre bristles).
+/// A form of the catalogue by its names.
+struct FormName {
+    std::string_view effect, form;
+};
+
 struct EffectForm {
     std::string_view name;  ///< empty where there is only one
     std::vector<EffectParameter> parameters;
@@ -88,7 +93,10 @@ struct EffectForm {
     bool (*applies)(const Joint& nominal) = nullptr;                  ///< null: always
     std::size_t own = 0;  ///< the last so many parameters have a value of their own in every record
     bool rough = false;   ///< the misfit is jagged in its parameters: search before descending
-    int apart = -1;       ///< parameter of which every seeded value gets a descent of its own; −1: none
+    /// Two forms that have its parameters between them, in this order, and with them come near it: what looks like this
+    /// form alone may be those two.
+    std::vector<FormName> parts{};
+    int apart = -1;  ///< parameter of which every seeded value gets a descent of its own; −1: none
 };
 
 struct Effect {

@@ -11,7 +11,8 @@ namespace stickslip::gap {
 struct RubState {
     double bristle = 0;  ///< deflection z
     double theta = 0;    ///< memory state
-    double speed = 0;    ///< lagged speed, for a law that follows velocity late
+    double speed = 0;    ///< lagged speed, for a level that follows the velocity late
+    double force = 0;    ///< of a whole curve that is followed late
 };
 
 /// Added to the speed inside the logarithms of the memory, as a part of V*: what keeps them finite at rest.
@@ -34,13 +35,22 @@ inline double logarithm_of(double speed, const Rubbing& r)
     return std::log(speed * r.per_V_star + memory_floor);
 }
 
+/// What the law resists in steady sliding, in both directions.
+inline double steady(const Rubbing& r, double speed)
+{
+    const double u = speed / r.stribeck_velocity;
+    const double peak = r.stribeck != 0 ? r.stribeck * std::exp(-std::pow(u, r.exponent)) : 0;
+    return r.coulomb + peak + r.viscous * speed;
+}
+
 /// The resisting force apart from viscous friction that follows the speed at once, never negative, for motion in
 /// `direction`.
 inline double resistance(const Rubbing& r, const RubState& s, double speed, double direction, const Surroundings& at)
 {
     double level = r.coulomb;
     if (r.plain()) return std::max(level, 0.0);
-    if (r.stribeck != 0) {
+    if (r.late()) level = s.force;
+    if (r.stribeck != 0 && !r.late()) {
         const double u = (r.lag > 0 ? s.speed : speed) / r.stribeck_velocity;
         if (u < 40)
             level += r.stribeck * std::exp(-(r.exponent == 2 ? u * u : r.exponent == 1 ? u : std::pow(u, r.exponent)));
@@ -48,20 +58,24 @@ inline double resistance(const Rubbing& r, const RubState& s, double speed, doub
     level += direction * r.asymmetric_coulomb + r.load_coefficient * std::abs(at.transmitted);
     if (r.ripple != 0) level += r.ripple * std::sin(r.ripple_periods * at.position + r.ripple_phase);
     if (r.remembers()) level += r.A * logarithm_of(speed, r) + s.theta;
-    if (r.late()) level += (r.viscous + direction * r.asymmetric_viscous) * s.speed;
     return std::max(level, 0.0);
 }
 
 /// Slope of the friction with the speed of this instant in this direction.
 inline double viscous(const Rubbing& r, double direction)
 {
-    return r.late() ? 0 : r.viscous + direction * r.asymmetric_viscous;
+    return (r.late() ? 0 : r.viscous) + direction * r.asymmetric_viscous;
 }
 
 /// The state after sliding at this mean speed for h: exact for constant speed.
 inline void remember(const Rubbing& r, RubState& s, double speed, double h)
 {
-    if (r.lag > 0) s.speed = speed + (s.speed - speed) * std::exp(-h / r.lag);
+    if (r.late()) {
+        const double force = steady(r, speed);
+        s.force = force + (s.force - force) * std::exp(-h / r.lag);
+    } else if (r.lag > 0) {
+        s.speed = speed + (s.speed - speed) * std::exp(-h / r.lag);
+    }
     if (!r.remembers()) return;
     const double slip = speed * h * r.per_L;
     if (r.ageing) {
@@ -81,6 +95,7 @@ inline RubState settled(const Rubbing& r, double speed)
 {
     RubState s;
     s.speed = speed;
+    s.force = steady(r, speed);
     if (r.remembers()) s.theta = speed > 0 ? -r.B * logarithm_of(speed, r) : 0;
     return s;
 }

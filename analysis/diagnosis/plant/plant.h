@@ -21,7 +21,7 @@ struct Rubbing {
     double A = 0, B = 0, L = 1, V_star = 1, lag = 0;
     double per_L = 1, per_V_star = 1;
     bool ageing = false;
-    bool lag_viscous = false;  ///< the lag holds for viscous friction, too
+    bool lag_viscous = false;  ///< what lags is the force of the whole curve, viscous friction included
     bool remembers() const { return A != 0 || B != 0; }
     bool late() const { return lag > 0 && lag_viscous; }
     /// Apart from its drift, which a tick holds.

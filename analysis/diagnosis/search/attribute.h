@@ -44,6 +44,11 @@ std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales&
                                    const std::vector<Attribution>& singles, std::size_t partners,
                                    const ParallelFor& parallel);
 
+/// Of the leading singles in a form that two others come near together (EffectForm::parts), those two from the numbers
+/// of the one, carried through all levels. What looks like such a form may be both, and no part alone leads there.
+std::vector<Attribution> fit_parts(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
+                                   const std::vector<Attribution>& singles, const ParallelFor& parallel);
+
 /// Backward elimination: each member of the best pair refitted alone, from the numbers that it has in the pair, takes
 /// the place of the same effect among the singles where it is better. A search that starts from nothing may have missed
 /// what the pair found, and the partner then only makes up for the start.

@@ -2,6 +2,7 @@
 #include "analysis/diagnosis/search/search.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace stickslip::gap {
 namespace {
@@ -19,7 +20,36 @@ Attribution member_of(const Attribution& pair, std::size_t member)
     return alone;
 }
 
+/// The two forms that come near this one, together; nothing of a form that is no two.
+std::optional<Candidate> parts_of(const Attribution& single)
+{
+    Candidate pair;
+    pair.records = single.candidate.records;
+    for (const auto& part : single.candidate.forms[0]->parts) {
+        const Effect* effect = effect_named(part.effect);
+        pair.effects.push_back(effect);
+        pair.forms.push_back(&*std::ranges::find(effect->forms, part.form, &EffectForm::name));
+    }
+    if (pair.effects.empty()) return {};
+    return pair;
+}
+
 }  // namespace
+
+std::vector<Attribution> fit_parts(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
+                                   const std::vector<Attribution>& singles, const ParallelFor& parallel)
+{
+    constexpr std::size_t leading = 3;
+    const double omega = screening_level(nominal);
+    const auto brief = excerpts(cases, omega, brief_ticks, coarse);
+    std::vector<Attribution> pairs;
+    for (std::size_t i = 0; i < std::min(leading, singles.size()); ++i)
+        if (const auto pair = parts_of(singles[i]))
+            pairs.push_back(as_screened(cases, scales, nominal, *pair,
+                                        improve(brief, *pair, scales, singles[i].x[0], omega, full_effort)));
+    refine_best(cases, scales, nominal, pairs, pairs.size(), parallel);
+    return pairs;
+}
 
 void fit_members_alone(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
                        std::vector<Attribution>& singles, const std::vector<Attribution>& pairs,

@@ -5,6 +5,8 @@
 #include "analysis/diagnosis/verdict/experiment.h"
 #include "analysis/diagnosis/verdict/policy.h"
 
+#include <algorithm>
+
 namespace stickslip::gap {
 namespace {
 
@@ -27,7 +29,9 @@ void fit_single(Prepared& p, const std::function<void(const char*, double)>& pro
 
 void fit_pair(const Prepared& p, std::size_t pair_partners, const ParallelFor& parallel, Findings& f)
 {
-    f.pairs = fit_pairs(p.cases, p.scales, p.nominal, f.singles, pair_partners, parallel);
+    for (auto& pair : fit_pairs(p.cases, p.scales, p.nominal, f.singles, pair_partners, parallel))
+        if (std::ranges::none_of(f.pairs, [&](const auto& has) { return has.candidate.forms == pair.candidate.forms; }))
+            f.pairs.push_back(std::move(pair));
     confirm(p.cases, f.pairs, p.nominal, p.scales, parallel);
     fit_members_alone(p.cases, p.scales, p.nominal, f.singles, f.pairs, parallel);
     confirm(p.cases, f.singles, p.nominal, p.scales, parallel);
@@ -91,6 +95,10 @@ Findings find_causes(Prepared& p, std::size_t pair_partners, const std::function
     f.quiet = f.none.accepted = at_floor(p.cases, f.none, p.nominal, p.scales, parallel);
     if (f.quiet) return f;
     fit_single(p, progress, parallel, f);
+    if (!f.singles.empty() && !f.singles[0].accepted) {
+        f.pairs = fit_parts(p.cases, p.scales, p.nominal, f.singles, parallel);
+        confirm(p.cases, f.pairs, p.nominal, p.scales, parallel);
+    }
     f.decision = decide(f.singles, f.pairs);
     if (!accepted(f.decision)) {
         progress("correcting the joint's own numbers", 0.4);

@@ -23,7 +23,10 @@ class ContinuousMachine {
     {
         const double reading = 0, q = (reading - j_.sensor.position_offset) / j_.sensor.position_scale;
         state_.fill(0);
-        for (int b = 0; b < bodies(); ++b) state_[position(b)] = q;
+        for (int b = 0; b < bodies(); ++b) {
+            state_[position(b)] = q;
+            if (friction(b).memory.lag_viscous) state_[each * b + 4] = curve(b, 0);
+        }
         SUNContext_Create(nullptr, &context_);
         y_ = N_VNew_Serial(size, context_);
         cvode_ = CVodeCreate(CV_BDF, context_);
@@ -169,7 +172,7 @@ class ContinuousMachine {
         if (const auto* law = std::get_if<CoulombViscous>(&f.law)) level = law->coulomb;
         if (const auto* law = std::get_if<Stribeck>(&f.law))
             level = law->c0 + law->c2 * std::exp(-std::pow(late / law->c3, law->c4));
-        if (f.memory.lag_viscous) level += viscous(b, direction) * late;
+        if (f.memory.lag_viscous) level = y[each * b + 4];
         level += direction * f.asymmetry.coulomb + f.load_coefficient * std::abs(transmitted) +
                  f.ripple.amplitude * std::sin(f.ripple.periods * y[position(b)] + f.ripple.phase) +
                  f.drift.change * (1 - std::exp(-t / f.drift.time_constant));
@@ -177,10 +180,18 @@ class ContinuousMachine {
             level += f.memory.A * std::log(speed / f.memory.V_star + least_ratio) + y[each * b + 3];
         return std::max(level, 0.0);
     }
-    double slope(int b, double direction) const { return friction(b).memory.lag_viscous ? 0 : viscous(b, direction); }
-    double viscous(int b, double direction) const
+    /// Of the law alone, in steady sliding.
+    double curve(int b, double speed) const
     {
         const Friction& f = friction(b);
+        if (const auto* law = std::get_if<CoulombViscous>(&f.law)) return law->coulomb + law->viscous * speed;
+        const auto& law = std::get<Stribeck>(f.law);
+        return law.c0 + law.c2 * std::exp(-std::pow(speed / law.c3, law.c4)) + law.c1 * speed;
+    }
+    double slope(int b, double direction) const
+    {
+        const Friction& f = friction(b);
+        if (f.memory.lag_viscous) return direction * f.asymmetry.viscous;
         double viscous = 0;
         if (const auto* law = std::get_if<CoulombViscous>(&f.law)) viscous = law->viscous;
         if (const auto* law = std::get_if<Stribeck>(&f.law)) viscous = law->c1;
@@ -217,7 +228,7 @@ class ContinuousMachine {
                                       ? m.B * (1 / age - speed / m.L)
                                       : -speed / m.L * (theta + m.B * std::log(speed / m.V_star + least_ratio));
             }
-            if (m.lag > 0) d[each * b + 4] = (speed - y[each * b + 4]) / m.lag;
+            if (m.lag > 0) d[each * b + 4] = ((m.lag_viscous ? curve(b, speed) : speed) - y[each * b + 4]) / m.lag;
         }
     }
 

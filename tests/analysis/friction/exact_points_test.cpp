@@ -210,12 +210,16 @@ TEST_CASE("a level that follows the speed late", "[friction]")
     CHECK(r.force == Approx(10 + 4 * std::exp(-0.16) + 5 * 8e-3).epsilon(1e-14));
     CHECK(r.rate[0] == Approx(4e-3 / 0.02));
     CHECK(r.by_velocity == Approx(5));
-    // and with all of it, the viscous part included
+    // and the force of the whole curve, its viscous part included
     friction.memory.lag_viscous = true;
-    const auto whole = respond(friction, 8e-3, {4e-3});
-    CHECK(whole.force == Approx(10 + 4 * std::exp(-0.16) + 5 * 4e-3).epsilon(1e-14));
+    const auto whole = respond(friction, -8e-3, {12});
+    CHECK(whole.force == -12);
     CHECK(whole.by_velocity == 0);
-    CHECK(whole.by_state[0] == Approx(5 - 4 * std::exp(-0.16) * 2 * 4e-3 / 1e-4).epsilon(1e-14));
+    CHECK(whole.by_state[0] == -1);
+    const double curve = 10 + 4 * std::exp(-0.64) + 5 * 8e-3;
+    CHECK(whole.rate[0] == Approx((curve - 12) / 0.02).epsilon(1e-14));
+    CHECK(whole.rate_by_velocity[0] == Approx(-(5 - 4 * std::exp(-0.64) * 2 * 8e-3 / 1e-4) / 0.02).epsilon(1e-14));
+    CHECK(steady_state(friction, -8e-3)[0] == Approx(curve).epsilon(1e-14));
 }
 
 TEST_CASE("a direction dependence shifts the level and the slope of one direction", "[friction]")

@@ -1,6 +1,7 @@
 #include "analysis/simulation/attractor/cycle.h"
 
 #include "analysis/numerics/hermite.h"
+#include "analysis/simulation/attractor/series_turn.h"
 #include "analysis/simulation/solvers/motion.h"
 #include "analysis/simulation/solvers/rodas5p.h"
 
@@ -53,9 +54,8 @@ void widen(const Flow& flow, const RodasStep& step, Cycle& path)
     path.rest_time += step.h * (slow0 ? before : 1 - before);
 }
 
-}  // namespace
-
-std::optional<Revolution> revolve(const Flow& flow, const FlowVector& start, const CycleOptions& options)
+/// One revolution step by step.
+std::optional<Revolution> stepped_revolution(const Flow& flow, const FlowVector& start, const CycleOptions& options)
 {
     const int n = flow.size();
     const FlowVector scale = flow.scale();
@@ -107,6 +107,14 @@ std::optional<Revolution> revolve(const Flow& flow, const FlowVector& start, con
         h *= factor;
     }
     return {};
+}
+
+}  // namespace
+
+std::optional<Revolution> revolve(const Flow& flow, const FlowVector& start, const CycleOptions& options)
+{
+    if (auto turn = series_revolution(flow, start, options)) return turn;
+    return stepped_revolution(flow, start, options);
 }
 
 Eigen::VectorXcd floquet_multipliers(const Flow& flow, const Revolution& closed)

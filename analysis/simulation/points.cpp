@@ -1,8 +1,9 @@
 #include "analysis/simulation/points.h"
-#include "analysis/simulation/sampled/loop_verdict.h"
+#include "analysis/simulation/lanes/batch.h"
+#include "analysis/simulation/lanes/ticked_batch.h"
 
 #include <algorithm>
-#include "analysis/simulation/lanes/batch.h"
+#include <memory>
 
 namespace stickslip {
 
@@ -36,19 +37,44 @@ void ideal_points(std::span<const Joint> joints, const NonlinearOptions& options
     }
 }
 
+/// Lanes move what they can from tick to tick side by side; the others are followed one by one.
+void real_points(std::span<const Joint* const> joints, const NonlinearOptions& options,
+                 std::span<PointResult* const> points)
+{
+    std::vector<const Joint*> together;
+    std::vector<PointResult*> rows;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        if (lanes::in_ticked_lanes(*joints[i]))
+            together.push_back(joints[i]), rows.push_back(points[i]);
+        else
+            write_nonlinear(nonlinear_verdict(*joints[i], options), *points[i]);
+    }
+    std::vector<LoopVerdict> verdicts(together.size());
+    const auto answered = std::make_unique<bool[]>(together.size());
+    lanes::answer_ticked(together, loop_question(options), verdicts, answered.get(), lanes::best_instructions());
+    for (std::size_t i = 0; i < together.size(); ++i) {
+        auto verdict = answered[i] ? verdict_of(verdicts[i], options) : nonlinear_verdict(*together[i], options);
+        if (answered[i]) verdict.path = DecisionPath::lanes;
+        write_nonlinear(verdict, *rows[i]);
+    }
+}
+
 }  // namespace
 
 void nonlinear_points(std::span<const Joint> joints, const NonlinearOptions& options, std::span<PointResult> points)
 {
     if (std::none_of(joints.begin(), joints.end(), has_real_loop)) return ideal_points(joints, options, points);
+    std::vector<const Joint*> real;
+    std::vector<PointResult*> real_rows;
     std::vector<Joint> ideal;
     std::vector<PointResult> rows;
     for (std::size_t i = 0; i < joints.size(); ++i) {
         if (has_real_loop(joints[i]))
-            write_nonlinear(nonlinear_verdict(joints[i], options), points[i]);
+            real.push_back(&joints[i]), real_rows.push_back(&points[i]);
         else
             ideal.push_back(joints[i]), rows.push_back(points[i]);
     }
+    real_points(real, options, real_rows);
     ideal_points(ideal, options, rows);
     auto next = rows.begin();
     for (std::size_t i = 0; i < joints.size(); ++i)

@@ -229,15 +229,20 @@ NonlinearRegion region_of(LoopRegion region)
 
 constexpr std::string_view ideal_only = "folds are followed for the ideal loop";
 
-/// The verdict on the loop that the file describes, followed tick by tick.
-NonlinearVerdict in_real_loop(const Joint& joint, const NonlinearOptions& options)
+}  // namespace
+
+LoopQuestion loop_question(const NonlinearOptions& options)
 {
     LoopQuestion question;
     question.disturbance = options.disturbance;
     question.rtol = options.rtol;
     question.turn_limit = options.turn_limit;
     question.region = options.region;
-    const auto found = loop_verdict(joint, question);
+    return question;
+}
+
+NonlinearVerdict verdict_of(const LoopVerdict& found, const NonlinearOptions& options)
+{
     NonlinearVerdict verdict;
     verdict.disturbance = options.disturbance;
     if (std::isfinite(found.size)) verdict.disturbance.size = found.size;
@@ -261,11 +266,9 @@ NonlinearVerdict in_real_loop(const Joint& joint, const NonlinearOptions& option
     return verdict;
 }
 
-}  // namespace
-
 NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& options)
 {
-    if (has_real_loop(joint)) return in_real_loop(joint, options);
+    if (has_real_loop(joint)) return verdict_of(loop_verdict(joint, loop_question(options)), options);
     NonlinearVerdict verdict;
     verdict.disturbance = options.disturbance;
     const auto judged = [&](const auto& found) {

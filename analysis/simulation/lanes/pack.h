@@ -119,6 +119,20 @@ template <int w, int n>
     return r;
 }
 template <int w, int n>
+[[gnu::always_inline]] inline Mask<w, n> operator^(const Mask<w, n>& a, const Mask<w, n>& b)
+{
+    Mask<w, n> r;
+    for (int i = 0; i < n; ++i) r.part[i] = a.part[i] ^ b.part[i];
+    return r;
+}
+template <int w, int n>
+[[gnu::always_inline]] inline Mask<w, n> operator~(const Mask<w, n>& a)
+{
+    Mask<w, n> r;
+    for (int i = 0; i < n; ++i) r.part[i] = ~a.part[i];
+    return r;
+}
+template <int w, int n>
 [[gnu::always_inline]] inline Pack<w, n> select(const Mask<w, n>& mask, const Pack<w, n>& yes, const Pack<w, n>& no)
 {
     Pack<w, n> r;

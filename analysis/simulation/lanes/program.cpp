@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analysis/numerics/hermite.h"
+#include "analysis/simulation/lanes/dense_output.h"
 
 namespace stickslip::lanes {
 namespace {
@@ -14,46 +15,13 @@ constexpr double rough_closure = 1e-4;  ///< as `closure`
 constexpr double refined = 1e-2;        ///< largest step of a refinement, per amplitude
 constexpr int most_refinements = 5;
 
-/// The dense output of one component (rodas5p_table.h).
-struct Dense {
-    double y0, y1, k[3];
-    Dense(const StepView& s, int component) : y0(s.y0[component]), y1(s.y1[component])
+struct Dense : DenseOutput {
+    Dense(const StepView& s, int component) : DenseOutput{s.y0[component], s.y1[component], {0, 0, 0}}
     {
-        for (int r = 0; r < 3; ++r) {
-            k[r] = 0;
+        for (int r = 0; r < 3; ++r)
             for (int j = 0; j < rodas5p::stages; ++j) k[r] += rodas5p::dense[r][j] * s.U[j][component];
-        }
     }
-    double operator()(double f) const
-    {
-        const double rest = 1 - f;
-        return rest * y0 + f * (y1 + rest * (k[0] + f * (k[1] + f * k[2])));
-    }
-    double slope_at_start() const { return y1 - y0 + k[0]; }  ///< per step
-    double slope_at_end() const { return y1 - y0 - k[0] - k[1] - k[2]; }
 };
-
-/// Where the component takes the value `level` within the step (Illinois on the dense output).
-double crossing(const Dense& y, double level)
-{
-    double left = 0, right = 1, at_left = y.y0 - level, at_right = y.y1 - level;
-    int kept = 0;
-    for (int i = 0; i < 50 && right - left > 1e-13; ++i) {
-        const double middle = (left * at_right - right * at_left) / (at_right - at_left);
-        const double value = y(middle) - level;
-        if (std::abs(value) < 1e-15) return middle;
-        if ((value > 0) == (at_right > 0)) {
-            right = middle, at_right = value;
-            if (kept == -1) at_left /= 2;
-            kept = -1;
-        } else {
-            left = middle, at_left = value;
-            if (kept == 1) at_right /= 2;
-            kept = 1;
-        }
-    }
-    return 0.5 * (left + right);
-}
 
 /// Where y turned in the step before: on the cubic through its start, both ends of this step and the slope between
 /// them.

@@ -11,6 +11,15 @@ namespace stickslip::lanes {
 template <class P>
 struct Triple {
     P X, w, p;
+
+    [[gnu::always_inline]] static Triple zero() { return {P(0.0), P(0.0), P(0.0)}; }
+    [[gnu::always_inline]] void add(const Triple& y) { X = X + y.X, w = w + y.w, p = p + y.p; }
+    [[gnu::always_inline]] void add(const P& weight, const Triple& y)
+    {
+        X = X + weight * y.X;
+        w = w + weight * y.w;
+        p = p + weight * y.p;
+    }
 };
 
 template <class P>
@@ -18,11 +27,11 @@ struct PackedGroups {
     P K, per_M, beta, c;
 };
 
-template <class P>
+template <class State>
 struct PackedStep {
-    Triple<P> end;  ///< state at the end
-    Triple<P> U[rodas5p::stages];
-    const Triple<P>& error() const { return U[rodas5p::stages - 1]; }
+    State end;  ///< state at the end
+    State U[rodas5p::stages];
+    const State& error() const { return U[rodas5p::stages - 1]; }
 };
 
 template <class P>
@@ -34,17 +43,12 @@ template <class P>
 }
 
 /// Σ_j table[i][j] U_j over the nonzero coefficients, which are constants of the program.
-template <const auto& table, int i, class P, int... j>
-[[gnu::always_inline]] inline void add_stages(Triple<P>& sum, const Triple<P>* U, std::integer_sequence<int, j...>)
+template <const auto& table, int i, class P, class State, int... j>
+[[gnu::always_inline]] inline void add_stages(State& sum, const State* U, std::integer_sequence<int, j...>)
 {
     const auto add = [&]<int k>() __attribute__((always_inline))
     {
-        if constexpr (table[i][k] != 0) {
-            const P weight(table[i][k]);
-            sum.X = sum.X + weight * U[k].X;
-            sum.w = sum.w + weight * U[k].w;
-            sum.p = sum.p + weight * U[k].p;
-        }
+        if constexpr (table[i][k] != 0) sum.add(P(table[i][k]), U[k]);
     };
     (add.template operator()<j>(), ...);
 }
@@ -73,41 +77,46 @@ struct Elimination {
     }
 };
 
-/// The step of every lane from y with its own h.
 template <class P>
-[[gnu::always_inline]] inline void rodas5p_step(const PackedGroups<P>& g, const Triple<P>& y, const P& h,
-                                                PackedStep<P>& step)
+[[gnu::always_inline]] inline Elimination<P> eliminate(const PackedGroups<P>& g, const Triple<P>& y,
+                                                       const Exponential<P>& e, const P& per_Mv, const P& w_rate,
+                                                       const P& h)
+{
+    return Elimination<P>(g, y, e, per_Mv, w_rate, h);
+}
+
+/// The step of every lane from y with its own h, under equations that have rate() and eliminate().
+template <class P, class Equations, class State>
+[[gnu::always_inline]] inline void rodas5p_step(const Equations& g, const State& y, const P& h, PackedStep<State>& step)
 {
     const auto e = exponential(y.w);
     const P per_Mv = g.per_M / e.value, per_h = P(1.0) / h;
-    const Triple<P> start_rate = rate(g, y, e, per_Mv);
-    const Elimination<P> matrix(g, y, e, per_Mv, start_rate.w, h);
+    const State start_rate = rate(g, y, e, per_Mv);
+    const auto matrix = eliminate(g, y, e, per_Mv, start_rate.w, h);
     step.U[0] = matrix.solve(start_rate);
-    Triple<P> stage;
+    State stage;
     const auto advance = [&]<int i>() __attribute__((always_inline))
     {
         using Before = std::make_integer_sequence<int, i>;
         if constexpr (i < 6) {
             stage = y;
-            add_stages<rodas5p::a, i>(stage, step.U, Before{});
+            add_stages<rodas5p::a, i, P>(stage, step.U, Before{});
         } else {  // rows 6 and 7 of the table: the stage before plus its U
-            stage.X = stage.X + step.U[i - 1].X;
-            stage.w = stage.w + step.U[i - 1].w;
-            stage.p = stage.p + step.U[i - 1].p;
+            stage.add(step.U[i - 1]);
         }
         const auto ei = exponential(stage.w);
-        const Triple<P> f = rate(g, stage, ei, g.per_M / ei.value);
-        Triple<P> carried{P(0.0), P(0.0), P(0.0)};
-        add_stages<rodas5p::c, i>(carried, step.U, Before{});
-        step.U[i] = matrix.solve({f.X + carried.X * per_h, f.w + carried.w * per_h, f.p + carried.p * per_h});
+        State f = rate(g, stage, ei, g.per_M / ei.value), carried = State::zero();
+        add_stages<rodas5p::c, i, P>(carried, step.U, Before{});
+        f.add(per_h, carried);
+        step.U[i] = matrix.solve(f);
     };
     [&]<int... i>(std::integer_sequence<int, i...>) __attribute__((always_inline))
     {
         (advance.template operator()<i + 1>(), ...);
     }
     (std::make_integer_sequence<int, rodas5p::stages - 1>{});
-    const auto& last = step.U[rodas5p::stages - 1];
-    step.end = {stage.X + last.X, stage.w + last.w, stage.p + last.p};
+    step.end = stage;
+    step.end.add(step.U[rodas5p::stages - 1]);
 }
 
 }  // namespace stickslip::lanes

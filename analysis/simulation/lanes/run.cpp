@@ -48,18 +48,16 @@ Instructions best_instructions()
 
 namespace {
 
-template <class Job, class Answer>
-void run_widest(const Job* jobs, Answer* answers, std::size_t count, const Settings& settings,
-                Instructions instructions)
+template <class... Arguments>
+void run_widest(Instructions instructions, Arguments&&... arguments)
 {
-    if (count == 0) return;
     switch (instructions) {
         case Instructions::avx512:
-            return run_avx512(jobs, answers, count, settings);
+            return run_avx512(arguments...);
         case Instructions::avx2:
-            return run_avx2(jobs, answers, count, settings);
+            return run_avx2(arguments...);
         case Instructions::baseline:
-            return run_baseline(jobs, answers, count, settings);
+            return run_baseline(arguments...);
     }
 }
 
@@ -67,13 +65,18 @@ void run_widest(const Job* jobs, Answer* answers, std::size_t count, const Setti
 
 void run(const Job* jobs, Answer* answers, std::size_t count, const Settings& settings, Instructions instructions)
 {
-    run_widest(jobs, answers, count, settings, instructions);
+    if (count > 0) run_widest(instructions, jobs, answers, count, settings);
 }
 
 void run(const StribeckJob* jobs, StribeckAnswer* answers, std::size_t count, const Settings& settings,
          Instructions instructions)
 {
-    run_widest(jobs, answers, count, settings, instructions);
+    if (count > 0) run_widest(instructions, jobs, answers, count, settings);
+}
+
+void run(const TickedJob* jobs, std::size_t count, bool lags, Instructions instructions)
+{
+    run_widest(instructions, jobs, count, lags);
 }
 
 }  // namespace stickslip::lanes

@@ -19,7 +19,7 @@ class SlipModel {
       public:
         P end(int k) const { return part(packed.end, k); }
         P error(int k) const { return part(packed.error(), k); }
-        PackedStep<P> packed;
+        PackedStep<Triple<P>> packed;
     };
 
     void load(int lane, const Job& job)
@@ -37,7 +37,10 @@ class SlipModel {
         w_before_.set(lane, y[1]);
         h_before_.set(lane, 1);
     }
-    void step(const P* y, const P& h, Step& s) const { rodas5p_step(groups_, {y[0], y[1], y[2]}, h, s.packed); }
+    void step(const P* y, const P& h, Step& s) const
+    {
+        rodas5p_step(groups_, Triple<P>{y[0], y[1], y[2]}, h, s.packed);
+    }
     void remember(const M& taken, const P* y, const P& h)
     {
         w_before_ = select(taken, y[1], w_before_);

@@ -45,6 +45,8 @@ class LoopController {
     void set_path(double path) { path_ = path; }
 
     bool continuous() const { return !is_set(control_.period); }
+    /// The true velocity, beside the encoder's readings.
+    bool reads_velocity() const { return continuous() || control_.velocity_estimate.form == EstimateForm::exact; }
     bool integrates() const { return gain_of_integral_ != 0; }
     /// The last command before its limit.
     double wanted() const { return wanted_; }

@@ -1,7 +1,6 @@
 #include "analysis/simulation/sampled/loop_follow.h"
 
 #include <cmath>
-#include <optional>
 
 namespace stickslip {
 namespace {
@@ -58,60 +57,37 @@ int turns_to_repeat(const std::vector<LoopTurn>& turns)
     return 0;
 }
 
-/// A motion that creeps towards a cycle or away from one: growth per turn over ln amplitude, and where it vanishes.
-class CreepSearch {
-  public:
-    /// The ln amplitude to look at next.
-    double next(double at, double growth)
-    {
-        const bool grows = growth > 0;
-        (grows ? below_ : above_) = {at, growth, true};
-        const bool bracketed = below_.known && above_.known && below_.at < above_.at;
-        if (!bracketed) return at + (grows ? jump : -jump);
-        const double share = below_.growth / (below_.growth - above_.growth);
-        return below_.at + std::clamp(share, 0.05, 0.95) * (above_.at - below_.at);
-    }
-    bool bracketed() const { return below_.known && above_.known && below_.at < above_.at; }
+}  // namespace
 
-  private:
-    struct Side {
-        double at = 0, growth = 0;
-        bool known = false;
+double CreepSearch::next(double at, double growth)
+{
+    const bool grows = growth > 0;
+    (grows ? below_ : above_) = {at, growth, true};
+    const bool bracketed = below_.known && above_.known && below_.at < above_.at;
+    if (!bracketed) return at + (grows ? jump : -jump);
+    const double share = below_.growth / (below_.growth - above_.growth);
+    return below_.at + std::clamp(share, 0.05, 0.95) * (above_.at - below_.at);
+}
+
+LoopFollower::LoopFollower(SampledLoop& loop, const std::vector<double>& steady, double origin,
+                           const LoopFollowOptions& options)
+    : watch(loop.frame(), origin),
+      loop_(loop),
+      steady_(steady),
+      options_(options),
+      V0_(loop.frame()),
+      last_crossing_(loop.time())
+{
+    watch.reset(loop_.time());
+    if (!options_.uneven) return;
+    const double unit = std::isfinite(options_.turn) ? options_.turn : 100 * loop_.period();
+    const auto ticks = [&](int turns) {
+        return std::clamp(std::lround(turns * unit / loop_.period()), 100L, most_ticks / 4);
     };
-    Side below_, above_;
-};
+    settle_ = ticks(settling_turns), measure_ = ticks(measured_turns);
+}
 
-class Follower {
-  public:
-    Follower(SampledLoop& loop, const std::vector<double>& steady, double origin, const LoopFollowOptions& options)
-        : loop_(loop), steady_(steady), options_(options), V0_(loop.frame()), watch_(V0_, origin)
-    {
-    }
-
-    LoopEnd run();
-    LoopEnd run_uneven();
-
-  private:
-    LoopEnd ended(LoopEnd::Kind kind, Reason reason = Reason::none);
-    bool advance();
-    bool decays_linearly() const;
-    std::optional<LoopEnd> decide();
-    void scale_motion(double by);
-    LoopEnd measured(LoopEnd::Kind kind, std::size_t count);
-
-    SampledLoop& loop_;
-    const std::vector<double>& steady_;
-    const LoopFollowOptions& options_;
-    double V0_;
-    TurnWatch watch_;
-    std::vector<LoopTurn> turns_;  ///< since the motion was last scaled
-    CreepSearch creep_;
-    int all_turns_ = 0, blocks_ = 0;
-    double first_peak_ = missing, last_change_ = missing;
-    std::size_t skip_ = 0;
-};
-
-LoopEnd Follower::ended(LoopEnd::Kind kind, Reason reason)
+LoopEnd LoopFollower::ended(LoopEnd::Kind kind, Reason reason) const
 {
     LoopEnd end;
     end.kind = kind, end.reason = reason;
@@ -119,15 +95,8 @@ LoopEnd Follower::ended(LoopEnd::Kind kind, Reason reason)
     return end;
 }
 
-bool Follower::advance()
-{
-    const bool moved = loop_.tick(0, loop_.reference_velocity(), 0, [this](const DrivenStep& s) { watch_(s); });
-    const auto& j = loop_.motion.joint;
-    return moved && std::abs(j.velocity(loop_.motion.y.data(), j.link())) < runaway * std::abs(V0_);
-}
-
 /// The newest turns shrink as small disturbances do.
-bool Follower::decays_linearly() const
+bool LoopFollower::decays_linearly() const
 {
     if (turns_.size() < 4 || !options_.steady_attracts) return false;
     for (std::size_t i = turns_.size() - 3; i < turns_.size(); ++i) {
@@ -139,18 +108,18 @@ bool Follower::decays_linearly() const
     return true;
 }
 
-void Follower::scale_motion(double by)
+void LoopFollower::scale_motion(double by)
 {
     auto state = loop_.state();
     for (std::size_t i = 0; i < state.size(); ++i) state[i] = steady_[i] + by * (state[i] - steady_[i]);
     loop_.set_state(state);
-    watch_.reset(loop_.time());
+    watch.reset(loop_.time());
     turns_.clear();
     skip_ = settling;
     last_change_ = missing;
 }
 
-LoopEnd Follower::measured(LoopEnd::Kind kind, std::size_t count)
+LoopEnd LoopFollower::measured(LoopEnd::Kind kind, std::size_t count) const
 {
     LoopEnd end = ended(kind);
     const auto first = turns_.end() - static_cast<std::ptrdiff_t>(std::min(count, turns_.size()));
@@ -172,7 +141,7 @@ LoopEnd Follower::measured(LoopEnd::Kind kind, std::size_t count)
     return end;
 }
 
-std::optional<LoopEnd> Follower::decide()
+std::optional<LoopEnd> LoopFollower::decide()
 {
     const auto& last = turns_.back();
     if (speed_of(last, V0_) < smallest_turn) return ended(LoopEnd::Kind::steady);
@@ -208,83 +177,75 @@ std::optional<LoopEnd> Follower::decide()
     return {};
 }
 
-LoopEnd Follower::run()
+std::optional<LoopEnd> LoopFollower::after_tick(bool moved)
 {
-    watch_.reset(loop_.time());
-    double last_crossing = loop_.time();
-    for (long k = 0; k < most_ticks && all_turns_ < options_.turn_limit; ++k) {
-        if (!advance()) {
-            const auto& j = loop_.motion.joint;
-            const bool gone = !(std::abs(j.velocity(loop_.motion.y.data(), j.link())) < runaway * std::abs(V0_));
-            return ended(LoopEnd::Kind::undecided, gone ? Reason::diverges : Reason::solver_failed);
+    const auto& j = loop_.motion.joint;
+    const bool gone = !(std::abs(j.velocity(loop_.motion.y.data(), j.link())) < runaway * std::abs(V0_));
+    if (!moved || gone)
+        return ended(LoopEnd::Kind::undecided, gone && !options_.uneven ? Reason::diverges : Reason::solver_failed);
+    ++ticks_;
+    return options_.uneven ? after_uneven_tick() : after_even_tick();
+}
+
+std::optional<LoopEnd> LoopFollower::after_even_tick()
+{
+    LoopTurn turn;
+    if (watch.take(turn)) {
+        if (std::isnan(first_peak_)) first_peak_ = turn.position_max;
+        turns_.push_back(turn);
+        ++all_turns_;
+        last_crossing_ = turn.t1;
+        if (auto end = decide()) return end;
+    } else if (!(loop_.time() - last_crossing_ < patience * options_.turn + 2 * options_.held)) {
+        const auto& now = watch.present();
+        if (std::isnan(first_peak_)) first_peak_ = now.position_max;
+        if (speed_of(now, V0_) < small_turn && options_.steady_attracts) return ended(LoopEnd::Kind::steady);
+        last_crossing_ = loop_.time();
+        const bool slow = std::max(std::abs(now.velocity_min), std::abs(now.velocity_max)) < 0.01 * std::abs(V0_);
+        if (slow) {
+            LoopEnd held = ended(LoopEnd::Kind::held);
+            held.stick_fraction = 1;
+            return held;
         }
-        LoopTurn turn;
-        if (watch_.take(turn)) {
-            if (std::isnan(first_peak_)) first_peak_ = turn.position_max;
-            turns_.push_back(turn);
-            ++all_turns_;
-            last_crossing = turn.t1;
-            if (auto end = decide()) return *end;
-        } else if (!(loop_.time() - last_crossing < patience * options_.turn + 2 * options_.held)) {
-            const auto& now = watch_.present();
-            if (std::isnan(first_peak_)) first_peak_ = now.position_max;
-            if (speed_of(now, V0_) < small_turn && options_.steady_attracts) return ended(LoopEnd::Kind::steady);
-            last_crossing = loop_.time();
-            const bool slow = std::max(std::abs(now.velocity_min), std::abs(now.velocity_max)) < 0.01 * std::abs(V0_);
-            if (slow) {
-                LoopEnd held = ended(LoopEnd::Kind::held);
-                held.stick_fraction = 1;
-                return held;
-            }
-            watch_.reset(loop_.time());
-        }
+        watch.reset(loop_.time());
     }
+    if (ticks_ < most_ticks && all_turns_ < options_.turn_limit) return {};
     return ended(LoopEnd::Kind::undecided, Reason::not_converged);
 }
 
 /// A coarse encoder or noise: extrema over a long time, and how often the link comes to rest.
-LoopEnd Follower::run_uneven()
+std::optional<LoopEnd> LoopFollower::after_uneven_tick()
 {
-    watch_.reset(loop_.time());
-    const double unit = std::isfinite(options_.turn) ? options_.turn : 100 * loop_.period();
-    const auto ticks = [&](int turns) {
-        return std::clamp(std::lround(turns * unit / loop_.period()), 100L, most_ticks / 4);
-    };
-    LoopTurn turn;
-    LoopEnd end;
-    bool slow = false;
-    int rests = 0;
-    double low_v = infinity, high_v = -infinity, low = infinity, high = -infinity, rest = 0;
-    const long settle = ticks(settling_turns), measure = ticks(measured_turns);
-    for (long k = 0; k < settle + measure; ++k) {
-        if (!advance()) return ended(LoopEnd::Kind::undecided, Reason::solver_failed);
-        const auto now = watch_.present();
-        watch_.take(turn);
-        if (k < settle) {
-            if (k + 1 == settle) first_peak_ = now.position_max;
-            watch_.reset(loop_.time());
-            continue;
-        }
-        low_v = std::min(low_v, now.velocity_min), high_v = std::max(high_v, now.velocity_max);
-        low = std::min(low, now.position_min), high = std::max(high, now.position_max);
-        rest += now.rest_time;
-        end.reversed |= now.reversed;
-        if (now.rest_time > 0 && !slow) ++rests;
-        slow = now.rest_time > 0;
-        watch_.reset(loop_.time());
-    }
-    const double time = static_cast<double>(measure) * loop_.period();
-    const bool smooth = rest == 0 && !end.reversed;
-    end.kind = smooth && options_.steady_attracts ? LoopEnd::Kind::steady : LoopEnd::Kind::cycle;
-    end.first_peak = first_peak_;
-    end.amplitude = 0.5 * (high - low);
-    end.velocity_min = low_v, end.velocity_max = high_v;
-    end.stick_fraction = rest / time;
-    if (rests > 1) end.period = time / rests;
-    return end;
+    const auto now = watch.present();
+    watch.reset(loop_.time());
+    if (ticks_ == settle_) first_peak_ = now.position_max;
+    if (ticks_ <= settle_) return {};
+    outer_.velocity_min = std::min(outer_.velocity_min, now.velocity_min);
+    outer_.velocity_max = std::max(outer_.velocity_max, now.velocity_max);
+    outer_.position_min = std::min(outer_.position_min, now.position_min);
+    outer_.position_max = std::max(outer_.position_max, now.position_max);
+    outer_.rest_time += now.rest_time;
+    outer_.reversed |= now.reversed;
+    if (now.rest_time > 0 && !slow_) ++rests_;
+    slow_ = now.rest_time > 0;
+    if (ticks_ < settle_ + measure_) return {};
+    return measured_unevenly();
 }
 
-}  // namespace
+LoopEnd LoopFollower::measured_unevenly() const
+{
+    LoopEnd end;
+    const double time = static_cast<double>(measure_) * loop_.period();
+    end.reversed = outer_.reversed;
+    const bool smooth = outer_.rest_time == 0 && !end.reversed;
+    end.kind = smooth && options_.steady_attracts ? LoopEnd::Kind::steady : LoopEnd::Kind::cycle;
+    end.first_peak = first_peak_;
+    end.amplitude = outer_.amplitude();
+    end.velocity_min = outer_.velocity_min, end.velocity_max = outer_.velocity_max;
+    end.stick_fraction = outer_.rest_time / time;
+    if (rests_ > 1) end.period = time / rests_;
+    return end;
+}
 
 Outcome LoopEnd::outcome() const
 {
@@ -304,13 +265,6 @@ Outcome LoopEnd::outcome() const
     if (reversed) return Outcome::reversal;
     if (stick_fraction > 0) return Outcome::stick_slip;
     return kind == Kind::irregular ? Outcome::irregular : Outcome::limit_cycle;
-}
-
-LoopEnd follow_loop(SampledLoop& loop, const std::vector<double>& steady, double origin,
-                    const LoopFollowOptions& options)
-{
-    Follower follower(loop, steady, origin, options);
-    return options.uneven ? follower.run_uneven() : follower.run();
 }
 
 }  // namespace stickslip

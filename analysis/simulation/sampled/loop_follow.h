@@ -3,6 +3,8 @@
 #include "analysis/simulation/sampled/loop_mode.h"
 #include "analysis/simulation/sampled/turns.h"
 
+#include <optional>
+
 namespace stickslip {
 
 struct LoopFollowOptions {
@@ -32,8 +34,59 @@ struct LoopEnd {
     Outcome outcome() const;
 };
 
-/// Follows the loop from where it is. `steady` is its state in steady sliding, empty where it has none.
-LoopEnd follow_loop(SampledLoop& loop, const std::vector<double>& steady, double origin,
-                    const LoopFollowOptions& options);
+/// A motion that creeps towards a cycle or away from one: growth per turn over ln amplitude, and where it vanishes.
+class CreepSearch {
+  public:
+    /// The ln amplitude to look at next.
+    double next(double at, double growth);
+
+  private:
+    struct Side {
+        double at = 0, growth = 0;
+        bool known = false;
+    };
+    Side below_, above_;
+};
+
+/// Watches a loop tick by tick, whoever moves it, and says where its motion ends.
+class LoopFollower {
+  public:
+    /// From where the loop is. `steady` is its state in steady sliding, empty where it has none.
+    LoopFollower(SampledLoop& loop, const std::vector<double>& steady, double origin, const LoopFollowOptions& options);
+
+    /// To be told of all that the loop does within a tick.
+    TurnWatch watch;
+    /// After a tick; `moved` is false where it could not be followed. May put the loop into another state, on the way
+    /// to a cycle far away.
+    std::optional<LoopEnd> after_tick(bool moved);
+    /// Extrema of every tick count, not of every turn.
+    bool uneven() const { return options_.uneven; }
+
+  private:
+    LoopEnd ended(LoopEnd::Kind kind, Reason reason = Reason::none) const;
+    std::optional<LoopEnd> after_even_tick();
+    std::optional<LoopEnd> after_uneven_tick();
+    bool decays_linearly() const;
+    std::optional<LoopEnd> decide();
+    void scale_motion(double by);
+    LoopEnd measured(LoopEnd::Kind kind, std::size_t count) const;
+    LoopEnd measured_unevenly() const;
+
+    SampledLoop& loop_;
+    const std::vector<double> steady_;
+    const LoopFollowOptions options_;
+    double V0_, last_crossing_;
+    std::vector<LoopTurn> turns_;  ///< since the motion was last scaled
+    CreepSearch creep_;
+    long ticks_ = 0;
+    int all_turns_ = 0, blocks_ = 0;
+    double first_peak_ = missing, last_change_ = missing;
+    std::size_t skip_ = 0;
+
+    long settle_ = 0, measure_ = 0;  ///< ticks of a motion that no turn divides
+    LoopTurn outer_;                 ///< its outermost extrema, and time at rest
+    bool slow_ = false;
+    int rests_ = 0;
+};
 
 }  // namespace stickslip

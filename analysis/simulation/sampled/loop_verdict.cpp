@@ -6,8 +6,9 @@
 #include "analysis/simulation/sampled/loop_trajectory.h"
 #include "analysis/stability/steady.h"
 
+#include "analysis/stability/real_loop.h"
+
 #include <cmath>
-#include <optional>
 
 namespace stickslip {
 namespace {
@@ -82,97 +83,160 @@ bool has_real_loop(const Joint& joint)
            s.position_noise > 0;
 }
 
-LoopVerdict loop_verdict(const Joint& asked, const LoopQuestion& question)
+LoopInquiry::LoopInquiry(const Joint& asked, const LoopQuestion& question, GrowthBy by)
+    : joint_(with_gains(asked)), question_(question)
 {
-    const Joint joint = with_gains(asked);
-    if (auto refusal = obstacle(joint)) return *refusal;
-    LoopVerdict verdict;
-    const double V0 = commanded_velocity(joint);
-    const double frame = V0 / joint.sensor.position_scale;
+    if (auto refusal = obstacle(joint_)) {
+        verdict_ = *refusal;
+        return;
+    }
+    const double frame = commanded_velocity(joint_) / joint_.sensor.position_scale;
+    if (!find_mode(asked, frame, by)) return;
+    const auto& sensor = joint_.sensor;
+    LoopOptions real;
+    real.motion.rtol = question.rtol;
+    real.seed = sensor.position_noise > 0 ? question.seed : 0;
+    real.readings = false;
+    loop_.emplace(asked, frame, frame, LoopSide::joint, real);
+    loop_->begin_steadily();
+    steady_ = loop_->state();
+    origin_ = loop_->motion.y[loop_->motion.joint.link()];
+    begin_stated();
+}
+
+/// What small disturbances do; false where that leaves no motion to follow.
+bool LoopInquiry::find_mode(const Joint& asked, double frame, GrowthBy by)
+{
     LoopOptions smooth;
     smooth.ideal_encoder = true;
     smooth.motion.fixed_step = 1;
     SampledLoop linear(asked, frame, frame, LoopSide::joint, smooth);
-    verdict.tick = linear.period();
+    const auto refuse = [this](Reason reason, std::string_view why) {
+        verdict_ = refused(reason, why);
+        return false;
+    };
+    verdict_.tick = linear.period();
     linear.motion.set_fixed_step(fixed_part * linear.period());
-    if (!linear.begin_steadily()) return refused(Reason::no_steady_state, no_force);
-    const auto mode = loop_mode(linear);
-    verdict.growth_missing = mode.why;
-    verdict.multiplier = mode.multiplier;
-    if (!mode.known()) return refused(Reason::not_converged, mode.why);
-    verdict.growth_rate = measure_loop_growth(linear, mode);
-    const auto s = mode.rate();
-    const double measured = std::isfinite(verdict.growth_rate) ? verdict.growth_rate : s.real();
-    if (!(std::abs(s) > 0) || std::abs(measured) < neutral_growth * std::abs(s)) return refused(Reason::neutral, {});
-    const bool decays = measured < 0;
-
-    const auto& sensor = joint.sensor;
-    LoopOptions real;
-    real.motion.rtol = question.rtol;
-    real.seed = sensor.position_noise > 0 ? question.seed : 0;
-    SampledLoop loop(asked, frame, frame, LoopSide::joint, real);
-    LoopFollowOptions options;
-    options.turn_limit = question.turn_limit;
-    options.steady_attracts = decays;
+    if (!linear.begin_steadily()) return refuse(Reason::no_steady_state, no_force);
+    mode_ = loop_mode(linear);
+    verdict_.growth_missing = mode_.why;
+    verdict_.multiplier = mode_.multiplier;
+    if (!mode_.known()) return refuse(Reason::not_converged, mode_.why);
+    const double V0 = commanded_velocity(joint_);
+    verdict_.growth_rate = by == GrowthBy::motion ? measure_loop_growth(linear, mode_) : real_growth(joint_, V0, false);
+    const auto s = mode_.rate();
+    const double measured = std::isfinite(verdict_.growth_rate) ? verdict_.growth_rate : s.real();
+    if (!(std::abs(s) > 0) || std::abs(measured) < neutral_growth * std::abs(s)) return refuse(Reason::neutral, {});
+    auto& options = follow_;
+    options.turn_limit = question_.turn_limit;
+    options.steady_attracts = measured < 0;
     options.decay = s.real();
     options.turn = 2 * std::numbers::pi / std::abs(s);
-    options.held = held_time(joint, V0);
-    options.uneven = sensor.encoder_quantum > 0 || sensor.position_noise > 0;
-    loop.begin_steadily();
-    const auto steady = loop.state();
-    const double origin = loop.motion.y[loop.motion.joint.link()];
+    options.held = held_time(joint_, V0);
+    options.uneven = joint_.sensor.encoder_quantum > 0 || joint_.sensor.position_noise > 0;
+    return true;
+}
 
-    const bool stated_small = !is_set(question.disturbance.size);
-    verdict.size = stated_small ? small_size(question.disturbance.kind, V0, s) : question.disturbance.size;
-    if (options.uneven && stated_small && decays) {
+void LoopInquiry::follow(Phase phase)
+{
+    phase_ = phase;
+    follower_.emplace(*loop_, steady_, origin_, follow_);
+}
+
+void LoopInquiry::begin_stated()
+{
+    const auto& disturbance = question_.disturbance;
+    const auto s = mode_.rate();
+    const double V0 = loop_->frame();
+    const bool decays = follow_.steady_attracts, small = !is_set(disturbance.size);
+    verdict_.size = small ? small_size(disturbance.kind, commanded_velocity(joint_), s) : disturbance.size;
+    if (follow_.uneven && small && decays) {
         // the smallest disturbance that such a loop sees
-        loop.displace(std::max(sensor.encoder_quantum, sensor.position_noise) / sensor.position_scale);
-        verdict.stated = follow_loop(loop, steady, origin, options);
-    } else if (stated_small && decays) {
-        verdict.stated.kind = LoopEnd::Kind::steady;
-    } else if (stated_small) {
+        const auto& sensor = joint_.sensor;
+        loop_->displace(std::max(sensor.encoder_quantum, sensor.position_noise) / sensor.position_scale);
+    } else if (small && decays) {
+        verdict_.stated.kind = LoopEnd::Kind::steady;
+        return judge_stated();
+    } else if (small) {
         // what a small disturbance grows along is known, its size is not
-        auto lifted_state = steady;
-        const double unit = std::abs(mode.right[static_cast<std::size_t>(loop.motion.joint.bodies())]);
-        const double speed = loop.motion.joint.logarithmic(0) ? 1 : std::abs(frame);
-        for (std::size_t i = 0; i < steady.size(); ++i) lifted_state[i] += lifted * speed / unit * mode.right[i].real();
-        loop.set_state(lifted_state);
-        loop.motion.enter();
-        verdict.stated = follow_loop(loop, steady, origin, options);
-    } else {
-        Disturbance stated = question.disturbance;
-        if (!disturb_loop(loop, joint, stated)) return refused(Reason::law_needs_motion, {});
-        verdict.stated = follow_loop(loop, steady, origin, options);
+        auto lifted_state = steady_;
+        const auto& j = loop_->motion.joint;
+        const double unit = std::abs(mode_.right[static_cast<std::size_t>(j.bodies())]);
+        const double speed = j.logarithmic(0) ? 1 : std::abs(V0);
+        for (std::size_t i = 0; i < steady_.size(); ++i)
+            lifted_state[i] += lifted * speed / unit * mode_.right[i].real();
+        loop_->set_state(lifted_state);
+        loop_->motion.enter();
+    } else if (!disturb_loop(*loop_, joint_, disturbance)) {
+        verdict_ = refused(Reason::law_needs_motion, {});
+        return;
     }
-    verdict.reason = verdict.stated.reason;
-    verdict.cycle = verdict.stated;
-    if (verdict.stated.reason == Reason::not_converged) verdict.explanation = tired;
+    follow(Phase::stated);
+}
 
-    const double deflection = std::abs(steady_sliding(joint).deflection);
-    verdict.overshoot = std::fmax(0, verdict.stated.first_peak) / deflection;
-    if (!decays) {
-        verdict.region = LoopRegion::stick_slip;
-    } else if (verdict.stated.oscillates()) {
-        verdict.region = LoopRegion::bistable;
-    } else if (question.region) {
-        verdict.searched_from = "a start from near rest; a pull of the spring by 3 V_0/|s|";
-        const bool rests = loop.motion.joint.anything_can_rest();
-        LoopEnd large;
-        for (const bool pull : {false, true}) {
-            const Disturbance far = pull ? Disturbance{DisturbanceKind::offset, far_pull * std::abs(V0) / std::abs(s)}
-                                         : Disturbance{DisturbanceKind::start, rests ? 0 : near_rest_share};
-            if (!disturb_loop(loop, joint, far)) continue;
-            large = follow_loop(loop, steady, origin, options);
-            if (large.kind != LoopEnd::Kind::steady) break;
-        }
-        if (large.kind == LoopEnd::Kind::steady) verdict.region = LoopRegion::stable;
-        if (large.oscillates()) verdict.region = LoopRegion::bistable, verdict.cycle = large;
-        if (verdict.region == LoopRegion::undecided) {
-            verdict.reason = large.reason;
-            verdict.explanation = "a larger disturbance could not be followed to its end";
-        }
+void LoopInquiry::ended(const LoopEnd& end)
+{
+    follower_.reset();
+    if (phase_ == Phase::stated) {
+        verdict_.stated = end;
+        return judge_stated();
     }
-    return verdict;
+    // a pull of the spring where a start from near rest comes back
+    if (end.kind == LoopEnd::Kind::steady && phase_ == Phase::from_rest && begin_search(Phase::pulled)) return;
+    judge_search(end);
+}
+
+void LoopInquiry::judge_stated()
+{
+    const auto& stated = verdict_.stated;
+    verdict_.reason = stated.reason;
+    verdict_.cycle = stated;
+    if (stated.reason == Reason::not_converged) verdict_.explanation = tired;
+    const double deflection = std::abs(steady_sliding(joint_).deflection);
+    verdict_.overshoot = std::fmax(0, stated.first_peak) / deflection;
+    if (!follow_.steady_attracts) {
+        verdict_.region = LoopRegion::stick_slip;
+    } else if (stated.oscillates()) {
+        verdict_.region = LoopRegion::bistable;
+    } else if (question_.region) {
+        verdict_.searched_from = "a start from near rest; a pull of the spring by 3 V_0/|s|";
+        if (!begin_search(Phase::from_rest) && !begin_search(Phase::pulled)) judge_search({});
+    }
+}
+
+/// False where the loop has no such start.
+bool LoopInquiry::begin_search(Phase phase)
+{
+    const bool rests = loop_->motion.joint.anything_can_rest();
+    const double pull = far_pull * std::abs(commanded_velocity(joint_)) / std::abs(mode_.rate());
+    const Disturbance far = phase == Phase::pulled ? Disturbance{DisturbanceKind::offset, pull}
+                                                   : Disturbance{DisturbanceKind::start, rests ? 0 : near_rest_share};
+    if (!disturb_loop(*loop_, joint_, far)) return false;
+    follow(phase);
+    return true;
+}
+
+void LoopInquiry::judge_search(const LoopEnd& large)
+{
+    if (large.kind == LoopEnd::Kind::steady) verdict_.region = LoopRegion::stable;
+    if (large.oscillates()) verdict_.region = LoopRegion::bistable, verdict_.cycle = large;
+    if (verdict_.region != LoopRegion::undecided) return;
+    verdict_.reason = large.reason;
+    verdict_.explanation = "a larger disturbance could not be followed to its end";
+}
+
+LoopVerdict loop_verdict(const Joint& joint, const LoopQuestion& question)
+{
+    LoopInquiry inquiry(joint, question);
+    while (inquiry.open()) {
+        auto& loop = inquiry.loop();
+        auto& follower = inquiry.follower();
+        const auto watch = [&follower](const DrivenStep& s) { follower.watch(s); };
+        std::optional<LoopEnd> end;
+        while (!end) end = follower.after_tick(loop.tick(0, loop.reference_velocity(), 0, watch));
+        inquiry.ended(*end);
+    }
+    return inquiry.verdict();
 }
 
 }  // namespace stickslip

@@ -31,6 +31,46 @@ struct LoopVerdict {
 /// Whether a joint's file describes a loop other than the ideal one, which continuous equations of motion cover.
 bool has_real_loop(const Joint& joint);
 
+/// What tells the growth of small disturbances: their motion, or the theory of the linear loop, which is exact there.
+enum class GrowthBy : std::uint8_t { motion, theory };
+
+/// The motions that a verdict takes, one after another, for whoever moves the loop.
+class LoopInquiry {
+  public:
+    LoopInquiry(const Joint& joint, const LoopQuestion& question, GrowthBy by = GrowthBy::motion);
+    LoopInquiry(const LoopInquiry&) = delete;
+    LoopInquiry& operator=(const LoopInquiry&) = delete;
+
+    /// Whether a motion is to be followed: that of loop(), from where it is.
+    bool open() const { return follower_.has_value(); }
+    SampledLoop& loop() { return *loop_; }
+    double origin() const { return origin_; }  ///< position of the link in steady sliding
+    LoopFollower& follower() { return *follower_; }
+    /// How it ended; the next one may be open then.
+    void ended(const LoopEnd& end);
+    const LoopVerdict& verdict() const { return verdict_; }
+
+  private:
+    enum class Phase : std::uint8_t { stated, from_rest, pulled };
+    bool find_mode(const Joint& asked, double frame, GrowthBy by);
+    void begin_stated();
+    void judge_stated();
+    bool begin_search(Phase phase);
+    void judge_search(const LoopEnd& large);
+    void follow(Phase phase);
+
+    Joint joint_;  ///< with the gains that act
+    LoopQuestion question_;
+    LoopFollowOptions follow_;
+    LoopMode mode_;
+    LoopVerdict verdict_;
+    std::optional<SampledLoop> loop_;
+    std::optional<LoopFollower> follower_;
+    std::vector<double> steady_;
+    double origin_ = 0;
+    Phase phase_ = Phase::stated;
+};
+
 LoopVerdict loop_verdict(const Joint& joint, const LoopQuestion& question);
 
 }  // namespace stickslip

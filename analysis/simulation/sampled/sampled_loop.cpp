@@ -133,7 +133,10 @@ double SampledLoop::read()
 void SampledLoop::ask(double reference, double rate, double added)
 {
     const auto& j = motion.joint;
-    const double exact = joint_.sensor.position_scale * j.reading_ratio() * j.velocity(motion.y.data(), j.measured());
+    const bool exact_known = options_.readings || controller_.reads_velocity();
+    const double exact =
+        exact_known ? joint_.sensor.position_scale * j.reading_ratio() * j.velocity(motion.y.data(), j.measured())
+                    : missing;
     readings_.position = read();
     controller_.read(readings_.position, period_, exact);
     controller_.set_path(frame_reading_ * time());
@@ -143,7 +146,7 @@ void SampledLoop::ask(double reference, double rate, double added)
     motion.enter();
     readings_.velocity = controller_.state.velocity;
     readings_.command = line_.back();
-    if (reading_part_ == 0) readings_.effort = measured_effort();
+    if (options_.readings && reading_part_ == 0) readings_.effort = measured_effort();
 }
 
 double SampledLoop::measured_effort()
@@ -151,6 +154,22 @@ double SampledLoop::measured_effort()
     const double effort = motion.joint.effort(motion.y.data());
     const bool noisy = options_.seed != 0 && !options_.ideal_encoder;
     return noisy ? effort + joint_.sensor.effort_noise * noise_() : effort;
+}
+
+double SampledLoop::open_tick()
+{
+    ask(0, frame_reading_, 0);
+    in_late_part_ = late_part_ > 0;
+    return in_late_part_ ? late_part_ * period_ : period_;
+}
+
+double SampledLoop::next_piece()
+{
+    if (!in_late_part_) return ++ticks_, 0;
+    in_late_part_ = false;
+    motion.joint.arriving = line_[1];
+    motion.enter();
+    return period_ - late_part_ * period_;
 }
 
 std::vector<double> SampledLoop::state() const

@@ -14,6 +14,7 @@ struct LoopOptions {
     std::uint64_t seed = 0;      ///< of the noise; 0: none
     double tick = missing;       ///< s, of a continuous loop; not set: tick_of()
     bool ideal_encoder = false;  ///< leaves out quantum and noise, which leave no steady state
+    bool readings = true;        ///< of velocity and effort, for records; off: those that the controller needs
 };
 
 /// The period of the loop; of a continuous one, ticks short enough beside all that it does.
@@ -51,6 +52,11 @@ class SampledLoop {
     {
         return tick(0, frame_reading_, 0, [](const DrivenStep&) {});
     }
+
+    /// A tick in pieces, for who moves `motion` himself: asks the controller, and the length of the first piece, over
+    /// which what arrives is held; then that of the next, 0 where the tick is over.
+    double open_tick();
+    double next_piece();
 
     /// Everything that the next ticks depend on, as one vector: mechanism, controller, commands on their way.
     std::vector<double> state() const;
@@ -95,6 +101,7 @@ class SampledLoop {
     double late_part_ = 0;      ///< of the tick, in which the command before the oldest still holds
     long ticks_late_ = 0;
     double reading_part_ = 0;  ///< of the tick by which readings are late beyond whole ones
+    bool in_late_part_ = false;
     long ticks_ = 0;
     double steady_command_ = missing;
     TickReadings readings_;

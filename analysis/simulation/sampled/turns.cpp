@@ -70,16 +70,20 @@ void TurnWatch::operator()(const DrivenStep& s)
     if ((v0 - V0_) * (v1 - V0_) > 0 || v1 == V0_) return visit(v1, y1[link]);
     const double part = v0 == V0_ ? 0 : crossing(s, V0_, v0, v1);
     s.step.dense(part, y.data());
-    visit(V0_, y[link]);  // where the position turns
-    if (sign * (v1 - v0) < 0) {
-        now_.t1 = s.t + part * h;
-        if (begun_) done_ = now_, has_done_ = true;
-        begun_ = true;
-        now_ = {};
-        now_.t0 = s.t + part * h;
-        visit(V0_, y[link]);
-    }
+    pass(s.t + part * h, y[link], sign * (v1 - v0) < 0);
     visit(v1, y1[link]);
+}
+
+void TurnWatch::pass(double t, double position, bool downwards)
+{
+    visit(V0_, position);  // where the position turns
+    if (!downwards) return;
+    now_.t1 = t;
+    if (begun_) done_ = now_, has_done_ = true;
+    begun_ = true;
+    now_ = {};
+    now_.t0 = t;
+    visit(V0_, position);
 }
 
 bool TurnWatch::take(LoopTurn& turn)

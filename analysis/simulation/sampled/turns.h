@@ -23,6 +23,12 @@ class TurnWatch {
     TurnWatch(double V0, double origin) : V0_(V0), origin_(origin) {}
 
     void operator()(const DrivenStep& step);
+    /// The same in parts, from who finds events himself: a place of the motion that may be an extremum, the passage of
+    /// V_0 at a position, time at rest, motion backwards.
+    void visit(double velocity, double position);
+    void pass(double t, double position, bool downwards);
+    void rest(double duration) { now_.rest_time += duration; }
+    void reverse() { now_.reversed = true; }
     /// The turn that the last crossing ended, once.
     bool take(LoopTurn& turn);
     /// Since the last crossing, or since reset().
@@ -30,7 +36,6 @@ class TurnWatch {
     void reset(double t);
 
   private:
-    void visit(double velocity, double position);
     double crossing(const DrivenStep& step, double level, double from, double to) const;
 
     double V0_, origin_;

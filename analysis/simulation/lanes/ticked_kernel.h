@@ -38,27 +38,12 @@ class TickedKernel {
         const P error = scaled_error(s);
         const M accepted = (error <= P(1.0)) & active_;
         const P w0 = y_[1], w1 = s.end.w, near(near_rest_logarithm), zero(0.0);
-        P X_dense[3], w_dense[3];
-        for (int r = 0; r < 3; ++r) dense(s, r, X_dense[r], w_dense[r]);
-        const P rise = w1 - w0, at_start = rise + w_dense[0];
-        const P at_end = rise - (w_dense[0] + w_dense[1] + w_dense[2]);
+        const P rise = w1 - w0, at_start = rise + weighted(s, 1, dense_at_start);
+        const P at_end = rise - weighted(s, 1, dense_at_end);
         const M slow0 = w0 <= near, slow1 = w1 <= near, above0 = zero < w0, above1 = zero < w1;
         const M events = accepted & ((at_start * at_end < zero) | (slow0 ^ slow1) | (above0 ^ above1));
         const M quiet = accepted & ~events;
-        if (any(events)) {
-            for (int i = 0; i < lanes; ++i) {
-                if (!events[i]) continue;
-                programs_[i].event({t_[i],
-                                    h[i],
-                                    y_[0][i],
-                                    part(s.end, 0)[i],
-                                    {X_dense[0][i], X_dense[1][i], X_dense[2][i]},
-                                    w0[i],
-                                    w1[i],
-                                    {w_dense[0][i], w_dense[1][i], w_dense[2][i]}},
-                                   passed(i));
-            }
-        }
+        if (any(events)) tell(events, h, s);
         rest_ = select(events, zero, select(quiet & slow0 & slow1, rest_ + h, rest_));
         w_low_ = select(events, w1, select(quiet, min(w_low_, w1), w_low_));
         w_high_ = select(events, w1, select(quiet, max(w_high_, w1), w_high_));
@@ -78,13 +63,36 @@ class TickedKernel {
         }
     }
 
-    /// k_r of the dense output, of X and w.
-    [[gnu::always_inline]] static void dense(const Step& s, int r, P& X, P& w)
+    /// What the slopes of the dense output take at the start and at the end of a step: k_0, k_0 + k_1 + k_2.
+    static constexpr rodas5p::Row dense_at_start = rodas5p::dense[0], dense_at_end = [] {
+        rodas5p::Row sum{};
+        for (int r = 0; r < 3; ++r)
+            for (int j = 0; j < rodas5p::stages; ++j) sum[j] += rodas5p::dense[r][j];
+        return sum;
+    }();
+
+    [[gnu::always_inline]] static P weighted(const Step& s, int k, const rodas5p::Row& weights)
     {
-        X = P(0.0), w = P(0.0);
-        for (int j = 0; j < rodas5p::stages; ++j) {
-            const P weight(rodas5p::dense[r][j]);
-            X = X + weight * part(s.U[j], 0), w = w + weight * s.U[j].w;
+        P sum(0.0);
+        for (int j = 0; j < rodas5p::stages; ++j) sum = sum + P(weights[j]) * part(s.U[j], k);
+        return sum;
+    }
+
+    void tell(const M& events, const P& h, const Step& s)
+    {
+        P X[3], w[3];
+        for (int r = 0; r < 3; ++r) X[r] = weighted(s, 0, rodas5p::dense[r]), w[r] = weighted(s, 1, rodas5p::dense[r]);
+        for (int i = 0; i < lanes; ++i) {
+            if (!events[i]) continue;
+            const TickedStep step{t_[i],
+                                  h[i],
+                                  y_[0][i],
+                                  part(s.end, 0)[i],
+                                  {X[0][i], X[1][i], X[2][i]},
+                                  y_[1][i],
+                                  s.end.w[i],
+                                  {w[0][i], w[1][i], w[2][i]}};
+            programs_[i].event(step, passed(i));
         }
     }
 
@@ -136,7 +144,6 @@ class TickedKernel {
         auto& g = equations_;
         g.K.set(i, 0), g.per_M.set(i, 1 / joint.M), g.beta.set(i, joint.beta);
         equations_.set_lag(i, joint.lag);
-        rtol_.set(i, joint.rtol);
         first_.set(i, 0.05 * first.length);
         place(i, first);
     }
@@ -145,6 +152,7 @@ class TickedKernel {
     {
         for (int k = 0; k < size; ++k) y_[k].set(i, piece.y[k]);
         equations_.force.set(i, piece.force), equations_.c.set(i, piece.drag);
+        rtol_.set(i, piece.rtol);
         t_.set(i, 0), left_.set(i, piece.length), h_.set(i, first_[i]);
         w_low_.set(i, piece.y[1]), w_high_.set(i, piece.y[1]), rest_.set(i, 0);
         at_first_.set(i, true), tries_.set(i, 0);

@@ -12,6 +12,7 @@
 namespace stickslip::lanes {
 namespace {
 
+constexpr double rough = 1e-5;   ///< tolerance of turns on the way to an end, as of the ideal loop's lanes
 constexpr long told_every = 16;  ///< ticks after which extrema between two turns reach who waits for a turn
 
 }  // namespace
@@ -69,7 +70,6 @@ bool TickedProgram::Lane::start(TickedJoint& joint, TickedPiece& first)
     joint.M = job_.joint->mechanism.inertia * frame_ * frame_ / (length_ * force_unit_);
     joint.beta = law.B[0] / law.A;
     joint.lag = actuator_.lag > 0 ? actuator_.lag * frame_ / length_ : 1;
-    joint.rtol = job_.question->rtol;
     open_tick(first);
     return true;
 }
@@ -102,6 +102,8 @@ void TickedProgram::Lane::fill(double length, TickedPiece& piece)
     piece.force = effort_in_excess(joint.arriving);
     piece.drag = push_of(actuator_, joint.arriving, actuator_.supply_voltage, frame_).drag * frame_ / force_unit_;
     piece.length = length * frame_ / length_;
+    const double rtol = job_.question->rtol;
+    piece.rtol = inquiry_.coarse() ? std::max(rtol, rough) : rtol;
 }
 
 bool TickedProgram::Lane::arrive(const double* y, const TickedPassage& passed, TickedPiece& next)

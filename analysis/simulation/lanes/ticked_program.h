@@ -22,17 +22,17 @@ struct TickedJob {
     bool* answered;
 };
 
-/// The joint of a lane: groups of ticked_model.h, tolerance.
+/// The joint of a lane: groups of ticked_model.h.
 struct TickedJoint {
     double M = 1, beta = 1, lag = 1;
-    double rtol = 1e-8;
 };
 
-/// From here, under this force, for so long; all in the units of the groups.
+/// From here, under this force, for so long, to this tolerance; all in the units of the groups.
 struct TickedPiece {
     double y[4] = {0, 0, 0, 0};
     double force = 0, drag = 0;
     double length = 1;
+    double rtol = 1e-8;
 };
 
 /// What the motion passed since the program was told last.

@@ -6,7 +6,10 @@ namespace stickslip {
 namespace {
 
 constexpr std::size_t block = 16;          ///< turns whose means are compared
+constexpr double turning_into = 0.05;      ///< change of ln amplitude a turn, of a motion on its way to something else
 constexpr std::size_t settling = 4;        ///< turns that a scaled motion gets to find back to its slow manifold
+constexpr std::size_t short_block = 8;     ///< the same of turns that are nearly alike
+constexpr double nearly_alike = 2e-5;      ///< their spread, per amplitude
 constexpr double closed = 2e-6;            ///< change of a mean amplitude, what is still to come included, that is none
 constexpr double small_turn = 1e-2;        ///< of V_0: speeds of a turn that the linear theory describes
 constexpr double smallest_turn = 1e-7;     ///< of V_0: what steady sliding cannot be told from
@@ -108,6 +111,30 @@ bool LoopFollower::decays_linearly() const
     return true;
 }
 
+/// The newest turns are so much alike that short blocks tell the change a turn as well as long ones.
+bool LoopFollower::repeats_evenly() const
+{
+    if (turns_.size() < skip_ + 2 * short_block) return false;
+    if (speed_of(turns_.back(), V0_) < small_turn && options_.steady_attracts) return false;
+    const Means both = means(turns_, 0, 2 * short_block);
+    if (!(both.spread < nearly_alike)) return false;
+    const double now = means(turns_, 0, short_block).amplitude;
+    const double before = means(turns_, short_block, short_block).amplitude;
+    return std::abs(std::log(now / before)) < closed * static_cast<double>(short_block) / static_cast<double>(block);
+}
+
+/// Of ln amplitude over the newest turn.
+double LoopFollower::last_growth() const
+{
+    const auto n = turns_.size();
+    return n < 2 ? missing : std::log(turns_[n - 1].amplitude() / turns_[n - 2].amplitude());
+}
+
+bool LoopFollower::on_its_way() const
+{
+    return !options_.uneven && (turns_.size() < 2 ? all_turns_ < 2 : std::abs(last_growth()) > turning_into);
+}
+
 void LoopFollower::scale_motion(double by)
 {
     auto state = loop_.state();
@@ -146,6 +173,7 @@ std::optional<LoopEnd> LoopFollower::decide()
     const auto& last = turns_.back();
     if (speed_of(last, V0_) < smallest_turn) return ended(LoopEnd::Kind::steady);
     if (decays_linearly()) return ended(LoopEnd::Kind::steady);
+    if (repeats_evenly()) return measured(LoopEnd::Kind::cycle, 2 * short_block);
     if (turns_.size() < skip_ + 2 * block || (turns_.size() - skip_) % block != 0) return {};
     ++blocks_;
     const Means now = means(turns_, 0, block), before = means(turns_, block, block);

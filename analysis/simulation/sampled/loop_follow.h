@@ -59,6 +59,9 @@ class LoopFollower {
     /// After a tick; `moved` is false where it could not be followed. May put the loop into another state, on the way
     /// to a cycle far away.
     std::optional<LoopEnd> after_tick(bool moved);
+    /// The last turn changed so much of the motion that its own errors do not count.
+    bool on_its_way() const;
+    bool has_peak() const { return first_peak_ == first_peak_; }
     /// Extrema of every tick count, not of every turn.
     bool uneven() const { return options_.uneven; }
 
@@ -67,6 +70,8 @@ class LoopFollower {
     std::optional<LoopEnd> after_even_tick();
     std::optional<LoopEnd> after_uneven_tick();
     bool decays_linearly() const;
+    bool repeats_evenly() const;
+    double last_growth() const;
     std::optional<LoopEnd> decide();
     void scale_motion(double by);
     LoopEnd measured(LoopEnd::Kind kind, std::size_t count) const;

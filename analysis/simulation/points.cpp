@@ -1,4 +1,5 @@
 #include "analysis/simulation/points.h"
+#include "analysis/simulation/attractor/loop_answer.h"
 #include "analysis/simulation/lanes/batch.h"
 #include "analysis/simulation/lanes/ticked_batch.h"
 

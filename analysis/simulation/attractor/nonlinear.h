@@ -10,9 +10,6 @@
 
 namespace stickslip {
 
-struct LoopQuestion;
-struct LoopVerdict;
-
 enum class NonlinearRegion : std::uint8_t { undecided, stable, bistable, stick_slip };
 enum class Criticality : std::uint8_t { none, supercritical, subcritical, degenerate };
 
@@ -56,10 +53,6 @@ struct NonlinearVerdict {
 /// reason (no velocity, linear_only, unsupported, …); exceptions never. Safe to call from many threads. Of friction
 /// that answers late, stability and folds of the cycles are not computed.
 NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& options);
-
-/// What these options ask of a loop that is followed tick by tick (loop_verdict.h), and its answer in the terms above.
-LoopQuestion loop_question(const NonlinearOptions& options);
-NonlinearVerdict verdict_of(const LoopVerdict& found, const NonlinearOptions& options);
 
 /// Writes a verdict into the nonlinear fields of a row whose linear fields stand; a bistable joint changes its region.
 void write_nonlinear(const NonlinearVerdict& verdict, PointResult& point);

@@ -1,6 +1,7 @@
 #include "analysis/diagnosis/audit/audit_terms.h"
 
 #include "analysis/diagnosis/audit/command_terms.h"
+#include "analysis/joint/gains.h"
 #include "analysis/numerics/line_search.h"
 
 namespace stickslip::gap {
@@ -69,6 +70,34 @@ Changed best_zone(const std::vector<Case>& cases, double limit, double largest_e
     const double refined = least_between(low, high, [&](double zone) { return judged(zone).fit.misfit; });
     const auto at = judged(refined);
     return at.fit.misfit < best.fit.misfit ? at : best;
+}
+
+void set_filter(std::vector<Case>& cases, double tau)
+{
+    for (auto& c : cases) c.joint.control.velocity_estimate.tau = tau;
+}
+
+/// A filter of the velocity that is not the documented one, where it, with at most one other change, leaves less than
+/// half of what that change leaves alone. Corrected in the cases.
+void find_filter(std::vector<Case>& cases, double limit, Audit& result)
+{
+    const Control& documented = cases[0].joint.control;
+    const double tau = documented.velocity_estimate.tau, zone = documented.dead_zone, tick = cases[0].ticks.step[0];
+    const auto misfit = [&](double at) {
+        set_filter(cases, at);
+        const auto all = command_terms(cases, zone, limit);
+        return std::min(best_set(all, zone, 0).fit.misfit, best_set(all, zone, 1).fit.misfit);
+    };
+    const double before = misfit(tau);
+    double best = 0, least = misfit(0), low = 0, high = tick;
+    for (double at = 0.1 * tick; at < 400 * tick; at *= 1.4)
+        if (const double m = misfit(at); m < least) least = m, best = at, low = at / 1.4, high = at * 1.4;
+    if (const double refined = least_between(low, high, misfit); misfit(refined) < least) best = refined;
+    least = misfit(best);
+    if (!(least < 0.5 * before) || !filters_differently(tau, best, tick)) return set_filter(cases, tau);
+    set_filter(cases, best);
+    result.findings.push_back(
+        {"velocity-filter", "velocity-filter.tau", best, 0, Quantity::time, 1 - std::pow(least / before, 2)});
 }
 
 double largest_error(const std::vector<Case>& cases)
@@ -192,11 +221,20 @@ bool audit_terms(std::vector<Case>& cases, double limit, Audit& result)
     const double before = fit_terms(as_documented, {}).misfit;
     const double with_gains = plain ? fit_terms(as_documented, {k_p_term, k_v_term}).misfit : before;
     if (plain && std::min(before, with_gains) < digits) return false;
+    const bool filtered = gains_of(documented).k_v != 0 && documented.velocity_estimate.form != EstimateForm::exact &&
+                          !result.filter_seen;
+    if (!plain && filtered && before > digits) find_filter(cases, limit, result);
     const Changed changed = fewest_changes(cases, limit);
     const bool believed = changed.fit.misfit < std::min(understood, much_better * with_gains);
     if (plain && (of_plain_gains(changed) || !believed)) return false;
     result.residual_after = changed.fit.misfit;
     result.command_explained = changed.fit.misfit < understood;
+    if (!result.command_explained && changed.fit.misfit > much_better * before) {
+        result.notes.push_back("the documented controller does not reproduce the logged command (misfit " +
+                               std::to_string(before) +
+                               " of its rms), nor does any change of its terms: none is named");
+        return true;
+    }
     const double gain = 1 - std::pow(changed.fit.misfit / before, 2);
     const auto all = command_terms(cases, changed.dead_zone, limit);
     for (const int term : changed.terms) {

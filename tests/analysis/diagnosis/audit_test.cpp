@@ -58,6 +58,31 @@ TEST_CASE("integral action and feed-forward that the document lacks are read off
     CHECK(k_i.findings[0].value == Approx(150).epsilon(1e-3));
     CHECK(with_integral[0].joint.control.k_i == k_i.findings[0].value);
 
+    // where the integral is documented and the filter is not the documented one, that is what is named
+    Machine slower;
+    slower.tau = 0.0051;
+    Record filtered = test::record_of(slower, 1, 4);
+    integral = 0;
+    for (std::size_t k = 0; k < filtered.rows(); ++k) {
+        integral += tick * (filtered.reference_position[k] - filtered.position[k]);
+        filtered.effort_command[k] += 150 * integral;
+    }
+    Joint integrates = test::nominal_joint();
+    integrates.control.k_i = 150;
+    std::vector<Case> with_filter{prepare(filtered, integrates, notes)};
+    const auto filter = audit(with_filter);
+    REQUIRE(filter.findings.size() == 1);
+    CHECK(filter.findings[0].effect == "velocity-filter");
+    CHECK(filter.findings[0].value == Approx(0.0051).epsilon(1e-3));
+    CHECK(filter.command_explained);
+
+    // and where the command is none of a controller of this kind, nothing is named
+    Record strange = filtered;
+    for (std::size_t k = 0; k < strange.rows(); ++k)
+        strange.effort_command[k] = 40 * std::sin(0.7 * plain.time[k] * plain.time[k]);
+    std::vector<Case> with_another{prepare(strange, integrates, notes)};
+    CHECK(audit(with_another).findings.empty());
+
     std::vector<Case> with_feed_forward{prepare(fed, test::nominal_joint(), notes)};
     const auto coulomb = audit(with_feed_forward);
     REQUIRE(coulomb.findings.size() == 1);

@@ -4,6 +4,8 @@
 #include "analysis/joint/gains.h"
 #include "analysis/numerics/line_search.h"
 
+#include <algorithm>
+
 namespace stickslip::gap {
 namespace {
 
@@ -72,32 +74,63 @@ Changed best_zone(const std::vector<Case>& cases, double limit, double largest_e
     return at.fit.misfit < best.fit.misfit ? at : best;
 }
 
-void set_filter(std::vector<Case>& cases, double tau)
+/// What is left with at most one change of the terms.
+double left_by_one(const std::vector<Case>& cases, double limit)
 {
-    for (auto& c : cases) c.joint.control.velocity_estimate.tau = tau;
+    const double zone = cases[0].joint.control.dead_zone;
+    const auto all = command_terms(cases, zone, limit);
+    return std::min(best_set(all, zone, 0).fit.misfit, best_set(all, zone, 1).fit.misfit);
 }
 
-/// A filter of the velocity that is not the documented one, where it, with at most one other change, leaves less than
-/// half of what that change leaves alone. Corrected in the cases.
-void find_filter(std::vector<Case>& cases, double limit, Audit& result)
+/// Sets a number of the controller, which enters the terms themselves, to what leaves least: `first`, or a value
+/// between `from` and `to`. Back to `documented` where that leaves more than half of what the documented one does.
+/// Gives the value, and the part of the squares that it takes.
+template <class Set>
+std::pair<double, double> best_number(std::vector<Case>& cases, double limit, double documented, double first,
+                                      std::pair<double, double> range, const Set& set)
 {
-    const Control& documented = cases[0].joint.control;
-    const double tau = documented.velocity_estimate.tau, zone = documented.dead_zone, tick = cases[0].ticks.step[0];
-    const auto misfit = [&](double at) {
-        set_filter(cases, at);
-        const auto all = command_terms(cases, zone, limit);
-        return std::min(best_set(all, zone, 0).fit.misfit, best_set(all, zone, 1).fit.misfit);
+    constexpr double ratio = 1.4, much_less = 0.5;
+    const auto set_all = [&](double value) {
+        for (auto& c : cases) set(c.joint.control, value);
     };
-    const double before = misfit(tau);
-    double best = 0, least = misfit(0), low = 0, high = tick;
-    for (double at = 0.1 * tick; at < 400 * tick; at *= 1.4)
-        if (const double m = misfit(at); m < least) least = m, best = at, low = at / 1.4, high = at * 1.4;
+    const auto misfit = [&](double value) {
+        set_all(value);
+        return left_by_one(cases, limit);
+    };
+    const double before = misfit(documented);
+    double best = first, least = misfit(first), low = first, high = range.first;
+    for (double value = range.first; value < range.second; value *= ratio)
+        if (const double m = misfit(value); m < least)
+            least = m, best = value, low = value / ratio, high = value * ratio;
     if (const double refined = least_between(low, high, misfit); misfit(refined) < least) best = refined;
     least = misfit(best);
-    if (!(least < 0.5 * before) || !filters_differently(tau, best, tick)) return set_filter(cases, tau);
-    set_filter(cases, best);
-    result.findings.push_back(
-        {"velocity-filter", "velocity-filter.tau", best, 0, Quantity::time, 1 - std::pow(least / before, 2)});
+    if (least < much_less * before) return {best, 1 - std::pow(least / before, 2)};
+    set_all(documented);
+    return {documented, 0};
+}
+
+/// A filter of the velocity that is not the documented one. Corrected in the cases.
+void find_filter(std::vector<Case>& cases, double limit, Audit& result)
+{
+    const double documented = cases[0].joint.control.velocity_estimate.tau, tick = cases[0].ticks.step[0];
+    const auto set = [](Control& c, double tau) { c.velocity_estimate.tau = tau; };
+    const auto [tau, gain] = best_number(cases, limit, documented, 0, {0.1 * tick, 400 * tick}, set);
+    if (gain > 0 && filters_differently(documented, tau, tick))
+        result.findings.push_back({"velocity-filter", "velocity-filter.tau", tau, 0, Quantity::time, gain});
+    else
+        for (auto& c : cases) set(c.joint.control, documented);
+}
+
+/// How fast the reference has to be for a Coulomb feed-forward that the document lacks. Set in the cases.
+void find_coulomb_speed(std::vector<Case>& cases, double limit)
+{
+    double fastest = 0;
+    for (const auto& c : cases)
+        for (const double rate : c.ticks.reference_rate) fastest = std::max(fastest, std::abs(rate));
+    if (!(fastest > 0)) return;
+    const double usual = cases[0].joint.control.feed_forward.coulomb_speed;
+    best_number(cases, limit, usual, usual, {1e-4 * fastest, 2 * fastest},
+                [](Control& c, double speed) { c.feed_forward.coulomb_speed = speed; });
 }
 
 double largest_error(const std::vector<Case>& cases)
@@ -224,8 +257,12 @@ bool audit_terms(std::vector<Case>& cases, double limit, Audit& result)
     const bool filtered = gains_of(documented).k_v != 0 && documented.velocity_estimate.form != EstimateForm::exact &&
                           !result.filter_seen;
     if (!plain && filtered && before > digits) find_filter(cases, limit, result);
+    if (documented.feed_forward.coulomb == 0 && left_by_one(cases, limit) > digits) find_coulomb_speed(cases, limit);
     const Changed changed = fewest_changes(cases, limit);
     const bool believed = changed.fit.misfit < std::min(understood, much_better * with_gains);
+    const bool of_coulomb = std::ranges::count(changed.terms, coulomb_term) > 0;
+    if (!of_coulomb || (plain && !believed))
+        for (auto& c : cases) c.joint.control.feed_forward.coulomb_speed = documented.feed_forward.coulomb_speed;
     if (plain && (of_plain_gains(changed) || !believed)) return false;
     result.residual_after = changed.fit.misfit;
     result.command_explained = changed.fit.misfit < understood;

@@ -88,6 +88,16 @@ TEST_CASE("integral action and feed-forward that the document lacks are read off
     REQUIRE(coulomb.findings.size() == 1);
     CHECK(coulomb.findings[0].parameter == "feed-forward.coulomb");
     CHECK(coulomb.findings[0].value == Approx(0.3).epsilon(1e-3));
+    // whatever the speed at which it has come up
+    Record slowly = plain;
+    for (std::size_t k = 0; k < plain.rows(); ++k)
+        slowly.effort_command[k] += 0.3 * std::tanh(plain.reference_velocity[k] / 0.04);
+    std::vector<Case> with_slow_one{prepare(slowly, test::nominal_joint(), notes)};
+    const auto slow = audit(with_slow_one);
+    REQUIRE(slow.findings.size() == 1);
+    CHECK(slow.findings[0].parameter == "feed-forward.coulomb");
+    CHECK(slow.findings[0].value == Approx(0.3).epsilon(1e-3));
+    CHECK(with_slow_one[0].joint.control.feed_forward.coulomb_speed == Approx(0.04).epsilon(1e-3));
 }
 
 TEST_CASE("wrong gains and a wrong filter are found without a reference, by the noise that comes through them", "[gap]")

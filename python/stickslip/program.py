@@ -7,6 +7,7 @@ import os
 import shutil
 import signal
 import subprocess
+import sys
 from pathlib import Path
 from typing import Any, Sequence
 
@@ -31,12 +32,22 @@ def executable() -> str:
     return found
 
 
+def _environment() -> dict[str, str]:
+    """So that logs which the program hands to Python's readers are read by this Python and this package."""
+    environment = dict(os.environ)
+    package = str(Path(__file__).resolve().parent.parent)
+    for name, place in (("PATH", os.path.dirname(sys.executable)), ("PYTHONPATH", package)):
+        before = environment.get(name)
+        environment[name] = place + (os.pathsep + before if before else "")
+    return environment
+
+
 def run(arguments: Sequence[Any], allowed: Sequence[int] = (DONE, CHECK_FAILED, UNDECIDED)) -> subprocess.CompletedProcess:
     """Runs `stickslip ARGUMENTS` and returns what it printed. Ctrl-C (or the stop button of a notebook) interrupts the
     program, waits for it to keep what it has, and raises KeyboardInterrupt."""
     command = [executable(), *map(str, arguments)]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, encoding="utf-8",
-                               start_new_session=True)
+                               start_new_session=True, env=_environment())
     try:
         out, err = process.communicate()
     except BaseException:

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import json
+import re
 import tempfile
 from contextlib import contextmanager
 from pathlib import Path
@@ -160,6 +161,59 @@ def diagnose(joint: JointLike, records: Mapping[str, Any], directory: str | Path
             return Answer(program.answer_of(command if report else [*command, "--no-report"]))
         except program.StickslipError as error:
             raise program.StickslipError(str(error).replace(temporary + "/", "")) from None
+
+
+def diagnose_robot(robot: str | Path | Mapping[str, JointLike], logs: Any, directory: str | Path | None = None, report: bool = False,
+                   threads: int = 0, joints: Sequence[str] = (), log: Mapping[str, Any] | None = None) -> Answer:
+    """Every joint of a robot from the same logs: robot.json, with what each joint's gap comes from.
+
+    `robot` is a robot.toml, a folder of joint files, or a dict from the joints' names in the logs to joints. `logs` is a file or
+    a list of files: tables with columns such as elbow_position, or whatever read_log reads (`log` has its options: topic, command,
+    time, episode); or a data frame of such columns. A joint that cannot be diagnosed does not stop the others:
+    answer["joints"][i]["status"] is "refused" then, and its "problems" say why. With a `directory` the answers and, with `report`,
+    the pages of robot and joints stay there.
+    """
+    import pandas
+
+    from .records import as_frame
+
+    with tempfile.TemporaryDirectory(prefix="stickslip-") as temporary:
+        if isinstance(robot, Mapping):
+            robot = _robot_file(robot, Path(temporary))
+        given = [logs] if isinstance(logs, (str, Path, Mapping, pandas.DataFrame)) else list(logs)
+        files: list[Any] = []
+        for number, one in enumerate(given):
+            if isinstance(one, (Mapping, pandas.DataFrame)):
+                files.append(Path(temporary) / f"log-{number + 1}.csv")
+                as_frame(f"log {number + 1}", one).to_csv(files[-1], index=False)
+            else:
+                files.append(one)
+        folder = Path(directory) if directory else Path(temporary) / "diagnosis"
+        command: list[Any] = ["diagnose", robot, *files, "--all-joints", "-o", folder, "--threads", threads]
+        for name in joints:
+            command += ["--joint", name]
+        for key, value in (log or {}).items():
+            command += ["--" + key.replace("_", "-"), value]
+        if not report:
+            command.append("--no-report")
+        # 2 may mean that some joints were refused and the others answered; without an answer it is an error
+        run = program.run([*command, "--json"], allowed=(program.DONE, program.BAD_INPUT, program.UNDECIDED))
+        if not run.stdout.strip():
+            raise program.StickslipError(run.stderr.strip().replace(temporary + "/", ""))
+        return Answer(json.loads(run.stdout.replace(temporary + "/", "")))
+
+
+def _robot_file(robot: Mapping[str, JointLike], folder: Path) -> Path:
+    """robot.toml for joints of Python; a name that is no name of a folder is only the one in the logs."""
+    table: dict[str, Any] = {}
+    for number, (name, joint) in enumerate(robot.items()):
+        with _input(joint) as file:
+            own = folder / f"joint-{number + 1}.toml"
+            own.write_text(Path(file).read_text(encoding="utf-8"), encoding="utf-8")
+        table[re.sub(r"[^\w.+-]+", "-", name).lstrip(".")] = {"file": str(own), "name": name}
+    path = folder / "robot.toml"
+    path.write_text(toml_text.dumps({"joints": table}), encoding="utf-8")
+    return path
 
 
 def export(joint: JointLike, to: str, name: str = "joint", settings: Mapping[str, Any] | None = None, **options: Any) -> Answer:

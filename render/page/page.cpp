@@ -1,8 +1,8 @@
 #include "render/drawing/markup.h"
+#include "render/marked_page.h"
 #include "render/page/figure_data.h"
 #include "render/page/html.h"
 #include "render/page/sources.h"
-#include "render/render.h"
 
 #include <algorithm>
 #include <cmath>
@@ -98,7 +98,35 @@ std::string bar(const ShareBar& b)
     return svg + "</svg>";
 }
 
-std::string table(const Table& t)
+/// How many steps of shading there are; the style sheet has a class for each.
+constexpr double shades = 5;
+
+/// The first cell of a row that leads to a page of its own.
+std::string leading_cell(const Table& t, const CellMarks& marks, std::size_t row)
+{
+    const std::string text = html_of_markup(t.rows[row][0]);
+    return "<th scope=\"row\">" +
+           (marks.links[row].empty() ? text : "<a href=\"" + escape(marks.links[row]) + "\">" + text + "</a>") +
+           "</th>";
+}
+
+std::string opening_of_cell(const CellMarks& marks, std::size_t row, std::size_t column)
+{
+    if (marks.shares.empty() || !std::isfinite(marks.shares[row][column])) return "<td>";
+    const double step = std::clamp(std::ceil(shades * marks.shares[row][column]), 1.0, shades);
+    return "<td class=\"share" + std::to_string(std::lround(step)) + "\">";
+}
+
+/// One entry a row, where there are any.
+template <class Entries>
+void check_length(const Table& t, const Entries& entries, const char* what)
+{
+    if (!entries.empty() && entries.size() != t.rows.size())
+        throw std::invalid_argument("table \"" + t.title + "\": " + std::to_string(t.rows.size()) + " rows and " +
+                                    std::to_string(entries.size()) + " " + what);
+}
+
+std::string table(const Table& t, const CellMarks& marks)
 {
     std::string html = "<div class=\"table\" tabindex=\"0\" role=\"region\" aria-label=\"" +
                        escape(plain_text(t.title)) + "\"><table>\n<caption>" + html_of_markup(t.title) +
@@ -106,14 +134,14 @@ std::string table(const Table& t)
     for (const std::string& column : t.columns)
         html += column.empty() ? "<td></td>" : "<th scope=\"col\">" + html_of_markup(column) + "</th>";
     html += "</tr></thead>\n<tbody>\n";
-    if (!t.bars.empty() && t.bars.size() != t.rows.size())
-        throw std::invalid_argument("table \"" + t.title + "\": " + std::to_string(t.rows.size()) + " rows and " +
-                                    std::to_string(t.bars.size()) + " bars");
+    check_length(t, t.bars, "bars");
+    check_length(t, marks.links, "links");
+    check_length(t, marks.shares, "rows of shares");
     for (std::size_t row = 0; row < t.rows.size(); ++row) {
-        html += "<tr>";
-        for (std::size_t column = 0; column < t.rows[row].size(); ++column) {
+        html += marks.links.empty() ? "<tr>" : "<tr>" + leading_cell(t, marks, row);
+        for (std::size_t column = marks.links.empty() ? 0 : 1; column < t.rows[row].size(); ++column) {
             const bool barred = !t.bars.empty() && column == t.bar_column;
-            html += (barred ? "<td class=\"barred\">" + bar(t.bars[row]) : "<td>") +
+            html += (barred ? "<td class=\"barred\">" + bar(t.bars[row]) : opening_of_cell(marks, row, column)) +
                     html_of_markup(t.rows[row][column]) + "</td>";
         }
         html += "</tr>\n";
@@ -213,6 +241,11 @@ std::string contents_line(const std::string& id, const std::string& title)
 
 std::string page(const Report& report, const std::vector<RenderedFigure>& figures)
 {
+    return marked_page(report, figures, {});
+}
+
+std::string marked_page(const Report& report, const std::vector<RenderedFigure>& figures, const TableMarks& marks)
+{
     std::size_t wanted = 0;
     for (const Section& section : report.sections) wanted += section.figures.size();
     if (figures.size() != wanted)
@@ -232,7 +265,10 @@ std::string page(const Report& report, const std::vector<RenderedFigure>& figure
             sections += figure(f, figures[next], static_cast<int>(next) + 1);
             ++next;
         }
-        for (const Table& t : section.tables) sections += table(t);
+        for (const Table& t : section.tables) {
+            const auto marked = marks.find(t.title);
+            sections += table(t, marked == marks.end() ? CellMarks{} : marked->second);
+        }
         sections += "</section>\n";
     }
     if (!report.not_checked.empty()) contents += contents_line("not-checked", "What was not checked");

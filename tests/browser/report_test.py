@@ -56,6 +56,7 @@ class Report(unittest.TestCase):
         cls.diagnose()
         names = ("linear", "nonlinear", "motion", "comparison", "boundary", "design", "gap")
         cls.pages = {name: cls.out / name / "report.html" for name in names}
+        cls.pages["robot"] = cls.out / "robot/robot.html"
         cls.results = netCDF4.Dataset(cls.out / "linear/results.nc")
         cls.browser = Browser()
 
@@ -72,6 +73,15 @@ class Report(unittest.TestCase):
         stickslip("simulate", "arm.toml", "--reference", "arm.csv", "--set", "load.gravity_amplitude=6", "--seed", "3",
                   "-o", "arm", cwd=cls.out)
         stickslip("diagnose", "arm.toml", "arm/record.csv", "-o", "gap", cwd=cls.out)
+        # the same record as that of two joints, of which one file states the weight
+        (cls.out / "joints").mkdir()
+        (cls.out / "joints/elbow.toml").write_text(joint)
+        (cls.out / "joints/shoulder.toml").write_text(joint + "[load]\ngravity_amplitude = 6\n")
+        rows = [row.split(",") for row in (cls.out / "arm/record.csv").read_text().splitlines() if not row.startswith("#")]
+        rows[0] = [name if name == "time" else f"elbow_{name}" for name in rows[0]]
+        names = [name.replace("elbow", "shoulder") for name in rows[0][1:]]
+        (cls.out / "robot.csv").write_text("\n".join(",".join(row + (names if row is rows[0] else row[1:])) for row in rows) + "\n")
+        stickslip("diagnose", "joints", "robot.csv", "--all-joints", "-o", "robot", cwd=cls.out)
 
     @classmethod
     def tearDownClass(cls):
@@ -387,6 +397,16 @@ class Report(unittest.TestCase):
         own = [row for row in rows[1:] if row[0].startswith("the design")]
         self.assertEqual({float(row[3]) for row in own}, {6e4})
         self.assertEqual(len(own), 2 if float(own[0][2]) else 1)
+
+    def test_a_joint_of_a_robot_leads_to_its_page(self):
+        answer = json.loads((self.out / "robot/robot.json").read_text())
+        self.assertEqual([joint["verdict"] for joint in answer["joints"]], ["gap", "no-gap"])
+        for scheme in ("light", "dark"):
+            self.browser.open(self.pages["robot"], scheme=scheme)
+            said = self.browser.run("return document.querySelector('.verdict').textContent").replace("\u00a0", " ")
+            self.assertIn(answer["sentence"], said)
+            self.browser.run("document.querySelector('#causes tbody th a').click()")
+            self.browser.wait("return document.title === 'Sim-to-real gap of elbow'")
 
     def test_the_slider_takes_the_words_of_the_printed_slice_away(self):
         self.browser.open(self.pages["linear"])

@@ -136,3 +136,25 @@ def test_convert_is_a_verb_of_the_program(tmp_path):
     check(stickslip.read_log(tmp_path / "run.csv"))
     done = subprocess.run([*words[:3], str(tmp_path / "run.txt")], capture_output=True, text=True, env=paths)
     assert done.returncode == 2 and "expected a name that ends in .csv" in done.stderr
+
+
+LOOP = {"joint": {"motion": "revolute", "inertia": 0.3}, "control": {"k_p": 400.0, "k_v": 20.0, "period": 0.002, "velocity_estimate": {"form": "backward-difference"}},
+        "friction": {"law": "coulomb-viscous", "coulomb": 1.0, "viscous": 0.3}, "sensor": {"position_noise": 1e-6}}
+
+
+def test_a_robot_from_a_folder_of_sage_and_from_a_frame(tmp_path):
+    """The readers run below the program, in this Python; a joint that the log lacks is named with those it has."""
+    sample.sage(tmp_path / "run")
+    names = sample.NAMES
+    answer = stickslip.diagnose_robot({names[0]: LOOP, "knee": LOOP}, tmp_path / "run", directory=tmp_path / "arm")
+    first, absent = answer["joints"]
+    assert first["status"] == "diagnosed" and first["reasons"], "a short log says too little, and why"
+    own = stickslip.read_answer(tmp_path / "arm" / names[0] / "diagnosis.json")
+    assert own["verdict"] == first["verdict"] and any("angles read as rad" in note for note in own["notes"])
+    assert absent["status"] == "refused" and all(name in absent["problems"][0] for name in names)
+    frame = stickslip.read_log(tmp_path / "run", joint=names[0])
+    frame.columns = [c if c == "time" else f"{names[0]}.{c}" for c in frame.columns]
+    same = stickslip.diagnose_robot({names[0]: LOOP}, frame)
+    assert same["joints"][0]["gap"] == first["gap"]
+    with pytest.raises(StickslipError, match="no joint elbw"):
+        stickslip.diagnose_robot({names[0]: LOOP}, frame, joints=["elbw"])

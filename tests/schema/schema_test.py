@@ -121,5 +121,23 @@ with tempfile.TemporaryDirectory() as folder:
     few = pathlib.Path(folder, "few.csv")
     few.write_text("".join((record / "record.csv").read_text(encoding="utf-8").splitlines(keepends=True)[:50]), encoding="utf-8")
     check("diagnosis", json.loads(stickslip("diagnose", str(loop), str(few), "--no-report", "--json", "-o", str(record))))
+    # a robot: a joint that is diagnosed, one that the log lacks, one whose file is broken
+    arm, log = pathlib.Path(folder, "arm"), pathlib.Path(folder, "log.csv")
+    arm.mkdir()
+    (arm / "elbow.toml").write_text(LOOP, encoding="utf-8")
+    (arm / "base.toml").write_text(LOOP, encoding="utf-8")
+    (arm / "wrist.toml").write_text(LOOP.replace("inertia", "inertai"), encoding="utf-8")
+    rows = (pathlib.Path(folder, "record-0.2") / "record.csv").read_text(encoding="utf-8").splitlines()
+    rows[0] = ",".join(name if name == "time" else "elbow_" + name for name in rows[0].split(","))
+    log.write_text("\n".join(rows) + "\n", encoding="utf-8")
+    robot = json.loads(stickslip("diagnose", str(arm), str(log), "--all-joints", "--no-report", "--json", "-o",
+                                 str(pathlib.Path(folder, "robot")), codes=(2,)))
+    check("robot-diagnosis", robot)
+    for joint in range(len(robot["joints"])):
+        for key in ("name", "status", *(("verdict", "gap") if robot["joints"][joint]["status"] == "diagnosed" else ("problems",))):
+            broken = copy.deepcopy(robot)
+            del broken["joints"][joint][key]
+            schema = json.loads((ROOT / "docs/schema/robot-diagnosis.schema.json").read_text(encoding="utf-8"))
+            assert not jsonschema.Draft202012Validator(schema).is_valid(broken), f"robot-diagnosis: joint {joint} does not miss {key}"
     for joint in (str(pathlib.Path(out, "joint.toml")), "examples/02-ball-screw/spec-with-memory.toml"):
         check("evaluate", json.loads(stickslip("evaluate", joint, "--json")))

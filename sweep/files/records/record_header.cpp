@@ -18,9 +18,8 @@ class HeaderMatcher {
 
     RecordHeader match(std::string_view line)
     {
-        if (line.find(',') == std::string_view::npos)
-            header_.separator = line.find(';') != std::string_view::npos ? ';' : '\t';
-        split_header(line);
+        header_.separator = separator_of(line);
+        names_ = header_names(line, header_.separator);
         double number = 0;
         if (std::all_of(names_.begin(), names_.end(), [&](const auto& name) { return parse_cell(name, number); })) {
             complain("there is no header row, expected are names such as time,reference_position,position");
@@ -42,26 +41,6 @@ class HeaderMatcher {
     void complain(const std::string& text)
     {
         header_.errors.push_back(place_.file + ":" + std::to_string(place_.line) + ":1: " + text);
-    }
-
-    void split_header(std::string_view line)
-    {
-        while (true) {
-            std::string_view cell = trimmed(line);
-            std::size_t length = 0;
-            if (cell.starts_with('"') && cell.find('"', 1) != std::string_view::npos) {
-                line = cell;
-                length = line.find('"', 1) + 1;
-                cell = line.substr(1, length - 2);
-                length = std::min(line.size(), line.find(header_.separator, length));
-            } else {
-                length = std::min(line.size(), line.find(header_.separator));
-                cell = line.substr(0, length);
-            }
-            names_.emplace_back(trimmed(cell));
-            if (length == line.size()) return;
-            line.remove_prefix(length + 1);
-        }
     }
 
     void take_layout_columns()
@@ -94,7 +73,7 @@ class HeaderMatcher {
         std::vector<std::string> ignored, known;
         for (const auto& s : signals()) known.emplace_back(s.name);
         for (std::size_t i = 0; i < names_.size(); ++i) {
-            if (header_.columns[i].signal) continue;
+            if (header_.columns[i].signal || is_of_another(names_[i])) continue;
             const Signal* signal = signal_named(names_[i]);
             if (signal && !is_mapped(signal->name))
                 header_.columns[i].signal = signal;
@@ -122,6 +101,11 @@ class HeaderMatcher {
                       [&](const std::string& k) { return std::find(names_.begin(), names_.end(), k) != names_.end(); });
         std::string hint = did_you_mean(name, known);
         return hint.empty() ? "" : " (" + hint.substr(2) + ")";
+    }
+
+    bool is_of_another(const std::string& name) const
+    {
+        return std::find(rule_.others.begin(), rule_.others.end(), name) != rule_.others.end();
     }
 
     void warn_of_unit_in_name(const std::string& column, const Signal& signal)
@@ -163,6 +147,33 @@ class HeaderMatcher {
 };
 
 }  // namespace
+
+char separator_of(std::string_view line)
+{
+    if (line.find(',') != std::string_view::npos) return ',';
+    return line.find(';') != std::string_view::npos ? ';' : '\t';
+}
+
+std::vector<std::string> header_names(std::string_view line, char separator)
+{
+    std::vector<std::string> names;
+    while (true) {
+        std::string_view cell = trimmed(line);
+        std::size_t length = 0;
+        if (cell.starts_with('"') && cell.find('"', 1) != std::string_view::npos) {
+            line = cell;
+            length = line.find('"', 1) + 1;
+            cell = line.substr(1, length - 2);
+            length = std::min(line.size(), line.find(separator, length));
+        } else {
+            length = std::min(line.size(), line.find(separator));
+            cell = line.substr(0, length);
+        }
+        names.emplace_back(trimmed(cell));
+        if (length == line.size()) return names;
+        line.remove_prefix(length + 1);
+    }
+}
 
 RecordHeader match_header(std::string_view line, const HeaderPlace& place, const RecordLayout::Rule& rule,
                           const Joint& joint)

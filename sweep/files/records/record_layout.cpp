@@ -29,6 +29,7 @@ RecordLayout::Rule RecordLayout::rule_for(const std::string& file_name) const
         for (const auto& column : rule.columns) put(all.columns, column, [](const Column& c) { return c.signal; });
         for (const auto& constant : rule.constants) put(all.constants, constant, first);
         for (const auto& change : rule.overrides) put(all.overrides, change, first);
+        all.others.insert(all.others.end(), rule.others.begin(), rule.others.end());
         if (rule.at_rest_at_start) all.at_rest_at_start = rule.at_rest_at_start;
     }
     return all;
@@ -203,7 +204,8 @@ RecordLayout read_record_layout_text(std::string_view text, const std::string& n
     files::Complaints complaints(name);
     RecordLayout layout;
     const auto* record = root.get("record");
-    const bool joint_file = root.contains("joint") || root.contains("control") || root.contains("friction");
+    const bool joint_file =
+        root.contains("joint") || root.contains("control") || root.contains("friction") || root.contains("joints");
     if (record && !record->is_table())
         complaints.add(files::Place(record->source()), "record",
                        "is " + files::describe(*record) + ", allowed is a table");

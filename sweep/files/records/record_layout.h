@@ -33,6 +33,7 @@ struct RecordLayout {
         std::vector<std::pair<std::string, double>> constants;  ///< signal → value of every row
         std::vector<std::pair<std::string, double>> overrides;  ///< path of the joint → value
         std::optional<bool> at_rest_at_start;
+        std::vector<std::string> others;  ///< columns of other joints: left alone without a word
     };
     std::vector<Rule> rules;  ///< later ones win
 

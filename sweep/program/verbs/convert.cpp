@@ -1,6 +1,8 @@
 // stickslip convert: a record in CSV from a log. The readers are those of the Python package, so that each format is
 // read in one place; this verb finds them.
+#include "sweep/files/records/foreign_log.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/log_options.h"
 #include "sweep/program/verbs/verbs.h"
 
 #include <fmt/format.h>
@@ -16,19 +18,13 @@ namespace stickslip {
 namespace {
 
 struct Options {
-    std::string log, csv, joint, topic, command, time, episode;
+    std::string log, csv, joint;
+    LogOptions how;
 };
 
 int convert(const Options& options)
 {
-    std::vector<std::string> words{"python3", "-m", "stickslip.convert", options.log, options.csv};
-    const std::pair<const char*, const std::string*> named[] = {{"--joint", &options.joint},
-                                                                {"--topic", &options.topic},
-                                                                {"--command", &options.command},
-                                                                {"--time", &options.time},
-                                                                {"--episode", &options.episode}};
-    for (const auto& [name, value] : named)
-        if (!value->empty()) words.insert(words.end(), {name, *value});
+    auto words = conversion_command(options.log, options.csv, options.joint, options.how);
     std::vector<char*> arguments;
     for (auto& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
@@ -49,10 +45,7 @@ void add_convert(CLI::App& app, Invocation& invocation)
     verb->add_option("IN", options->log, "log, or folder of SAGE")->required();
     verb->add_option("OUT", options->csv, "record to write, .csv or .csv.gz")->required();
     verb->add_option("--joint", options->joint, "name of the joint, where the log has several");
-    verb->add_option("--topic", options->topic, "ROS: topic of the joint states");
-    verb->add_option("--command", options->command, "ROS: topic of the commands");
-    verb->add_option("--time", options->time, "arrays: which one is the time");
-    verb->add_option("--episode", options->episode, "LeRobot: which episode");
+    add_log_options(*verb, options->how);
     verb->footer(
         "Example: stickslip convert run.mcap run.csv --joint elbow --command /position_commands\n"
         "Needs the Python package of stickslip (python3 -m stickslip.convert is the same).");

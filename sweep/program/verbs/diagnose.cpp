@@ -1,16 +1,17 @@
 // stickslip diagnose: where the sim-to-real gap of a joint lies, what causes it, how far it shrinks.
 #include "analysis/diagnosis/diagnose.h"
-#include "analysis/diagnosis/rig/rig.h"
-#include "analysis/joint/parameters.h"
 #include "sweep/engine/build.h"
 #include "sweep/files/json/diagnosis_json.h"
+#include "sweep/files/records/joint_log.h"
 #include "sweep/files/records/outcome_file.h"
-#include "sweep/files/records/record_file.h"
+#include "sweep/files/robots/robot_joints.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/whole_file.h"
-#include "sweep/files/toml/changed_lines.h"
 #include "sweep/files/toml/joint_file.h"
+#include "sweep/program/verbs/diagnose_joint.h"
+#include "sweep/program/verbs/diagnose_robot.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/log_options.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/verbs.h"
@@ -19,8 +20,6 @@
 #include "sweep/report/pages/write_report.h"
 #include "sweep/words/diagnosis_tables.h"
 #include "sweep/words/diagnosis_text.h"
-#include "sweep/words/loop_text.h"
-#include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
 #include <optional>
@@ -35,18 +34,11 @@ namespace {
 
 struct Options {
     std::string joint, directory = "diagnosis";
-    std::vector<std::string> records;
+    std::vector<std::string> records, names;
+    LogOptions how;
     int threads = 0;
-    bool json = false, no_report = false;
+    bool json = false, no_report = false, all_joints = false;
 };
-
-void write_experiment(const std::filesystem::path& file, const NextExperiment& experiment)
-{
-    std::string text = "time,reference_position\n";
-    for (std::size_t k = 0; k < experiment.time.size(); ++k)
-        text += fmt::format("{},{}\n", experiment.time[k], experiment.reference[k]);
-    write_whole(file, text);
-}
 
 /// The settings that would tell two laws apart, in the columns of the table.
 void write_next_outcome(const std::filesystem::path& file, const gap::OutcomeAnswer& answer)
@@ -57,23 +49,6 @@ void write_next_outcome(const std::filesystem::path& file, const gap::OutcomeAns
         row += fmt::format("{},", answer.next.settings[k]);
     }
     write_whole(file, header + "outcome\n" + row + "\n");
-}
-
-/// The folder of the answer, tried before the work and not after it.
-std::filesystem::path output_folder(const Options& options)
-{
-    if (options.directory.empty()) throw BadInput("--output: is empty, allowed is a folder");
-    const std::filesystem::path probe = std::filesystem::path(options.directory) / "diagnosis.json.probe";
-    write_whole(probe, "");
-    std::filesystem::remove(probe);
-    return options.directory;
-}
-
-/// What an earlier answer left there would contradict this one.
-void remove_earlier(const std::filesystem::path& directory)
-{
-    for (const char* name : {"report.html", "next-experiment.csv", "next-outcome.csv", "corrected-joint.toml"})
-        std::filesystem::remove(directory / name);
 }
 
 /// The same file twice would be held out of a fit to itself.
@@ -92,59 +67,21 @@ void name_by_path(RecordReading& reading, const std::string& file, const std::ve
 {
     const std::string name = reading.record.name;
     const auto same = [&](const std::string& other) { return std::filesystem::path(other).filename() == name; };
-    if (std::count_if(files.begin(), files.end(), same) < 2) return;
-    reading.record.name = file;
-    for (auto* texts : {&reading.warnings, &reading.contradictions})
-        for (auto& text : *texts)
-            if (text.starts_with(name + ":")) text.replace(0, name.size(), file);
+    if (std::count_if(files.begin(), files.end(), same) >= 2) rename_record(reading, file);
 }
 
-/// Signals that the simulation is driven by or compared with.
-bool needs_every_value(const std::string& signal)
+/// The records of one joint in a file: itself, or those of the joint that --joint names in a log of several.
+std::vector<RecordReading> readings_of(const std::string& file, const Options& options, const Joint& joint)
 {
-    for (const char* other : {"temperature", "torque_enable", "link_position", "normal_load"})
-        if (signal == other) return false;
-    return true;
-}
-
-/// What the caller is told: INTERFACE of `diagnose`.
-int exit_code_of(const Diagnosis& d, bool contradicted)
-{
-    if (contradicted) return exit_bad_input;
-    if (d.interrupted) return exit_interrupted;
-    return d.verdict == Verdict::insufficient_data ? exit_insufficient : exit_done;
-}
-
-/// The same tasks, until somebody asks to stop: those not yet begun are then left out, and Interrupted is thrown.
-ParallelFor until_interrupted(const std::atomic<bool>& interrupted, ParallelFor run)
-{
-    return [&interrupted, run = std::move(run)](std::size_t n, const std::function<void(std::size_t)>& task) {
-        run(n, [&](std::size_t i) {
-            if (!interrupted) task(i);
-        });
-        if (interrupted) throw gap::Interrupted();
-    };
-}
-
-/// The joint with everything that was found in it, as the program reads joints; empty where nothing was named.
-std::string corrected_joint(const Diagnosis& d, const Joint& joint, const Joint& after)
-{
-    if (d.verdict != Verdict::gap || d.effects.empty() || joint_text(after) == joint_text(joint)) return "";
-    std::string head = "# The documented joint with what the diagnosis found:";
-    for (const auto& name : d.effects.front().names) head += " " + name;
-    for (const auto& [name, value, error, unit] : d.effects.front().parameters)
-        head += fmt::format("\n#   {} = {:.6g}{} {}", name, value,
-                            std::isfinite(error) ? fmt::format(" +- {:.2g}", error) : "", unit == "1" ? "" : unit);
-    return head + "\n" + joint_text(after);
-}
-
-/// What the page offers to take along.
-std::vector<Snippet> corrections(const std::string& corrected, const Joint& joint, const Joint& after)
-{
-    if (corrected.empty()) return {};
-    return {{"To put into the joint file: what the diagnosis changes in it, documented values behind #",
-             changed_lines(joint_text(joint), joint_text(after)), ""},
-            {"The whole corrected joint file", corrected, "corrected-joint.toml"}};
+    if (options.names.empty() && !is_foreign_log(file)) {
+        std::vector<RecordReading> one;
+        one.push_back(read_record(file, joint, record_layout_for(file, options.joint, joint)));
+        return one;
+    }
+    auto log = read_joint_log(file, {options.names.empty() ? "" : options.names.front(), options.joint, {}}, joint,
+                              options.how);
+    if (log.records.empty()) throw BadInput(log.absent);
+    return std::move(log.records);
 }
 
 /// A table of measured outcomes in place of records.
@@ -152,7 +89,7 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
 {
     std::vector<std::string> warnings;
     const auto table = read_outcomes(options.records.front(), joint, warnings);
-    const auto directory = output_folder(options);
+    const auto directory = answer_folder(options.directory);
     std::optional<gap::OutcomeAnswer> found;
     try {
         StageLine line;
@@ -196,71 +133,47 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
 
 int diagnose(const Options& options, const Invocation& invocation)
 {
+    if (options.all_joints || is_robot(options.joint)) {
+        if (!options.all_joints && options.names.empty())
+            throw BadInput(options.joint + ": has several joints, expected is --all-joints, or --joint NAME");
+        refuse_twice(options.records);
+        return diagnose_robot({options.joint, options.directory, options.records, options.names, options.how,
+                               options.threads, options.json, options.no_report},
+                              invocation);
+    }
+    if (options.names.size() > 1)
+        throw BadInput("--joint: names " + std::to_string(options.names.size()) + " joints, but " + options.joint +
+                       " is the file of one");
     const Joint joint = read_joint(options.joint);
     const ThreadLimit limit(options.threads);
     for (const auto& file : options.records) {
-        if (!is_outcome_file(file)) continue;
+        if (is_foreign_log(file) || !is_outcome_file(file)) continue;
         if (options.records.size() > 1)
             throw BadInput(file + ": is a table of outcomes; it is diagnosed alone, without records or other tables");
         return diagnose_outcomes(options, joint, invocation);
     }
     refuse_twice(options.records);
-    std::vector<Record> records;
-    std::vector<std::string> warnings, contradictions, gaps;
-    for (const auto& file : options.records) {
-        auto reading = read_record(file, joint, record_layout_for(file, options.joint, joint));
-        name_by_path(reading, file, options.records);
-        records.push_back(std::move(reading.record));
-        warnings.insert(warnings.end(), reading.warnings.begin(), reading.warnings.end());
-        contradictions.insert(contradictions.end(), reading.contradictions.begin(), reading.contradictions.end());
-        for (const auto& [signal, place] : reading.missing)
-            if (needs_every_value(signal))
-                gaps.push_back(place + "; the diagnosis needs every value, leave such rows away");
-    }
-    if (!gaps.empty()) throw BadInput(gaps);
-    const auto directory = output_folder(options);
-    gap::DiagnosisOptions settings;
-    auto result = [&] {
-        // a cause fitted to records in another unit would be named with confidence, and wrong
-        if (!contradictions.empty()) {
-            gap::DiagnosisResult refused{{}, joint};
-            refused.diagnosis.motion = joint.mechanism.motion;
-            for (const auto& text : contradictions)
-                refused.diagnosis.reasons.push_back({text, Note::Code::contradiction});
-            return refused;
+    GatheredRecords given;
+    for (const auto& file : options.records)
+        for (auto& reading : readings_of(file, options, joint)) {
+            name_by_path(reading, file, options.records);
+            given.add(std::move(reading));
         }
+    const auto directory = answer_folder(options.directory);
+    const auto found = [&] {
         StageLine line;
-        settings.progress = line.listener();
-        try {
-            return gap::diagnose(joint, records,
-                                 until_interrupted(invocation.interrupted, line.counted(parallel_for_each)), settings);
-        } catch (const std::invalid_argument& e) {
-            throw BadInput(e.what());
-        }
+        return diagnose_joint(joint, given, invocation, line);
     }();
-    Diagnosis& d = result.diagnosis;
-    d.notes.insert(d.notes.begin(), warnings.begin(), warnings.end());
-    if (const auto side = side_text(joint, true); !side.empty()) d.notes.push_back(plain_text(side));
-
-    remove_earlier(directory);
-    const auto json = diagnosis_json(d, joint, result.after);
-    write_whole(directory / "diagnosis.json", json.dump(2) + "\n");
-    const auto corrected = corrected_joint(d, joint, result.after);
-    if (!corrected.empty()) write_whole(directory / "corrected-joint.toml", corrected);
-    if (!d.next_experiment.reference.empty()) write_experiment(directory / "next-experiment.csv", d.next_experiment);
-    if (!options.no_report)
-        write_report(
-            diagnosis_report(d, joint, result.after, {{"version", program_version()}, {"command", invocation.command}},
-                             corrections(corrected, joint, result.after), gap::is_rig(records.front())),
-            directory);
+    const Diagnosis& d = found.diagnosis;
+    const auto json = write_joint_diagnosis(found, directory, invocation.command, !options.no_report);
     if (options.json) {
-        fmt::print("{}\n", json.dump(2));
-        return exit_code_of(d, !contradictions.empty());
+        fmt::print("{}", json);
+        return exit_code_of(d, found.contradicted);
     }
     fmt::print("{}\n", diagnosis_sentence(d));
     for (const auto& reason : d.reasons) fmt::print("  {}\n", note_text(reason));
-    if (contradictions.empty())
-        for (const auto& warning : warnings) fmt::print("  {}\n", warning);
+    if (!found.contradicted)
+        for (const auto& warning : given.warnings) fmt::print("  {}\n", warning);
     for (const auto& cause : d.effects)
         fmt::print("  {:<44} probability {:.3f}  misfit {:.4g}\n", fmt::format("{}", fmt::join(cause.names, " + ")),
                    cause.probability, cause.misfit);
@@ -268,7 +181,7 @@ int diagnose(const Options& options, const Invocation& invocation)
         for (const auto& value : d.effects[0].values) fmt::print("  {:<44} {}\n", value.name, value_text(value));
     fmt::print("diagnosis: {}\n", (directory / "diagnosis.json").string());
     if (!options.no_report) fmt::print("report:    {}\n", (directory / "report.html").string());
-    return exit_code_of(d, !contradictions.empty());
+    return exit_code_of(d, found.contradicted);
 }
 
 }  // namespace
@@ -278,18 +191,27 @@ void add_diagnose(CLI::App& app, Invocation& invocation)
     auto options = std::make_shared<Options>();
     auto* verb =
         app.add_subcommand("diagnose", "Say where the gap between a joint and its records lies and what causes it");
-    verb->add_option("JOINT", options->joint, "nominal joint, TOML")->required();
-    verb->add_option("RECORD", options->records,
-                     "records, CSV or .csv.gz, SI units unless the [record] table says otherwise; or one table of "
-                     "outcomes: k_p, k_v, V0, outcome (stable | stick-slip), amplitude")
+    verb->add_option("JOINT", options->joint,
+                     "nominal joint, TOML; or robot.toml with [joints], or a folder of joint files")
         ->required();
-    verb->add_option("-o,--output", options->directory, "directory for diagnosis.json and report.html");
+    verb->add_option("RECORD", options->records,
+                     "records, CSV or .csv.gz, SI units unless the [record] table says otherwise, or logs that convert "
+                     "reads; or one table of outcomes: k_p, k_v, V0, outcome (stable | stick-slip), amplitude")
+        ->required();
+    verb->add_flag("--all-joints", options->all_joints, "every joint of a robot, and a page of joints and causes");
+    verb->add_option("--joint", options->names, "name of the joint in logs of several; of a robot: only this one")
+        ->allow_extra_args(false);
+    add_log_options(*verb, options->how);
+    verb->add_option("-o,--output", options->directory,
+                     "directory for diagnosis.json and report.html; of a robot for robot.json, robot.html and a folder "
+                     "for each joint");
     verb->add_option("--threads", options->threads, "threads, 0 for all; the answer does not depend on it");
     verb->add_flag("--json", options->json, "print diagnosis.json");
     verb->add_flag("--no-report", options->no_report, "leave the page away");
     verb->footer(
         "Example: stickslip diagnose joint.toml slow.csv.gz steps.csv.gz -o diagnosis\n"
         "Example: stickslip diagnose joint.toml outcomes.csv -o which-law\n"
+        "Example: stickslip diagnose robot.toml run.mcap --all-joints -o arm\n"
         "Exit codes: 0 answered (gap, no-gap, unknown), 2 bad input (suspected units included), 3 interrupted, 4 too "
         "little "
         "data.");

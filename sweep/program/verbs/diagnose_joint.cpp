@@ -1,0 +1,160 @@
+#include "sweep/program/verbs/diagnose_joint.h"
+
+#include "analysis/diagnosis/diagnose.h"
+#include "analysis/diagnosis/rig/rig.h"
+#include "sweep/engine/build.h"
+#include "sweep/files/json/diagnosis_json.h"
+#include "sweep/files/text/bad_input.h"
+#include "sweep/files/text/whole_file.h"
+#include "sweep/files/toml/changed_lines.h"
+#include "sweep/files/toml/joint_file.h"
+#include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/parallel.h"
+#include "sweep/report/pages/diagnosis_report.h"
+#include "sweep/report/pages/write_report.h"
+#include "sweep/words/loop_text.h"
+#include "sweep/words/verdict_text.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+void write_experiment(const std::filesystem::path& file, const NextExperiment& experiment)
+{
+    std::string text = "time,reference_position\n";
+    for (std::size_t k = 0; k < experiment.time.size(); ++k)
+        text += fmt::format("{},{}\n", experiment.time[k], experiment.reference[k]);
+    write_whole(file, text);
+}
+
+/// Signals that the simulation is driven by or compared with.
+bool needs_every_value(const std::string& signal)
+{
+    for (const char* other : {"temperature", "torque_enable", "link_position", "normal_load"})
+        if (signal == other) return false;
+    return true;
+}
+
+/// The same tasks, until somebody asks to stop: those not yet begun are then left out, and Interrupted is thrown.
+ParallelFor until_interrupted(const std::atomic<bool>& interrupted, ParallelFor run)
+{
+    return [&interrupted, run = std::move(run)](std::size_t n, const std::function<void(std::size_t)>& task) {
+        run(n, [&](std::size_t i) {
+            if (!interrupted) task(i);
+        });
+        if (interrupted) throw gap::Interrupted();
+    };
+}
+
+/// The joint with everything that was found in it, as the program reads joints; empty where nothing was named.
+std::string corrected_joint(const Diagnosis& d, const Joint& joint, const Joint& after)
+{
+    if (d.verdict != Verdict::gap || d.effects.empty() || joint_text(after) == joint_text(joint)) return "";
+    std::string head = "# The documented joint with what the diagnosis found:";
+    for (const auto& name : d.effects.front().names) head += " " + name;
+    for (const auto& [name, value, error, unit] : d.effects.front().parameters)
+        head += fmt::format("\n#   {} = {:.6g}{} {}", name, value,
+                            std::isfinite(error) ? fmt::format(" +- {:.2g}", error) : "", unit == "1" ? "" : unit);
+    return head + "\n" + joint_text(after);
+}
+
+/// What the page offers to take along.
+std::vector<Snippet> corrections(const std::string& corrected, const Joint& joint, const Joint& after)
+{
+    if (corrected.empty()) return {};
+    return {{"To put into the joint file: what the diagnosis changes in it, documented values behind #",
+             changed_lines(joint_text(joint), joint_text(after)), ""},
+            {"The whole corrected joint file", corrected, "corrected-joint.toml"}};
+}
+
+}  // namespace
+
+void GatheredRecords::add(RecordReading reading)
+{
+    records.push_back(std::move(reading.record));
+    warnings.insert(warnings.end(), reading.warnings.begin(), reading.warnings.end());
+    contradictions.insert(contradictions.end(), reading.contradictions.begin(), reading.contradictions.end());
+    for (const auto& [signal, place] : reading.missing)
+        if (needs_every_value(signal))
+            gaps.push_back(place + "; the diagnosis needs every value, leave such rows away");
+}
+
+/// What the caller is told: INTERFACE of `diagnose`.
+int exit_code_of(const Diagnosis& d, bool contradicted)
+{
+    if (contradicted) return exit_bad_input;
+    if (d.interrupted) return exit_interrupted;
+    return d.verdict == Verdict::insufficient_data ? exit_insufficient : exit_done;
+}
+
+/// The folder of the answer, tried before the work and not after it.
+std::filesystem::path answer_folder(const std::string& directory)
+{
+    if (directory.empty()) throw BadInput("--output: is empty, allowed is a folder");
+    const std::filesystem::path probe = std::filesystem::path(directory) / "diagnosis.json.probe";
+    write_whole(probe, "");
+    std::filesystem::remove(probe);
+    return directory;
+}
+
+/// What an earlier answer left there would contradict this one.
+void remove_earlier(const std::filesystem::path& directory)
+{
+    for (const char* name : {"report.html", "next-experiment.csv", "next-outcome.csv", "corrected-joint.toml"})
+        std::filesystem::remove(directory / name);
+}
+
+JointDiagnosis diagnose_joint(const Joint& joint, const GatheredRecords& given, const Invocation& invocation,
+                              StageLine& line, const std::string& about)
+{
+    if (!given.gaps.empty()) throw BadInput(given.gaps);
+    JointDiagnosis found{{}, joint, joint, !given.contradictions.empty(), gap::is_rig(given.records.front())};
+    Diagnosis& d = found.diagnosis;
+    if (found.contradicted) {
+        // a cause fitted to records in another unit would be named with confidence, and wrong
+        d.motion = joint.mechanism.motion;
+        for (const auto& text : given.contradictions) d.reasons.push_back({text, Note::Code::contradiction});
+    } else {
+        gap::DiagnosisOptions settings;
+        settings.progress = [tell = line.listener(), &about](const std::string& stage, double done) {
+            tell(about + stage, done);
+        };
+        try {
+            auto result =
+                gap::diagnose(joint, given.records,
+                              until_interrupted(invocation.interrupted, line.counted(parallel_for_each)), settings);
+            d = std::move(result.diagnosis);
+            found.after = result.after;
+        } catch (const std::invalid_argument& e) {
+            throw BadInput(e.what());
+        }
+    }
+    d.notes.insert(d.notes.begin(), given.warnings.begin(), given.warnings.end());
+    if (const auto side = side_text(joint, true); !side.empty()) d.notes.push_back(plain_text(side));
+    return found;
+}
+
+std::string write_joint_diagnosis(const JointDiagnosis& found, const std::filesystem::path& directory,
+                                  const std::string& command, bool page, const std::string& name)
+{
+    const auto& [d, before, after, contradicted, rig] = found;
+    remove_earlier(directory);
+    const auto json = diagnosis_json(d, before, after).dump(2) + "\n";
+    write_whole(directory / "diagnosis.json", json);
+    const auto corrected = corrected_joint(d, before, after);
+    if (!corrected.empty()) write_whole(directory / "corrected-joint.toml", corrected);
+    if (!d.next_experiment.reference.empty()) write_experiment(directory / "next-experiment.csv", d.next_experiment);
+    if (page) {
+        auto report = diagnosis_report(d, before, after, {{"version", program_version()}, {"command", command}},
+                                       corrections(corrected, before, after), rig);
+        if (!name.empty()) report.title = "Sim-to-real gap of " + name;
+        write_report(report, directory);
+    }
+    return json;
+}
+
+}  // namespace stickslip

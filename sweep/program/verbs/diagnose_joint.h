@@ -1,0 +1,49 @@
+// One joint's diagnosis: from its records to the files of its answer. Shared by the verb for one joint and for a robot.
+#pragma once
+#include "analysis/joint/joint.h"
+#include "analysis/results/diagnosis.h"
+#include "sweep/files/records/record_file.h"
+#include "sweep/program/verbs/stage_line.h"
+#include "sweep/program/verbs/verbs.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace stickslip {
+
+/// Records of one joint, and what reading them said.
+struct GatheredRecords {
+    std::vector<Record> records;
+    std::vector<std::string> warnings, contradictions, gaps;
+
+    void add(RecordReading reading);
+};
+
+struct JointDiagnosis {
+    Diagnosis diagnosis;
+    Joint before, after;
+    bool contradicted = false;  ///< records and joint are in different units: nothing was concluded
+    bool rig = false;           ///< a friction rig, which has no controller
+};
+
+/// Throws BadInput for records with gaps and for those that cannot be read as time series.
+/// `about` is said before each stage.
+JointDiagnosis diagnose_joint(const Joint& joint, const GatheredRecords& records, const Invocation& invocation,
+                              StageLine& line, const std::string& about = "");
+
+/// diagnosis.json, corrected-joint.toml, next-experiment.csv and, where asked for, the page; what an earlier answer
+/// left there goes. `name` is the joint's, for the page, or empty. Returns diagnosis.json as text.
+std::string write_joint_diagnosis(const JointDiagnosis& found, const std::filesystem::path& directory,
+                                  const std::string& command, bool page, const std::string& name = "");
+
+/// What the caller of `diagnose` is told: INTERFACE.
+int exit_code_of(const Diagnosis& d, bool contradicted);
+
+/// The folder of the answer, tried before the work and not after it.
+std::filesystem::path answer_folder(const std::string& directory);
+
+/// What an earlier answer left there would contradict this one.
+void remove_earlier(const std::filesystem::path& directory);
+
+}  // namespace stickslip

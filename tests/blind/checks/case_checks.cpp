@@ -12,10 +12,10 @@ using namespace blind;
 TEST_CASE("the catalogue is the one of the interface", "[blind]")
 {
     const auto& names = effect_names();
-    CHECK(names.size() == 26);
-    CHECK(std::set<std::string>(names.begin(), names.end()).size() == 26);
-    for (const char* name :
-         {"coulomb-level", "frictional-memory", "backlash", "gain-k_v", "supply-sag", "periodic-disturbance"})
+    CHECK(names.size() == 29);
+    CHECK(std::set<std::string>(names.begin(), names.end()).size() == 29);
+    for (const char* name : {"coulomb-level", "frictional-memory", "backlash", "gain-k_v", "supply-sag",
+                             "periodic-disturbance", "gain-k_i", "feed-forward", "dead-zone"})
         CHECK(std::count(names.begin(), names.end(), name) == 1);
 }
 

@@ -68,6 +68,31 @@ TEST_CASE("the logged columns reproduce velocity and command by the stated recur
     }
 }
 
+TEST_CASE("a cascade gives the commands of the sum of gains that it is, until a dead zone parts them", "[blind]")
+{
+    // K_v (K (r − y) + ṙ − v) + K_i Σ T (…): k_p = K_v K + K_i, k_i = K_i K where Σ T v is the way that was read
+    Machine cascade = servo(), sum = servo();
+    cascade.controller.cascade = true;
+    cascade.controller.position_gain = 15, cascade.controller.velocity_gain = 4,
+    cascade.controller.velocity_integral = 10;
+    sum.controller.k_p = 4 * 15 + 10, sum.controller.k_v = 4, sum.controller.k_i = 10 * 15;
+    for (Machine* m : {&cascade, &sum}) m->controller.coulomb = 0.2, m->controller.coulomb_speed = 0.05;
+    const auto e = sine(0.8, 0.7, 3);
+    const auto differ = [&] {
+        const Record a = run_loop(cascade, e, 1), b = run_loop(sum, e, 1);
+        double worst = 0, size = 0;
+        for (std::size_t k = 0; k < a.size(); ++k) {
+            worst = std::max(worst, std::abs(a.command[k] - b.command[k]));
+            size = std::max(size, std::abs(b.command[k]));
+        }
+        return worst / size;
+    };
+    // the sums of the cascade are rectangles of the reference's rate, the other's have its positions
+    CHECK(differ() < 5e-3);
+    cascade.controller.dead_zone = 0.05;
+    CHECK(differ() > 0.1);
+}
+
 TEST_CASE("noise is as large as stated and readings lie on the encoder's grid", "[blind]")
 {
     Machine m = servo();

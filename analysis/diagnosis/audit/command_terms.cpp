@@ -64,7 +64,7 @@ void add_record(CommandTerms& terms, const Case& c, std::size_t record, double d
     for (std::size_t k = 0; k < t.size(); ++k) {
         const bool blind = hole.holds(k);
         if (restart != t.restarts.end() && restart->tick == k)
-            controller.restart(), own_integral = error_integral = 0, ++restart;
+            controller.restart(restart->integral), own_integral = error_integral = 0, ++restart;
         const double step = k == 0 ? t.step[0] : t.step[k - 1];
         controller.read(t.position[k], step, is_set(t.velocity[k]) ? t.velocity[k] : 0);
         if (believed && is_set(t.velocity[k])) controller.believe(t.velocity[k]);

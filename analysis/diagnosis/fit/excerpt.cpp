@@ -1,5 +1,7 @@
 #include "analysis/diagnosis/fit/excerpt.h"
 
+#include "analysis/diagnosis/plant/simulator.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -78,14 +80,16 @@ Ticks cut(const Case& c, const std::vector<Piece>& some)
     out.enabled.clear(), out.logged.clear(), out.jumps.clear();
     const auto m = static_cast<std::size_t>(t.ticks_per_row);
     const auto before = m * static_cast<std::size_t>(std::ceil(run_in / c.row_step));
+    const auto integral = integral_of(c.joint, t);
     std::size_t done = 0;  // first tick that is not yet in
     for (const auto& p : some) {
         const std::size_t from = std::max(done, p.begin > before ? p.begin - before : 0);
         if (from > done) {
-            if (out.time.empty())
-                out.at_rest = false, out.initial_velocity = velocity_at(t, from);
+            const Restart start{out.time.size(), velocity_at(t, from), integral.empty() ? 0 : integral[from]};
+            if (start.tick == 0)
+                out.at_rest = false, out.initial_velocity = start.velocity, out.initial_integral = start.integral;
             else
-                out.restarts.push_back({out.time.size(), velocity_at(t, from)});
+                out.restarts.push_back(start);
         }
         append(out.time, t.time, from, p.end), append(out.step, t.step, from, p.end);
         append(out.reference, t.reference, from, p.end), append(out.reference_rate, t.reference_rate, from, p.end);

@@ -32,8 +32,12 @@ class Controller {
     {
     }
 
-    /// Forgets what it has read.
-    void restart() { loop_.emplace(joint_, 0, gear_); }
+    /// Forgets what it has read, but for the integral that it held.
+    void restart(double integral = 0)
+    {
+        loop_.emplace(joint_, 0, gear_);
+        loop_->state.integral = integral;
+    }
     /// A new reading, one step after the last. `exact` is used where the estimate is the exact velocity.
     void read(double position, double step, double exact)
     {

@@ -289,26 +289,44 @@ std::vector<double> velocity_between_rows(const Ticks& ticks)
     return v;
 }
 
+/// Lets the controller follow the measured motion: take(k) after each tick's command.
+template <class Take>
+void follow_readings(Controller& controller, const Ticks& ticks, Take&& take)
+{
+    controller.restart(ticks.initial_integral);
+    // readings between the rows of a slow log are interpolated: the logged estimate is then the better velocity
+    const auto logged_velocity =
+        ticks.unseen_between() && ticks.has_velocity ? velocity_between_rows(ticks) : std::vector<double>();
+    auto restart = ticks.restarts.begin();
+    for (std::size_t k = 0; k < ticks.size(); ++k) {
+        if (restart != ticks.restarts.end() && restart->tick == k) controller.restart(restart->integral), ++restart;
+        const double exact = is_set(ticks.velocity[k]) ? ticks.velocity[k]
+                             : k == 0                  ? 0
+                                      : (ticks.position[k] - ticks.position[k - 1]) / ticks.step[k - 1];
+        controller.read(ticks.position[k], k == 0 ? ticks.step[0] : ticks.step[k - 1], exact);
+        if (!logged_velocity.empty()) controller.believe(logged_velocity[k]);
+        take(k, controller.command(ticks.reference[k], ticks.reference_rate[k], ticks.added(k)));
+    }
+}
+
 }  // namespace
 
 std::vector<double> command_of(const Plant& plant, const Ticks& ticks)
 {
     std::vector<double> command(ticks.size());
     Controller controller(plant);
-    // readings between the rows of a slow log are interpolated: the logged estimate is then the better velocity
-    const auto logged_velocity =
-        ticks.unseen_between() && ticks.has_velocity ? velocity_between_rows(ticks) : std::vector<double>();
-    auto restart = ticks.restarts.begin();
-    for (std::size_t k = 0; k < ticks.size(); ++k) {
-        if (restart != ticks.restarts.end() && restart->tick == k) controller.restart(), ++restart;
-        const double exact = is_set(ticks.velocity[k]) ? ticks.velocity[k]
-                             : k == 0                  ? 0
-                                      : (ticks.position[k] - ticks.position[k - 1]) / ticks.step[k - 1];
-        controller.read(ticks.position[k], k == 0 ? ticks.step[0] : ticks.step[k - 1], exact);
-        if (!logged_velocity.empty()) controller.believe(logged_velocity[k]);
-        command[k] = controller.command(ticks.reference[k], ticks.reference_rate[k], ticks.added(k));
-    }
+    follow_readings(controller, ticks, [&](std::size_t k, double c) { command[k] = c; });
     return command;
+}
+
+std::vector<double> integral_of(const Joint& joint, const Ticks& ticks)
+{
+    Controller controller(joint);
+    if (!controller.integrates() || !ticks.has_reference) return {};
+    std::vector<double> before(ticks.size() + 1, ticks.initial_integral);
+    follow_readings(controller, ticks, [&](std::size_t k, double) { before[k + 1] = controller.integral(); });
+    before.pop_back();
+    return before;
 }
 
 std::vector<double> known_command(const Plant& plant, const Ticks& ticks)

@@ -22,6 +22,10 @@ Trace closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t seed);
 /// The controller's command from the measured motion: what it would have asked for at each tick.
 std::vector<double> command_of(const Plant& plant, const Ticks& ticks);
 
+/// The integral of this controller's error over the measured motion, before each tick's reading; empty where it keeps
+/// none. It does not depend on the mechanism.
+std::vector<double> integral_of(const Joint& joint, const Ticks& ticks);
+
 /// The command that drives a prediction of this joint: logged where it was logged, else computed by its controller.
 std::vector<double> known_command(const Plant& plant, const Ticks& ticks);
 

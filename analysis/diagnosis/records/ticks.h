@@ -21,6 +21,7 @@ enum class CommandSource {
 struct Restart {
     std::size_t tick = 0;
     double velocity = 0;
+    double integral = 0;  ///< of the controller's error, over what was left out, too
 };
 
 /// Arrays of one length, one entry a tick. Ticks between two rows of a slower log have logged = 0.
@@ -47,6 +48,7 @@ struct Ticks {
     bool has_velocity = false, has_effort = false, has_reference = false;
     bool at_rest = true;
     double initial_velocity = 0;
+    double initial_integral = 0;  ///< of the controller's error: an excerpt begins amid a record
 
     double added(std::size_t k) const { return feed_forward.empty() ? 0 : feed_forward[k]; }  ///< to the command
     /// Whether there are ticks whose readings are only interpolated.

@@ -72,3 +72,33 @@ TEST_CASE("short records stay whole", "[gap]")
     CHECK(some[0].ticks.judged.empty());
     CHECK(some[0].step_factor == 2);
 }
+
+TEST_CASE("an excerpt of a loop that integrates has the integral of the whole record", "[gap]")
+{
+    // a log of every second tick: the commands between its rows are the controller's, and its integral stands in them
+    Joint joint = nominal_joint();
+    joint.control.k_i = 2e4;
+    const Record record = record_of({}, 3, 20);
+    Record slow;
+    for (std::size_t k = 0; k < record.time.size(); k += 2) {
+        slow.time.push_back(record.time[k]);
+        slow.reference_position.push_back(record.reference_position[k]);
+        slow.position.push_back(record.position[k]);
+        slow.effort_command.push_back(record.effort_command[k]);
+    }
+    std::vector<std::string> notes;
+    const Case whole = prepare(slow, joint, notes);
+    REQUIRE(whole.ticks.ticks_per_row == 2);
+    const Ticks part = excerpts({whole}, 50, 8000, 1)[0].ticks;
+    REQUIRE(part.restarts.size() > 1);
+    const Plant plant = flatten(joint);
+    const auto all = command_of(plant, whole.ticks), cut = command_of(plant, part);
+    double difference = 0, size = 0;
+    for (std::size_t k = 0; k < part.size(); ++k) {
+        if (!part.judged[k]) continue;
+        const auto from = static_cast<std::size_t>(std::lround(part.time[k] / 1e-3));
+        difference = std::max(difference, std::abs(cut[k] - all[from]));
+        size = std::max(size, std::abs(all[from]));
+    }
+    CHECK(difference < 1e-3 * size);
+}

@@ -16,6 +16,8 @@ class SeededNoise {
         const double radius = std::sqrt(-2 * std::log(1 - uniform()));
         return radius * std::cos(2 * std::numbers::pi * uniform());
     }
+    /// In [0, 1).
+    double uniform() { return static_cast<double>(scrambled(state_ += step) >> 11) * 0x1.0p-53; }
 
   private:
     static constexpr std::uint64_t step = 0x9E3779B97F4A7C15ull;
@@ -25,7 +27,6 @@ class SeededNoise {
         z = (z ^ (z >> 27)) * 0x94D049BB133111EBull;
         return z ^ (z >> 31);
     }
-    double uniform() { return static_cast<double>(scrambled(state_ += step) >> 11) * 0x1.0p-53; }
     std::uint64_t state_;
 };
 

@@ -55,10 +55,10 @@ class Mechanics {
 
     State state;
 
-    /// Begins at tick k with this velocity.
-    void start(std::size_t k, double velocity, Rest rest = Rest::pressed)
+    /// Begins at tick k with this velocity, this far beyond the reading.
+    void start(std::size_t k, double velocity, Rest rest = Rest::pressed, double beyond = 0)
     {
-        const double q = (ticks_.position[k] - plant_.sensor.position_offset) / plant_.sensor.position_scale;
+        const double q = (ticks_.position[k] + beyond - plant_.sensor.position_offset) / plant_.sensor.position_scale;
         const double v = velocity / plant_.sensor.position_scale;
         state = {};
         state.motor = settled(plant_.motor, std::abs(v));
@@ -255,7 +255,11 @@ Trace closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t seed)
     SeededNoise noise(seed);
     const Sensor& sensor = plant.sensor;
     Mechanics mechanics(plant, ticks, out.command);
-    mechanics.start(0, ticks.initial_velocity, rest_at_start(plant, ticks, known_command(plant, ticks)));
+    // where the joint stands at the start is known to a step of its encoder, and in a loop that hunts across the steps
+    // two starts end far apart
+    const double within_step =
+        seed != 0 && sensor.encoder_quantum > 0 ? sensor.encoder_quantum * (SeededNoise(~seed).uniform() - 0.5) : 0;
+    mechanics.start(0, ticks.initial_velocity, rest_at_start(plant, ticks, known_command(plant, ticks)), within_step);
     Controller controller(plant);
     for (std::size_t k = 0; k < n; ++k) {
         const double q = mechanics.seen_position();

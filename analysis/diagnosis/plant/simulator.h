@@ -15,8 +15,9 @@ struct Trace {
     std::vector<double> true_position, true_velocity;  ///< of the body that the encoder sees, before the encoder
 };
 
-/// The whole loop of INTERFACE §2: encoder (noise, then quantum), velocity recursion, command and hold, dead time → lag
-/// → gain → saturation, mechanism. `seed` 0 gives a run without noise; equal seeds give equal noise.
+/// The whole loop of INTERFACE §2: encoder (noise, then quantum; the start is anywhere within a quantum), velocity
+/// recursion, command and hold, dead time → lag → gain → saturation, mechanism. `seed` 0 gives a run without noise;
+/// equal seeds give equal noise.
 Trace closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t seed);
 
 /// The controller's command from the measured motion: what it would have asked for at each tick.

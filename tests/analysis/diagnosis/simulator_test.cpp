@@ -189,6 +189,30 @@ TEST_CASE("noise of neighbouring seeds is not one sequence, shifted", "[gap]")
         }
 }
 
+TEST_CASE("a simulated joint starts anywhere within a step of its encoder", "[gap]")
+{
+    Joint j = sliding_mass(1, 1, 1);
+    j.sensor.encoder_quantum = 0.01;
+    j.control.k_p = j.control.k_v = 0;
+    Record r = at_ticks(10, 1e-3);
+    r.reference_position.assign(r.rows(), 0);
+    const Ticks ticks = on_clock(r, j);
+    const Plant plant = flatten(j);
+    CHECK(closed_loop(plant, ticks, 0).true_position[0] == ticks.position[0]);
+    double sum = 0, square = 0;
+    constexpr int seeds = 400;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        const Trace run = closed_loop(plant, ticks, seed);
+        const double off = run.true_position[0] - ticks.position[0];
+        REQUIRE(std::abs(off) <= 0.005);
+        REQUIRE(run.position[0] == Approx(ticks.position[0]).margin(1e-12));
+        sum += off, square += off * off;
+    }
+    // uniform: variance of a step over twelve
+    CHECK(std::abs(sum / seeds) < 4 * 0.01 / std::sqrt(12.0 * seeds));
+    CHECK(square / seeds == Approx(1e-4 / 12).epsilon(0.2));
+}
+
 TEST_CASE("two masses with a stiff spring move like one", "[gap]")
 {
     const Joint one = sliding_mass(1, 0.3, 0.5);

@@ -243,6 +243,14 @@ AuditFinding finding_of(int term, const TermFit& fit, bool factor, const Control
     }
 }
 
+/// The rms of an added term over that of the command.
+double part_of_command(const CommandTerms& all, int term, double value)
+{
+    double square = 0;
+    for (const auto& row : all.rows) square += std::pow(value * row.change[static_cast<std::size_t>(term)], 2);
+    return std::sqrt(square / all.square);
+}
+
 }  // namespace
 
 bool audit_terms(std::vector<Case>& cases, double limit, Audit& result)
@@ -277,7 +285,8 @@ bool audit_terms(std::vector<Case>& cases, double limit, Audit& result)
     for (const int term : changed.terms) {
         const auto i = static_cast<std::size_t>(term);
         const bool factor = all.factor[i];
-        if (factor && std::abs(changed.fit.value[i]) < flagged_gain) continue;
+        const double size = factor ? std::abs(changed.fit.value[i]) : part_of_command(all, term, changed.fit.value[i]);
+        if (size < flagged_gain) continue;
         for (auto& c : cases) correct(c.joint.control, term, changed.fit.value[i], factor);
         result.findings.push_back(finding_of(term, changed.fit, factor, cases[0].joint.control, gain));
     }

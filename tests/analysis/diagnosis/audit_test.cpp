@@ -76,6 +76,15 @@ TEST_CASE("integral action and feed-forward that the document lacks are read off
     CHECK(filter.findings[0].value == Approx(0.0051).epsilon(1e-3));
     CHECK(filter.command_explained);
 
+    // a trace of a feed-forward, a thousandth of the command, is found in clean logs and is no finding
+    Joint documented = test::nominal_joint();
+    documented.control.k_i = 150;
+    Record traced = integrating;
+    for (std::size_t k = 0; k < traced.rows(); ++k)
+        traced.effort_command[k] += 2e-3 * std::tanh(plain.reference_velocity[k] / 1e-3);
+    std::vector<Case> with_trace{prepare(traced, documented, notes)};
+    CHECK(audit(with_trace).findings.empty());
+
     // and where the command is none of a controller of this kind, nothing is named
     Record strange = filtered;
     for (std::size_t k = 0; k < strange.rows(); ++k)

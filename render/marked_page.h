@@ -5,8 +5,9 @@
 
 namespace stickslip {
 
-/// As page(), with the marks of the tables of these titles. Throws std::invalid_argument for marks of another length
-/// than their table.
-std::string marked_page(const Report& report, const std::vector<RenderedFigure>& figures, const TableMarks& marks);
+/// As page(), with the marks of the tables of these titles and a link to the page above it. Throws
+/// std::invalid_argument for marks of another length than their table.
+std::string marked_page(const Report& report, const std::vector<RenderedFigure>& figures, const TableMarks& marks,
+                        const PageAbove& above = {});
 
 }  // namespace stickslip

@@ -5,6 +5,7 @@
 >>> stickslip.evaluate(joint).at("linear.state_variable.stable")
 """
 from .answers import Answer
+from .arm import with_arm_load
 from .joint import Joint, Key
 from .logs import read_log
 from .plots import plot_boundary, plot_effects, plot_map, plot_motion
@@ -13,4 +14,4 @@ from .verbs import boundary, design, diagnose, diagnose_robot, evaluate, export,
 
 __all__ = ["Answer", "Interrupted", "Joint", "Key", "StickslipError", "boundary", "design", "diagnose", "diagnose_robot",
            "evaluate", "executable", "export", "import_robot", "margins", "plot_boundary", "plot_effects", "plot_map", "plot_motion",
-           "read_answer", "read_log", "simulate", "sweep", "version"]
+           "read_answer", "read_log", "simulate", "sweep", "version", "with_arm_load"]

@@ -232,6 +232,12 @@ std::string provenance(const std::vector<std::pair<std::string, std::string>>& l
     return html + "</dl>\n</section>\n";
 }
 
+std::string link_to(const PageAbove& above)
+{
+    if (above.address.empty()) return "";
+    return "<a href=\"" + escape(above.address) + "\">" + html_of_markup(above.title) + "</a> · ";
+}
+
 std::string contents_line(const std::string& id, const std::string& title)
 {
     return "<li><a href=\"#" + id + "\">" + title + "</a></li>\n";
@@ -244,7 +250,8 @@ std::string page(const Report& report, const std::vector<RenderedFigure>& figure
     return marked_page(report, figures, {});
 }
 
-std::string marked_page(const Report& report, const std::vector<RenderedFigure>& figures, const TableMarks& marks)
+std::string marked_page(const Report& report, const std::vector<RenderedFigure>& figures, const TableMarks& marks,
+                        const PageAbove& above)
 {
     std::size_t wanted = 0;
     for (const Section& section : report.sections) wanted += section.figures.size();
@@ -293,7 +300,7 @@ std::string marked_page(const Report& report, const std::vector<RenderedFigure>&
                                  {"script", std::string(page_js.text)},
                                  {"title-text", escape(plain_text(report.title))},
                                  {"title", html_of_markup(report.title)},
-                                 {"subtitle", html_of_markup(report.subtitle)},
+                                 {"subtitle", link_to(above) + html_of_markup(report.subtitle)},
                                  {"tone", tone_class(report.tone)},
                                  {"verdict", html_of_markup(report.verdict)},
                                  {"headlines", headlines(report.headlines)},

@@ -4,6 +4,7 @@
 #include "sweep/engine/build.h"
 #include "sweep/engine/run_directory.h"
 #include "sweep/files/text/bad_input.h"
+#include "sweep/program/verbs/diagnosis_verbs.h"
 #include "sweep/program/verbs/usage.h"
 #include "sweep/program/verbs/verbs.h"
 
@@ -111,6 +112,9 @@ int run_program(int argc, char** argv, Cluster* cluster)
     add_import(app, invocation);
     add_export(app, invocation);
     add_diagnose(app, invocation);
+    add_arm_load(app, invocation);
+    add_compare(app, invocation);
+    add_timeline(app, invocation);
     add_plan(app, invocation);
     add_blind(app, invocation);
     add_completion(app, invocation);

@@ -118,6 +118,19 @@ with tempfile.TemporaryDirectory() as folder:
         stickslip("simulate", str(loop), "--reference", str(motion), "--set", f"load.constant={load}", "-o", str(record))
         check("diagnosis", json.loads(stickslip("diagnose", str(loop), str(record / "record.csv"), "--no-report", "--json",
                                                 "-o", str(record))))
+    # the same joint later, its diagnoses held against each other
+    dated = [pathlib.Path(folder, "runs", day) for day in ("2026-03-01", "2026-04-01")]
+    for run, load in zip(dated, ("0", "0.2")):
+        stickslip("diagnose", str(loop), str(pathlib.Path(folder, f"record-{load}", "record.csv")), "--no-report", "-o", str(run))
+    check("comparison", json.loads(stickslip("compare", str(dated[0]), str(dated[1]), "--json")))
+    check("timeline", json.loads(stickslip("timeline", str(pathlib.Path(folder, "runs")), "--no-report", "--json", "-o",
+                                           str(pathlib.Path(folder, "timeline")))))
+    gap = pathlib.Path(folder, "gap.json")
+    stickslip("check", str(loop), str(pathlib.Path(folder, "record-0", "record.csv")), str(gap), "--update")
+    check("gap-baseline", json.loads(gap.read_text(encoding="utf-8")))
+    worse = json.loads(stickslip("check", str(loop), str(pathlib.Path(folder, "record-0.2", "record.csv")), str(gap), "--json", codes=(1,)))
+    check("gap-check", worse)
+    check("comparison", worse["comparison"])
     few = pathlib.Path(folder, "few.csv")
     few.write_text("".join((record / "record.csv").read_text(encoding="utf-8").splitlines(keepends=True)[:50]), encoding="utf-8")
     check("diagnosis", json.loads(stickslip("diagnose", str(loop), str(few), "--no-report", "--json", "-o", str(record))))

@@ -58,7 +58,9 @@ const char* side(const WatchedBoundary& w)
     return w.point.direction < 0 ? "above" : w.point.direction > 0 ? "below" : "on a side that is not told, at";
 }
 
-std::string escaped(const std::string& text)
+}  // namespace
+
+std::string escaped_xml(const std::string& text)
 {
     std::string out;
     for (const char c : text) {
@@ -75,8 +77,6 @@ std::string escaped(const std::string& text)
     }
     return out;
 }
-
-}  // namespace
 
 std::vector<WatchedBoundary> read_baseline(const std::filesystem::path& file)
 {
@@ -168,13 +168,13 @@ void write_junit(const std::filesystem::path& file, const std::string& title, co
     for (const auto& d : deviations) {
         const bool appeared = d.kind == Deviation::Kind::appeared, within = d.passes();
         failed += !within;
-        cases += fmt::format("  <testcase classname=\"{}\" name=\"{}\"", escaped(title),
-                             escaped((appeared ? d.now : d.stored).name()));
-        cases += within ? "/>\n" : fmt::format("><failure message=\"{}\"/></testcase>\n", escaped(describe(d)));
+        cases += fmt::format("  <testcase classname=\"{}\" name=\"{}\"", escaped_xml(title),
+                             escaped_xml((appeared ? d.now : d.stored).name()));
+        cases += within ? "/>\n" : fmt::format("><failure message=\"{}\"/></testcase>\n", escaped_xml(describe(d)));
     }
     write_whole(file, fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" tests=\"{}\" "
                                   "failures=\"{}\">\n{}</testsuite>\n",
-                                  escaped(title), deviations.size(), failed, cases));
+                                  escaped_xml(title), deviations.size(), failed, cases));
 }
 
 }  // namespace stickslip

@@ -23,6 +23,9 @@ void write_baseline(const std::filesystem::path& file, const std::string& title,
 /// One JUnit test case a boundary.
 void write_junit(const std::filesystem::path& file, const std::string& title, const std::vector<Deviation>& deviations);
 
+/// Text as XML holds it between tags and in attributes.
+std::string escaped_xml(const std::string& text);
+
 /// "moved by 3.1e-03 (allowed 1.0e-06): 55000 → 55170 N/m"
 std::string describe(const Deviation& deviation);
 

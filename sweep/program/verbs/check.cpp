@@ -1,7 +1,8 @@
-// stickslip check: do the boundaries still lie where they lay?
+// stickslip check: do the boundaries still lie where they lay, and is the gap no worse than it was?
 #include "sweep/files/json/baseline_file.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/toml/spec_file.h"
+#include "sweep/program/verbs/check_gap.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/shell_word.h"
@@ -18,8 +19,12 @@ namespace {
 
 struct Options {
     std::string spec, baseline, junit, directory;
+    std::vector<std::string> files;  ///< records and, last, the baseline
+    std::string name;
+    LogOptions how;
+    GapTolerance tolerance;
     int threads = 0;
-    bool update = false;
+    bool update = false, json = false;
 };
 
 int check(const Options& options, const Invocation& invocation)
@@ -58,26 +63,60 @@ int check(const Options& options, const Invocation& invocation)
     return failed ? exit_check_failed : exit_done;
 }
 
+int check_files(Options options, const Invocation& invocation)
+{
+    options.baseline = options.files.back();
+    options.files.pop_back();
+    if (!options.files.empty())
+        return check_gap({options.spec, options.baseline, options.junit, options.directory, options.files, options.name,
+                          options.how, options.tolerance, options.threads, options.update, options.json},
+                         invocation);
+    if (options.json) throw BadInput("--json: is only for a check of records; one of boundaries writes --junit and -o");
+    return check(options, invocation);
+}
+
 }  // namespace
 
 void add_check(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    auto* verb =
-        app.add_subcommand("check", "Compare boundary locations with a stored baseline; exit 1 on a regression");
-    verb->add_option("SPEC", options->spec, "sweep spec, TOML")->required();
-    verb->add_option("BASELINE", options->baseline, "baseline, JSON")->required();
+    auto* verb = app.add_subcommand(
+        "check",
+        "Compare boundary locations, or a joint's gap to its records, with a baseline; exit 1 on a regression");
+    verb->add_option("SPEC", options->spec, "sweep spec, or the joint of the records, TOML")->required();
+    verb->add_option("FILES", options->files,
+                     "records or folders of them, where the gap is checked; last the baseline, JSON")
+        ->required();
     verb->add_flag("--update", options->update, "write the baseline instead of comparing");
     verb->add_option("--junit", options->junit, "also write the outcome as JUnit XML to this file");
-    verb->add_option("-o,--output", options->directory, "write a small report.html with old and new curves here");
+    verb->add_option("-o,--output", options->directory,
+                     "directory for report.html with old and new curves, or for the diagnosis of the records");
     verb->add_option("--threads", options->threads, "0: all cores")->capture_default_str();
+    verb->add_flag("--json", options->json, "of a gap: print the outcome as JSON");
+    verb->add_option("--gap-tolerance", options->tolerance.gap, "share by which the gap may grow")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    verb->add_option("--number-tolerance", options->tolerance.number,
+                     "share by which a number of the joint may move, and it must be by 5 standard errors")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    verb->add_option("--joint", options->name, "name of the joint in logs of several");
+    add_log_options(*verb, options->how);
     verb->footer(
         "Example: stickslip check examples/02-ball-screw/spec-with-memory.toml examples/02-ball-screw/baseline.json\n"
+        "Example: stickslip check joint.toml records/ baseline-gap.json --update\n"
+        "Example: stickslip check joint.toml records/ baseline-gap.json --junit gap.xml\n"
         "Watched: both linear boundaries, V_min where control.V0 is an axis, folds where [nonlinear] is enabled, "
-        "outcomes where its disturbance has a size.\n"
+        "outcomes where its disturbance has a size. With records: the gap and what its cause leaves, the causes, and "
+        "their numbers.\n"
         "Exit codes: 0 all within tolerance or refined, 1 a boundary moved, vanished, appeared, changed its stable "
-        "side or is located more coarsely, 2 bad input.");
-    verb->callback([options, &invocation] { invocation.exit_code = check(*options, invocation); });
+        "side or is located more coarsely, or the gap is new, has grown, has another cause or another size of it; 2 "
+        "bad "
+        "input, 3 interrupted, 4 the records say too little.");
+    verb->callback([options, &invocation] {
+        if (options->files.size() > 1) catch_interrupts(invocation);  // a check of boundaries ends where it stands
+        invocation.exit_code = check_files(*options, invocation);
+    });
 }
 
 }  // namespace stickslip

@@ -11,6 +11,7 @@
 #include "sweep/program/verbs/diagnose_joint.h"
 #include "sweep/program/verbs/diagnose_robot.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/gather_records.h"
 #include "sweep/program/verbs/log_options.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/stage_line.h"
@@ -49,39 +50,6 @@ void write_next_outcome(const std::filesystem::path& file, const gap::OutcomeAns
         row += fmt::format("{},", answer.next.settings[k]);
     }
     write_whole(file, header + "outcome\n" + row + "\n");
-}
-
-/// The same file twice would be held out of a fit to itself.
-void refuse_twice(const std::vector<std::string>& files)
-{
-    for (std::size_t i = 0; i < files.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) {
-            std::error_code missing;  // reading says so
-            if (std::filesystem::equivalent(files[i], files[j], missing))
-                throw BadInput(files[i] + ": is given twice, allowed is every record once");
-        }
-}
-
-/// Two records of one name are told apart by their folders.
-void name_by_path(RecordReading& reading, const std::string& file, const std::vector<std::string>& files)
-{
-    const std::string name = reading.record.name;
-    const auto same = [&](const std::string& other) { return std::filesystem::path(other).filename() == name; };
-    if (std::count_if(files.begin(), files.end(), same) >= 2) rename_record(reading, file);
-}
-
-/// The records of one joint in a file: itself, or those of the joint that --joint names in a log of several.
-std::vector<RecordReading> readings_of(const std::string& file, const Options& options, const Joint& joint)
-{
-    if (options.names.empty() && !is_foreign_log(file)) {
-        std::vector<RecordReading> one;
-        one.push_back(read_record(file, joint, record_layout_for(file, options.joint, joint)));
-        return one;
-    }
-    auto log = read_joint_log(file, {options.names.empty() ? "" : options.names.front(), options.joint, {}}, joint,
-                              options.how);
-    if (log.records.empty()) throw BadInput(log.absent);
-    return std::move(log.records);
 }
 
 /// A table of measured outcomes in place of records.
@@ -152,13 +120,8 @@ int diagnose(const Options& options, const Invocation& invocation)
             throw BadInput(file + ": is a table of outcomes; it is diagnosed alone, without records or other tables");
         return diagnose_outcomes(options, joint, invocation);
     }
-    refuse_twice(options.records);
-    GatheredRecords given;
-    for (const auto& file : options.records)
-        for (auto& reading : readings_of(file, options, joint)) {
-            name_by_path(reading, file, options.records);
-            given.add(std::move(reading));
-        }
+    const auto given = gather_records(
+        options.records, {options.joint, options.names.empty() ? "" : options.names.front(), options.how}, joint);
     const auto directory = answer_folder(options.directory);
     const auto found = [&] {
         StageLine line;

@@ -11,7 +11,7 @@
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/report/pages/diagnosis_report.h"
-#include "sweep/report/pages/write_report.h"
+#include "sweep/report/pages/write_linked_report.h"
 #include "sweep/words/loop_text.h"
 #include "sweep/words/verdict_text.h"
 
@@ -139,7 +139,7 @@ JointDiagnosis diagnose_joint(const Joint& joint, const GatheredRecords& given, 
 }
 
 std::string write_joint_diagnosis(const JointDiagnosis& found, const std::filesystem::path& directory,
-                                  const std::string& command, bool page, const std::string& name)
+                                  const std::string& command, bool page, const JointOfRobot& of)
 {
     const auto& [d, before, after, contradicted, rig] = found;
     remove_earlier(directory);
@@ -151,8 +151,8 @@ std::string write_joint_diagnosis(const JointDiagnosis& found, const std::filesy
     if (page) {
         auto report = diagnosis_report(d, before, after, {{"version", program_version()}, {"command", command}},
                                        corrections(corrected, before, after), rig);
-        if (!name.empty()) report.title = "Sim-to-real gap of " + name;
-        write_report(report, directory);
+        if (!of.name.empty()) report.title = "Sim-to-real gap of " + of.name;
+        write_linked_report(report, directory, {}, {of.robot, of.page});
     }
     return json;
 }

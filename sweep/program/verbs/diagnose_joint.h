@@ -32,10 +32,16 @@ struct JointDiagnosis {
 JointDiagnosis diagnose_joint(const Joint& joint, const GatheredRecords& records, const Invocation& invocation,
                               StageLine& line, const std::string& about = "");
 
+/// For the page of a joint that was diagnosed with its robot; empty otherwise.
+struct JointOfRobot {
+    std::string name, robot;
+    std::string page;  ///< of the robot, from the joint's folder
+};
+
 /// diagnosis.json, corrected-joint.toml, next-experiment.csv and, where asked for, the page; what an earlier answer
-/// left there goes. `name` is the joint's, for the page, or empty. Returns diagnosis.json as text.
+/// left there goes. Returns diagnosis.json as text.
 std::string write_joint_diagnosis(const JointDiagnosis& found, const std::filesystem::path& directory,
-                                  const std::string& command, bool page, const std::string& name = "");
+                                  const std::string& command, bool page, const JointOfRobot& of = {});
 
 /// What the caller of `diagnose` is told: INTERFACE.
 int exit_code_of(const Diagnosis& d, bool contradicted);

@@ -72,7 +72,9 @@ JointOutcome outcome_of(const RobotQuestion& question, const RobotJoints& robot,
         const auto given = gathered(question, wanted, joint);
         StageLine line;
         const auto found = diagnose_joint(joint, given, invocation, line, about);
-        write_joint_diagnosis(found, folder, invocation.command, !question.no_report, asked.name);
+        write_joint_diagnosis(
+            found, folder, invocation.command, !question.no_report,
+            {asked.name, robot.title.empty() ? "All joints of the robot" : robot.title, "../robot.html"});
         outcome.status = Status::diagnosed;
         outcome.diagnosis = found.diagnosis;
         outcome.diagnosis.traces.clear();  // they stand on the joint's page

@@ -1,13 +1,20 @@
 #include "sweep/report/pages/write_report.h"
 
-#include "render/render.h"
+#include "render/marked_page.h"
 #include "sweep/files/text/whole_file.h"
 #include "sweep/files/toml/joint_file.h"
+#include "sweep/report/pages/write_linked_report.h"
 
 #include <tbb/task_group.h>
 
 namespace stickslip {
 std::filesystem::path write_report(const Report& report, const std::filesystem::path& directory)
+{
+    return write_linked_report(report, directory, {});
+}
+
+std::filesystem::path write_linked_report(const Report& report, const std::filesystem::path& directory,
+                                          const TableMarks& marks, const PageAbove& above)
 {
     const auto charts = directory / "charts";
     std::filesystem::create_directories(charts);
@@ -29,7 +36,7 @@ std::filesystem::path write_report(const Report& report, const std::filesystem::
         }
     files.wait();
     const auto file = directory / "report.html";
-    write_whole(file, page(report, figures));
+    write_whole(file, marked_page(report, figures, marks, above));
     return file;
 }
 

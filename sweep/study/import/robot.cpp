@@ -1,15 +1,10 @@
 #include "sweep/study/import/robot.h"
 
+#include "sweep/study/import/placed.h"
+
 #include <cmath>
 
 namespace stickslip {
-namespace {
-
-/// Where bodies and axes are at a pose, in the world.
-struct Placed {
-    std::vector<Eigen::Isometry3d> body;
-    std::vector<Eigen::Vector3d> axis, anchor;  ///< by joint
-};
 
 Placed place(const Robot& robot, const std::vector<double>& pose)
 {
@@ -37,8 +32,6 @@ Placed place(const Robot& robot, const std::vector<double>& pose)
     }
     return at;
 }
-
-}  // namespace
 
 bool moves(const Robot& robot, int joint, int body)
 {

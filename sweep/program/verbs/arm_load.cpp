@@ -1,0 +1,180 @@
+// stickslip arm-load: columns of a moving arm's load and inertia for the records of its joints.
+#include "sweep/study/import/arm_load.h"
+#include "sweep/files/records/record_header.h"
+#include "sweep/files/robots/robot_file.h"
+#include "sweep/files/text/bad_input.h"
+#include "sweep/files/text/csv.h"
+#include "sweep/files/text/line_stream.h"
+#include "sweep/files/text/series_file.h"
+#include "sweep/files/text/whole_file.h"
+#include "sweep/program/verbs/diagnosis_verbs.h"
+#include "sweep/program/verbs/exit_code.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+namespace stickslip {
+namespace {
+
+constexpr std::string_view ending = "_position";
+
+struct Options {
+    std::string table, robot, pose, file;
+    std::vector<std::string> armature;
+    double window = 0.05;  ///< s: a tenth of the period of a motion of 2 Hz
+};
+
+/// Of one joint of the table.
+struct Moved {
+    std::string name;
+    JointMotion motion;
+    int index = -1;       ///< in the robot
+    double armature = 0;  ///< of the description, and what was added
+};
+
+std::vector<std::string> joints_of(const std::string& file)
+{
+    files::LineStream lines(file);
+    std::string_view line;
+    std::vector<std::string> joints;
+    while (lines.next(line)) {
+        line = files::trimmed(line);
+        if (line.empty() || line.starts_with('#')) continue;
+        for (const auto& name : files::header_names(line, files::separator_of(line)))
+            if (name.size() > ending.size() && name.ends_with(ending) && !name.ends_with("_reference_position") &&
+                !name.ends_with("_link_position"))
+                joints.push_back(name.substr(0, name.size() - ending.size()));
+        break;
+    }
+    if (joints.empty())
+        throw BadInput(file + ": has no column of a joint's positions, expected are columns such as elbow_position");
+    return joints;
+}
+
+double armature_from(const std::string& setting, std::string& name)
+{
+    const auto equals = setting.find('=');
+    char* end = nullptr;
+    const std::string number = equals == setting.npos ? "" : setting.substr(equals + 1);
+    const double value = std::strtod(number.c_str(), &end);
+    if (number.empty() || *end || !(value >= 0) || !std::isfinite(value))
+        throw BadInput("--armature: got \"" + setting + "\", expected JOINT=INERTIA with an inertia of 0 or more");
+    name = setting.substr(0, equals);
+    return value;
+}
+
+/// Smoothed motions of all joints of the table, and their times.
+std::vector<Moved> motions_of(const Options& options, std::vector<double>& time)
+{
+    std::vector<Moved> all;
+    for (const auto& name : joints_of(options.table)) {
+        const auto column = name + std::string(ending);
+        const auto series = read_series(options.table, column, SeriesQuantity{Quantity::number, Motion::revolute});
+        time = series.time;
+        try {
+            all.push_back({name, smoothed(series.time, series.value, options.window)});
+        } catch (const std::invalid_argument& e) {
+            throw BadInput(options.table + ": " + column + ": " + e.what());
+        }
+    }
+    return all;
+}
+
+void find_in_robot(const Robot& robot, const Options& options, std::vector<Moved>& all)
+{
+    for (auto& joint : all) {
+        joint.index = joint_named(robot, joint.name, options.robot);
+        const auto& described = robot.joints[static_cast<std::size_t>(joint.index)];
+        if (described.kind == RobotJointKind::fixed)
+            throw BadInput(described.place + ": joint " + joint.name + " is fixed, but the table has positions of it");
+        for (const auto& closure : robot.closures)
+            if (moves(robot, joint.index, closure.a) != moves(robot, joint.index, closure.b))
+                throw BadInput(closure.place + ": " + closure.what + " closes a loop through joint " + joint.name +
+                               "; expected is a robot whose joints move freely");
+        joint.armature = described.armature;
+    }
+    for (const auto& setting : options.armature) {
+        std::string name;
+        const double value = armature_from(setting, name);
+        bool known = false;
+        for (auto& joint : all)
+            if (joint.name == name) joint.armature += value, known = true;
+        if (!known) throw BadInput("--armature: the table has no joint " + name);
+    }
+}
+
+std::string table_of(const std::vector<double>& time, const std::vector<std::string>& names,
+                     const std::vector<const std::vector<double>*>& columns)
+{
+    std::string text = "time";
+    for (const auto& name : names) text += "," + name;
+    for (std::size_t row = 0; row < time.size(); ++row) {
+        text += fmt::format("\n{}", time[row]);
+        for (const auto* column : columns) text += fmt::format(",{}", (*column)[row]);
+    }
+    return text + "\n";
+}
+
+int arm_load(const Options& options)
+{
+    if (!(options.window > 0)) throw BadInput(fmt::format("--window: got {}, expected more than 0 s", options.window));
+    std::vector<double> time;
+    auto all = motions_of(options, time);
+    std::vector<std::string> names;
+    std::vector<const std::vector<double>*> columns;
+    std::vector<JointLoad> loads;
+    if (options.robot.empty()) {
+        for (const auto& joint : all) {
+            for (const char* what : {"_position", "_velocity", "_acceleration"}) names.push_back(joint.name + what);
+            columns.insert(columns.end(), {&joint.motion.position, &joint.motion.velocity, &joint.motion.acceleration});
+        }
+    } else {
+        const Robot robot = read_robot(options.robot);
+        find_in_robot(robot, options, all);
+        std::vector<int> indices;
+        std::vector<JointMotion> motions;
+        for (const auto& joint : all) indices.push_back(joint.index), motions.push_back(joint.motion);
+        loads = arm_loads(robot, indices, motions, read_pose(robot, options.pose));
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            for (double& inertia : loads[k].inertia) inertia += all[k].armature;
+            for (const char* what : {"_load_effort", "_inertia"}) names.push_back(all[k].name + what);
+            columns.insert(columns.end(), {&loads[k].load, &loads[k].inertia});
+        }
+    }
+    const auto text = table_of(time, names, columns);
+    if (options.file.empty())
+        fmt::print("{}", text);
+    else
+        write_whole(options.file, text);
+    return exit_done;
+}
+
+}  // namespace
+
+void add_arm_load(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<Options>();
+    auto* verb = app.add_subcommand(
+        "arm-load", "Write load_effort and inertia of each joint of a moving arm, for the records that diagnose reads");
+    verb->add_option("TABLE", options->table,
+                     "CSV with time and JOINT_position of every joint that moves, s, rad and m")
+        ->required();
+    verb->add_option("--robot", options->robot,
+                     "URDF or MJCF; without it the smoothed positions, velocities and accelerations are written");
+    verb->add_option("--at", options->pose,
+                     "pose of the joints that are not in the table: TOML with joint = coordinate");
+    verb->add_option("--armature", options->armature,
+                     "JOINT=INERTIA: of a rotor behind its gear that the description lacks, kg·m² (kg)");
+    verb->add_option("--window", options->window, "s over which accelerations are taken, by a cubic")
+        ->capture_default_str();
+    verb->add_option("-o,--output", options->file, "file to write; default: standard output");
+    verb->footer(
+        "Example: stickslip arm-load positions.csv --robot arm.urdf --armature elbow=0.12 -o loads.csv\n"
+        "Gravity is in load_effort: the joint file must then have no gravity of its own.\n"
+        "Exit codes: 0 done, 2 bad input.");
+    verb->callback([options, &invocation] { invocation.exit_code = arm_load(*options); });
+}
+
+}  // namespace stickslip

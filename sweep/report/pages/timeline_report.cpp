@@ -1,0 +1,200 @@
+#include "sweep/report/pages/timeline_report.h"
+
+#include "analysis/results/text.h"
+#include "sweep/words/comparison_text.h"
+#include "sweep/words/diagnosis_tables.h"
+#include "sweep/words/timeline_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+namespace stickslip {
+namespace {
+
+using Tone = Headline::Tone;
+using Line = DetailedChart::Line;
+
+constexpr std::size_t most_charts = 8;  ///< of numbers; the table and timeline.json have all
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+Tone tone_of(const DiagnosisFacts& facts)
+{
+    if (!facts.answered()) return Tone::bad;
+    return facts.differs() ? Tone::warning : Tone::good;
+}
+
+Tone tone_of(GapChange change)
+{
+    switch (change) {
+        case GapChange::appeared:
+        case GapChange::grown:
+        case GapChange::not_comparable:
+            return Tone::warning;
+        case GapChange::none:
+        case GapChange::gone:
+            return Tone::good;
+        default:
+            return Tone::neutral;
+    }
+}
+
+std::string floors(double gap)
+{
+    return std::isfinite(gap) && gap > 0 ? plain_number(gap, 3) : "–";
+}
+
+std::vector<double> days_of(const Timeline& t)
+{
+    std::vector<double> days;
+    for (const auto& run : t.runs) days.push_back(days_between(t.runs.front().at, run.at));
+    return days;
+}
+
+std::string days_label(const Timeline& t)
+{
+    return "days since " + date_text(t.runs.front().at);
+}
+
+/// Where the gap came, went or changed its size.
+std::vector<std::pair<std::string, double>> marks_of(const Timeline& t)
+{
+    std::vector<std::pair<std::string, double>> marks;
+    for (std::size_t i = 0; i < t.steps.size(); ++i) {
+        const auto change = t.steps[i].gap;
+        if (change == GapChange::none || change == GapChange::same || change == GapChange::not_comparable) continue;
+        marks.emplace_back(name_of(change), days_between(t.runs.front().at, t.runs[i + 1].at));
+    }
+    return marks;
+}
+
+Figure gap_figure(const Timeline& t)
+{
+    DetailedChart chart;
+    chart.title = "Gap over time";
+    chart.x_label = days_label(t), chart.y_label = "gap [noise floors]";
+    Line documented{"as documented", days_of(t), {}}, with{"with the named cause", days_of(t), {}, true};
+    for (const auto& run : t.runs) {
+        const auto& facts = run.facts;
+        documented.y.push_back(facts.answered() ? facts.overall.before : nothing);
+        with.y.push_back(facts.answered() && !facts.causes.empty() ? facts.overall.after : nothing);
+    }
+    chart.lines = {documented, with};
+    chart.x_marks = marks_of(t);
+    return {
+        "gap", chart,
+        "RMS difference between measured and simulated signals on held-out data, each signal in its own noise floor: "
+        "1 is what noise alone makes.",
+        timeline_sentence(t)};
+}
+
+Figure number_figure(const Timeline& t, const NumberSeries& series, std::size_t index)
+{
+    DetailedChart chart;
+    chart.title = series.name;
+    chart.x_label = days_label(t);
+    chart.y_label = series.name + (series.unit == "1" ? "" : " [" + series.unit + "]");
+    constexpr double errors_of_a_95_percent_interval = 1.96;
+    Line low{"95 % interval", days_of(t), {}, true}, high{"", days_of(t), {}, true},
+        value{"value", days_of(t), series.value};
+    for (std::size_t i = 0; i < series.value.size(); ++i) {
+        const double half = errors_of_a_95_percent_interval * series.standard_error[i];
+        low.y.push_back(series.value[i] - half), high.y.push_back(series.value[i] + half);
+    }
+    Line points = value;
+    points.name = "", points.look = Line::Look::points;
+    chart.lines = {value, points, low, high};
+    return {fmt::format("number-{}", index + 1), chart, "Runs that do not name this cause have no value here.",
+            fmt::format("{} in {} of {}", series.name, series.found, counted(t.runs.size(), "run"))};
+}
+
+Table runs_table(const Timeline& t, CellMarks& marks)
+{
+    Table table{"Runs",
+                {"date", "outcome", "gap as documented", "gap with the cause", "causes",
+                 "numbers that moved since the run before"},
+                {}};
+    for (std::size_t i = 0; i < t.runs.size(); ++i) {
+        const auto& facts = t.runs[i].facts;
+        std::string moved;
+        if (i > 0)
+            for (const auto& change : t.steps[i - 1].numbers)
+                if (change.of != FoundNumber::Of::correction && change.moved(standard_errors_of_a_move))
+                    moved += (moved.empty() ? "" : "; ") + change_text(change);
+        table.rows.push_back({date_text(t.runs[i].at), name_of(facts.verdict), floors(facts.overall.before),
+                              facts.causes.empty() ? "–" : floors(facts.overall.after),
+                              facts.causes.empty() ? "–" : together(facts.causes), moved.empty() ? "–" : moved});
+        marks.links.push_back(t.runs[i].page);
+    }
+    return table;
+}
+
+}  // namespace
+
+Report comparison_report(const DiagnosisComparison& c, Provenance provenance)
+{
+    Report r;
+    r.title = "Two diagnoses compared";
+    r.subtitle = c.before.source + " and " + c.after.source;
+    r.verdict = comparison_sentence(c);
+    r.tone = tone_of(c.gap);
+    r.headlines = {
+        {tone_of(c.before), floors(c.before.overall.before), "noise floors before: " + outcome_words(c.before)},
+        {tone_of(c.after), floors(c.after.overall.before), "noise floors now: " + outcome_words(c.after)}};
+    for (const auto& change : c.numbers)
+        if (change.in_both() && change.of != FoundNumber::Of::correction) {
+            r.headlines.push_back({change.moved(standard_errors_of_a_move) ? Tone::warning : Tone::neutral,
+                                   plain_number(std::abs(change.standard_errors), 3),
+                                   "standard errors between the two values of " + change.name});
+            break;
+        }
+    r.sections.push_back(
+        {"numbers",
+         "Which number moved",
+         "A change is held against the standard errors of both values together; beyond 3 it is more than noise "
+         "makes. A number that only one diagnosis names has no other value to be held against.",
+         {},
+         {changes_table(c)}});
+    r.sections.push_back(
+        {"gap",
+         "Is the gap new",
+         "RMS differences between measured and simulated signals as documented. They can be compared as far as the "
+         "motions are alike.",
+         {},
+         {compared_gap_table(c)}});
+    r.not_checked = {"Whether both diagnoses began from the same joint file, and whether the motions were the same."};
+    r.provenance = std::move(provenance);
+    return r;
+}
+
+TimelinePage timeline_report(const Timeline& t, Provenance provenance)
+{
+    TimelinePage page;
+    Report& r = page.report;
+    r.title = t.title.empty() ? "A joint over time" : t.title + " over time";
+    r.subtitle =
+        counted(t.runs.size(), "run") + ", " + date_text(t.runs.front().at) + " to " + date_text(t.runs.back().at);
+    r.verdict = timeline_sentence(t);
+    const auto& last = t.runs.back().facts;
+    r.tone = tone_of(last);
+    r.headlines = {
+        {tone_of(t.runs.front().facts), floors(t.runs.front().facts.overall.before),
+         "noise floors in the first run: " + outcome_words(t.runs.front().facts)},
+        {tone_of(last), floors(last.overall.before), "noise floors in the last run: " + outcome_words(last)}};
+    Section runs{"runs", "Runs", "The date of a run leads to its own page, where it has one.", {gap_figure(t)}, {}};
+    runs.tables.push_back(runs_table(t, page.marks["Runs"]));
+    r.sections.push_back(std::move(runs));
+    Section numbers{"numbers", "Numbers of the causes", "", {}, {}};
+    for (std::size_t i = 0; i < t.numbers.size() && i < most_charts; ++i)
+        numbers.figures.push_back(number_figure(t, t.numbers[i], i));
+    if (t.numbers.size() > most_charts)
+        numbers.text = fmt::format(
+            "{} numbers in all; those that most runs name are drawn, timeline.json has every one.", t.numbers.size());
+    if (!numbers.figures.empty()) r.sections.push_back(std::move(numbers));
+    r.not_checked = {"Whether all runs began from the same joint file: numbers of causes are changes of what it says."};
+    r.provenance = std::move(provenance);
+    return page;
+}
+
+}  // namespace stickslip

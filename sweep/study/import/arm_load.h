@@ -1,0 +1,35 @@
+// What the rest of a moving robot does to each of its joints: gravity, centrifugal and Coriolis forces, the pull of the
+// other joints' accelerations, and the inertia at the pose.
+#pragma once
+#include "sweep/study/import/robot.h"
+
+#include <string>
+#include <vector>
+
+namespace stickslip {
+
+/// Position, velocity and acceleration of one joint at each row.
+struct JointMotion {
+    std::vector<double> position, velocity, acceleration;
+};
+
+struct JointLoad {
+    std::vector<double> load;     ///< effort of the rest of the robot, positive along the motion: load_effort
+    std::vector<double> inertia;  ///< about the axis, without armature
+};
+
+/// Efforts at the joints that hold the frictionless robot on a motion, one coordinate a joint, by the Newton-Euler
+/// recursion outwards (Luh, Walker, Paul 1980, J. Dyn. Sys. Meas. Control 102, 69-76) and the projection of the bodies'
+/// inertial forces on each axis. Armature and springs are left to the joint.
+std::vector<double> inverse_dynamics(const Robot& robot, const std::vector<double>& q, const std::vector<double>& dq,
+                                     const std::vector<double>& ddq);
+
+/// A cubic through the rows within half a `window` of each row, by least squares (Savitzky, Golay 1964, Anal. Chem. 36,
+/// 1627-1639; rows need not be evenly spaced). Throws std::invalid_argument where fewer than five rows lie in a window.
+JointMotion smoothed(const std::vector<double>& time, const std::vector<double>& position, double window);
+
+/// Loads of those joints that `moved` has, by index of the joint; the others stand still at the `pose`.
+std::vector<JointLoad> arm_loads(const Robot& robot, const std::vector<int>& moved,
+                                 const std::vector<JointMotion>& motions, const std::vector<double>& pose);
+
+}  // namespace stickslip

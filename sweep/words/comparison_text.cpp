@@ -1,0 +1,210 @@
+#include "sweep/words/comparison_text.h"
+
+#include "analysis/results/text.h"
+#include "sweep/words/cause_text.h"
+#include "sweep/words/diagnosis_tables.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+using Kind = GapRegression::Kind;
+
+std::string floors(double gap)
+{
+    return plain_number(gap, 3) + " noise floors";
+}
+
+std::string unit_after(const std::string& unit)
+{
+    return unit == "1" ? "" : " " + unit;
+}
+
+std::string number_text(const std::optional<FittedParameter>& number)
+{
+    return number ? with_error(number->value, number->standard_error, number->unit) : "–";
+}
+
+std::string gap_words(const DiagnosisComparison& c)
+{
+    const auto &was = c.before.overall, &is = c.after.overall;
+    switch (c.gap) {
+        case GapChange::none:
+            return "Neither diagnosis found a gap.";
+        case GapChange::appeared:
+            return "New: a " + outcome_words(c.after) + "; before there was none.";
+        case GapChange::gone:
+            return "The gap is gone; before there was a " + outcome_words(c.before) + ".";
+        case GapChange::not_comparable:
+            return "There is nothing to compare: " + outcome_words(c.before) + " before, " + outcome_words(c.after) +
+                   " now.";
+        default:
+            break;
+    }
+    const char* verb = c.gap == GapChange::same    ? "is as large as before"
+                       : c.gap == GapChange::grown ? "grew"
+                                                   : "shrank";
+    return fmt::format("The gap {}: {} before, {} now.", verb, floors(was.before), floors(is.before));
+}
+
+std::string cause_words(const DiagnosisComparison& c)
+{
+    std::string text;
+    if (c.gap == GapChange::appeared || c.gap == GapChange::gone) return text;
+    if (!c.appeared.empty())
+        text += " Named now and not before: " + fmt::format("{}", fmt::join(c.appeared, ", ")) + ".";
+    if (!c.gone.empty()) text += " Named before and not now: " + fmt::format("{}", fmt::join(c.gone, ", ")) + ".";
+    if (c.perhaps_same_cause) text += " These may be the same cause: one of the records cannot tell them apart.";
+    return text;
+}
+
+std::string moved_words(const DiagnosisComparison& c)
+{
+    std::string text;
+    bool any = false;
+    for (const auto& change : c.numbers) {
+        any |= change.in_both();
+        if (!change.moved(standard_errors_of_a_move)) continue;
+        // one change stands in the cause's parameter and in the data-sheet number that it makes: the latter reads
+        // better
+        if (change.of == FoundNumber::Of::sheet || c.after.causes.empty() || c.kept.empty())
+            text += " " + change_text(change) + ".";
+    }
+    if (!text.empty() || !any) return text;
+    for (const auto& change : c.numbers)
+        if (change.moved(standard_errors_of_a_move)) return " " + change_text(change) + ".";
+    return " No number moved by more than 3 standard errors.";
+}
+
+}  // namespace
+
+std::string name_of(GapChange change)
+{
+    switch (change) {
+        case GapChange::none:
+            return "none";
+        case GapChange::same:
+            return "same";
+        case GapChange::appeared:
+            return "appeared";
+        case GapChange::gone:
+            return "gone";
+        case GapChange::grown:
+            return "grown";
+        case GapChange::shrunk:
+            return "shrunk";
+        case GapChange::not_comparable:
+            break;
+    }
+    return "not-comparable";
+}
+
+std::string name_of(Kind kind)
+{
+    switch (kind) {
+        case Kind::new_gap:
+            return "new-gap";
+        case Kind::grown:
+            return "grown";
+        case Kind::remainder:
+            return "remainder";
+        case Kind::new_cause:
+            return "new-cause";
+        case Kind::number_moved:
+            return "number-moved";
+        case Kind::no_answer:
+            break;
+    }
+    return "no-answer";
+}
+
+std::string name_of(FoundNumber::Of of)
+{
+    if (of == FoundNumber::Of::sheet) return "sheet";
+    return of == FoundNumber::Of::parameter ? "parameter" : "correction";
+}
+
+std::string outcome_words(const DiagnosisFacts& facts)
+{
+    if (facts.interrupted) return "interrupted diagnosis";
+    switch (facts.verdict) {
+        case Verdict::no_gap:
+            return "no gap";
+        case Verdict::insufficient_data:
+            return "too little data";
+        case Verdict::unknown:
+            return "gap of " + floors(facts.overall.before) + " of unknown cause";
+        case Verdict::gap:
+            break;
+    }
+    return "gap of " + floors(facts.overall.before) + " by " + together(facts.causes);
+}
+
+std::string change_text(const NumberChange& c)
+{
+    if (!c.in_both()) return c.name + ": " + number_text(c.before) + " → " + number_text(c.after);
+    return fmt::format("{}: {} → {}{}, {} standard errors", c.name, plain_number(c.before->value, 4),
+                       plain_number(c.after->value, 4), unit_after(c.unit),
+                       plain_number(std::abs(c.standard_errors), 3));
+}
+
+std::string comparison_sentence(const DiagnosisComparison& c)
+{
+    return gap_words(c) + cause_words(c) + moved_words(c);
+}
+
+std::string regression_text(const GapRegression& r, const DiagnosisComparison& c)
+{
+    const auto &was = c.before.overall, &is = c.after.overall;
+    switch (r.kind) {
+        case Kind::new_gap:
+            return "a gap that the baseline does not have: " + outcome_words(c.after);
+        case Kind::grown:
+            return fmt::format("the gap grew from {} to {}", floors(was.before), floors(is.before));
+        case Kind::remainder:
+            return fmt::format("what the named cause leaves grew from {} to {}", floors(was.after), floors(is.after));
+        case Kind::new_cause:
+            return "a cause that the baseline does not name: " + r.name;
+        case Kind::number_moved:
+            return change_text(r.number);
+        case Kind::no_answer:
+            break;
+    }
+    return "no answer: " + outcome_words(c.after) + "; the baseline has one";
+}
+
+Table changes_table(const DiagnosisComparison& c)
+{
+    Table t{"Numbers in both diagnoses, those that moved most first",
+            {"number", "stands for", "before", "now", "change", "in standard errors"},
+            {}};
+    for (const auto& change : c.numbers) {
+        const char* of = change.of == FoundNumber::Of::sheet       ? "the joint with its cause"
+                         : change.of == FoundNumber::Of::parameter ? "the cause"
+                                                                   : "a number refitted beside it";
+        t.rows.push_back({change.name, of, number_text(change.before), number_text(change.after),
+                          change.in_both() ? plain_number(change.change, 3) + unit_after(change.unit) : "–",
+                          change.in_both() ? plain_number(change.standard_errors, 3) : "named in one only"});
+    }
+    return t;
+}
+
+Table compared_gap_table(const DiagnosisComparison& c)
+{
+    Table t{"Measured against simulated as documented, held-out data",
+            {"signal", "gap before", "gap now", "noise floor before", "noise floor now", "unit"},
+            {}};
+    for (const auto& is : c.after.gap)
+        for (const auto& was : c.before.gap)
+            if (is.signal == was.signal && is.unit == was.unit)
+                t.rows.push_back({is.signal, plain_number(was.before, 3), plain_number(is.before, 3),
+                                  plain_number(was.floor, 3), plain_number(is.floor, 3), is.unit});
+    t.rows.push_back({"all signals", plain_number(c.before.overall.before, 3), plain_number(c.after.overall.before, 3),
+                      "1", "1", "noise floors"});
+    return t;
+}
+
+}  // namespace stickslip

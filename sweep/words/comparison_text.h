@@ -1,0 +1,33 @@
+// Two diagnoses held against each other, and a check of a gap, in plain words.
+#pragma once
+#include "analysis/results/report.h"
+#include "sweep/study/check/gap_check.h"
+#include "sweep/study/compare/compare_diagnoses.h"
+
+#include <string>
+
+namespace stickslip {
+
+/// "none", "same", "appeared", "gone", "grown", "shrunk" or "not-comparable".
+std::string name_of(GapChange change);
+/// "new-gap", "grown", "remainder", "new-cause", "number-moved" or "no-answer".
+std::string name_of(GapRegression::Kind kind);
+/// "sheet", "parameter" or "correction".
+std::string name_of(FoundNumber::Of of);
+
+/// "gap of 2.1 noise floors by coulomb-level", "no gap", "too little data".
+std::string outcome_words(const DiagnosisFacts& facts);
+
+/// "The gap is new: 2.1 noise floors by coulomb-level. …": what stands first on page and terminal.
+std::string comparison_sentence(const DiagnosisComparison& c);
+
+/// "Coulomb level: 1.1 → 1.21 N·m, 142 standard errors"
+std::string change_text(const NumberChange& change);
+
+/// "a gap that the baseline does not have: 2.1 noise floors by coulomb-level"
+std::string regression_text(const GapRegression& regression, const DiagnosisComparison& c);
+
+Table changes_table(const DiagnosisComparison& c);
+Table compared_gap_table(const DiagnosisComparison& c);
+
+}  // namespace stickslip

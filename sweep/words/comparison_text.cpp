@@ -182,9 +182,9 @@ Table changes_table(const DiagnosisComparison& c)
             {"number", "stands for", "before", "now", "change", "in standard errors"},
             {}};
     for (const auto& change : c.numbers) {
-        const char* of = change.of == FoundNumber::Of::sheet       ? "the joint with its cause"
-                         : change.of == FoundNumber::Of::parameter ? "the cause"
-                                                                   : "a number refitted beside it";
+        const char* of = change.of == FoundNumber::Of::sheet       ? "joint"
+                         : change.of == FoundNumber::Of::parameter ? "cause"
+                                                                   : "refitted";
         t.rows.push_back({change.name, of, number_text(change.before), number_text(change.after),
                           change.in_both() ? plain_number(change.change, 3) + unit_after(change.unit) : "–",
                           change.in_both() ? plain_number(change.standard_errors, 3) : "named in one only"});

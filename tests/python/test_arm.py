@@ -145,13 +145,24 @@ def simulated(seconds, seed, friction=FRICTION, gains=GAINS, load=(0.0, 0.0)):
             for i, name in enumerate(("upper", "lower"))}
 
 
+# A constant load and a Coulomb level that differs between the directions are the very same motion: either name is right.
 @pytest.mark.parametrize("planted, found", (
-    ({}, {"upper": [], "lower": []}),
-    ({"friction": ((4.2, 1.0), (1.0, 0.3)), "gains": (GAINS[0], (200.0, 14.0))}, {"upper": ["coulomb-level"], "lower": ["gain-k_p"]}),
-    ({"friction": (FRICTION[0], (1.0, 0.9)), "load": (2.0, 0.0)}, {"upper": ["constant-load"], "lower": ["viscous"]})))
+    ({}, {}),
+    ({"friction": ((4.2, 1.0), (1.0, 0.3)), "gains": (GAINS[0], (200.0, 14.0))}, {"upper": {"coulomb-level"}, "lower": {"gain-k_p"}}),
+    ({"friction": (FRICTION[0], (1.0, 0.9)), "load": (2.0, 0.0)},
+     {"upper": {"constant-load", "asymmetric-friction"}, "lower": {"viscous"}})))
 def test_one_cause_a_joint_of_a_moving_arm_is_found(urdf, planted, found):
     records = stickslip.with_arm_load(simulated(6, 5, **planted), urdf, armature={"upper": ROTOR[0], "lower": ROTOR[1]})
     for name, joint in joint_files().items():
         diagnosis = stickslip.diagnose(joint, {"run": records[name]})
-        assert diagnosis["verdict"] == ("gap" if found[name] else "no-gap"), name
-        assert [n for n in (diagnosis["effects"][0]["names"] if found[name] else [])] == found[name], name
+        assert diagnosis["verdict"] == ("gap" if name in found else "no-gap"), name
+        if name in found:
+            (cause,) = diagnosis["effects"][0]["names"]
+            assert cause in found[name]
+
+
+def test_without_the_arm_in_it_the_same_record_has_a_gap(urdf):
+    """What the columns are for: the joint's own file knows nothing of the other joint and of weight."""
+    records = simulated(6, 5)
+    diagnosis = stickslip.diagnose(joint_files()["lower"], {"run": records["lower"]})
+    assert diagnosis["verdict"] != "no-gap" and diagnosis["gap"]["overall"]["before"] > 10

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -96,17 +97,32 @@ Figure number_figure(const Timeline& t, const NumberSeries& series, std::size_t 
     chart.x_label = days_label(t);
     chart.y_label = series.name + (series.unit == "1" ? "" : " [" + series.unit + "]");
     constexpr double errors_of_a_95_percent_interval = 1.96;
-    Line low{"95 % interval", days_of(t), {}, true}, high{"", days_of(t), {}, true},
+    Line low{"95 % interval, lower end", days_of(t), {}, true}, high{"upper end", days_of(t), {}, true},
         value{"value", days_of(t), series.value};
     for (std::size_t i = 0; i < series.value.size(); ++i) {
         const double half = errors_of_a_95_percent_interval * series.standard_error[i];
         low.y.push_back(series.value[i] - half), high.y.push_back(series.value[i] + half);
     }
-    Line points = value;
-    points.name = "", points.look = Line::Look::points;
-    chart.lines = {value, points, low, high};
+    chart.lines = {value, low, high};
     return {fmt::format("number-{}", index + 1), chart, "Runs that do not name this cause have no value here.",
             fmt::format("{} in {} of {}", series.name, series.found, counted(t.runs.size(), "run"))};
+}
+
+/// Of a cause's parameter and the number of the data sheet that it changes, the latter.
+bool told(const NumberChange& change, const DiagnosisComparison& step)
+{
+    if (change.of != FoundNumber::Of::parameter) return change.of == FoundNumber::Of::sheet;
+    return std::none_of(step.numbers.begin(), step.numbers.end(),
+                        [](const auto& other) { return other.of == FoundNumber::Of::sheet && other.in_both(); });
+}
+
+/// The same for charts.
+std::vector<NumberSeries> drawn_numbers(const Timeline& t)
+{
+    std::vector<NumberSeries> sheet;
+    for (const auto& series : t.numbers)
+        if (series.of == FoundNumber::Of::sheet) sheet.push_back(series);
+    return sheet.empty() ? t.numbers : sheet;
 }
 
 Table runs_table(const Timeline& t, CellMarks& marks)
@@ -120,7 +136,7 @@ Table runs_table(const Timeline& t, CellMarks& marks)
         std::string moved;
         if (i > 0)
             for (const auto& change : t.steps[i - 1].numbers)
-                if (change.of != FoundNumber::Of::correction && change.moved(standard_errors_of_a_move))
+                if (told(change, t.steps[i - 1]) && change.moved(standard_errors_of_a_move))
                     moved += (moved.empty() ? "" : "; ") + change_text(change);
         table.rows.push_back({date_text(t.runs[i].at), name_of(facts.verdict), floors(facts.overall.before),
                               facts.causes.empty() ? "–" : floors(facts.overall.after),
@@ -186,11 +202,13 @@ TimelinePage timeline_report(const Timeline& t, Provenance provenance)
     runs.tables.push_back(runs_table(t, page.marks["Runs"]));
     r.sections.push_back(std::move(runs));
     Section numbers{"numbers", "Numbers of the causes", "", {}, {}};
-    for (std::size_t i = 0; i < t.numbers.size() && i < most_charts; ++i)
-        numbers.figures.push_back(number_figure(t, t.numbers[i], i));
-    if (t.numbers.size() > most_charts)
+    const auto drawn = drawn_numbers(t);
+    for (std::size_t i = 0; i < drawn.size() && i < most_charts; ++i)
+        numbers.figures.push_back(number_figure(t, drawn[i], i));
+    if (t.numbers.size() > numbers.figures.size())
         numbers.text = fmt::format(
-            "{} numbers in all; those that most runs name are drawn, timeline.json has every one.", t.numbers.size());
+            "{} numbers in all; those of the joint that most runs name are drawn, timeline.json has every one.",
+            t.numbers.size());
     if (!numbers.figures.empty()) r.sections.push_back(std::move(numbers));
     r.not_checked = {"Whether all runs began from the same joint file: numbers of causes are changes of what it says."};
     r.provenance = std::move(provenance);

@@ -10,8 +10,10 @@ from .joint import Joint, Key
 from .logs import read_log
 from .plots import plot_boundary, plot_effects, plot_map, plot_motion
 from .program import Interrupted, StickslipError, executable, version
-from .verbs import boundary, design, diagnose, diagnose_robot, evaluate, export, import_robot, margins, read_answer, simulate, sweep
+from .verbs import (boundary, check_gap, compare, design, diagnose, diagnose_robot, evaluate, export, import_robot, margins,
+                    read_answer, simulate, sweep, timeline)
 
-__all__ = ["Answer", "Interrupted", "Joint", "Key", "StickslipError", "boundary", "design", "diagnose", "diagnose_robot",
+__all__ = ["Answer", "Interrupted", "Joint", "Key", "StickslipError", "boundary", "check_gap", "compare",
+           "design", "diagnose", "diagnose_robot",
            "evaluate", "executable", "export", "import_robot", "margins", "plot_boundary", "plot_effects", "plot_map", "plot_motion",
-           "read_answer", "read_log", "simulate", "sweep", "version", "with_arm_load"]
+           "read_answer", "read_log", "simulate", "sweep", "timeline", "version", "with_arm_load"]

@@ -8,10 +8,14 @@ import shutil
 import signal
 import subprocess
 import sys
+import threading
 from pathlib import Path
 from typing import Any, Sequence
 
+from . import progress
+
 DONE, CHECK_FAILED, BAD_INPUT, INTERRUPTED, UNDECIDED = range(5)
+SLOW = ("sweep", "diagnose", "check")  # verbs that draw a line of progress
 
 
 class StickslipError(Exception):
@@ -42,14 +46,31 @@ def _environment() -> dict[str, str]:
     return environment
 
 
-def run(arguments: Sequence[Any], allowed: Sequence[int] = (DONE, CHECK_FAILED, UNDECIDED)) -> subprocess.CompletedProcess:
+def _communicate(process: subprocess.Popen, terminal: int | None, show: progress.Show | None) -> tuple[str, str]:
+    if terminal is None or show is None:
+        return process.communicate()
+    listener = progress.Listener(show)
+    reader = threading.Thread(target=progress.read_all, args=(terminal, listener), daemon=True)
+    reader.start()
+    out = process.communicate()[0]
+    reader.join()
+    return out, listener.end()
+
+
+def run(arguments: Sequence[Any], allowed: Sequence[int] = (DONE, CHECK_FAILED, UNDECIDED),
+        show: progress.Show | None = None) -> subprocess.CompletedProcess:
     """Runs `stickslip ARGUMENTS` and returns what it printed. Ctrl-C (or the stop button of a notebook) interrupts the
-    program, waits for it to keep what it has, and raises KeyboardInterrupt."""
+    program, waits for it to keep what it has, and raises KeyboardInterrupt. `show` is told the line of progress each time
+    that it changes; by default it stands below the cell of a notebook or on the terminal."""
     command = [executable(), *map(str, arguments)]
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, encoding="utf-8",
+    show = show or (progress.default() if command[1] in SLOW else None)
+    terminal, error = (None, subprocess.PIPE) if show is None else os.openpty()
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=error, text=True, encoding="utf-8",
                                start_new_session=True, env=_environment())
+    if terminal is not None:
+        os.close(error)
     try:
-        out, err = process.communicate()
+        out, err = _communicate(process, terminal, show)
     except BaseException:
         process.send_signal(signal.SIGINT)
         try:

@@ -244,3 +244,38 @@ def import_robot(robot: str | Path, joint: str, at: Mapping[str, float] | None =
 def read_answer(file: str | Path) -> Answer:
     """An answer that the program wrote: diagnosis.json, boundary.json, …"""
     return Answer(json.loads(Path(file).read_text(encoding="utf-8")))
+
+
+def check_gap(joint: JointLike, records: Mapping[str, Any], baseline: str | Path, update: bool = False, threads: int = 0,
+              directory: str | Path | None = None, **tolerances: float) -> Answer:
+    """Whether the gap of a joint to its records is worse than in a baseline: answer["passes"], answer["regressions"].
+
+    `update` writes the baseline instead and returns it. Tolerances are shares: gap_tolerance=0.1, number_tolerance=0.05.
+    """
+    from .records import write_record
+
+    if not isinstance(records, Mapping) or not records:
+        raise TypeError("records: expected a dict of at least one data frame, {\"run1\": frame}")
+    words: list[Any] = ["--threads", threads]
+    for name, value in tolerances.items():
+        words += ["--" + name.replace("_", "-"), value]
+    if directory:
+        words += ["-o", directory]
+    with _input(joint) as file, tempfile.TemporaryDirectory(prefix="stickslip-") as temporary:
+        files = [write_record(name, record, Path(temporary), {}) for name, record in records.items()]
+        if update:
+            program.run(["check", file, *files, baseline, "--update", *words])
+            return read_answer(baseline)
+        return Answer(program.answer_of(["check", file, *files, baseline, *words]))
+
+
+def compare(before: str | Path, after: str | Path) -> Answer:
+    """Two diagnoses (folders that diagnose wrote, or diagnosis.json): is the gap new, which number moved, and how far."""
+    return Answer(program.answer_of(["compare", before, after]))
+
+
+def timeline(runs: str | Path | Sequence[str | Path], directory: str | Path, joint: str | None = None, report: bool = True) -> Answer:
+    """The diagnoses of a joint in the order of the dates in their folders' names, with a page in `directory`."""
+    given = [runs] if isinstance(runs, (str, Path)) else list(runs)
+    words: list[Any] = ["--joint", joint] if joint else []
+    return Answer(program.answer_of(["timeline", *given, "-o", directory, *words, *([] if report else ["--no-report"])]))

@@ -1,0 +1,73 @@
+"""A gap against a baseline, two diagnoses, many by date, and the way back from a joint's page to its robot's."""
+import numpy
+import pytest
+
+import stickslip
+from stickslip import StickslipError
+
+JOINT = {"joint": {"motion": "revolute", "inertia": 0.3},
+         "control": {"k_p": 400.0, "k_v": 20.0, "period": 0.002, "velocity_estimate": {"form": "backward-difference"}},
+         "friction": {"law": "coulomb-viscous", "coulomb": 1.0, "viscous": 0.3},
+         "sensor": {"encoder_quantum": 1e-6, "position_noise": 2e-5}}
+T = numpy.arange(0, 3, 2e-3)
+MOTION = {"time": T, "reference_position": 0.5 * (1 - numpy.cos(3 * T))}
+
+
+def measured(coulomb, seed):
+    return {"run": stickslip.simulate(JOINT, {"friction.coulomb": coulomb}, reference=MOTION, seed=seed)}
+
+
+def test_a_gap_is_new_has_another_size_or_is_as_it_was(tmp_path):
+    clean, worn = tmp_path / "clean.json", tmp_path / "worn.json"
+    assert stickslip.check_gap(JOINT, measured(1.0, 1), clean, update=True)["diagnosis"]["verdict"] == "no-gap"
+    assert stickslip.check_gap(JOINT, measured(1.0, 2), clean)["passes"]
+    new = stickslip.check_gap(JOINT, measured(1.1, 3), clean)
+    assert [r["kind"] for r in new["regressions"]] == ["new-gap"]
+    stickslip.check_gap(JOINT, measured(1.2, 4), worn, update=True)
+    assert stickslip.check_gap(JOINT, measured(1.2, 5), worn)["passes"]
+    moved = stickslip.check_gap(JOINT, measured(1.32, 6), worn)
+    assert "number-moved" in [r["kind"] for r in moved["regressions"]]
+    (level,) = (n for n in moved["comparison"]["numbers"] if n["name"] == "Coulomb level")
+    assert level["change"] == pytest.approx(0.12, abs=4 * level["after"]["stderr"] + 4 * level["before"]["stderr"])
+    assert stickslip.check_gap(JOINT, measured(1.0, 7), worn)["passes"]  # a gap that has gone
+
+
+def test_baselines_that_are_none_are_refused(tmp_path):
+    for text, told in (("{}", "is no baseline of a gap"), ("{", "is no complete JSON"),
+                       ('{"format": "stickslip-gap-baseline/1", "joint": "", "diagnosis": {}}', "is no diagnosis"),
+                       ('{"format": "stickslip-gap-baseline/1"}', "lacks joint or diagnosis")):
+        (tmp_path / "b.json").write_text(text)
+        with pytest.raises(StickslipError, match=told):
+            stickslip.check_gap(JOINT, measured(1.0, 1), tmp_path / "b.json")
+    with pytest.raises(StickslipError, match="write a first baseline with --update"):
+        stickslip.check_gap(JOINT, measured(1.0, 1), tmp_path / "none.json")
+
+
+def test_diagnoses_by_date(tmp_path):
+    runs = tmp_path / "runs"
+    for seed, (day, level) in enumerate((("2026-03-02", 1.1), ("2026-01-05", 1.0), ("2026-05-04T14-30", 1.25))):
+        stickslip.diagnose(JOINT, measured(level, 10 + seed), directory=runs / day, report=True)
+    two = stickslip.compare(runs / "2026-03-02", runs / "2026-05-04T14-30")
+    assert two["gap"] == "grown" and two["causes"]["kept"] == ["coulomb-level"]
+    level = next(n for n in two["numbers"] if n["name"] == "Coulomb level")
+    assert level["moved"] and level["change"] == pytest.approx(0.15, abs=0.01)
+    assert stickslip.compare(runs / "2026-01-05", runs / "2026-03-02")["gap"] == "appeared"
+    line = stickslip.timeline(runs, tmp_path / "line")
+    assert [r["date"] for r in line["runs"]] == ["2026-01-05", "2026-03-02", "2026-05-04 14:30"]
+    assert [r["since_the_run_before"] and r["since_the_run_before"]["gap"] for r in line["runs"]] == [None, "appeared", "grown"]
+    page = (tmp_path / "line" / "report.html").read_text(encoding="utf-8")
+    assert 'href="../runs/2026-01-05/report.html"' in page and "Coulomb level" in page
+    (tmp_path / "undated").mkdir()
+    (runs / "2026-03-02" / "diagnosis.json").rename(tmp_path / "undated" / "diagnosis.json")
+    with pytest.raises(StickslipError, match="no part of this path has a date"):
+        stickslip.timeline(tmp_path / "undated", tmp_path / "line")
+    with pytest.raises(StickslipError, match="holds no diagnosis.json"):
+        stickslip.timeline(runs / "2026-03-02", tmp_path / "line")
+
+
+def test_the_page_of_a_joint_leads_back_to_its_robot(tmp_path):
+    record = measured(1.0, 1)["run"]
+    log = {"time": record["time"], **{f"elbow_{c}": record[c] for c in record.columns if c != "time"}}
+    stickslip.diagnose_robot({"elbow": JOINT}, log, directory=tmp_path, report=True)
+    assert '<a href="../robot.html">All joints of the robot</a>' in (tmp_path / "elbow" / "report.html").read_text(encoding="utf-8")
+    assert "elbow/report.html" in (tmp_path / "robot.html").read_text(encoding="utf-8")

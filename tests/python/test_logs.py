@@ -105,6 +105,40 @@ def test_damaged_logs_are_refused_in_words(tmp_path, make, name):
             assert "cut-run" in str(error) or "chunks" in str(error)
 
 
+def one_joint_files(folder):
+    """One joint's arrays in every format of arrays that can be written here."""
+    import xarray
+    one = {"t": sample.T, "position": sample.Q[:, 1], "velocity": sample.DQ[:, 1], "tau": sample.TAU[:, 1]}
+    numpy.savez_compressed(folder / "run.npz", **one)
+    rows = xarray.Dataset({"time": ("row", one["t"]), **{name: ("row", one[name]) for name in ("position", "velocity", "tau")}})
+    rows.to_netcdf(folder / "four.nc")
+    h5py, io = pytest.importorskip("h5py"), pytest.importorskip("scipy.io")
+    rows.to_netcdf(folder / "classic.nc", format="NETCDF3_CLASSIC", engine="scipy")
+    with h5py.File(folder / "run.h5", "w") as file:
+        for name, values in one.items():
+            file.create_dataset(name, data=values)
+    io.savemat(folder / "five.mat", one)
+    (folder / "seven.mat").write_bytes(b"MATLAB 7.3 MAT-file".ljust(512) + (folder / "run.h5").read_bytes())
+    return [folder / name for name in ("run.npz", "four.nc", "classic.nc", "run.h5", "five.mat", "seven.mat")]
+
+
+def test_damaged_files_of_arrays_are_refused_in_words(tmp_path):
+    random = numpy.random.default_rng(1)
+    for file in one_joint_files(tmp_path):
+        assert len(stickslip.read_log(file)) == len(sample.T)
+        whole = file.read_bytes()
+        for k in range(60):  # cut off: refused; a flipped byte may leave a readable file, never another exception
+            data = bytearray(whole[:int(random.integers(0, len(whole) - 1))] if k < 30 else whole)
+            if k >= 30:
+                data[int(random.integers(0, min(len(data), 2000)))] ^= int(random.integers(1, 256))
+            file.write_bytes(bytes(data))
+            try:
+                stickslip.read_log(file)
+                assert k >= 30, f"{file.name}, cut to {len(data)} of {len(whole)} bytes, was read"
+            except StickslipError as error:
+                assert file.name in str(error)
+
+
 def test_damaged_folders_of_sage(tmp_path):
     folder = sample.sage(tmp_path / "run")
     text = (folder / "state_motor.csv").read_text()

@@ -87,5 +87,20 @@ def read_hdf5(path: Path, joint: str | None = None, group: str | None = None, **
 def read_netcdf(path: Path, joint: str | None = None, **options: Any):
     import xarray
 
+    _refuse_cut_classic(path)
     with xarray.open_dataset(path, decode_times=False) as dataset:
         return columns_of(path, {str(name): dataset[name].values for name in dataset.variables}, joint, **options)
+
+
+def _refuse_cut_classic(path: Path) -> None:
+    """The NetCDF library reads zeros where a file of the classic format is cut off; SciPy's reader complains."""
+    with path.open("rb") as file:
+        if file.read(3) != b"CDF":
+            return
+    try:
+        from scipy.io import netcdf_file
+    except ImportError:
+        raise StickslipError(f"{path}: reading classic NetCDF needs scipy (Debian: python3-scipy)") from None
+    with netcdf_file(path, mmap=False) as file:
+        for variable in file.variables.values():
+            variable[:]

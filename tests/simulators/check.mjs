@@ -1,6 +1,7 @@
 // node check.mjs STICKSLIP: exported joints in MuJoCo itself. Numbers of the compiled model against those of the answer,
 // gravity and inertia against the description, and the effort of steady sliding against coulomb + viscous V by hand.
-// Then the other way round: the inertia and gravity of an imported arm against MuJoCo's mass matrix and bias, to 1e-9.
+// Then the other way round: the inertia and gravity of an imported arm against MuJoCo's mass matrix and bias, to 1e-9,
+// and the loads on its joints while all of them move, to 1e-8.
 import loadMujoco from "@mujoco/mujoco";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
@@ -38,7 +39,7 @@ function massDiagonal(model, data, i) {
 
 function exported(name, settings, words = []) {
   const file = join(room, `${name}.toml`);
-  stickslip("new", "joint", ...words, "--plain", "-o", file, ...settings.flatMap(s => ["--set", s]));
+  stickslip("new", "joint", ...words, "--plain", "--force", "-o", file, ...settings.flatMap(s => ["--set", s]));
   return JSON.parse(stickslip("export", file, "--to", "mjcf", "--name", "elbow", "--json"));
 }
 
@@ -124,7 +125,28 @@ const arm = `<mujoco><compiler angle="degree" eulerseq="zyx"/>
       near(`arm: gravity on ${name}`, -data.qfrc_bias[i], answer.gravity.effort, 1e-9);
     });
   }
+  // moving: cubics in time, which a cubic through the rows reproduces; the load is what M and the bias make of the others
+  const cubic = [[0.3, -0.4, 0.8, -0.5], [-0.2, 0.3, -0.6, 0.4], [1.1, 0.9, -1.2, 0.7], [-0.6, -1.3, 0.5, 0.9]];
+  const at = (c, t) => [c[0] + t * (c[1] + t * (c[2] + t * c[3])), c[1] + t * (2 * c[2] + 3 * t * c[3]), 2 * c[2] + 6 * c[3] * t];
+  const table = join(room, "moving.csv"), rows = 400;
+  let text = "time," + names.map((name) => name + "_position").join(",") + "\n";
+  for (let k = 0; k < rows; ++k) text += [k * 2e-3, ...cubic.map((c) => at(c, k * 2e-3)[0])].join(",") + "\n";
+  writeFileSync(table, text);
+  const [head, ...lines] = stickslip("arm-load", table, "--robot", file).trim().split("\n").map((line) => line.split(","));
+  for (const k of [0, 77, 200, 399]) {
+    const acceleration = cubic.map((c) => at(c, k * 2e-3)[2]);
+    cubic.forEach((c, i) => ([data.qpos[i], data.qvel[i]] = at(c, k * 2e-3)));
+    mujoco.mj_forward(model, data);
+    names.forEach((name, i) => {
+      const others = acceleration.map((a, j) => (j === i ? 0 : a)), moved = new mujoco.DoubleBuffer(model.nv);
+      mujoco.mj_mulM(model, data, moved, others);
+      const load = -(data.qfrc_bias[i] + moved.GetView()[i]);
+      moved.delete();
+      near(`moving arm: load on ${name}, row ${k}`, load, Number(lines[k][head.indexOf(name + "_load_effort")]), 1e-8);
+      near(`moving arm: inertia about ${name}, row ${k}`, massDiagonal(model, data, i), Number(lines[k][head.indexOf(name + "_inertia")]), 1e-9);
+    });
+  }
   close();
 }
 console.log(`${checks} numbers, ${failed} of them wrong`);
-process.exit(failed > 0 || checks < 40 ? 1 : 0);
+process.exit(failed > 0 || checks < 70 ? 1 : 0);

@@ -20,12 +20,16 @@ enum class SetPointReason : std::uint8_t {
     slips_shrink,          ///< settles: each slip ends nearer to the set point than the last
     held,                  ///< rests: limits keep the controller from breaking the static friction
     dead_zone,             ///< rests: slips end within the dead zone
+    push_breaks_friction,  ///< hunts: the compensation alone moves the mass off any place but one
+    driven_by_velocity,    ///< hunts: a compensation that follows the velocity gives more than friction takes
+    not_driven,            ///< rests: it gives less, and each slip ends nearer to the set point
     loop_unstable,         ///< without dry friction the loop itself is unstable: it does not hunt, it diverges
     force_control,         ///< the following are not judged
     several_bodies,
     law_needs_motion,
-    law_without_motion,  ///< creep, delayed or linear laws: no simulation at rest
-    friction_term,       ///< a term beside the law
+    law_without_motion,    ///< creep, delayed or linear laws: no simulation at rest
+    bristles_compensated,  ///< a compensation that is fed back, over friction without true rest
+    friction_term,         ///< a term beside the law
     not_converged
 };
 
@@ -35,14 +39,19 @@ struct SetPoint {
     Hunting hunting = Hunting::undecided;
     SetPointReason reason = SetPointReason::none;
     SetPointMethod method = SetPointMethod::none;
-    double amplitude = missing;         ///< distance of the stops from the set point
-    double slip_time = missing;         ///< of one slip
-    double stick_time = missing;        ///< of one stop
-    double period = missing;            ///< two of each
-    double multiplier = missing;        ///< by which a small change of the amplitude changes from stop to stop
-    double rest_error = missing;        ///< largest distance at which the mass may rest for ever; 0: it settles
-    bool asymmetric = false;            ///< hunts, but with stops at unequal distances: `amplitude` is the largest
-    bool rests_nearby = false;          ///< hunts from further away, rests from nearby
+    double amplitude = missing;   ///< distance of the stops from the set point
+    double slip_time = missing;   ///< of one slip
+    double stick_time = missing;  ///< of one stop
+    double period = missing;      ///< two of each
+    double multiplier = missing;  ///< by which a small change of the amplitude changes from stop to stop
+    double rest_error = missing;  ///< largest distance at which the mass may rest for ever; 0: it settles
+    double searched_from = missing, searched_to = missing;  ///< starts of slips that were followed, by size
+    int starts = 0;                                         ///< how many; 0: none, in closed form
+    double largest_ratio = missing;  ///< of the distance after such a slip to that before: below 1 all of them shrink
+    double own_level = missing;      ///< the static friction, in effort: what a compensation may not reach
+    double compensation = missing;   ///< level of what was added against friction, in effort; missing: nothing
+    bool asymmetric = false;         ///< hunts, but with stops at unequal distances: `amplitude` is the largest
+    bool rests_nearby = false;       ///< hunts from further away, rests from nearby
     std::vector<std::string> not_used;  ///< keys of the joint that this answer leaves out
 };
 

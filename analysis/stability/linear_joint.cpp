@@ -111,6 +111,44 @@ double friction_per_load(const Joint& joint, double V)
     return std::abs(steady_force(friction, V)) / friction.normal_load;
 }
 
+std::array<double, max_bodies> carried_efforts(const Joint& joint, double V, double load)
+{
+    const Chain chain = chain_of(joint);
+    std::array<double, max_bodies> effort{};
+    double next = -load;
+    for (int i = chain.bodies - 1; i >= 0; --i) {
+        const auto& body = chain.body[i];
+        const double own = next + body.ratio * steady_force(*body.friction, body.velocity(V));
+        const double mu = body.friction->load_coefficient * (V < 0 ? -1 : 1);
+        if (i == 0 && chain.bodies > 1)
+            effort[0] = own + mu * std::abs(next);  // loaded by the spring behind it
+        else
+            effort[i] = own / (1 - (own < 0 ? -mu : mu));
+        next = effort[i];
+    }
+    return effort;
+}
+
+namespace {
+
+/// Friction that grows with the effort which a spring carries, by its own coefficient or by a normal load from it.
+void load_by_effort(LinearJoint& linear, const Joint& joint, const Chain& chain, double V)
+{
+    bool any = joint.normal.from_load != 0;
+    for (int i = 0; i < chain.bodies; ++i) any |= chain.body[i].friction->load_coefficient != 0;
+    if (!any) return;
+    const auto effort = carried_efforts(joint, V, joint.load.constant);
+    for (int i = 0; i < chain.bodies; ++i) {
+        double per_effort = chain.body[i].friction->load_coefficient;
+        if (i == linear.link() && joint.normal.from_load != 0)
+            per_effort += joint.normal.from_load * friction_per_load(joint, V);
+        const bool along = effort[static_cast<std::size_t>(spring_of(i) + 1)] * V > 0;
+        linear.carried[i] = along ? per_effort : -per_effort;
+    }
+}
+
+}  // namespace
+
 LinearJoint linear_joint(const Joint& joint, double V)
 {
     const auto& c = joint.control;
@@ -127,6 +165,8 @@ LinearJoint linear_joint(const Joint& joint, double V)
         const double share = 1 - joint.friction.load_coefficient;
         linear.inertia[0] /= share;
         linear.friction[0] = scaled(std::move(linear.friction[0]), 1 / share);
+    } else {
+        load_by_effort(linear, joint, chain, V);
     }
     if (joint.normal.moves()) press(linear, joint.normal, friction_per_load(joint, V));
     for (const auto& n : joint.neighbour) linear.neighbour.push_back({n.inertia, n.coupling, n.k_v, n.k_p});

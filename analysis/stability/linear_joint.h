@@ -11,6 +11,12 @@ namespace stickslip {
 
 inline constexpr int max_bodies = 3;
 
+/// The spring whose effort loads the friction of a body.
+inline int spring_of(int body)
+{
+    return body == 0 ? 0 : body - 1;
+}
+
 /// A joint beside this one that the mass matrix couples to its link, under its own linear loop: on the link it acts
 /// like −(m_jk s²)²/D_k(s), D_k = m_kk s² + c s + k.
 struct LinearNeighbour {
@@ -27,6 +33,9 @@ struct LinearJoint {
     std::array<double, max_bodies - 1> stiffness{}, damping{};  ///< between neighbours
     std::array<double, max_bodies> contact{};                   ///< k_c w
     std::array<double, max_bodies> actuated{};                  ///< u
+    /// Friction per effort that the spring before a body carries (the motor: the one behind it), with the effort's
+    /// sign: carried_i (k + c s)(x_m − x_{m+1}) on body i. It is no force between the two, so that K is not symmetric.
+    std::array<double, max_bodies> carried{};
     int measured = 0;
     double k_p = 0, k_v = 0;
     std::array<LinearFriction, max_bodies> friction;
@@ -40,10 +49,19 @@ struct LinearJoint {
     bool rational() const;  ///< no delays and tables: finitely many roots
 
     /// K_ik without the loop, contact included.
-    double stiffness_at(int i, int k) const { return chain(stiffness, i, k) + (k == link() ? contact[i] : 0); }
-    double damping_at(int i, int k) const { return chain(damping, i, k); }
+    double stiffness_at(int i, int k) const
+    {
+        return chain(stiffness, i, k) + by_load(stiffness, i, k) + (k == link() ? contact[i] : 0);
+    }
+    double damping_at(int i, int k) const { return chain(damping, i, k) + by_load(damping, i, k); }
 
   private:
+    double by_load(const std::array<double, max_bodies - 1>& springs, int i, int k) const
+    {
+        if (carried[i] == 0) return 0;
+        const int before = spring_of(i);
+        return k == before ? carried[i] * springs[before] : k == before + 1 ? -carried[i] * springs[before] : 0;
+    }
     double chain(const std::array<double, max_bodies - 1>& springs, int i, int k) const
     {
         if (i == k) return (i > 0 ? springs[i - 1] : 0) + (i < bodies - 1 ? springs[i] : 0);
@@ -78,6 +96,11 @@ Chain chain_of(const Joint& joint);
 /// μ of a normal load that moves: normal.mu, or the steady friction at V per friction.normal_load where that is a
 /// force.
 double friction_per_load(const Joint& joint, double V);
+
+/// What the loop and the springs carry in steady sliding at V (joint side), with friction that grows with it:
+/// effort[0] that of the loop on the motor, effort[i] of the spring before body i. From the link up,
+/// T = f + μ|T| + what the next one carries; `load` is the constant load counted, in the direction of motion.
+std::array<double, max_bodies> carried_efforts(const Joint& joint, double V, double load);
 
 /// The joint about steady sliding of all its bodies at V (joint side; the motor slides at N V and its friction comes
 /// back N² times as large: δf'_m = N δf_m(N ẋ')).

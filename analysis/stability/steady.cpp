@@ -13,11 +13,23 @@ Reason obstacle(const Friction& friction, double V)
     return has_response(friction) ? Reason::none : Reason::unsupported;
 }
 
-/// Neighbours beside friction that answers late have no search for their roots, and a normal load that follows the
-/// transmitted effort no linear form here.
+bool loaded_by_effort(const Chain& chain)
+{
+    for (int i = 0; i < chain.bodies; ++i)
+        if (chain.body[i].friction->load_coefficient != 0) return true;
+    return false;
+}
+
+/// Neighbours beside friction that answers late have no search for their roots. A normal load that follows the
+/// transmitted effort needs a transmission, and has no form here that its state would follow.
 Reason coupling_obstacle(const Joint& joint, const Chain& chain)
 {
-    if (joint.normal.from_load != 0) return Reason::unsupported;
+    const auto& load = joint.normal;
+    const bool by_effort = load.from_load != 0 || loaded_by_effort(chain);
+    // in force control the springs go on being stretched, so that such friction has no steady value
+    const bool steady = chain.bodies > 1 && joint.control.kind == ControlKind::position;
+    if (by_effort && chain.bodies > 1 && !steady) return Reason::unsupported;
+    if (load.from_load != 0 && (chain.bodies == 1 || load.alpha != 0)) return Reason::unsupported;
     if (joint.neighbour.size == 0) return Reason::none;
     for (int i = 0; i < chain.bodies; ++i) {
         const auto& law = info(chain.body[i].friction->law);
@@ -43,17 +55,21 @@ SteadySliding steady_sliding(const Joint& joint)
     for (int i = 0; i < chain.bodies; ++i) {
         const auto& body = chain.body[i];
         s.reason = obstacle(*body.friction, body.velocity(s.velocity));
-        if (chain.bodies > 1 && body.friction->load_coefficient != 0) s.reason = Reason::unsupported;
         if (s.reason != Reason::none) {
             s.friction = missing;
             return s;
         }
         s.friction += body.ratio * steady_force(*body.friction, body.velocity(s.velocity));
     }
-    // friction that grows with the transmitted effort T: T = f_ss + μ T
-    const double share = 1 - (chain.bodies == 1 ? joint.friction.load_coefficient : 0);
-    s.deflection = s.friction / share / gains_of(joint.control).k_p;
-    if (!std::isfinite(s.friction) || !(share > 0)) s.reason = Reason::no_steady_state;
+    double effort = s.friction;
+    bool carries = true;
+    if (loaded_by_effort(chain)) {
+        effort = carried_efforts(joint, s.velocity, 0)[0];
+        for (int i = chain.bodies > 1 ? 1 : 0; i < chain.bodies; ++i)
+            carries = carries && chain.body[i].friction->load_coefficient < 1;
+    }
+    s.deflection = effort / gains_of(joint.control).k_p;
+    if (!std::isfinite(effort) || !carries) s.reason = Reason::no_steady_state;
     return s;
 }
 

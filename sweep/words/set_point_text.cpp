@@ -2,6 +2,8 @@
 
 #include "analysis/results/text.h"
 
+#include <fmt/format.h>
+
 namespace stickslip {
 
 std::string set_point_reason(SetPointReason reason)
@@ -23,6 +25,16 @@ std::string set_point_reason(SetPointReason reason)
             return "a limit of the integral or of the output keeps the loop from breaking the static friction";
         case SetPointReason::dead_zone:
             return "slips end within the dead zone";
+        case SetPointReason::push_breaks_friction:
+            return "over-compensated: the push from the error's side is more than static friction, so that the loop, "
+                   "which is late, drives the joint to and fro";
+        case SetPointReason::driven_by_velocity:
+            return "over-compensated: the feed-forward from the velocity gives more than friction and damping take";
+        case SetPointReason::not_driven:
+            return "the loop does not integrate, and the feed-forward from the velocity gives less than friction and "
+                   "damping take";
+        case SetPointReason::bristles_compensated:
+            return "a feed-forward from the error or the velocity is not simulated over bristles";
         case SetPointReason::loop_unstable:
             return "the loop is unstable even without dry friction: it diverges instead of hunting";
         case SetPointReason::force_control:
@@ -64,7 +76,8 @@ std::string set_point_text(const SetPoint& s, Motion motion)
     std::string text;
     switch (s.hunting) {
         case Hunting::yes:
-            text = "Hunts at a set point: stops " + length(s.amplitude) + " to either side";
+            text = "Hunts at a set point";
+            if (is_set(s.amplitude)) text += ": stops " + length(s.amplitude) + " to either side";
             if (s.asymmetric) text = "Hunts at a set point: stops up to " + length(s.amplitude) + " away, unequally";
             if (is_set(s.period)) text += ", one cycle in " + with_unit(s.period, Quantity::time, motion);
             text += s.rests_nearby ? "; from nearby it comes to rest." : ".";
@@ -104,6 +117,13 @@ Table set_point_table(const SetPoint& s, Motion motion)
     add("stick time", s.stick_time, Quantity::time);
     add("hunting period", s.period, Quantity::time);
     add("multiplier from stop to stop", s.multiplier, Quantity::number);
+    add("static friction", s.own_level, Quantity::effort);
+    add("level of the compensation", s.compensation, Quantity::effort);
+    if (s.starts > 0 && s.hunting == Hunting::no)
+        table.rows.push_back({"slips followed", fmt::format("{} starts from {} to {}", s.starts,
+                                                            with_unit(s.searched_from, Quantity::position, motion),
+                                                            with_unit(s.searched_to, Quantity::position, motion))});
+    add("largest ratio of distances from stop to stop", s.largest_ratio, Quantity::number);
     if (s.hunting == Hunting::no) add("largest error at rest", s.rest_error, Quantity::position);
     std::string keys;
     for (const auto& key : s.not_used) keys += (keys.empty() ? "" : ", ") + key;

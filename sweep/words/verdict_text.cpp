@@ -1,5 +1,6 @@
 #include "sweep/words/verdict_text.h"
 
+#include "analysis/joint/gains.h"
 #include "analysis/results/text.h"
 #include "sweep/words/line_figure.h"
 #include "sweep/words/loop_text.h"
@@ -37,6 +38,13 @@ std::string asked_by_velocity(const Joint& joint, const VelocityOnlyVerdict& vel
     return " and asks for " + demanded_text(velocity_only.stable_k_v, joint.mechanism.motion) + ".";
 }
 
+/// Above the upper end of a real loop's stable gains it is dead time, lag or sampling that destabilises, not friction.
+bool above_the_loops_window(const Joint& joint, const LinearVerdict& v)
+{
+    const auto& stable = v.state_variable.stable_intervals;
+    return v.loop.kind != LoopKind::ideal && !stable.empty() && gains_of(joint.control).k_p > stable.back().high;
+}
+
 /// The first words: what the joint does, and how fast.
 std::string first_words(const Joint& joint, const LinearVerdict& v, bool bistable)
 {
@@ -48,6 +56,9 @@ std::string first_words(const Joint& joint, const LinearVerdict& v, bool bistabl
         return "Neutral: small disturbances of sliding at " + speed + " neither decay nor grow";
     if (joint.control.k_p < 0)
         return "Unstable: with k_{p} < 0 the loop pushes away from the commanded motion, sliding at " + speed +
+               " does not last";
+    if (above_the_loops_window(joint, v))
+        return "Unstable loop: k_{p} is above every gain with which the loop itself is stable, sliding at " + speed +
                " does not last";
     return "Stick-slip: sliding at " + speed + " is unstable";
 }

@@ -11,12 +11,13 @@ constexpr double slowest = 1e-9;  ///< of V_0, for bodies that rest: their frict
 /// of filters far beyond the loop no more than follows their lag, which is that of a hold.
 constexpr double ticks_per_radian = 40, filter_part = 0.05, most_for_filters = 8;
 
-}  // namespace
+/// Of a usual tick. A lag as short as this is a dead time of its length: to the loop they differ by half the square of
+/// lag times frequency, 3e-8, but after each tick the lag would be a layer of many steps.
+constexpr double short_lag = 0.01;
 
-double tick_of(const Joint& joint)
+double usual_tick(const Joint& joint)
 {
     const auto& c = joint.control;
-    if (is_set(c.period)) return c.period;
     const Chain chain = chain_of(joint);
     double fastest = 0, before = 0;  // of each body against what holds it
     for (int i = 0; i < chain.bodies; ++i) {
@@ -25,7 +26,25 @@ double tick_of(const Joint& joint)
         fastest = std::max(fastest, std::sqrt(held / chain.body[i].inertia));
         before = behind;
     }
-    const double usual = 1 / (ticks_per_radian * std::max(fastest, 1e-9));
+    return 1 / (ticks_per_radian * std::max(fastest, 1e-9));
+}
+
+Joint with_short_lag_as_delay(Joint joint)
+{
+    if (is_set(joint.control.period) || !(joint.actuator.lag < short_lag * usual_tick(joint))) return joint;
+    joint.control.delay += joint.actuator.lag;
+    joint.actuator.lag = 0;
+    return joint;
+}
+
+}  // namespace
+
+double tick_of(const Joint& given)
+{
+    if (is_set(given.control.period)) return given.control.period;
+    const Joint joint = with_short_lag_as_delay(given);
+    const auto& c = joint.control;
+    const double usual = usual_tick(joint);
     double tick = usual;
     for (const double filter : {c.velocity_estimate.tau, joint.actuator.lag})
         if (filter > 0) tick = std::min(tick, filter_part * filter);
@@ -33,8 +52,8 @@ double tick_of(const Joint& joint)
 }
 
 SampledLoop::SampledLoop(const Joint& joint, double frame, double speed, LoopSide side, const LoopOptions& options)
-    : motion(DrivenJoint(with_gains(joint), frame, speed, side), options.motion),
-      joint_(with_gains(joint)),
+    : motion(DrivenJoint(with_short_lag_as_delay(with_gains(joint)), frame, speed, side), options.motion),
+      joint_(with_short_lag_as_delay(with_gains(joint))),
       options_(options),
       noise_(options.seed),
       period_(is_set(options.tick) && !is_set(joint.control.period) ? options.tick : tick_of(joint)),
@@ -46,7 +65,7 @@ SampledLoop::SampledLoop(const Joint& joint, double frame, double speed, LoopSid
         part = late - ticks > whole ? late - ticks : 0;
         return ticks;
     };
-    const double ticks = in_ticks(joint.dead_time(), late_part_);
+    const double ticks = in_ticks(joint_.dead_time(), late_part_);
     ticks_late_ = static_cast<long>(in_ticks(joint.sensor.delay, reading_part_));
     // with a part of a tick of dead time the command before the oldest one still holds when a tick begins
     line_.resize(static_cast<std::size_t>(ticks) + 1 + (late_part_ > 0 ? 1 : 0));

@@ -5,7 +5,7 @@
 namespace stickslip {
 namespace {
 
-constexpr int per_decade = 8, decades_below = 6, decades_above = 2;
+constexpr int decades_below = 6, decades_above = 2;
 constexpr double precision = 1e-10;
 constexpr double jump = 1e-6;  ///< a fixed point left by more than this share is a jump of the map, not a cycle
 
@@ -51,7 +51,7 @@ SetPoint cycle_at(const StopToStop& motion, double a)
 
 }  // namespace
 
-SetPoint hunting_by_events(const StopToStop& motion, double natural, double dead_zone)
+SetPoint hunting_by_events(const StopToStop& motion, double natural, double dead_zone, int per_decade)
 {
     SetPoint none;
     none.method = SetPointMethod::event_driven;
@@ -70,11 +70,15 @@ SetPoint hunting_by_events(const StopToStop& motion, double natural, double dead
                   : dead_zone > 0   ? SetPointReason::dead_zone
                                     : SetPointReason::slips_shrink;
     none.rest_error = std::max(least, 0.0);
+    none.searched_from = least + low, none.searched_to = least + high;
+    none.starts = n + 1;
+    double largest = -infinity;
     double outer = least + high, f_outer = growth(motion.slip_from(outer), outer);
     if (f_outer > 0) return none.reason = SetPointReason::loop_unstable, none;
     for (int i = n - 1; i >= 0; --i) {
         const double a = least + low * std::pow(high / low, static_cast<double>(i) / n);
         const double f = growth(motion.slip_from(a), a);
+        largest = std::max({largest, f, f_outer});
         if (f > 0 && f_outer <= 0) {
             const auto at = [&](double v) { return growth(motion.slip_from(v), v); };
             const double found = bracketed_root(at, a, f, outer, f_outer, precision).value;
@@ -92,7 +96,48 @@ SetPoint hunting_by_events(const StopToStop& motion, double natural, double dead
         }
         outer = a, f_outer = f;
     }
+    none.largest_ratio = std::exp(largest);
     return none;
+}
+
+SetPoint hunting_without_integral(const StopToStop& motion, double band)
+{
+    constexpr double far_away = 100, same = 1e-9;
+    constexpr int most = 10'000;
+    SetPoint s;
+    s.method = SetPointMethod::event_driven;
+    s.searched_from = band, s.searched_to = far_away * band;
+    s.starts = 1;
+    double a = far_away * band;
+    for (int i = 0; i < most; ++i) {
+        const auto stop = motion.release_from(a);
+        if (stop.end == Stop::End::failure) break;
+        const bool on = stop.end == Stop::End::stop && std::abs(stop.x) > band;
+        if (stop.end == Stop::End::runaway || (on && std::abs(stop.x) > s.searched_to)) {
+            s.hunting = Hunting::no;
+            return s.reason = SetPointReason::loop_unstable, s;
+        }
+        if (!on) {
+            s.hunting = Hunting::no;
+            s.reason = SetPointReason::not_driven;
+            return s.rest_error = band, s;
+        }
+        const double next = std::abs(stop.x), change = std::abs(next - a);
+        a = next;
+        if (change > same * a) continue;
+        s.hunting = Hunting::yes;
+        s.reason = SetPointReason::driven_by_velocity;
+        s.amplitude = a;
+        s.slip_time = stop.slip_time;
+        s.stick_time = 0;
+        s.period = 2 * stop.slip_time;
+        const double step = 1e-4 * a;
+        s.multiplier = (motion.release_from(a + step).x - motion.release_from(a).x) / step;
+        s.rests_nearby = true;
+        return s;
+    }
+    s.reason = SetPointReason::not_converged;
+    return s;
 }
 
 }  // namespace stickslip

@@ -5,8 +5,12 @@
 
 namespace stickslip {
 
-/// Looks for starts a whose slip ends at +a, over the distances at which the integrator can break away, eight a decade;
-/// a pair of cycles closer than that is missed. `natural` is a distance of the order of the slips.
-SetPoint hunting_by_events(const StopToStop& motion, double natural, double dead_zone);
+/// Looks for starts a whose slip ends at +a, over the distances at which the integrator can break away, so many a
+/// decade; a pair of cycles closer than that is missed. `natural` is a distance of the order of the slips.
+SetPoint hunting_by_events(const StopToStop& motion, double natural, double dead_zone, int per_decade = 8);
+
+/// The same of a loop that does not integrate, under a compensation that follows the velocity: slips follow from one
+/// another without a stop to wind up, and a cycle is what far starts end in.
+SetPoint hunting_without_integral(const StopToStop& motion, double band);
 
 }  // namespace stickslip

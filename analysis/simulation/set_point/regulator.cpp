@@ -4,7 +4,7 @@
 
 namespace stickslip {
 
-Regulator regulator_of(const Joint& joint)
+Regulator regulator_of(const Joint& joint, const Compensation& compensation)
 {
     const auto& c = joint.control;
     const auto& a = joint.actuator;
@@ -28,6 +28,8 @@ Regulator regulator_of(const Joint& joint)
     r.effort_limit = std::min(std::abs(per_signal) * most_signal, a.limit);
     r.anti_windup = c.anti_windup;
     r.tracking_time = c.tracking_time;
+    r.compensation = compensation;
+    r.compensation.level *= per_signal;
     return r;
 }
 
@@ -54,10 +56,26 @@ RegulatorFlow::Linearised RegulatorFlow::output(const FlowVector& y, double* ask
 {
     const auto& r = regulator_;
     const bool dead = std::abs(y[0]) <= r.dead_zone;
-    const double u = r.k_p * r.error(y[0]) - r.k_v * y[1] + y[2];
+    const auto added = compensation(y);
+    const double u = r.k_p * r.error(y[0]) - r.k_v * y[1] + y[2] + added.value;
     if (asked) *asked = u;
     if (std::abs(u) > r.effort_limit) return {std::copysign(r.effort_limit, u), 0, 0, 0};
-    return {u, dead ? 0 : -r.k_p, -r.k_v, 1};
+    return {u, (dead ? 0 : -r.k_p) + added.by_x, -r.k_v + added.by_v, 1};
+}
+
+RegulatorFlow::Linearised RegulatorFlow::compensation(const FlowVector& y) const
+{
+    const auto& c = regulator_.compensation;
+    if (!c.acts()) return {};
+    const double share = std::tanh(y[1] / c.speed), slope = (1 - share * share) / c.speed;
+    if (c.by_velocity()) return {c.level * share, 0, c.level * slope, 0};
+    const double e = regulator_.error(y[0]);
+    const bool within = std::abs(e) < c.width;
+    const double where = c.width == 0 ? side : within ? e / c.width : std::copysign(1.0, e);
+    // fades on the branch on which the mass moves, so that it has a slope at rest
+    const double forward = branch == Branch::forward ? 1 : -1;
+    return {c.level * where * (1 - forward * share), within && e != 0 ? -c.level / c.width * (1 - forward * share) : 0,
+            -c.level * where * forward * slope, 0};
 }
 
 /// ẇ. With `clamp` the integral waits while the output is at its limit, with `conditional` only while the error would
@@ -76,8 +94,9 @@ RegulatorFlow::Linearised RegulatorFlow::winding(const FlowVector& y) const
     if (excess != 0 && waits) rate = {};
     if (excess != 0 && r.anti_windup == AntiWindup::back_calculation) {
         rate.value -= excess / r.tracking_time;
-        rate.by_x += e == 0 ? 0 : r.k_p / r.tracking_time;
-        rate.by_v += r.k_v / r.tracking_time;
+        const auto added = compensation(y);
+        rate.by_x += ((e == 0 ? 0 : r.k_p) - added.by_x) / r.tracking_time;
+        rate.by_v += (r.k_v - added.by_v) / r.tracking_time;
         rate.by_w -= 1 / r.tracking_time;
     }
     if (std::abs(y[2]) >= r.integral_limit && rate.value * y[2] > 0) return {};

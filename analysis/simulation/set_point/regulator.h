@@ -2,6 +2,7 @@
 #pragma once
 #include "analysis/joint/joint.h"
 #include "analysis/simulation/flows/flow.h"
+#include "analysis/simulation/set_point/compensation.h"
 
 namespace stickslip {
 
@@ -15,19 +16,36 @@ struct Regulator {
     double dead_zone = 0, integral_limit = infinity, integral_band = infinity, effort_limit = infinity;
     AntiWindup anti_windup = AntiWindup::none;
     double tracking_time = not_set;
+    Compensation compensation;
 
     /// The error −x as the controller counts it.
     double error(double x) const { return std::abs(x) <= dead_zone ? 0 : std::copysign(dead_zone, x) - x; }
     /// Nothing but gains: what slip.h has in closed form.
     bool linear() const
     {
-        return dead_zone == 0 && integral_limit == infinity && integral_band == infinity && effort_limit == infinity;
+        return dead_zone == 0 && integral_limit == infinity && integral_band == infinity && effort_limit == infinity &&
+               !compensation.acts();
+    }
+    /// What holds or moves the mass at rest beside the integral: k_p e and the push towards the set point.
+    double push_at_rest(double x) const
+    {
+        const double e = error(x), w = compensation.width;
+        if (!compensation.by_error() || e == 0) return k_p * e;
+        return k_p * e + compensation.level * (std::abs(e) < w ? e / w : std::copysign(1.0, e));
+    }
+    /// The error outside the dead zone up to which that holds no more than a force.
+    double error_holding(double force) const
+    {
+        if (!(force > 0)) return 0;
+        if (!compensation.by_error()) return force / k_p;
+        const double w = compensation.width, within = w > 0 ? force / (k_p + compensation.level / w) : infinity;
+        return within <= w ? within : std::max(w, (force - compensation.level) / k_p);
     }
 };
 
 /// The joint's loop as a regulator. The motion is about the effort, so that the actuator's gain, a motor's constants
 /// and the limits on the way are in it; sampling, dead time, lag, sensor and reference are not.
-Regulator regulator_of(const Joint& joint);
+Regulator regulator_of(const Joint& joint, const Compensation& compensation = {});
 
 /// m v̇ = u(x, v, w) − drag v − f(v, θ), y = (x, v, w, θ_i), x from the set point.
 class RegulatorFlow final : public Flow {
@@ -36,6 +54,7 @@ class RegulatorFlow final : public Flow {
     RegulatorFlow(const Regulator& regulator, const Friction& friction, double position, double speed);
 
     Branch branch = Branch::forward;  ///< of a friction that is set-valued at rest
+    double side = 1;                  ///< of the error, where a compensation jumps with it: 1, 0 in the dead zone, −1
 
     int size() const override { return 3 + states_; }
     FlowVector steady() const override { return FlowVector::Zero(size()); }
@@ -54,7 +73,7 @@ class RegulatorFlow final : public Flow {
     std::unique_ptr<Flow> copy() const override { return std::make_unique<RegulatorFlow>(*this); }
 
     /// What the controller gives at y.
-    double effort(const FlowVector& y) const { return output(y).value; }
+    double effort(const FlowVector& y, double* asked = nullptr) const { return output(y, asked).value; }
     const Regulator& regulator() const { return regulator_; }
     const Friction& friction() const { return friction_; }
     double speed() const { return speed_; }
@@ -65,6 +84,7 @@ class RegulatorFlow final : public Flow {
         double value = 0, by_x = 0, by_v = 0, by_w = 0;
     };
     Linearised output(const FlowVector& y, double* asked = nullptr) const;
+    Linearised compensation(const FlowVector& y) const;
     Linearised winding(const FlowVector& y) const;
     FrictionResponse response(const FlowVector& y) const;
 

@@ -115,20 +115,51 @@ SetPoint with_bristles(const Regulator& regulator, const Friction& law, const Re
     return s;
 }
 
-SetPoint decided(const Joint& joint)
+/// Whether the command acts later than the error that it answers.
+bool late(const Joint& joint)
+{
+    return is_set(joint.control.period) || joint.control.delay > 0 || joint.sensor.delay > 0 || joint.actuator.lag > 0;
+}
+
+/// Where the side of the error alone moves the mass, it can rest in one point only, and a loop that is late passes
+/// that point each time: I. Boiko, Discontinuous Control Systems, 2009. An exact loop comes to rest there.
+bool pushes_itself(const Joint& joint, const Regulator& regulator, const DryFriction& dry)
+{
+    const auto& c = regulator.compensation;
+    return c.jumps() && c.level > dry.breakaway && regulator.dead_zone == 0 && late(joint);
+}
+
+SetPoint pushed_about(SetPointReason reason)
+{
+    SetPoint s;
+    s.hunting = Hunting::yes;
+    s.reason = reason;
+    s.method = SetPointMethod::closed_form;
+    return s;
+}
+
+SetPoint without_integral(const Joint& joint, const Regulator& regulator, const DryFriction& dry)
+{
+    if (regulator.k_i < 0 || !(regulator.k_p > 0))
+        return rests(SetPointReason::loop_unstable, missing, SetPointMethod::closed_form);
+    const bool breaks = dry.breakaway <= regulator.effort_limit;
+    const double band = breaks ? regulator.error_holding(dry.breakaway) + regulator.dead_zone : infinity;
+    if (breaks && regulator.compensation.by_velocity())
+        return hunting_without_integral(StopToStop(regulator, joint.friction), band);
+    return rests(SetPointReason::no_integral_action, band, SetPointMethod::closed_form);
+}
+
+SetPoint decided(const Joint& joint, const SetPointQuestion& question)
 {
     if (joint.control.kind == ControlKind::force) return undecided(SetPointReason::force_control);
     if (joint.mechanism.model != Model::single_mass) return undecided(SetPointReason::several_bodies);
     const auto [friction, reason] = resting_friction(joint.friction);
     if (reason != SetPointReason::none) return undecided(reason);
-    const auto regulator = regulator_of(joint);
-    if (!(regulator.k_i > 0)) {
-        if (regulator.k_i < 0 || !(regulator.k_p > 0))
-            return rests(SetPointReason::loop_unstable, missing, SetPointMethod::closed_form);
-        const bool breaks = friction.dry.breakaway <= regulator.effort_limit;
-        const double band = breaks ? friction.dry.breakaway / regulator.k_p + regulator.dead_zone : infinity;
-        return rests(SetPointReason::no_integral_action, band, SetPointMethod::closed_form);
-    }
+    const auto regulator = regulator_of(joint, question.compensation);
+    if (pushes_itself(joint, regulator, friction.dry)) return pushed_about(SetPointReason::push_breaks_friction);
+    if (friction.presliding > 0 && regulator.compensation.acts())
+        return undecided(SetPointReason::bristles_compensated);
+    if (!(regulator.k_i > 0)) return without_integral(joint, regulator, friction.dry);
     const PidMass mass{regulator.inertia, regulator.k_v + regulator.drag + friction.viscous, regulator.k_p,
                        regulator.k_i};
     if (!mass.stable()) return rests(SetPointReason::loop_unstable, missing, SetPointMethod::closed_form);
@@ -136,7 +167,8 @@ SetPoint decided(const Joint& joint)
     const auto cycle = hunting_cycle(mass, friction.dry);
     const double natural = cycle.found ? cycle.amplitude : friction.dry.breakaway / regulator.k_p;
     if (friction.presliding > 0) return with_bristles(regulator, joint.friction, friction, natural);
-    auto s = hunting_by_events(StopToStop(regulator, joint.friction), natural, regulator.dead_zone);
+    auto s = hunting_by_events(StopToStop(regulator, joint.friction), natural, regulator.dead_zone,
+                               question.starts_per_decade);
     if (s.hunting == Hunting::yes && friction.flat) s.reason = SetPointReason::static_above_coulomb;
     return s;
 }
@@ -169,9 +201,12 @@ bool integrates(const Joint& joint)
     return gains_of(joint.control).k_i != 0;
 }
 
-SetPoint set_point(const Joint& joint)
+SetPoint set_point(const Joint& joint, const SetPointQuestion& question)
 {
-    SetPoint s = decided(joint);
+    SetPoint s = decided(joint, question);
+    const auto friction = resting_friction(joint.friction);
+    if (friction.reason == SetPointReason::none) s.own_level = friction.friction.dry.breakaway;
+    if (question.compensation.acts()) s.compensation = regulator_of(joint, question.compensation).compensation.level;
     s.not_used = left_out(joint);
     return s;
 }

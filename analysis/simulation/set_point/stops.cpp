@@ -19,8 +19,12 @@ double slowest_time(const Regulator& r, double viscous)
 {
     const double c = r.k_v + r.drag + viscous;
     double slowest = 0;
-    for (const auto& s : cubic_roots(c / r.inertia, r.k_p / r.inertia, r.k_i / r.inertia))
-        slowest = std::max(slowest, 1 / std::abs(s));
+    if (r.k_i > 0)
+        for (const auto& s : cubic_roots(c / r.inertia, r.k_p / r.inertia, r.k_i / r.inertia))
+            slowest = std::max(slowest, 1 / std::abs(s));
+    else
+        for (const auto& s : quadratic_roots(c / r.inertia, r.k_p / r.inertia))
+            slowest = std::max(slowest, 1 / std::abs(s));
     return slowest;
 }
 
@@ -31,7 +35,8 @@ double falling_speed(const Friction& friction)
     return curve && curve->c2 > 0 ? curve->c3 : infinity;
 }
 
-enum SlipEvent { rests = 0, dead_zone_left, dead_zone_right, at_limit, at_lower_limit, slip_events };
+enum SlipEvent { rests = 0, dead_zone_left, dead_zone_right, push_whole, at_limit, slip_events };
+static_assert(slip_events <= max_events);
 
 Events events_of(const RegulatorFlow& flow)
 {
@@ -40,14 +45,31 @@ Events events_of(const RegulatorFlow& flow)
     events.count = slip_events;
     events.values = [&flow, zone, limit](const FlowVector& y, double* values) {
         const auto& r = flow.regulator();
-        const double asked = r.k_p * r.error(y[0]) - r.k_v * y[1] + y[2];
+        double asked = 0;
+        flow.effort(y, &asked);
+        const auto& c = r.compensation;
+        const bool left = zone > 0 || c.jumps(), whole = c.by_error() && c.width > 0;
         values[rests] = flow.speed_measure(y);
-        values[dead_zone_left] = zone > 0 ? y[0] + zone : 1;
+        values[dead_zone_left] = left ? y[0] + zone : 1;
         values[dead_zone_right] = zone > 0 ? y[0] - zone : 1;
-        values[at_limit] = limit < infinity ? asked - limit : 1;
-        values[at_lower_limit] = limit < infinity ? asked + limit : 1;
+        values[push_whole] = whole ? std::abs(y[0]) - zone - c.width : 1;
+        values[at_limit] = limit < infinity ? std::abs(asked) - limit : 1;
     };
     return events;
+}
+
+/// The side of the error at a place, 0 in the dead zone.
+double side_at(const Regulator& r, double x)
+{
+    const double e = r.error(x);
+    return e == 0 ? 0 : std::copysign(1.0, e);
+}
+
+/// The side towards which the mass moves on from an edge of the dead zone.
+double side_beyond(const Regulator& r, const FlowVector& y)
+{
+    if (r.dead_zone == 0) return y[1] > 0 ? -1 : 1;
+    return y[0] * y[1] < 0 ? 0 : y[0] > 0 ? -1 : 1;
 }
 
 double acceleration(const RegulatorFlow& flow, const FlowVector& y)
@@ -82,13 +104,13 @@ StopToStop::StopToStop(const Regulator& regulator, const Friction& friction)
 {
     const double fast = 1e6 * std::min(falling_speed(friction), 1.0);
     slowest_ = slowest_time(regulator, respond(friction, fast, {}).by_velocity);
-    speed_limit_ = falling_speed(friction);
+    const auto& c = regulator.compensation;
+    speed_limit_ = std::min(falling_speed(friction), c.acts() ? c.speed : infinity);
 }
 
 double StopToStop::breakaway_integral(double x) const
 {
-    const double e = regulator_.error(x);
-    return std::copysign(static_, e) - regulator_.k_p * e;
+    return std::copysign(static_, regulator_.error(x)) - regulator_.push_at_rest(x);
 }
 
 double StopToStop::stick_time(double x, double w) const
@@ -103,7 +125,7 @@ double StopToStop::least_start() const
 {
     if (static_ > regulator_.effort_limit) return infinity;
     // further out the proportional part helps; far out w changes sign, and the limit binds again
-    return regulator_.dead_zone + std::max(0.0, (static_ - regulator_.integral_limit) / regulator_.k_p);
+    return regulator_.dead_zone + regulator_.error_holding(static_ - regulator_.integral_limit);
 }
 
 Stop StopToStop::slip_from(double a) const
@@ -115,6 +137,22 @@ Stop StopToStop::slip_from(double a) const
         stop.end = Stop::End::held;
         return stop;
     }
+    return follow(a, w, false);
+}
+
+Stop StopToStop::release_from(double a) const
+{
+    Stop stop;
+    if (regulator_.push_at_rest(-a) <= static_ || static_ > regulator_.effort_limit) {
+        stop.end = Stop::End::held;
+        return stop;
+    }
+    return follow(a, 0, true);
+}
+
+Stop StopToStop::follow(double a, double w, bool to_first_rest) const
+{
+    Stop stop;
     const double speed = std::min(a / slowest_, 1e-3 * speed_limit_);
     RegulatorFlow flow(regulator_, friction_, a, speed);
     const Events events = events_of(flow);
@@ -138,12 +176,20 @@ Stop StopToStop::slip_from(double a) const
         stop.x = y[0], stop.slip_time = now;
         const bool still = std::abs(y[0]) < nothing * a && std::abs(y[1]) < nothing * speed;
         if (still || report.end == StepEnd::time) return stop.end = Stop::End::settled, stop;
-        if (report.end != StepEnd::event || report.event != rests) continue;
+        if (report.end != StepEnd::event) continue;
+        if (report.event != rests) {
+            if (!regulator_.compensation.jumps() || report.event > dead_zone_right) continue;
+            flow.side = side_beyond(regulator_, y);
+            y[0] = report.event == dead_zone_left ? -regulator_.dead_zone : regulator_.dead_zone;
+            solver->start(flow, now, y, events);
+            continue;
+        }
         y[1] = 0;
+        flow.side = side_at(regulator_, y[0]);
         const double push = flow.effort(y);
-        if (std::abs(push) <= static_) {
+        if (std::abs(push) <= static_ || to_first_rest) {
             stop.end = Stop::End::stop;
-            stop.stick_time = stick_time(y[0], y[2]);
+            stop.stick_time = to_first_rest ? 0 : stick_time(y[0], y[2]);
             return stop;
         }
         if (++stop.turns > most_turns) return stop.end = Stop::End::runaway, stop;

@@ -27,11 +27,15 @@ class StopToStop {
 
     /// The slip that begins at −a, where the integrator has just broken the static friction.
     Stop slip_from(double a) const;
+    /// To the first rest, held or not, from −a in a loop without an integral; `held` where static friction is not
+    /// broken there.
+    Stop release_from(double a) const;
     /// The least distance from which the integrator breaks away at all.
     double least_start() const;
     double static_force() const { return static_; }
 
   private:
+    Stop follow(double a, double w, bool to_first_rest) const;
     double breakaway_integral(double x) const;
     double stick_time(double x, double w) const;
 

@@ -16,6 +16,12 @@ nlohmann::ordered_json set_point_json(const SetPoint& s)
     json["period"] = json_number(s.period);
     json["multiplier"] = json_number(s.multiplier);
     json["rest_error"] = json_number(s.rest_error);
+    json["static_friction"] = json_number(s.own_level);
+    json["compensation"] = json_number(s.compensation);
+    json["searched"] = {{"starts", s.starts},
+                        {"from", json_number(s.searched_from)},
+                        {"to", json_number(s.searched_to)},
+                        {"largest_ratio", json_number(s.largest_ratio)}};
     json["rests_nearby"] = s.rests_nearby;
     json["asymmetric"] = s.asymmetric;
     json["method"] = method_text(s.method);

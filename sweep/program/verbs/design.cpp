@@ -6,8 +6,10 @@
 #include "sweep/files/toml/changed_lines.h"
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/files/toml/requirements_file.h"
+#include "sweep/program/verbs/design_set_point.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/parallel.h"
+#include "sweep/program/verbs/terminal.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/design_report.h"
 #include "sweep/report/pages/write_report.h"
@@ -24,32 +26,9 @@ struct Options {
     std::string input, directory;
     std::vector<std::string> settings, requirements;
     int threads = 0;
-    bool json = false;
+    bool json = false, holds = false;  ///< holds: --set-point
+    SetPointOptions set_point;
 };
-
-/// Columns as wide as their longest cell, counted in characters rather than bytes.
-void print_table(const Table& table)
-{
-    const auto length = [](const std::string& s) {
-        return static_cast<std::size_t>(std::count_if(s.begin(), s.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-    };
-    std::vector<std::vector<std::string>> rows{table.columns};
-    rows.insert(rows.end(), table.rows.begin(), table.rows.end());
-    std::vector<std::size_t> width(table.columns.size());
-    for (auto& row : rows)
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            row[i] = plain_text(row[i]);
-            width[i] = std::max(width[i], length(row[i]));
-        }
-    fmt::print("\n{}\n", table.title);
-    for (const auto& row : rows) {
-        std::string line = " ";
-        for (std::size_t i = 0; i < row.size(); ++i)
-            line += " " + row[i] + std::string(width[i] - length(row[i]) + 1, ' ');
-        line.erase(line.find_last_not_of(' ') + 1);
-        fmt::print("{}\n", line);
-    }
-}
 
 int design(const Options& options, const Invocation& invocation)
 {
@@ -127,14 +106,43 @@ void add_design(CLI::App& app, Invocation& invocation)
     verb->add_option("-o,--output", options->directory, "write design.json, designed-joint.toml and report.html here");
     verb->add_option("--threads", options->threads, "0: all cores")->capture_default_str();
     verb->add_flag("--json", options->json, "print design.json instead of text");
+    auto* holds =
+        verb->add_flag("--set-point", options->holds,
+                       "instead: hold a set point without hunting, by k_i, dead zone and a push against dry friction");
+    auto& held = options->set_point;
+    verb->add_option("--over", held.over, "of a set point: control.k_i, control.dead_zone, push; default all")
+        ->check(CLI::IsMember({"control.k_i", "control.dead_zone", "push"}))
+        ->needs(holds);
+    verb->add_option("--friction-margin", held.friction_margin,
+                     "of a set point: share by which static and kinetic friction may each be off")
+        ->check(CLI::Range(0.0, 0.99))
+        ->capture_default_str()
+        ->needs(holds);
+    verb->add_option("--integral-gain", held.integral_gain,
+                     "of a set point: k_i of the ways that integrate; default: the joint's")
+        ->check(CLI::PositiveNumber)
+        ->needs(holds);
+    verb->add_option("--push-speed", held.push_speed,
+                     "of a set point: velocity over which a push fades; default: control.feed_forward.coulomb_speed")
+        ->check(CLI::PositiveNumber)
+        ->needs(holds);
+    verb->add_option("--rest-error", held.rest_error, "of a set point: largest error at rest that is allowed")
+        ->check(CLI::NonNegativeNumber)
+        ->needs(holds);
     verb->footer(
         "Examples:\n"
         "  stickslip design examples/04-design/spec.toml -o out\n"
         "  stickslip design joint.toml --require 'position_noise=1 um' --require sample_time=1e-3 --require "
         "margin=0.2\n"
+        "  stickslip design examples/08-hunting-arm/joint.toml --set-point --friction-margin 0.05\n"
         "Exit codes: 0 feasible, 1 no gains meet the requirements (the answer says what would be feasible), 2 bad "
         "input, 4 no verdict.");
-    verb->callback([options, &invocation] { invocation.exit_code = design(*options, invocation); });
+    verb->callback([options, &invocation] {
+        auto& asked = options->set_point;
+        asked.input = options->input, asked.directory = options->directory, asked.settings = options->settings;
+        asked.threads = options->threads, asked.json = options->json;
+        invocation.exit_code = options->holds ? design_set_point_answer(asked) : design(*options, invocation);
+    });
 }
 
 }  // namespace stickslip

@@ -66,4 +66,27 @@ std::string terminal_summary(const Report& report)
     return text;
 }
 
+void print_table(const Table& table)
+{
+    const auto length = [](const std::string& s) {
+        return static_cast<std::size_t>(std::count_if(s.begin(), s.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+    };
+    std::vector<std::vector<std::string>> rows{table.columns};
+    rows.insert(rows.end(), table.rows.begin(), table.rows.end());
+    std::vector<std::size_t> width(table.columns.size());
+    for (auto& row : rows)
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            row[i] = plain_text(row[i]);
+            width[i] = std::max(width[i], length(row[i]));
+        }
+    fmt::print("\n{}\n", table.title);
+    for (const auto& row : rows) {
+        std::string line = " ";
+        for (std::size_t i = 0; i < row.size(); ++i)
+            line += " " + row[i] + std::string(width[i] - length(row[i]) + 1, ' ');
+        line.erase(line.find_last_not_of(' ') + 1);
+        fmt::print("{}\n", line);
+    }
+}
+
 }  // namespace stickslip

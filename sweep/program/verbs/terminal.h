@@ -12,4 +12,7 @@ std::string toned(const std::string& text, Headline::Tone tone);
 /// Verdict, alerts and headlines of a report as lines for standard output: the answer without opening the page.
 std::string terminal_summary(const Report& report);
 
+/// A table on standard output, columns as wide as their longest cell.
+void print_table(const Table& table);
+
 }  // namespace stickslip

@@ -137,9 +137,12 @@ std::string design_text(const DesignAnswer& a)
     const auto& d = a.design;
     if (!d.decided) return "No design: the joint has no steady sliding to be kept stable.";
     if (!d.feasible) return infeasible_text(a, u);
-    return "Best gains: " + gains_text(d.best, u) + ". Sensor noise moves the link by " +
-           u.position(d.best.motion_noise) + " rms and the actuator by " + u.effort(d.best.effort_noise) + " rms. " +
-           nearest_text(a.nearest, a.joint.mechanism.motion) + " " + cost_of_simple_thinking(a, u);
+    std::string text = "Best gains: " + gains_text(d.best, u) + ". Sensor noise moves the link by " +
+                       u.position(d.best.motion_noise) + " rms and the actuator by " + u.effort(d.best.effort_noise) +
+                       " rms. ";
+    text += nearest_text(a.nearest, a.joint.mechanism.motion) + " " + cost_of_simple_thinking(a, u);
+    for (const auto& end : ends_of_range(a, u)) text += " On the search limit: " + end;
+    return text;
 }
 
 std::vector<Table> design_tables(const DesignAnswer& a)

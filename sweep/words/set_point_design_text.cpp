@@ -1,0 +1,127 @@
+#include "sweep/words/set_point_design_text.h"
+
+#include <fmt/format.h>
+
+#include "analysis/results/text.h"
+#include "sweep/words/set_point_text.h"
+
+namespace stickslip {
+namespace {
+
+std::string numbers_text(const SetPointChoice& c, Motion motion)
+{
+    std::string text = "k_{i} = " + with_unit(c.k_i, Quantity::integral_gain, motion);
+    if (c.dead_zone > 0) text += ", dead zone " + with_unit(c.dead_zone, Quantity::position, motion);
+    if (c.push != 0)
+        text += ", push of " + with_unit(c.push, Quantity::effort, motion) + " that fades over " +
+                with_unit(c.push_speed, Quantity::velocity, motion);
+    return text;
+}
+
+/// Between which ends the number that was chosen may lie.
+std::string window_text(const SetPointChoice& c, Motion motion)
+{
+    const auto effort = [&](double value) { return with_unit(value, Quantity::effort, motion); };
+    switch (c.way) {
+        case SetPointWay::dead_zone:
+        case SetPointWay::push_and_dead_zone:
+            return is_set(c.low) ? "dead zone from " + with_unit(c.low, Quantity::position, motion) : "none found";
+        case SetPointWay::push:
+        case SetPointWay::push_without_integral:
+            if (!(c.low < c.high))
+                return "none: the drop from static to kinetic friction, " + effort(c.low) +
+                       ", is not below the static friction, " + effort(c.high);
+            return effort(c.low) + " to " + effort(c.high);
+        default:
+            return "–";
+    }
+}
+
+/// Why none of the frictions makes it hunt: closed form, or what was followed.
+std::string proof_text(const SetPointProof& p, Motion motion)
+{
+    const auto& s = p.answer;
+    if (s.starts == 0) return s.method == SetPointMethod::closed_form ? "closed form" : method_text(s.method);
+    const auto length = [&](double value) { return with_unit(value, Quantity::position, motion); };
+    std::string text = fmt::format("{} slips followed from starts of {} to {}", s.starts, length(s.searched_from),
+                                   length(s.searched_to));
+    if (is_set(s.largest_ratio)) text += fmt::format(", each ended at {:.3g} of its start at most", s.largest_ratio);
+    return text;
+}
+
+}  // namespace
+
+std::string_view name_of(SetPointWay way)
+{
+    constexpr std::string_view names[] = {"as-described", "no-integral",           "dead-zone",
+                                          "push",         "push-without-integral", "push-and-dead-zone"};
+    return names[static_cast<int>(way)];
+}
+
+std::string way_text(SetPointWay way)
+{
+    switch (way) {
+        case SetPointWay::as_described:
+            return "as described";
+        case SetPointWay::no_integral:
+            return "without an integral";
+        case SetPointWay::dead_zone:
+            return "dead zone of the error";
+        case SetPointWay::push:
+            return "Coulomb push towards the set point";
+        case SetPointWay::push_without_integral:
+            return "Coulomb push towards the set point, without an integral";
+        case SetPointWay::push_and_dead_zone:
+            return "Coulomb push towards the set point and a dead zone";
+    }
+    return "";
+}
+
+std::string set_point_design_text(const SetPointDesign& design, Motion motion)
+{
+    std::string text;
+    if (design.best < 0) {
+        text = "No way of those looked at keeps the joint from hunting for every friction reckoned with.";
+    } else {
+        const auto& c = design.choices[static_cast<std::size_t>(design.best)];
+        text = "Least error without hunting: " + way_text(c.way) + ", " + numbers_text(c, motion) + ". ";
+        text += c.rest_error > 0
+                    ? "It rests up to " + with_unit(c.rest_error, Quantity::position, motion) + " from the set point."
+                    : "It settles at the set point.";
+        if (c.way == SetPointWay::push || c.way == SetPointWay::push_without_integral)
+            text += " Above " + with_unit(c.high, Quantity::effort, motion) +
+                    " the push alone would move the joint (over-compensation)" +
+                    (c.low > 0 ? ", below " + with_unit(c.low, Quantity::effort, motion) +
+                                     " small slips would end further away than they began."
+                               : ".");
+    }
+    if (design.k_i_assumed)
+        text += " The joint has no k_{i}: a tenth of the largest with which the loop is stable was assumed.";
+    return text;
+}
+
+std::vector<Table> set_point_design_tables(const SetPointDesign& design, Motion motion)
+{
+    Table ways;
+    ways.title = "Ways to hold a set point";
+    ways.columns = {"way", "numbers", "may lie in", "hunts", "largest error at rest"};
+    for (const auto& c : design.choices)
+        ways.rows.push_back({way_text(c.way), is_set(c.k_i) ? numbers_text(c, motion) : "–", window_text(c, motion),
+                             c.holds            ? "no"
+                             : c.proofs.empty() ? "not to be had"
+                                                : "yes, or undecided",
+                             c.holds ? with_unit(c.rest_error, Quantity::position, motion) : "–"});
+    std::vector<Table> tables{ways};
+    if (design.best < 0) return tables;
+    Table proofs;
+    proofs.title = "Why the best does not hunt";
+    proofs.columns = {"static friction", "kinetic friction", "because", "shown by"};
+    for (const auto& p : design.choices[static_cast<std::size_t>(design.best)].proofs)
+        proofs.rows.push_back({with_unit(p.breakaway, Quantity::effort, motion),
+                               with_unit(p.coulomb, Quantity::effort, motion), set_point_reason(p.answer.reason),
+                               proof_text(p, motion)});
+    tables.push_back(proofs);
+    return tables;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,22 @@
+// Sentences and tables of a set point that is held without hunting.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "analysis/base/field.h"
+#include "analysis/results/report.h"
+#include "analysis/results/set_point_design.h"
+
+namespace stickslip {
+
+/// "push" and so on: the name of a way in JSON.
+std::string_view name_of(SetPointWay way);
+/// The same in words.
+std::string way_text(SetPointWay way);
+
+/// What is best and why it does not hunt, mark-up.
+std::string set_point_design_text(const SetPointDesign& design, Motion motion);
+/// Every way, and the proofs of the best one.
+std::vector<Table> set_point_design_tables(const SetPointDesign& design, Motion motion);
+
+}  // namespace stickslip

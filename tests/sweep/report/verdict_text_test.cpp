@@ -132,3 +132,23 @@ TEST_CASE("the verdict says where a window of velocity gains ends", "[report]")
     CAPTURE(text);
     CHECK(has(text, " < k_v < "));
 }
+
+TEST_CASE("above the gains of a real loop the verdict speaks of the loop, below of stick-slip", "[report]")
+{
+    // T = 1 ms, delay 1 ms, k_v 10: stable for 65653 … 738521 N/m
+    Joint joint = samples::single_mass(1);
+    RateAndState law;
+    law.f0 = 60, law.A = 1, law.V_star = 1e-3;
+    law.B.push_back(1.5), law.L.push_back(1e-5);
+    joint.friction.law = law;
+    joint.control.V0 = 1e-3;
+    joint.control.k_v = 10;
+    joint.control.period = joint.control.delay = 1e-3;
+    joint.control.velocity_estimate.form = EstimateForm::backward_difference;
+    joint.control.k_p = 6e4;
+    CHECK(verdict_text(joint, linear_verdict(joint)).rfind("Stick-slip: ", 0) == 0);
+    joint.control.k_p = 8e5;
+    const auto above = verdict_text(joint, linear_verdict(joint));
+    CHECK(above.rfind("Unstable loop: ", 0) == 0);
+    CHECK_FALSE(has(above, "Stick-slip"));
+}

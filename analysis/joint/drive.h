@@ -1,6 +1,7 @@
 // From what has arrived at the actuator to the effort on the mechanism, and what the load adds: the same in records and
-// in the simulation of a loop.
+// in the simulation of a loop, for one joint and for packs of them (simulation/lanes/pack.h).
 #pragma once
+#include "analysis/base/select.h"
 #include "analysis/joint/joint.h"
 
 #include <algorithm>
@@ -9,47 +10,63 @@
 namespace stickslip {
 
 /// What the drive does at a velocity v: effort = push − drag · v, within the limit.
-struct Push {
-    double push = 0, drag = 0;
-    double at(double v) const { return push - drag * v; }
+template <class Real>
+struct PushOf {
+    Real push = 0, drag = 0;
+    Real at(const Real& v) const { return push - drag * v; }
 };
+using Push = PushOf<double>;
 
 constexpr double least_resistance =
     0.05;  ///< of a winding that feeds back into a sagging supply, as a share of its own
 
 /// The effort behind dead time and lag. `supply` is the bus voltage of a motor; drive off means an open winding.
-inline Push push_of(const Actuator& a, double command, double supply, double v)
+template <class Drive, class Real>
+PushOf<Real> push_of(const Drive& a, const Real& command, const Real& supply, const Real& v)
 {
-    Push p;
+    using std::abs, std::copysign, std::max, std::min;
+    PushOf<Real> p;
     if (a.kind == ActuatorKind::dc_motor) {
-        const bool bus_known = supply == supply;
-        const double duty = a.signal == DriveSignal::duty ? command : bus_known ? command / supply : 0;
-        double volts = a.signal == DriveSignal::duty ? command * supply : command;
-        if (bus_known) volts = std::clamp(volts, -supply, supply);
+        const auto bus_known = supply <= supply;
+        const bool by_duty = a.signal == DriveSignal::duty;
+        const Real duty = by_duty ? command : select(bus_known, command / supply, Real(0.0));
+        Real volts = by_duty ? command * supply : command;
+        volts = select(bus_known, min(max(volts, -supply), supply), volts);
         // the supply sags by R_b |i|, also where the motor feeds its current back; there the loop keeps some resistance
-        const double sag = std::min(std::abs(duty), 1.0) * a.supply_resistance;
-        const bool feeds_back = (volts - a.k_e * v) * duty < 0;
-        const double resistance =
-            feeds_back ? std::max(a.resistance - sag, least_resistance * a.resistance) : a.resistance + sag;
+        const Real sag = min(abs(duty), Real(1.0)) * a.supply_resistance;
+        const auto feeds_back = (volts - a.k_e * v) * duty < Real(0.0);
+        const Real resistance =
+            select(feeds_back, max(a.resistance - sag, least_resistance * a.resistance), a.resistance + sag);
         p.push = a.effort_gain * a.k_t * volts / resistance;
         p.drag = a.effort_gain * a.k_t * a.k_e / resistance;
     } else {
         p.push = a.effort_gain * command;
-        if (a.sag_effort < infinity)
-            p.push /= 1 + std::abs(p.push) / a.sag_effort;  // the supply falls with the effort that remains
+        const auto sags = Real(a.sag_effort) < Real(infinity);
+        if (any(sags))  // the supply falls with the effort that remains
+            p.push = select(sags, p.push / (1.0 + abs(p.push) / a.sag_effort), p.push);
     }
-    if (std::abs(p.at(v)) > a.limit) p = {std::copysign(a.limit, p.at(v)), 0};
+    const Real effort = p.at(v);
+    const auto beyond = Real(a.limit) < abs(effort);
+    p.push = select(beyond, copysign(Real(a.limit), effort), p.push);
+    p.drag = select(beyond, Real(0.0), p.drag);
     return p;
+}
+inline Push push_of(const Actuator& a, double command, double supply, double v)
+{
+    return push_of<Actuator, double>(a, command, supply, v);
 }
 
 /// Force of the load on the link at this place and time.
-inline double load_force(const Load& l, double q, double t)
+template <class Outside, class Real>
+Real load_force(const Outside& l, const Real& q, const Real& t)
 {
-    double force = l.constant;
-    if (l.gravity_amplitude != 0) force -= l.gravity_amplitude * std::sin(q + l.gravity_phase);
-    if (l.cogging.amplitude != 0) force += l.cogging.amplitude * std::sin(l.cogging.periods * q + l.cogging.phase);
-    if (l.disturbance.amplitude != 0)
-        force += l.disturbance.amplitude * std::sin(l.disturbance.frequency * t + l.disturbance.phase);
+    const Real none(0.0);
+    Real force = l.constant;
+    if (any(Real(l.gravity_amplitude) != none)) force = force - l.gravity_amplitude * sine(q + l.gravity_phase);
+    if (any(Real(l.cogging.amplitude) != none))
+        force = force + l.cogging.amplitude * sine(l.cogging.periods * q + l.cogging.phase);
+    if (any(Real(l.disturbance.amplitude) != none))
+        force = force + l.disturbance.amplitude * sine(l.disturbance.frequency * t + l.disturbance.phase);
     return force;
 }
 

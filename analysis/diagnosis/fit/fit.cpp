@@ -1,7 +1,8 @@
 #include "analysis/diagnosis/fit/fit.h"
 
 #include "analysis/diagnosis/fit/block.h"
-#include "analysis/diagnosis/plant/step.h"
+#include "analysis/diagnosis/fit/residuals.h"
+#include "analysis/joint/drive.h"
 #include "analysis/numerics/optimise.h"
 
 #include <algorithm>
@@ -9,9 +10,6 @@
 
 namespace stickslip::gap {
 namespace {
-
-constexpr double block_time = 0.2;  // s
-constexpr double block_scale = 20;  // mse over floor at which a block begins to count less
 
 double bounded(const EffectParameter& p, double x)
 {
@@ -23,49 +21,6 @@ Eigen::VectorXd bounded(const Candidate& c, Eigen::VectorXd x)
 {
     for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = bounded(c.parameter(static_cast<std::size_t>(i)), x[i]);
     return x;
-}
-
-/// Adds one channel's blocks to the objective and lists their mean squares; gives the mean square of all.
-double add_blocks(const std::vector<double>& scaled, std::size_t begin, std::size_t count, std::size_t block,
-                  double& objective, std::vector<double>& blocks)
-{
-    double total = 0, robust = 0;
-    for (std::size_t b = 0; b < count; b += block) {
-        const std::size_t end = std::min(b + block, count);
-        double sum = 0;
-        for (std::size_t i = b; i < end; ++i) sum += scaled[begin + i] * scaled[begin + i];
-        total += sum;
-        const double rows = static_cast<double>(end - b);
-        blocks.push_back(sum / rows);
-        robust += rows * block_scale * std::log1p(blocks.back() / block_scale);
-    }
-    const double n = static_cast<double>(std::max<std::size_t>(count, 1));
-    objective += robust / n;
-    return total / n;
-}
-
-std::size_t block_rows(const Case& c)
-{
-    return std::max<std::size_t>(4, static_cast<std::size_t>(block_time / c.row_step));
-}
-
-/// Weights of the scaled residuals that make a weighted least-squares step a step on the robust objective.
-void block_weights(const std::vector<Case>& cases, const std::vector<double>& scaled, std::vector<double>& weights)
-{
-    weights.resize(scaled.size());
-    std::size_t begin = 0;
-    for (const auto& c : cases) {
-        const std::size_t rows = c.ticks.rows();
-        const std::size_t channels = c.effort_sigma > 0 ? 2 : 1, block = block_rows(c);
-        for (std::size_t ch = 0; ch < channels; ++ch, begin += rows)
-            for (std::size_t b = 0; b < rows; b += block) {
-                const std::size_t end = std::min(b + block, rows);
-                double sum = 0;
-                for (std::size_t i = b; i < end; ++i) sum += scaled[begin + i] * scaled[begin + i];
-                const double w = 1 / (1 + sum / static_cast<double>(end - b) / block_scale) / static_cast<double>(rows);
-                for (std::size_t i = b; i < end; ++i) weights[begin + i] = w;
-            }
-    }
 }
 
 }  // namespace
@@ -134,82 +89,23 @@ double prior_cost(const Candidate& candidate, const Eigen::VectorXd& x)
     return cost;
 }
 
-namespace {
-
-/// Appends the scaled residuals of one record: position rows, then effort rows.
-void append_residuals(const Case& c, const Candidate& candidate, const std::vector<double>& si, double omega,
-                      std::vector<double>& scaled)
-{
-    Innovation innovation;
-    Plant plant = edited_plant(c.joint, candidate, si, c.number);
-    plant.step_factor = c.step_factor;
-    predict(plant, c.ticks, known_command(plant, c.ticks), omega, innovation);
-    const double per_floor = 1 / (c.sigma * std::sqrt(noise_amplification(omega, c.row_step)));
-    constexpr double far = 1e6;  // a diverged prediction is bad, not infinitely bad
-    for (std::size_t k = 0; k < c.ticks.size(); ++k)
-        if (c.ticks.logged[k]) {
-            const double e = innovation.position[k] * per_floor;
-            scaled.push_back(!c.judged(k) ? 0 : std::isfinite(e) ? std::clamp(e, -far, far) : far);
-        }
-    if (!(c.effort_sigma > 0)) return;
-    const double per_effort = 1 / effort_floor(c, omega);
-    for (std::size_t k = 0; k < c.ticks.size(); ++k)
-        if (c.ticks.logged[k]) {
-            const double e = innovation.effort[k] * per_effort;
-            scaled.push_back(c.judged(k) && std::isfinite(e) ? std::clamp(e, -far, far) : 0);
-        }
-}
-
-/// Whose value this parameter is: the number of a record, or no_record where all share it.
-constexpr std::size_t no_record = static_cast<std::size_t>(-1);
-std::size_t record_of(const Candidate& candidate, std::size_t parameter)
-{
-    for (const auto* f : candidate.forms) {
-        const std::size_t shared = f->parameters.size() - f->own;
-        if (parameter < candidate.count_of(*f)) return parameter < shared ? no_record : (parameter - shared) / f->own;
-        parameter -= candidate.count_of(*f);
-    }
-    return no_record;
-}
-
-/// The residuals once a parameter has moved: a record's own one changes no other record, which is not simulated again.
-void moved_residuals(const std::vector<Case>& cases, const Candidate& candidate, const std::vector<double>& si,
-                     double omega, std::size_t parameter, const std::vector<double>& here, std::vector<double>& there)
-{
-    const std::size_t own = record_of(candidate, parameter);
-    there.clear();
-    for (const auto& c : cases) {
-        if (own == no_record || own == std::min(c.number, candidate.records - 1)) {
-            append_residuals(c, candidate, si, omega, there);
-            continue;
-        }
-        const std::size_t rows = c.ticks.rows() * (c.effort_sigma > 0 ? 2 : 1);
-        const auto from = here.begin() + static_cast<std::ptrdiff_t>(there.size());
-        there.insert(there.end(), from, from + static_cast<std::ptrdiff_t>(rows));
-    }
-}
-
-}  // namespace
-
 Evaluation evaluate(const std::vector<Case>& cases, const Candidate& candidate, const std::vector<double>& si,
                     double omega, std::vector<double>* residuals)
 {
-    Evaluation result;
-    std::vector<double> own;
-    std::vector<double>& scaled = residuals ? *residuals : own;
-    scaled.clear();
-    for (const auto& c : cases) {
-        const std::size_t block = block_rows(c), begin = scaled.size();
-        append_residuals(c, candidate, si, omega, scaled);
-        const std::size_t rows = (scaled.size() - begin) / (c.effort_sigma > 0 ? 2 : 1);
-        Misfit misfit;
-        misfit.position = add_blocks(scaled, begin, rows, block, result.objective, misfit.position_blocks);
-        if (c.effort_sigma > 0)
-            misfit.effort = add_blocks(scaled, begin + rows, rows, block, result.objective, misfit.effort_blocks);
-        result.records.push_back(misfit);
-    }
-    result.objective /= static_cast<double>(cases.size());
+    auto scaled = std::move(residuals_at(cases, candidate, {{si, omega}})[0]);
+    Evaluation result = judged(cases, scaled);
+    if (residuals) residuals->swap(scaled);
     return result;
+}
+
+std::vector<Evaluation> evaluate_all(const std::vector<Case>& cases, const Candidate& candidate,
+                                     const std::vector<std::vector<double>>& si, const std::vector<double>& omega)
+{
+    std::vector<Place> places;
+    for (std::size_t i = 0; i < si.size(); ++i) places.push_back({si[i], omega.size() == 1 ? omega[0] : omega[i]});
+    std::vector<Evaluation> all;
+    for (const auto& scaled : residuals_at(cases, candidate, places)) all.push_back(judged(cases, scaled));
+    return all;
 }
 
 LevelFit descend(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales, Eigen::VectorXd x,
@@ -225,7 +121,7 @@ LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidat
     const auto n = static_cast<Eigen::Index>(candidate.parameter_count());
     fit.x = bounded(candidate, std::move(x));
     fit.information = Eigen::MatrixXd::Zero(n, n);
-    std::vector<double> here, there, weights;
+    std::vector<double> here, weights;
     const auto evaluated = [&](const Eigen::VectorXd& at, std::vector<double>& residuals) {
         auto found = evaluate(cases, candidate, in_si(candidate, at, scales), omega, &residuals);
         found.objective += prior_cost(candidate, at);
@@ -244,32 +140,41 @@ LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidat
     // numbers with a prior hardly move: their slopes are found anew every few steps, and where a step fails
     constexpr int worn_after = 3;
     int age = 0;
-    for (int iteration = 0; iteration < iterations && n > 0; ++iteration) {
-        const Eigen::Map<const Eigen::VectorXd> r(here.data(), static_cast<Eigen::Index>(here.size()));
-        const auto slope = [&](Eigen::Index i) -> Eigen::VectorXd {
+    const auto slopes_at_x = [&] {
+        std::vector<Place> places;
+        std::vector<double> steps;
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const auto parameter = static_cast<std::size_t>(i);
+            if (!kept.empty() && kept[parameter]) continue;
+            if (age > 0 && candidate.sd_of(parameter) > 0) continue;
             Eigen::VectorXd shifted = fit.x;
-            double step = 1e-4 * std::max(0.1, std::abs(candidate.parameter(static_cast<std::size_t>(i)).prior));
-            if (candidate.parameter(static_cast<std::size_t>(i)).logarithmic) step = 1e-4;
+            double step = 1e-4 * std::max(0.1, std::abs(candidate.parameter(parameter).prior));
+            if (candidate.parameter(parameter).logarithmic) step = 1e-4;
             shifted[i] += step;
             if (bounded(candidate, shifted)[i] != shifted[i]) shifted[i] -= 2 * step, step = -step;
-            moved_residuals(cases, candidate, in_si(candidate, shifted, scales), omega, static_cast<std::size_t>(i),
-                            here, there);
-            ++fit.evaluations;
-            return (Eigen::Map<const Eigen::VectorXd>(there.data(), r.size()) - r) / step;
-        };
-        for (Eigen::Index i = 0; i < n; ++i) {
-            if (!kept.empty() && kept[static_cast<std::size_t>(i)]) continue;
-            if (age > 0 && candidate.sd_of(static_cast<std::size_t>(i)) > 0) continue;
-            jacobian.col(i) = slope(i);
-            const bool lost = candidate.parameter(static_cast<std::size_t>(i)).vanishes && last[i] != fit.x[i] &&
-                              jacobian.col(i).isZero(0);
-            if (!lost || halvings == most_halvings) continue;
-            // friction that has been taken away altogether has no slope that leads back: half way, and all slopes anew
-            fit.x[i] = 0.5 * (fit.x[i] + last[i]);
-            fit.evaluation = evaluated(fit.x, here);
-            ++halvings;
-            i = -1;
+            places.push_back({in_si(candidate, shifted, scales), omega, parameter});
+            steps.push_back(step);
         }
+        const Eigen::Map<const Eigen::VectorXd> r(here.data(), static_cast<Eigen::Index>(here.size()));
+        const auto moved = residuals_at(cases, candidate, places, &here);
+        Eigen::Index lost = n;
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            const auto i = static_cast<Eigen::Index>(places[k].moved);
+            jacobian.col(i) = (Eigen::Map<const Eigen::VectorXd>(moved[k].data(), r.size()) - r) / steps[k];
+            if (lost == n && candidate.parameter(places[k].moved).vanishes && last[i] != fit.x[i] &&
+                jacobian.col(i).isZero(0))
+                lost = i;
+        }
+        fit.evaluations += static_cast<int>(places.size());
+        return lost;
+    };
+    for (int iteration = 0; iteration < iterations && n > 0; ++iteration) {
+        for (Eigen::Index lost; (lost = slopes_at_x()) < n && halvings < most_halvings; ++halvings) {
+            // friction that has been taken away altogether has no slope that leads back: half way, and all slopes anew
+            fit.x[lost] = 0.5 * (fit.x[lost] + last[lost]);
+            fit.evaluation = evaluated(fit.x, here);
+        }
+        const Eigen::Map<const Eigen::VectorXd> r(here.data(), static_cast<Eigen::Index>(here.size()));
         block_weights(cases, here, weights);
         const Eigen::Map<const Eigen::VectorXd> w(weights.data(), r.size());
         const Eigen::MatrixXd weighted = w.asDiagonal() * jacobian;
@@ -283,9 +188,9 @@ LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidat
         fit.information = normal;
         bool better = false;
         const double before = fit.evaluation.objective;
-        for (int attempt = 0; attempt < 5 && !better; ++attempt) {
+        const auto damped_step = [&](double by) -> Eigen::VectorXd {
             Eigen::MatrixXd damped = normal;
-            damped.diagonal() += damping * normal.diagonal();
+            damped.diagonal() += by * normal.diagonal();
             damped.diagonal().array() += 1e-12 * std::max(1e-12, normal.diagonal().maxCoeff());
             Eigen::VectorXd step = damped.ldlt().solve(-gradient);
             for (Eigen::Index i = 0; i < n; ++i) {
@@ -293,18 +198,34 @@ LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidat
                 const double longest = logarithmic ? 1.5 : std::max(1.0, std::abs(fit.x[i]));
                 step[i] = std::isfinite(step[i]) ? std::clamp(step[i], -longest, longest) : 0;
             }
-            const Eigen::VectorXd next = bounded(candidate, fit.x + step);
-            const auto trial = evaluated(next, there);
-            if (trial.objective < fit.evaluation.objective) {
-                better = true;
-                last = fit.x;
-                fit.x = next;
-                fit.evaluation = trial;
-                here.swap(there);
-                damping = std::max(1e-7, damping * 0.2);
-            } else {
-                damping = std::max(1e-3, damping) * 8;
+            return bounded(candidate, fit.x + step);
+        };
+        // the first trial mostly succeeds; where it fails the more damped ones go side by side
+        constexpr int first = 1, others = 4;
+        for (int count = first; !better; count = others) {
+            std::vector<Place> places;
+            std::vector<Eigen::VectorXd> next;
+            for (double by = damping; static_cast<int>(next.size()) < count; by = std::max(1e-3, by) * 8) {
+                next.push_back(damped_step(by));
+                places.push_back({in_si(candidate, next.back(), scales), omega});
             }
+            auto there = residuals_at(cases, candidate, places);
+            for (std::size_t k = 0; k < next.size() && !better; ++k) {
+                ++fit.evaluations;
+                auto trial = judged(cases, there[k]);
+                trial.objective += prior_cost(candidate, next[k]);
+                better = trial.objective < fit.evaluation.objective;
+                if (!better) {
+                    damping = std::max(1e-3, damping) * 8;
+                    continue;
+                }
+                last = fit.x;
+                fit.x = next[k];
+                fit.evaluation = std::move(trial);
+                here.swap(there[k]);
+                damping = std::max(1e-7, damping * 0.2);
+            }
+            if (count == others) break;
         }
         if (fit.evaluation.objective <= best.evaluation.objective)
             best.x = fit.x, best.evaluation = fit.evaluation, best.information = fit.information;

@@ -1,150 +1,206 @@
-// Friction inside one time step: how hard a body resists, and what is left of its velocity.
+// Friction inside one time step: how hard a body resists, and what is left of its velocity. For packs of bodies
+// (simulation/lanes/pack.h), a single one being a pack of one: each has its numbers, all have the same terms.
 #pragma once
 #include "analysis/diagnosis/plant/plant.h"
-
-#include <algorithm>
-#include <cmath>
+#include "analysis/simulation/lanes/sine.h"
 
 namespace stickslip::gap {
 
+/// What the frictions of a pack have in common.
+struct Terms {
+    bool stribeck = false, asymmetric = false, loaded = false, ripple = false, drifts = false, bristles = false;
+    bool remembers = false, ageing = false, lags = false, late = false, plain = false, glides = false;
+    double exponent = 0;  ///< of a Stribeck peak: 1 or 2; 0 for others
+    bool operator==(const Terms&) const = default;
+};
+
+inline Terms terms_of(const Rubbing& r)
+{
+    Terms t;
+    t.stribeck = r.stribeck != 0, t.ripple = r.ripple != 0, t.drifts = r.drift != 0;
+    t.asymmetric = r.asymmetric_coulomb != 0 || r.asymmetric_viscous != 0, t.loaded = r.load_coefficient != 0;
+    t.bristles = r.bristle_stiffness > 0;
+    t.remembers = r.remembers(), t.ageing = r.ageing && t.remembers, t.lags = r.lag > 0, t.late = r.late();
+    t.plain = r.plain();
+    // one level and one slope, in both directions and at all times
+    t.glides = t.plain && !t.asymmetric && r.bristle_stiffness == 0 && r.lag == 0;
+    t.exponent = t.stribeck && (r.exponent == 1 || r.exponent == 2) ? r.exponent : 0;
+    return t;
+}
+
+/// The frictions of a pack of bodies.
+template <class P>
+struct Rubs : RubbingOf<P> {
+    Terms has;
+};
+
 /// What one body's friction remembers between steps.
+template <class P>
 struct RubState {
-    double bristle = 0;  ///< deflection z
-    double theta = 0;    ///< memory state
-    double speed = 0;    ///< lagged speed, for a level that follows the velocity late
-    double force = 0;    ///< of a whole curve that is followed late
+    P bristle = 0;  ///< deflection z
+    P theta = 0;    ///< memory state
+    P speed = 0;    ///< lagged speed, for a level that follows the velocity late
+    P force = 0;    ///< of a whole curve that is followed late
 };
 
 /// Added to the speed inside the logarithms of the memory, as a part of V*: what keeps them finite at rest.
 inline constexpr double memory_floor = 1e-3;
 
 /// Where a step happens and what passes through, as far as friction asks.
+template <class P>
 struct Surroundings {
-    double position = 0, transmitted = 0;
+    P position, transmitted;
 };
 
-/// The part of a drift that has come by this time. It is slow: a tick holds it.
-inline double drifted(const Rubbing& r, double t)
+template <class P>
+P exp_of(const P& x)
 {
-    return r.drift == 0 ? 0 : r.drift * -std::expm1(-t / r.drift_time);
+    return lanes::exponential(x).value;
+}
+
+/// The part of a drift that has come by this time. It is slow: a tick holds it.
+template <class P>
+P drifted(const Rubs<P>& r, const P& t)
+{
+    return r.drift * -lanes::exponential(-t / r.drift_time).minus_one;
 }
 
 /// ln(|v|/V* + floor), what the memory goes by.
-inline double logarithm_of(double speed, const Rubbing& r)
+template <class P>
+P logarithm_of(const P& speed, const Rubs<P>& r)
 {
-    return std::log(speed * r.per_V_star + memory_floor);
+    return lanes::logarithm(speed * r.per_V_star + memory_floor);
+}
+
+/// The Stribeck peak's height at this speed.
+template <class P>
+P peak(const Rubs<P>& r, const P& speed)
+{
+    constexpr double tiny = 1e-300;  // whose powers vanish beside one
+    const P u = speed / r.stribeck_velocity;
+    const P power = r.has.exponent == 2   ? u * u
+                    : r.has.exponent == 1 ? u
+                                          : exp_of(r.exponent * lanes::logarithm(max(u, P(tiny))));
+    return r.stribeck * exp_of(-power);
 }
 
 /// What the law resists in steady sliding, in both directions.
-inline double steady(const Rubbing& r, double speed)
+template <class P>
+P steady(const Rubs<P>& r, const P& speed)
 {
-    const double u = speed / r.stribeck_velocity;
-    const double peak = r.stribeck != 0 ? r.stribeck * std::exp(-std::pow(u, r.exponent)) : 0;
-    return r.coulomb + peak + r.viscous * speed;
+    const P level = r.has.stribeck ? r.coulomb + peak(r, speed) : r.coulomb;
+    return level + r.viscous * speed;
 }
 
 /// The resisting force apart from viscous friction that follows the speed at once, never negative, for motion in
 /// `direction`.
-inline double resistance(const Rubbing& r, const RubState& s, double speed, double direction, const Surroundings& at)
+template <class P>
+P resistance(const Rubs<P>& r, const RubState<P>& s, const P& speed, const P& direction, const Surroundings<P>& at)
 {
-    double level = r.coulomb;
-    if (r.plain()) return std::max(level, 0.0);
-    if (r.late()) level = s.force;
-    if (r.stribeck != 0 && !r.late()) {
-        const double u = (r.lag > 0 ? s.speed : speed) / r.stribeck_velocity;
-        if (u < 40)
-            level += r.stribeck * std::exp(-(r.exponent == 2 ? u * u : r.exponent == 1 ? u : std::pow(u, r.exponent)));
-    }
-    level += direction * r.asymmetric_coulomb + r.load_coefficient * std::abs(at.transmitted);
-    if (r.ripple != 0) level += r.ripple * std::sin(r.ripple_periods * at.position + r.ripple_phase);
-    if (r.remembers()) level += r.A * logarithm_of(speed, r) + s.theta;
-    return std::max(level, 0.0);
+    P level = r.coulomb;
+    if (r.has.plain) return max(level, P(0.0));
+    if (r.has.late) level = s.force;
+    if (r.has.stribeck && !r.has.late) level = level + peak(r, r.has.lags ? s.speed : speed);
+    if (r.has.asymmetric) level = level + direction * r.asymmetric_coulomb;
+    if (r.has.loaded) level = level + r.load_coefficient * abs(at.transmitted);
+    if (r.has.ripple) level = level + r.ripple * sine(r.ripple_periods * at.position + r.ripple_phase);
+    if (r.has.remembers) level = level + (r.A * logarithm_of(speed, r) + s.theta);
+    return max(level, P(0.0));
 }
 
 /// Slope of the friction with the speed of this instant in this direction.
-inline double viscous(const Rubbing& r, double direction)
+template <class P>
+P viscous(const Rubs<P>& r, const P& direction)
 {
-    return (r.late() ? 0 : r.viscous) + direction * r.asymmetric_viscous;
+    const P slope = r.has.late ? P(0.0) : r.viscous;
+    return r.has.asymmetric ? slope + direction * r.asymmetric_viscous : slope;
+}
+
+/// The memory state after a slip at this mean speed in h, exact for constant speed.
+template <class P>
+P remembered(const Rubs<P>& r, const P& theta, const P& speed, const P& h)
+{
+    const P slip = speed * h * r.per_L;
+    if (!r.has.ageing) {
+        const P settled = -r.B * logarithm_of(speed, r);
+        return settled + (theta - settled) * exp_of(-slip);
+    }
+    // in terms of the age Θ: θ = B ln(Θ V*/L), Θ̇ = 1 − |v| Θ/L
+    constexpr double least_slip = 1e-12;
+    const P age = r.L / r.V_star * exp_of(theta / r.B), lasts = r.L / speed;
+    const P next = select(P(least_slip) < slip, lasts + (age - lasts) * exp_of(-slip), age + h);
+    return r.B * lanes::logarithm(next * r.V_star / r.L);
 }
 
 /// The state after sliding at this mean speed for h: exact for constant speed.
-inline void remember(const Rubbing& r, RubState& s, double speed, double h)
+template <class P>
+void remember(const Rubs<P>& r, RubState<P>& s, const P& speed, const P& h)
 {
-    if (r.late()) {
-        const double force = steady(r, speed);
-        s.force = force + (s.force - force) * std::exp(-h / r.lag);
-    } else if (r.lag > 0) {
-        s.speed = speed + (s.speed - speed) * std::exp(-h / r.lag);
+    if (r.has.late) {
+        const P force = steady(r, speed);
+        s.force = force + (s.force - force) * exp_of(-h / r.lag);
+    } else if (r.has.lags) {
+        s.speed = speed + (s.speed - speed) * exp_of(-h / r.lag);
     }
-    if (!r.remembers()) return;
-    const double slip = speed * h * r.per_L;
-    if (r.ageing) {
-        // in terms of the age Θ: θ = B ln(Θ V*/L), Θ̇ = 1 − |v| Θ/L
-        const double age = r.L / r.V_star * std::exp(s.theta / r.B);
-        const double next = slip > 1e-12 ? r.L / speed + (age - r.L / speed) * std::exp(-slip) : age + h;
-        s.theta = r.B * std::log(next * r.V_star / r.L);
-    } else {
-        const double steady = -r.B * logarithm_of(speed, r);
-        s.theta = steady + (s.theta - steady) * std::exp(-slip);
-    }
+    if (r.has.remembers) s.theta = remembered(r, s.theta, speed, h);
 }
 
-/// The state of a body that has slid at this speed for long; at rest it is that of sliding at V*, which is what the
+/// The state of bodies that have slid at these speeds for long; at rest it is that of sliding at V*, which is what the
 /// law's level means.
-inline RubState settled(const Rubbing& r, double speed)
+template <class P>
+RubState<P> settled(const Rubs<P>& r, const P& speed)
 {
-    RubState s;
+    RubState<P> s;
     s.speed = speed;
     s.force = steady(r, speed);
-    if (r.remembers()) s.theta = speed > 0 ? -r.B * logarithm_of(speed, r) : 0;
+    if (r.has.remembers) s.theta = select(P(0.0) < speed, -r.B * logarithm_of(speed, r), P(0.0));
     return s;
 }
 
-/// One step of a body that slides against a given level of friction: everything but velocity and force is divided out,
+/// One step of bodies that slide against a given level of friction: everything but velocity and force is divided out,
 /// so that a friction that does not change does it once for many steps.
+template <class P>
 struct Glide {
-    double keep, per_force, held;
-    Glide(double level, double slope, double mobility)
+    P keep, per_force, held;
+    Glide() {}
+    Glide(const P& level, const P& slope, const P& mobility)
     {
-        const double yielding = 1 / (1 + 0.5 * mobility * slope);
-        keep = (1 - 0.5 * mobility * slope) * yielding;
+        const P yielding = P(1.0) / (1.0 + 0.5 * mobility * slope);
+        keep = (1.0 - 0.5 * mobility * slope) * yielding;
         per_force = mobility * yielding;
-        held = per_force * std::max(level, 0.0);
+        held = per_force * max(level, P(0.0));
     }
-    double operator()(double v, double force) const
+    P operator()(const P& v, const P& force) const
     {
-        const double free = keep * v + per_force * force;
-        return free - std::max(-held, std::min(free, held));
+        const P free = keep * v + per_force * force;
+        return free - max(-held, min(free, held));
     }
 };
-
-/// Whether friction is one level and one slope, in both directions and at all times.
-inline bool glides(const Rubbing& r)
-{
-    return r.plain() && r.asymmetric_viscous == 0 && r.bristle_stiffness == 0 && r.lag == 0;
-}
 
 /// Velocity after a step in which the force other than friction is `force` and inverse inertia times step is
 /// `mobility`. Bristles are implicit in the new velocity, so that stiff ones stay stable; without bristles friction is
 /// set-valued at rest: the body stays at rest while |force| is not above the resistance.
-inline double rub(const Rubbing& r, RubState& s, double v, double force, double mobility, double h,
-                  const Surroundings& at)
+template <class P>
+P rub(const Rubs<P>& r, RubState<P>& s, const P& v, const P& force, const P& mobility, const P& h,
+      const Surroundings<P>& at)
 {
-    const double direction = v != 0 ? std::copysign(1.0, v) : std::copysign(1.0, force);
-    const double level = resistance(r, s, std::abs(v), direction, at);
-    const double slope = viscous(r, direction);
-    if (r.bristle_stiffness > 0 && level > 0) {
+    const P zero(0.0), direction = copysign(P(1.0), select(v != zero, v, force));
+    const P level = resistance(r, s, abs(v), direction, at);
+    const P slope = viscous(r, direction);
+    P next;
+    if (r.has.bristles) {
         // ż = v − σ0 |v| z / level; z' = (z + h v')/(1 + h σ0 |v|/level); f = σ0 z' + σ1 (z' − z)/h + slope v'
-        const double decay = 1 / (1 + h * r.bristle_stiffness * std::abs(v) / level);
-        const double stiff = r.bristle_stiffness + r.bristle_damping / h;
-        const double fixed = stiff * decay * s.bristle - r.bristle_damping / h * s.bristle;
-        const double next = (v + mobility * (force - fixed)) / (1 + mobility * (stiff * decay * h + slope));
-        s.bristle = (s.bristle + h * next) * decay;
-        remember(r, s, 0.5 * std::abs(v + next), h);
-        return next;
+        const auto bends = zero < level;
+        const P decay = P(1.0) / (1.0 + h * r.bristle_stiffness * abs(v) / level);
+        const P stiff = r.bristle_stiffness + r.bristle_damping / h;
+        const P fixed = stiff * decay * s.bristle - r.bristle_damping / h * s.bristle;
+        next = (v + mobility * (force - fixed)) / (1.0 + mobility * (stiff * decay * h + slope));
+        s.bristle = select(bends, (s.bristle + h * next) * decay, s.bristle);
+        if (!every(bends)) next = select(bends, next, Glide<P>(level, slope, mobility)(v, force));
+    } else {
+        next = Glide<P>(level, slope, mobility)(v, force);
     }
-    const double next = Glide(level, slope, mobility)(v, force);
-    remember(r, s, 0.5 * std::abs(v + next), h);
+    remember(r, s, 0.5 * abs(v + next), h);
     return next;
 }
 

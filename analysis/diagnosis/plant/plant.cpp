@@ -103,7 +103,7 @@ Plant flatten(const Joint& joint)
     return p;
 }
 
-int substeps(const Plant& p, double tick)
+double longest_step(const Plant& p)
 {
     // s; exact under constant force, so that only laws which bend within a tick need the shorter one
     constexpr double plain_step = 0.5e-3, bent_step = 0.25e-3;
@@ -117,7 +117,12 @@ int substeps(const Plant& p, double tick)
         step = std::clamp(period_part, 15e-6, 0.125e-3);
         if (p.backlash > 0) step = std::min(step, 0.0625e-3);
     }
-    return std::clamp(static_cast<int>(std::ceil(tick / (step * p.step_factor) - 1e-9)), 1, 400);
+    return step * p.step_factor;
+}
+
+int substeps(double tick, double longest)
+{
+    return std::clamp(static_cast<int>(std::ceil(tick / longest - 1e-9)), 1, 400);
 }
 
 }  // namespace stickslip::gap

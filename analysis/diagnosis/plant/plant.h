@@ -9,19 +9,23 @@
 namespace stickslip::gap {
 
 /// Friction on one body. The law is (coulomb + stribeck exp(−(|v|/stribeck_velocity)^exponent) + viscous |v|) sgn v;
-/// the terms are those of friction.h. Zero means absent.
-struct Rubbing {
-    double coulomb = 0, viscous = 0;
-    double stribeck = 0, stribeck_velocity = 1, exponent = 2;
-    double asymmetric_coulomb = 0, asymmetric_viscous = 0;
-    double load_coefficient = 0;
-    double ripple = 0, ripple_periods = 1, ripple_phase = 0;
-    double drift = 0, drift_time = 1;
-    double bristle_stiffness = 0, bristle_damping = 0;
-    double A = 0, B = 0, L = 1, V_star = 1, lag = 0;
-    double per_L = 1, per_V_star = 1;
+/// the terms are those of friction.h. Zero means absent. Real: a number, or a pack of them.
+template <class Real>
+struct RubbingOf {
+    Real coulomb = 0, viscous = 0;
+    Real stribeck = 0, stribeck_velocity = 1, exponent = 2;
+    Real asymmetric_coulomb = 0, asymmetric_viscous = 0;
+    Real load_coefficient = 0;
+    Real ripple = 0, ripple_periods = 1, ripple_phase = 0;
+    Real drift = 0, drift_time = 1;
+    Real bristle_stiffness = 0, bristle_damping = 0;
+    Real A = 0, B = 0, L = 1, V_star = 1, lag = 0;
+    Real per_L = 1, per_V_star = 1;
     bool ageing = false;
     bool lag_viscous = false;  ///< what lags is the force of the whole curve, viscous friction included
+};
+
+struct Rubbing : RubbingOf<double> {
     bool remembers() const { return A != 0 || B != 0; }
     bool late() const { return lag > 0 && lag_viscous; }
     /// Apart from its drift, which a tick holds.
@@ -89,7 +93,9 @@ struct Plant {
 /// (three masses, lever; laws without sticking such as a kernel).
 Plant flatten(const Joint& joint);
 
-/// Substeps that a tick of this length needs so that the time step is no part of the answer.
-int substeps(const Plant& plant, double tick);
+/// The longest time step that is no part of the answer.
+double longest_step(const Plant& plant);
+/// Substeps of at most that length in a tick of this one.
+int substeps(double tick, double longest);
 
 }  // namespace stickslip::gap

@@ -29,6 +29,8 @@ std::vector<double> integral_of(const Joint& joint, const Ticks& ticks);
 
 /// The command that drives a prediction of this joint: logged where it was logged, else computed by its controller.
 std::vector<double> known_command(const Plant& plant, const Ticks& ticks);
+/// The same without a copy where it was logged; else it is put into `room`.
+std::span<const double> known_command(const Plant& plant, const Ticks& ticks, std::vector<double>& room);
 
 /// What a prediction gets wrong, one entry a tick, NaN where nothing was logged.
 struct Innovation {
@@ -41,6 +43,23 @@ struct Innovation {
 /// Drives the joint with a known command and corrects it with a slow observer, q += 2ζωT e, v += ω²T e (ζ = 0.8).
 /// omega = 0 leaves it alone: an open-chain simulation.
 void predict(const Plant& plant, const Ticks& ticks, std::span<const double> command, double omega, Innovation& out);
+
+/// What of an innovation is wanted: the position alone, the effort too, or all of it.
+enum class Wanted { position, effort, all };
+
+/// One of many predictions.
+struct Prediction {
+    Plant plant;
+    const Ticks* ticks;
+    std::span<const double> command;
+    double omega;
+    Innovation* out;
+    Wanted wanted = Wanted::all;
+};
+
+/// Many predictions side by side in the lanes of the processor. The bits of each depend neither on the others nor on
+/// the instruction set.
+void predict_all(std::span<const Prediction> all);
 
 /// How much larger than the encoder's variance the innovation's is for a free inertia under this observer.
 double noise_amplification(double omega, double step);

@@ -1,130 +1,133 @@
-// One time step of a joint with sticking: leapfrog in position, implicit in what resists.
+// One time step of a joint with sticking: leapfrog in position, implicit in what resists. For packs of joints: where a
+// body sticks, stops or breaks away is chosen lane by lane.
 #pragma once
-#include "analysis/diagnosis/plant/friction_step.h"
-#include "analysis/joint/drive.h"
+#include "analysis/diagnosis/plant/joints.h"
 
 namespace stickslip::gap {
 
+template <class P>
 struct State {
-    double motor_position = 0, motor_velocity = 0;
-    double link_position = 0, link_velocity = 0;  ///< two masses only
-    RubState motor, link;
-    double acceleration = 0;  ///< of the last step, predicts the mid-step speed
-    double lagged = 0;        ///< command behind the actuator's lag
-    double effort = 0;        ///< that reached the mechanism
-    double followed = 0;      ///< where the follower of a force without a name is
+    P motor_position = 0, motor_velocity = 0;
+    P link_position = 0, link_velocity = 0;  ///< two masses only
+    RubState<P> motor, link;
+    P acceleration = 0;  ///< of the last step, predicts the mid-step speed
+    P lagged = 0;        ///< command behind the actuator's lag
+    P followed = 0;      ///< where the follower of a force without a name is
 };
 
-/// What a time step of this length needs of a joint, divided once for all steps of a tick.
+/// What a time step of this length needs of joints, divided once for all steps of a tick.
+template <class P>
 struct StepLength {
-    double h, per_h;
-    double motor_mobility, link_mobility;  ///< step over inertia
-    double per_ratio;
-    double stiff = 0, implicit = 0;  ///< two masses: of spring and damper, at the end of the step
-    bool motor_glides, link_glides;
-    Glide motor, link;
-    StepLength(const Plant& p, double step)
-        : h(step),
-          per_h(1 / step),
-          motor_mobility(step / p.motor_inertia),
-          link_mobility(step / p.link_inertia),
-          per_ratio(1 / p.ratio),
-          motor_glides(glides(p.motor)),
-          link_glides(glides(p.link)),
-          motor(p.motor.coulomb, p.motor.viscous, motor_mobility),
-          link(p.link.coulomb, p.link.viscous, link_mobility)
+    P h, per_h;
+    P motor_mobility, link_mobility;  ///< step over inertia
+    P per_ratio;
+    P stiff = 0, implicit = 0;  ///< two masses: of spring and damper, at the end of the step
+    Glide<P> motor, link;
+    StepLength() {}
+    StepLength(const Joints<P>& p, const P& step)
+        : h(step), per_h(P(1.0) / step), motor_mobility(step / p.motor_inertia)
     {
-        if (!p.two_mass) return;
+        if (!p.kind.two_mass) return;
+        link_mobility = step / p.link_inertia;
+        per_ratio = P(1.0) / p.ratio;
+        motor = {p.motor.coulomb, p.motor.viscous, motor_mobility};
+        link = {p.link.coulomb, p.link.viscous, link_mobility};
         // inertia of the one against the other
-        const double reduced = 1 / (1 / p.link_inertia + 1 / (p.ratio * p.ratio * p.motor_inertia));
-        implicit = p.damping / (1 + h * p.damping / reduced);
-        stiff = p.stiffness * (1 - h * implicit / reduced);
+        const P reduced = P(1.0) / (P(1.0) / p.link_inertia + P(1.0) / (p.ratio * p.ratio * p.motor_inertia));
+        implicit = p.damping / (1.0 + h * p.damping / reduced);
+        stiff = p.stiffness * (1.0 - h * implicit / reduced);
     }
 };
 
 /// All that pushes the link from outside.
-inline double outside_force(const Plant& p, State& s, double q, double v, double t)
+template <class P>
+P outside_force(const Joints<P>& p, State<P>& s, const P& q, const P& v, const P& t)
 {
-    const double force = load_force(p.load, q, t);
-    if (!p.free.present) return force;
-    s.followed = std::clamp(s.followed, q - p.free.play, q + p.free.play);
-    return force + p.free.at(s.followed, v);
+    P force = load_force(p.load, q, t);
+    if (!p.kind.free) return force;
+    for (int lane = 0; lane < P::lanes; ++lane) {
+        const FreeForce& free = *p.free[lane];
+        const double followed = std::clamp(s.followed[lane], q[lane] - free.play, q[lane] + free.play);
+        s.followed.set(lane, followed);
+        force.set(lane, force[lane] + free.at(followed, v[lane]));
+    }
+    return force;
 }
 
 /// Single mass. Constant forces, sliding, stopping and breaking away inside the step are exact; the rest is second
 /// order.
-inline void step_single(const Plant& p, State& s, const Push& drive, double t, const StepLength& length)
+template <class P>
+void step_single(const Joints<P>& p, State<P>& s, const PushOf<P>& drive, const P& t, const StepLength<P>& length)
 {
-    const double h = length.h, mobility = length.motor_mobility;
-    double& v = s.motor_velocity;
-    double& q = s.motor_position;
-    const double middle = q + 0.5 * h * v;
-    const Rubbing& r = p.motor;
-    s.effort = drive.at(v);
-    const Surroundings at{middle, s.effort};
-    const double force = drive.push + outside_force(p, s, middle, v, t + 0.5 * h);
-    if (r.bristle_stiffness > 0) {
-        v = rub(r, s.motor, v, force - drive.drag * v, mobility, h, at);
-        q = middle + 0.5 * h * v;
+    const P h = length.h, mobility = length.motor_mobility, zero(0.0), one(1.0);
+    const P v = s.motor_velocity, middle = s.motor_position + 0.5 * h * v;
+    const Rubs<P>& r = p.motor;
+    const Surroundings<P> at{middle, drive.at(v)};
+    const P force = drive.push + outside_force(p, s, middle, v, t + 0.5 * h);
+    if (r.has.bristles) {
+        s.motor_velocity = rub(r, s.motor, v, force - drive.drag * v, mobility, h, at);
+        s.motor_position = middle + 0.5 * h * s.motor_velocity;
         return;
     }
-    const double before = v;
-    double direction = v != 0 ? std::copysign(1.0, v) : std::copysign(1.0, force);
-    const double speed = std::max(0.0, direction * (v + 0.5 * h * s.acceleration));
-    double level = resistance(r, s.motor, v != 0 ? speed : 0, direction, at);
-    if (v == 0 && std::abs(force) <= level) {
-        s.acceleration = 0;
-        remember(r, s.motor, 0, h);
-        return;
-    }
-    const double slope = 0.5 * mobility * (viscous(r, direction) + drive.drag);
-    double next = (v * (1 - slope) + mobility * (force - direction * level)) / (1 + slope);
-    double travelled = 0.5 * h * (v + next);
-    if (next * direction < 0 && v != 0) {
+    const auto moving = v != zero;
+    P direction = copysign(one, select(moving, v, force));
+    const P speed = max(zero, direction * (v + 0.5 * h * s.acceleration));
+    P level = resistance(r, s.motor, select(moving, speed, zero), direction, at);
+    const auto held = ~moving & (abs(force) <= level);
+    const P slope = 0.5 * mobility * (viscous(r, direction) + drive.drag);
+    P next = (v * (1.0 - slope) + mobility * (force - direction * level)) / (1.0 + slope);
+    P travelled = 0.5 * h * (v + next);
+    if (const auto stops = moving & (next * direction < zero); any(stops)) {
         // stops inside the step; the rest of it starts from rest
-        const double part = v / (v - next);
-        travelled = 0.5 * h * part * v;
-        direction = std::copysign(1.0, force);
-        level = resistance(r, s.motor, 0, direction, at);
-        next = 0;
-        if (std::abs(force) > level) {
-            next = (1 - part) * mobility * (force - direction * level);
-            travelled += 0.5 * h * (1 - part) * next;
-        }
+        const P part = v / (v - next);
+        direction = copysign(one, force);
+        level = resistance(r, s.motor, zero, direction, at);
+        const auto leaves = level < abs(force);
+        const P last = select(leaves, (1.0 - part) * mobility * (force - direction * level), zero);
+        travelled = select(stops, 0.5 * h * part * v + 0.5 * h * (1.0 - part) * last, travelled);
+        next = select(stops, last, next);
     }
-    q += travelled;
-    v = next;
-    s.acceleration = (next - before) * length.per_h;
-    remember(r, s.motor, std::abs(travelled) * length.per_h, h);
+    next = select(held, zero, next);
+    travelled = select(held, zero, travelled);
+    s.motor_position = s.motor_position + travelled;
+    s.motor_velocity = next;
+    s.acceleration = (next - v) * length.per_h;
+    remember(r, s.motor, abs(travelled) * length.per_h, h);
 }
 
 /// Deflection beyond the play, positive when the motor leads.
-inline double beyond_play(double deflection, double backlash)
+template <class P>
+P beyond_play(const P& deflection, const P& backlash)
 {
-    const double half = 0.5 * backlash;
-    return deflection - std::clamp(deflection, -half, half);
+    const P half = 0.5 * backlash;
+    return deflection - max(-half, min(deflection, half));
 }
 
 /// Two masses and a spring. The damper is implicit, so that a stiff one stays stable.
-inline void step_two_mass(const Plant& p, State& s, const Push& drive, double t, const StepLength& length)
+template <class P>
+void step_two_mass(const Joints<P>& p, State<P>& s, const PushOf<P>& drive, const P& t, const StepLength<P>& length)
 {
-    const double h = length.h, per_ratio = length.per_ratio;
-    const double motor_middle = s.motor_position + 0.5 * h * s.motor_velocity;
-    const double link_middle = s.link_position + 0.5 * h * s.link_velocity;
-    const double stretch = beyond_play(motor_middle * per_ratio - link_middle, p.backlash);
-    const bool touching = p.backlash == 0 || stretch != 0;
-    const double rate = s.motor_velocity * per_ratio - s.link_velocity;
-    double spring = touching ? length.stiff * stretch + length.implicit * rate : 0;
-    if (p.backlash > 0 && spring * stretch < 0) spring = 0;  // contact cannot pull
-    s.effort = drive.at(s.motor_velocity);
-    const double on_motor = s.effort - spring * per_ratio;
-    const double on_link = spring + outside_force(p, s, link_middle, s.link_velocity, t + 0.5 * h);
-    s.motor_velocity = length.motor_glides ? length.motor(s.motor_velocity, on_motor)
-                                           : rub(p.motor, s.motor, s.motor_velocity, on_motor, length.motor_mobility, h,
-                                                 {motor_middle, spring * per_ratio});
-    s.link_velocity = length.link_glides ? length.link(s.link_velocity, on_link)
-                                         : rub(p.link, s.link, s.link_velocity, on_link, length.link_mobility, h,
-                                               {link_middle, spring});
+    const P h = length.h, per_ratio = length.per_ratio, zero(0.0);
+    const P motor_middle = s.motor_position + 0.5 * h * s.motor_velocity;
+    const P link_middle = s.link_position + 0.5 * h * s.link_velocity;
+    const P apart = motor_middle * per_ratio - link_middle;
+    const P rate = s.motor_velocity * per_ratio - s.link_velocity;
+    P spring;
+    if (p.kind.plays) {
+        const P stretch = beyond_play(apart, p.backlash);
+        spring = length.stiff * stretch + length.implicit * rate;
+        spring = select(zero < spring * stretch, spring, zero);  // contact cannot pull, and in the play there is none
+    } else {
+        spring = length.stiff * apart + length.implicit * rate;
+    }
+    const P on_motor = drive.at(s.motor_velocity) - spring * per_ratio;
+    const P on_link = spring + outside_force(p, s, link_middle, s.link_velocity, t + 0.5 * h);
+    s.motor_velocity = p.motor.has.glides ? length.motor(s.motor_velocity, on_motor)
+                                          : rub(p.motor, s.motor, s.motor_velocity, on_motor, length.motor_mobility, h,
+                                                {motor_middle, spring * per_ratio});
+    s.link_velocity = p.link.has.glides ? length.link(s.link_velocity, on_link)
+                                        : rub(p.link, s.link, s.link_velocity, on_link, length.link_mobility, h,
+                                              {link_middle, spring});
     s.motor_position = motor_middle + 0.5 * h * s.motor_velocity;
     s.link_position = link_middle + 0.5 * h * s.link_velocity;
 }

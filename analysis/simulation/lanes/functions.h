@@ -26,8 +26,8 @@ template <int width, int count>
     const P shifted = w * P(per_ln2) + P(rounder);
     P power;  // 2^k, the exponent field filled with the low bits of `shifted`
     for (int i = 0; i < count; ++i) {
-        const Integers k = (Integers)shifted.part[i] - (Integers)(Doubles{} + rounder);
-        power.part[i] = (Doubles)((k + 1023) << 52);
+        const Integers k = bits_of<width>(shifted.part[i]) - bits_of<width>(Doubles{} + rounder);
+        power.part[i] = doubles_of<width>((k + 1023) << 52);
     }
     const P k = shifted - P(rounder);
     const P r = (w - k * P(ln2_high)) - k * P(ln2_low);
@@ -44,12 +44,11 @@ template <int width, int count>
 [[gnu::always_inline]] inline Pack<width, count> rough_power(const Pack<width, count>& e)
 {
     using Integers = typename Native<width>::Integers;
-    using Doubles = typename Native<width>::Doubles;
     constexpr std::int64_t one = INT64_C(0x3ff0000000000000);
     Pack<width, count> r;
     for (int i = 0; i < count; ++i) {
-        const Integers bits = (Integers)e.part[i];
-        r.part[i] = (Doubles)(one + (one >> 3) + (one >> 4) - (bits >> 3) - (bits >> 4));
+        const Integers bits = bits_of<width>(e.part[i]);
+        r.part[i] = doubles_of<width>(one + (one >> 3) + (one >> 4) - (bits >> 3) - (bits >> 4));
     }
     return r;
 }

@@ -1,8 +1,9 @@
 // Packs of doubles as wide as the processor: one source for AVX-512, AVX2 and baseline x86-64. A pack is N native
 // vectors side by side, since two independent vectors hide the latency of one another; wider GCC vectors than the
 // hardware has would be split badly. Every operation is element by element, so that a lane's bits never depend on its
-// neighbours.
+// neighbours. A pack of one lane is a bare double under the same names.
 #pragma once
+#include <bit>
 #include <cstdint>
 
 namespace stickslip::lanes {
@@ -14,13 +15,43 @@ struct Native {
     typedef std::int64_t Integers __attribute__((vector_size(width * 8)));
 };
 
+template <>
+struct Native<1> {
+    typedef double Doubles;
+    typedef std::int64_t Integers;
+};
+
+/// The bits of doubles, and doubles of these bits.
+template <int width>
+[[gnu::always_inline]] inline typename Native<width>::Integers bits_of(typename Native<width>::Doubles x)
+{
+    return std::bit_cast<typename Native<width>::Integers>(x);
+}
+template <int width>
+[[gnu::always_inline]] inline typename Native<width>::Doubles doubles_of(typename Native<width>::Integers x)
+{
+    return std::bit_cast<typename Native<width>::Doubles>(x);
+}
+
 /// Lane by lane all bits or none.
 template <int width, int count>
 struct Mask {
     typename Native<width>::Integers part[count];
 
-    [[gnu::always_inline]] bool operator[](int lane) const { return part[lane / width][lane % width] != 0; }
-    [[gnu::always_inline]] void set(int lane, bool on) { part[lane / width][lane % width] = on ? -1 : 0; }
+    [[gnu::always_inline]] bool operator[](int lane) const
+    {
+        if constexpr (width == 1)
+            return part[lane] != 0;
+        else
+            return part[lane / width][lane % width] != 0;
+    }
+    [[gnu::always_inline]] void set(int lane, bool on)
+    {
+        if constexpr (width == 1)
+            part[lane] = on ? -1 : 0;
+        else
+            part[lane / width][lane % width] = on ? -1 : 0;
+    }
 };
 
 template <int width, int count>
@@ -34,8 +65,20 @@ struct Pack {
     {
         for (int i = 0; i < count; ++i) part[i] = typename Native<width>::Doubles{} + value;
     }
-    [[gnu::always_inline]] double operator[](int lane) const { return part[lane / width][lane % width]; }
-    [[gnu::always_inline]] void set(int lane, double value) { part[lane / width][lane % width] = value; }
+    [[gnu::always_inline]] double operator[](int lane) const
+    {
+        if constexpr (width == 1)
+            return part[lane];
+        else
+            return part[lane / width][lane % width];
+    }
+    [[gnu::always_inline]] void set(int lane, double value)
+    {
+        if constexpr (width == 1)
+            part[lane] = value;
+        else
+            part[lane / width][lane % width] = value;
+    }
 };
 
 /// Applies f to each native part.
@@ -50,7 +93,11 @@ template <int width, int count, class F>
 [[gnu::always_inline]] inline Mask<width, count> compare(const Pack<width, count>& a, const Pack<width, count>& b, F f)
 {
     Mask<width, count> r;
-    for (int i = 0; i < count; ++i) r.part[i] = f(a.part[i], b.part[i]);
+    for (int i = 0; i < count; ++i)
+        if constexpr (width == 1)
+            r.part[i] = -static_cast<std::int64_t>(f(a.part[i], b.part[i]));
+        else
+            r.part[i] = f(a.part[i], b.part[i]);
     return r;
 }
 
@@ -90,6 +137,16 @@ template <int w, int n>
     return a - Pack<w, n>(b);
 }
 template <int w, int n>
+[[gnu::always_inline]] inline Pack<w, n> operator+(double a, const Pack<w, n>& b)
+{
+    return Pack<w, n>(a) + b;
+}
+template <int w, int n>
+[[gnu::always_inline]] inline Pack<w, n> operator-(double a, const Pack<w, n>& b)
+{
+    return Pack<w, n>(a) - b;
+}
+template <int w, int n>
 [[gnu::always_inline]] inline Pack<w, n> operator-(const Pack<w, n>& a)
 {
     return Pack<w, n>(0.0) - a;
@@ -103,6 +160,16 @@ template <int w, int n>
 [[gnu::always_inline]] inline Mask<w, n> operator<=(const Pack<w, n>& a, const Pack<w, n>& b)
 {
     return compare(a, b, [](auto x, auto y) { return x <= y; });
+}
+template <int w, int n>
+[[gnu::always_inline]] inline Mask<w, n> operator>(const Pack<w, n>& a, const Pack<w, n>& b)
+{
+    return b < a;
+}
+template <int w, int n>
+[[gnu::always_inline]] inline Mask<w, n> operator!=(const Pack<w, n>& a, const Pack<w, n>& b)
+{
+    return compare(a, b, [](auto x, auto y) { return x != y; });
 }
 template <int w, int n>
 [[gnu::always_inline]] inline Mask<w, n> operator&(const Mask<w, n>& a, const Mask<w, n>& b)
@@ -144,16 +211,33 @@ template <int w, int n>
 {
     auto all = mask.part[0];
     for (int i = 1; i < n; ++i) all |= mask.part[i];
-    std::int64_t bits = 0;
-    for (int i = 0; i < w; ++i) bits |= all[i];
-    return bits != 0;
+    if constexpr (w == 1) {
+        return all != 0;
+    } else {
+        std::int64_t bits = 0;
+        for (int i = 0; i < w; ++i) bits |= all[i];
+        return bits != 0;
+    }
+}
+template <int w, int n>
+[[gnu::always_inline]] inline bool every(const Mask<w, n>& mask)
+{
+    return !any(~mask);
 }
 template <int w, int n>
 [[gnu::always_inline]] inline Pack<w, n> abs(const Pack<w, n>& a)
 {
     Pack<w, n> r;
+    for (int i = 0; i < n; ++i) r.part[i] = doubles_of<w>(bits_of<w>(a.part[i]) & INT64_MAX);
+    return r;
+}
+/// The magnitude of a with the sign of b.
+template <int w, int n>
+[[gnu::always_inline]] inline Pack<w, n> copysign(const Pack<w, n>& a, const Pack<w, n>& b)
+{
+    Pack<w, n> r;
     for (int i = 0; i < n; ++i)
-        r.part[i] = (typename Native<w>::Doubles)((typename Native<w>::Integers)a.part[i] & INT64_MAX);
+        r.part[i] = doubles_of<w>((bits_of<w>(a.part[i]) & INT64_MAX) | (bits_of<w>(b.part[i]) & INT64_MIN));
     return r;
 }
 template <int w, int n>

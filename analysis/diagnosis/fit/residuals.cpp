@@ -1,0 +1,176 @@
+#include "analysis/diagnosis/fit/residuals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+namespace stickslip::gap {
+namespace {
+
+constexpr double block_time = 0.2;  // s
+constexpr double block_scale = 20;  // mse over floor at which a block begins to count less
+
+/// Adds one channel's blocks to the objective and lists their mean squares; gives the mean square of all.
+double add_blocks(const std::vector<double>& scaled, std::size_t begin, std::size_t count, std::size_t block,
+                  double& objective, std::vector<double>& blocks)
+{
+    double total = 0, robust = 0;
+    for (std::size_t b = 0; b < count; b += block) {
+        const std::size_t end = std::min(b + block, count);
+        double sum = 0;
+        for (std::size_t i = b; i < end; ++i) sum += scaled[begin + i] * scaled[begin + i];
+        total += sum;
+        const double rows = static_cast<double>(end - b);
+        blocks.push_back(sum / rows);
+        robust += rows * block_scale * std::log1p(blocks.back() / block_scale);
+    }
+    const double n = static_cast<double>(std::max<std::size_t>(count, 1));
+    objective += robust / n;
+    return total / n;
+}
+
+std::size_t block_rows(const Case& c)
+{
+    return std::max<std::size_t>(4, static_cast<std::size_t>(block_time / c.row_step));
+}
+
+/// Whose value this parameter is: the number of a record, or no_record where all share it.
+constexpr std::size_t no_record = static_cast<std::size_t>(-1);
+std::size_t record_of(const Candidate& candidate, std::size_t parameter)
+{
+    for (const auto* f : candidate.forms) {
+        const std::size_t shared = f->parameters.size() - f->own;
+        if (parameter < candidate.count_of(*f)) return parameter < shared ? no_record : (parameter - shared) / f->own;
+        parameter -= candidate.count_of(*f);
+    }
+    return no_record;
+}
+
+std::size_t residual_count(const Case& c)
+{
+    return c.ticks.rows() * (c.effort_sigma > 0 ? 2 : 1);
+}
+
+/// Appends the scaled residuals of one record: position rows, then effort rows.
+void append_residuals(const Case& c, double omega, const Innovation& innovation, std::vector<double>& scaled)
+{
+    const double per_floor = 1 / (c.sigma * std::sqrt(noise_amplification(omega, c.row_step)));
+    constexpr double far = 1e6;  // a diverged prediction is bad, not infinitely bad
+    for (std::size_t k = 0; k < c.ticks.size(); ++k)
+        if (c.ticks.logged[k]) {
+            const double e = innovation.position[k] * per_floor;
+            scaled.push_back(!c.judged(k) ? 0 : std::isfinite(e) ? std::clamp(e, -far, far) : far);
+        }
+    if (!(c.effort_sigma > 0)) return;
+    const double per_effort = 1 / effort_floor(c, omega);
+    for (std::size_t k = 0; k < c.ticks.size(); ++k)
+        if (c.ticks.logged[k]) {
+            const double e = innovation.effort[k] * per_effort;
+            scaled.push_back(c.judged(k) && std::isfinite(e) ? std::clamp(e, -far, far) : 0);
+        }
+}
+
+/// The predictions of a few places, side by side.
+class Predictions {
+  public:
+    Predictions(const std::vector<Case>& cases, const Candidate& candidate) : cases_(cases), candidate_(candidate) {}
+
+    void add(const Case& c, const Place& place)
+    {
+        Plant plant = edited_plant(c.joint, candidate_, place.si, c.number);
+        plant.step_factor = c.step_factor;
+        const auto command = known_command(plant, c.ticks, commands_.emplace_back());
+        all_.push_back({std::move(plant), &c.ticks, command, place.omega, &innovations_.emplace_back(),
+                        c.effort_sigma > 0 ? Wanted::effort : Wanted::position});
+    }
+    /// Whether a place needs this record anew.
+    bool needs(const Case& c, const Place& place) const
+    {
+        if (place.moved == no_parameter) return true;
+        const std::size_t own = record_of(candidate_, place.moved);
+        return own == no_record || own == std::min(c.number, candidate_.records - 1);
+    }
+    void go(std::span<const Place> places, const std::vector<double>* known,
+            std::vector<std::vector<double>>& residuals)
+    {
+        for (const auto& place : places)
+            for (const auto& c : cases_)
+                if (!known || needs(c, place)) add(c, place);
+        predict_all(all_);
+        auto innovation = innovations_.cbegin();
+        for (const auto& place : places) {
+            auto& scaled = residuals.emplace_back();
+            if (known) scaled.reserve(known->size());
+            for (const auto& c : cases_) {
+                if (!known || needs(c, place)) {
+                    append_residuals(c, place.omega, *innovation++, scaled);
+                    continue;
+                }
+                const auto from = known->begin() + static_cast<std::ptrdiff_t>(scaled.size());
+                scaled.insert(scaled.end(), from, from + static_cast<std::ptrdiff_t>(residual_count(c)));
+            }
+        }
+    }
+
+  private:
+    const std::vector<Case>& cases_;
+    const Candidate& candidate_;
+    std::vector<Prediction> all_;
+    std::deque<std::vector<double>> commands_;
+    std::deque<Innovation> innovations_;
+};
+
+}  // namespace
+
+std::vector<std::vector<double>> residuals_at(const std::vector<Case>& cases, const Candidate& candidate,
+                                              const std::vector<Place>& places, const std::vector<double>* known)
+{
+    // enough to fill the lanes, not so much that long records fill the memory
+    constexpr std::size_t most_ticks = 2'000'000, fewest = 4;
+    std::size_t ticks = 1;
+    for (const auto& c : cases) ticks += c.ticks.size();
+    const std::size_t at_once = std::max(fewest, most_ticks / ticks);
+    std::vector<std::vector<double>> residuals;
+    for (std::size_t from = 0; from < places.size(); from += at_once)
+        Predictions(cases, candidate)
+            .go(std::span(places).subspan(from, std::min(at_once, places.size() - from)), known, residuals);
+    return residuals;
+}
+
+Evaluation judged(const std::vector<Case>& cases, const std::vector<double>& scaled)
+{
+    Evaluation result;
+    std::size_t begin = 0;
+    for (const auto& c : cases) {
+        const std::size_t block = block_rows(c), rows = c.ticks.rows();
+        Misfit misfit;
+        misfit.position = add_blocks(scaled, begin, rows, block, result.objective, misfit.position_blocks);
+        if (c.effort_sigma > 0)
+            misfit.effort = add_blocks(scaled, begin + rows, rows, block, result.objective, misfit.effort_blocks);
+        begin += residual_count(c);
+        result.records.push_back(misfit);
+    }
+    result.objective /= static_cast<double>(cases.size());
+    return result;
+}
+
+/// Weights of the scaled residuals that make a weighted least-squares step a step on the robust objective.
+void block_weights(const std::vector<Case>& cases, const std::vector<double>& scaled, std::vector<double>& weights)
+{
+    weights.resize(scaled.size());
+    std::size_t begin = 0;
+    for (const auto& c : cases) {
+        const std::size_t rows = c.ticks.rows();
+        const std::size_t channels = c.effort_sigma > 0 ? 2 : 1, block = block_rows(c);
+        for (std::size_t ch = 0; ch < channels; ++ch, begin += rows)
+            for (std::size_t b = 0; b < rows; b += block) {
+                const std::size_t end = std::min(b + block, rows);
+                double sum = 0;
+                for (std::size_t i = b; i < end; ++i) sum += scaled[begin + i] * scaled[begin + i];
+                const double w = 1 / (1 + sum / static_cast<double>(end - b) / block_scale) / static_cast<double>(rows);
+                for (std::size_t i = b; i < end; ++i) weights[begin + i] = w;
+            }
+    }
+}
+
+}  // namespace stickslip::gap

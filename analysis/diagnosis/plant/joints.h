@@ -1,0 +1,112 @@
+// A pack of joints that run through their records side by side: one lane each, the same terms in all.
+#pragma once
+#include "analysis/diagnosis/plant/friction_step.h"
+#include "analysis/joint/drive.h"
+
+#include <array>
+
+namespace stickslip::gap {
+
+/// What the joints of a pack have in common: which way a time step takes is the same in every lane.
+struct Kind {
+    bool two_mass = false, feedback_link = false, plays = false, free = false, dead_time = false, lag = false;
+    bool gravity = false, cogging = false, disturbance = false, sags = false, read_late = false;
+    Terms motor, link;
+    ActuatorKind actuator = ActuatorKind::effort;
+    DriveSignal signal = DriveSignal::voltage;
+    bool operator==(const Kind&) const = default;
+
+    bool drifts() const { return motor.drifts || link.drifts; }
+    /// Whether the drive is one and the same from tick to tick.
+    bool holds() const { return !dead_time && !lag && actuator != ActuatorKind::dc_motor; }
+};
+
+inline Kind kind_of(const Plant& p)
+{
+    Kind k;
+    k.two_mass = p.two_mass, k.feedback_link = p.two_mass && p.feedback_link, k.plays = p.backlash > 0;
+    k.free = p.free.present, k.dead_time = p.dead_time != 0, k.lag = p.actuator.lag > 0;
+    k.gravity = p.load.gravity_amplitude != 0, k.cogging = p.load.cogging.amplitude != 0;
+    k.disturbance = p.load.disturbance.amplitude != 0, k.sags = p.actuator.sag_effort < infinity;
+    k.read_late = p.sensor.delay > 0;
+    k.motor = terms_of(p.motor), k.link = terms_of(p.link);
+    k.actuator = p.actuator.kind, k.signal = p.actuator.signal;
+    return k;
+}
+
+template <class P>
+struct LoadOf {
+    P constant = 0, gravity_amplitude = 0, gravity_phase = 0;
+    struct {
+        P amplitude = 0, periods = 1, phase = 0;
+    } cogging;
+    struct {
+        P amplitude = 0, frequency = 1, phase = 0;
+    } disturbance;
+};
+
+template <class P>
+struct ActuatorOf {
+    ActuatorKind kind = ActuatorKind::effort;
+    DriveSignal signal = DriveSignal::voltage;
+    P effort_gain = 1, limit = infinity, sag_effort = infinity;
+    P k_t = 0, k_e = 0, resistance = 1, supply_resistance = 0;
+};
+
+template <class P>
+struct Joints {
+    Kind kind;
+    P motor_inertia = 1, link_inertia = 1, stiffness = 1, damping = 0, ratio = 1, backlash = 0;
+    Rubs<P> motor, link;
+    LoadOf<P> load;
+    ActuatorOf<P> actuator;
+    P position_scale = 1, position_offset = 0, read_late = 0;
+    std::array<const FreeForce*, P::lanes> free{};
+
+    /// Puts this joint, of this kind, into a lane. It must outlive the lane.
+    void load_lane(int lane, const Plant& p);
+};
+
+template <class P>
+void load_rubs(Rubs<P>& to, int lane, const Rubbing& r)
+{
+    to.coulomb.set(lane, r.coulomb), to.viscous.set(lane, r.viscous);
+    to.stribeck.set(lane, r.stribeck), to.stribeck_velocity.set(lane, r.stribeck_velocity);
+    to.exponent.set(lane, r.exponent);
+    to.asymmetric_coulomb.set(lane, r.asymmetric_coulomb), to.asymmetric_viscous.set(lane, r.asymmetric_viscous);
+    to.load_coefficient.set(lane, r.load_coefficient);
+    to.ripple.set(lane, r.ripple), to.ripple_periods.set(lane, r.ripple_periods);
+    to.ripple_phase.set(lane, r.ripple_phase);
+    to.drift.set(lane, r.drift), to.drift_time.set(lane, r.drift_time);
+    to.bristle_stiffness.set(lane, r.bristle_stiffness), to.bristle_damping.set(lane, r.bristle_damping);
+    to.A.set(lane, r.A), to.B.set(lane, r.B), to.L.set(lane, r.L), to.V_star.set(lane, r.V_star);
+    to.lag.set(lane, r.lag), to.per_L.set(lane, r.per_L), to.per_V_star.set(lane, r.per_V_star);
+}
+
+template <class P>
+void Joints<P>::load_lane(int lane, const Plant& p)
+{
+    motor_inertia.set(lane, p.motor_inertia), link_inertia.set(lane, p.link_inertia);
+    stiffness.set(lane, p.stiffness), damping.set(lane, p.damping);
+    ratio.set(lane, p.ratio), backlash.set(lane, p.backlash);
+    load_rubs(motor, lane, p.motor), load_rubs(link, lane, p.link);
+    motor.has = kind.motor, link.has = kind.link;
+    load.constant.set(lane, p.load.constant);
+    load.gravity_amplitude.set(lane, p.load.gravity_amplitude), load.gravity_phase.set(lane, p.load.gravity_phase);
+    load.cogging.amplitude.set(lane, p.load.cogging.amplitude), load.cogging.periods.set(lane, p.load.cogging.periods);
+    load.cogging.phase.set(lane, p.load.cogging.phase);
+    load.disturbance.amplitude.set(lane, p.load.disturbance.amplitude);
+    load.disturbance.frequency.set(lane, p.load.disturbance.frequency);
+    load.disturbance.phase.set(lane, p.load.disturbance.phase);
+    const Actuator& a = p.actuator;
+    actuator.kind = a.kind, actuator.signal = a.signal;
+    actuator.effort_gain.set(lane, a.effort_gain), actuator.limit.set(lane, a.limit);
+    actuator.sag_effort.set(lane, a.sag_effort);
+    actuator.k_t.set(lane, a.k_t), actuator.k_e.set(lane, a.k_e), actuator.resistance.set(lane, a.resistance);
+    actuator.supply_resistance.set(lane, a.supply_resistance);
+    position_scale.set(lane, p.sensor.position_scale), position_offset.set(lane, p.sensor.position_offset);
+    read_late.set(lane, p.sensor.delay);
+    free[static_cast<std::size_t>(lane)] = &p.free;
+}
+
+}  // namespace stickslip::gap

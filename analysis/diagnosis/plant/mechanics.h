@@ -1,0 +1,264 @@
+// Mechanisms and actuators from tick to tick, a pack of joints side by side, each along its own record.
+#pragma once
+#include "analysis/diagnosis/plant/held_command.h"
+#include "analysis/diagnosis/plant/step.h"
+
+namespace stickslip::gap {
+
+/// Where a link rests at the start: pressed onto its spring and one flank of its play by the load, or, as whoever
+/// switches a simulation or a brake on finds it, level with the motor, in the middle of its play.
+enum class Rest { pressed, level };
+
+/// Where readings come late, the motion is that of the moment which is read, so that a reading is compared with what it
+/// shows; the effort that is logged beside it is not late.
+template <class P>
+class Mechanics {
+  public:
+    static constexpr int lanes = P::lanes;
+
+    explicit Mechanics(const Kind& kind) { joints_.kind = kind; }
+
+    /// Puts a joint of this kind and its record into a lane, at a tick. They must outlive the lane.
+    void load(int lane, const Plant& plant, const Ticks& ticks, std::span<const double> command, std::size_t tick)
+    {
+        joints_.load_lane(lane, plant);
+        Lane& l = lane_[lane];
+        l.ticks = &ticks, l.plant = &plant, l.tick = tick, l.command = command.data();
+        l.held = HeldCommand(ticks, command, plant.dead_time, tick);
+        if (kind().read_late) l.logged = HeldCommand(ticks, command, plant.dead_time - plant.sensor.delay, tick);
+        l.longest = longest_step(plant), l.parts = 0, l.divided = 0, l.goes = true;
+        logged_lagged_.set(lane, 0);
+        motor_level_.set(lane, plant.motor.coulomb), link_level_.set(lane, plant.link.coulomb);
+        moves_inertia_ = false;
+        for (const auto& other : lane_)
+            moves_inertia_ = moves_inertia_ || (other.ticks && !other.ticks->inertia.empty());
+        length_of_ = P(0.0);  // to be divided anew
+        if (kind().lag) lag_.set(lane, plant.actuator.lag);
+    }
+    /// Begins where this lane's tick is, with this velocity, this far beyond the reading.
+    void start(int lane, double velocity, Rest rest = Rest::pressed, double beyond = 0);
+
+    std::size_t tick(int lane) const { return lane_[lane].tick; }
+    /// Whether a lane goes on from tick to tick.
+    void stop(int lane) { lane_[lane].goes = false; }
+
+    P seen_position() const { return kind().feedback_link ? state_.link_position : state_.motor_position; }
+    P seen_velocity() const { return kind().feedback_link ? state_.link_velocity : state_.motor_velocity; }
+    P reading() const { return joints_.position_scale * seen_position() + joints_.position_offset; }
+
+    /// The effort just after the update at this tick, before the step is taken.
+    P effort_now()
+    {
+        constexpr double moment = 1e-9;
+        P arrived;
+        for (int i = 0; i < lanes; ++i) {
+            Lane& l = lane_[i];
+            const double t = l.ticks->time[l.tick];
+            arrived.set(i, (kind().read_late ? l.logged : l.held).mean(t, moment, l.tick));
+        }
+        if (kind().lag) arrived = kind().read_late ? logged_lagged_ : state_.lagged;
+        return push(arrived).at(state_.motor_velocity);
+    }
+
+    /// Every lane by a tick.
+    void advance()
+    {
+        P tick, start;
+        for (int i = 0; i < lanes; ++i) {
+            const Lane& l = lane_[i];
+            tick.set(i, l.ticks->step[l.tick]), start.set(i, l.ticks->time[l.tick]);
+        }
+        if (any(tick != length_of_)) divide(tick);
+        follow_record(start - joints_.read_late + 0.5 * tick);
+        if (changes()) length_ = StepLength<P>(joints_, length_.h);
+        PushOf<P> drive;
+        if (kind().holds()) drive = push(command());
+        P keep, mean_keep;
+        if (kind().lag) {
+            keep = exp_of(-length_.h / lag_);
+            mean_keep = lag_ / length_.h * (1.0 - keep);
+        }
+        for (int part = 0; part < most_parts_; ++part) {
+            const P t = start + P(part) * length_.h;
+            const bool all = part < fewest_parts_;
+            const State<P> before = all ? State<P>{} : state_;
+            if (!kind().holds()) drive = push(arriving(t, keep, mean_keep));
+            if (kind().two_mass)
+                step_two_mass(joints_, state_, drive, t - joints_.read_late, length_);
+            else
+                step_single(joints_, state_, drive, t - joints_.read_late, length_);
+            if (!all) keep_done(before, part);
+        }
+        for (auto& l : lane_) l.tick += l.goes;
+    }
+
+    /// Moves the state by what an observer asks for.
+    void correct(const P& error, const P& gain_position, const P& gain_velocity)
+    {
+        const P dq = gain_position * error / joints_.position_scale;
+        const P dv = gain_velocity * error / joints_.position_scale;
+        if (!kind().two_mass) {
+            state_.motor_position = state_.motor_position + dq;
+            state_.motor_velocity = state_.motor_velocity + dv;
+            return;
+        }
+        const P one(1.0), zero(0.0);
+        const P to_motor = kind().feedback_link ? joints_.ratio : one,
+                to_link = kind().feedback_link ? one : one / joints_.ratio;
+        // inside the play the link flies on its own: an encoder on the motor says nothing about it, and its noise would
+        // be fed into a body that nothing calms. In contact it moves along
+        const P apart = state_.motor_position / joints_.ratio - state_.link_position;
+        state_.motor_position = state_.motor_position + to_motor * dq;
+        state_.motor_velocity = state_.motor_velocity + to_motor * dv;
+        P moved = to_link * dq, sped = to_link * dv;
+        if (kind().plays && !kind().feedback_link) {
+            const auto touches = beyond_play(apart, joints_.backlash) != zero;
+            moved = select(touches, moved, zero), sped = select(touches, sped, zero);
+        }
+        state_.link_position = state_.link_position + moved;
+        state_.link_velocity = state_.link_velocity + sped;
+    }
+
+  private:
+    struct Lane {
+        const Plant* plant = nullptr;
+        const Ticks* ticks = nullptr;
+        const double* command = nullptr;
+        HeldCommand held;    ///< that moves what is read
+        HeldCommand logged;  ///< behind the effort that is logged
+        std::size_t tick = 0;
+        double longest = 1;  ///< s, time step
+        int parts = 0;       ///< of a tick of the length `divided`
+        double divided = 0;
+        bool goes = true;
+    };
+
+    const Kind& kind() const { return joints_.kind; }
+    bool changes() const { return kind().drifts() || moves_inertia_; }
+
+    /// Divides ticks of these lengths into substeps.
+    void divide(const P& tick)
+    {
+        constexpr double rounding = 1e-9;
+        P parts;
+        most_parts_ = 0, fewest_parts_ = 1 << 30;
+        for (int i = 0; i < lanes; ++i) {
+            Lane& l = lane_[i];
+            if (!(std::abs(tick[i] - l.divided) <= rounding * l.divided))
+                l.parts = substeps(tick[i], l.longest), l.divided = tick[i];
+            parts.set(i, l.parts);
+            most_parts_ = std::max(most_parts_, l.parts), fewest_parts_ = std::min(fewest_parts_, l.parts);
+        }
+        length_of_ = tick;
+        length_ = StepLength<P>(joints_, tick / parts);
+    }
+
+    /// What the record or a drift says of this tick.
+    void follow_record(const P& middle)
+    {
+        if (kind().motor.drifts) joints_.motor.coulomb = motor_level_ + drifted(joints_.motor, middle);
+        if (kind().link.drifts) joints_.link.coulomb = link_level_ + drifted(joints_.link, middle);
+        for (int i = 0; i < lanes; ++i) {
+            const Lane& l = lane_[i];
+            if (!l.ticks->load.empty()) joints_.load.constant.set(i, l.plant->load.constant + l.ticks->load[l.tick]);
+            if (l.ticks->inertia.empty()) continue;
+            const double factor = l.ticks->inertia[l.tick];
+            if (kind().two_mass)
+                joints_.link_inertia.set(i, l.plant->link_inertia * factor);
+            else
+                joints_.motor_inertia.set(i, l.plant->motor_inertia * factor);
+        }
+    }
+
+    P command() const
+    {
+        P u;
+        for (int i = 0; i < lanes; ++i) u.set(i, lane_[i].command[lane_[i].tick]);
+        return u;
+    }
+
+    /// The command that reaches the actuator's coils in the substep from t on.
+    P arriving(const P& t, const P& keep, const P& mean_keep)
+    {
+        P arrived;
+        for (int i = 0; i < lanes; ++i) arrived.set(i, lane_[i].held.mean(t[i], length_.h[i], lane_[i].tick));
+        if (!kind().lag) return arrived;
+        if (kind().read_late) {
+            P at_once;
+            for (int i = 0; i < lanes; ++i) at_once.set(i, lane_[i].logged.mean(t[i], length_.h[i], lane_[i].tick));
+            logged_lagged_ = at_once + (logged_lagged_ - at_once) * keep;
+        }
+        const P gap = state_.lagged - arrived;
+        state_.lagged = arrived + gap * keep;
+        return arrived + gap * mean_keep;
+    }
+
+    PushOf<P> push(const P& arrived) const
+    {
+        P supply(0.0);
+        if (kind().actuator == ActuatorKind::dc_motor)
+            for (int i = 0; i < lanes; ++i) supply.set(i, lane_[i].ticks->supply[lane_[i].tick]);
+        PushOf<P> p = push_of(joints_.actuator, arrived, supply, state_.motor_velocity);
+        for (int i = 0; i < lanes; ++i)
+            if (!lane_[i].ticks->enabled[lane_[i].tick]) p.push.set(i, 0), p.drag.set(i, 0);
+        return p;
+    }
+
+    /// Takes this substep back in lanes that have fewer.
+    void keep_done(const State<P>& before, int part)
+    {
+        typename P::MaskType done;
+        for (int i = 0; i < lanes; ++i) done.set(i, part >= lane_[i].parts);
+        each_number(state_, before, [&](P& now, const P& then) { now = select(done, then, now); });
+    }
+    template <class F>
+    static void each_number(State<P>& a, const State<P>& b, F f)
+    {
+        f(a.motor_position, b.motor_position), f(a.motor_velocity, b.motor_velocity);
+        f(a.link_position, b.link_position), f(a.link_velocity, b.link_velocity);
+        f(a.acceleration, b.acceleration), f(a.lagged, b.lagged), f(a.followed, b.followed);
+        f(a.motor.bristle, b.motor.bristle), f(a.motor.theta, b.motor.theta);
+        f(a.motor.speed, b.motor.speed), f(a.motor.force, b.motor.force);
+        f(a.link.bristle, b.link.bristle), f(a.link.theta, b.link.theta);
+        f(a.link.speed, b.link.speed), f(a.link.force, b.link.force);
+    }
+
+    Joints<P> joints_;  ///< with the levels of friction, the load and the inertia of this tick
+    State<P> state_;
+    Lane lane_[lanes];
+    P logged_lagged_ = 0, motor_level_ = 0, link_level_ = 0, lag_ = 1;
+    P length_of_ = 0;  ///< s, ticks that `length_` divides
+    StepLength<P> length_;
+    int most_parts_ = 0, fewest_parts_ = 0;
+    bool moves_inertia_ = false;
+};
+
+template <class P>
+void Mechanics<P>::start(int lane, double velocity, Rest rest, double beyond)
+{
+    const Lane& l = lane_[lane];
+    const Plant& p = *l.plant;
+    const double q = (l.ticks->position[l.tick] + beyond - p.sensor.position_offset) / p.sensor.position_scale;
+    const double v = velocity / p.sensor.position_scale;
+    State<P> fresh;
+    fresh.motor = settled(joints_.motor, P(std::abs(v)));
+    fresh.link = settled(joints_.link, P(std::abs(v)));
+    fresh.motor_position = fresh.followed = q;
+    fresh.motor_velocity = v;
+    if (kind().two_mass) {
+        const double link = p.feedback_link ? q : q / p.ratio;
+        const double load = load_force(joints_.load, P(link), P(l.ticks->time[l.tick]))[lane];
+        // a load that the link's own friction holds leaves open where in its play the link rests: the middle is nearest
+        const bool held = p.backlash > 0 && std::abs(load) <= p.link.coulomb;
+        const double stretch = held || rest == Rest::level ? 0 : -load / p.stiffness;
+        const double play = stretch == 0 ? 0 : std::copysign(0.5 * p.backlash, stretch);
+        fresh.motor_position = p.feedback_link ? p.ratio * (q + stretch + play) : q;
+        fresh.link_position = p.feedback_link ? q : q / p.ratio - stretch - play;
+        fresh.motor_velocity = p.feedback_link ? p.ratio * v : v;
+        fresh.link_velocity = p.feedback_link ? v : v / p.ratio;
+        fresh.followed = fresh.link_position;
+    }
+    each_number(state_, fresh, [lane](P& now, const P& then) { now.set(lane, then[lane]); });
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,140 @@
+#include "analysis/diagnosis/plant/runs.h"
+#include "analysis/diagnosis/plant/simulator.h"
+#include "analysis/simulation/lanes/job.h"
+
+#include <algorithm>
+
+namespace stickslip::gap {
+namespace {
+
+/// Runs of one kind, as many substeps a tick in each.
+struct Batch {
+    Kind kind;
+    int parts;
+    std::vector<Run> runs;
+};
+
+void add(std::vector<Batch>& batches, const Run& run)
+{
+    const Kind kind = kind_of(*run.plant);
+    const int parts = substeps(run.ticks->step[run.from], longest_step(*run.plant));
+    for (auto& b : batches)
+        if (b.parts == parts && b.kind == kind) return b.runs.push_back(run);
+    batches.push_back({kind, parts, {run}});
+}
+
+void go(std::vector<Batch>& batches)
+{
+    const bool wide = lanes::best_instructions() != lanes::Instructions::baseline;
+    for (auto& [kind, parts, runs] : batches) {
+        // the longest first, so that lanes end together
+        std::stable_sort(runs.begin(), runs.end(),
+                         [](const Run& a, const Run& b) { return a.to - a.from > b.to - b.from; });
+        if (runs.size() == 1)
+            run_single(runs, kind);
+        else if (wide)
+            run_avx2(runs, kind);
+        else
+            run_baseline(runs, kind);
+    }
+}
+
+/// Whether the record leaves open how its link rests before it moves.
+bool rest_is_open(const Prediction& p)
+{
+    const Ticks& t = *p.ticks;
+    if (!p.plant.two_mass || !t.at_rest || t.size() < 2) return false;
+    const double link = p.plant.feedback_link ? t.position[0] : t.position[0] / p.plant.ratio;
+    return load_force(p.plant.load, link, t.time[0]) != 0;
+}
+
+/// Which rest predicts the first moments better. A record does not say it, and a link that falls through its play
+/// misses by thousands of floors.
+std::vector<Rest> rests_of(std::span<const Prediction> all)
+{
+    constexpr double moment = 0.2;  // s
+    constexpr double omega = 50;    // rad/s
+    constexpr Rest both[] = {Rest::pressed, Rest::level};
+    std::vector<Rest> rests(all.size(), Rest::pressed);
+    std::vector<std::size_t> open;
+    std::vector<std::vector<double>> missed;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (rest_is_open(all[i])) open.push_back(i);
+    std::vector<Batch> batches;
+    missed.reserve(2 * open.size());
+    for (const std::size_t i : open) {
+        const Prediction& p = all[i];
+        std::size_t count = 1;
+        while (count < p.ticks->size() && p.ticks->time[count] - p.ticks->time[0] < moment) ++count;
+        for (const Rest rest : both) {
+            auto& error = missed.emplace_back(count, 0.0);
+            add(batches, {&p.plant, p.ticks, p.command, omega, 0, count, rest, p.ticks->initial_velocity, error.data(),
+                          nullptr, nullptr, nullptr});
+        }
+    }
+    go(batches);
+    const auto squares = [](const std::vector<double>& errors) {
+        double sum = 0;
+        for (const double e : errors) sum += is_set(e) ? e * e : 0;
+        return sum;
+    };
+    for (std::size_t j = 0; j < open.size(); ++j)
+        if (squares(missed[2 * j + 1]) < squares(missed[2 * j])) rests[open[j]] = Rest::level;
+    return rests;
+}
+
+/// A prediction from each start to the next.
+void add_runs(std::vector<Batch>& batches, const Prediction& p, Rest rest)
+{
+    const Ticks& t = *p.ticks;
+    Innovation& out = *p.out;
+    out.position.assign(t.size(), not_set);
+    const bool more = p.wanted == Wanted::all, effort = more || p.wanted == Wanted::effort;
+    if (effort) out.effort.assign(t.size(), not_set);
+    if (more) out.velocity.resize(t.size()), out.predicted_effort.resize(t.size());
+    Run run{&p.plant,
+            p.ticks,
+            p.command,
+            p.omega,
+            0,
+            0,
+            rest,
+            t.initial_velocity,
+            out.position.data(),
+            effort ? out.effort.data() : nullptr,
+            more ? out.velocity.data() : nullptr,
+            more ? out.predicted_effort.data() : nullptr};
+    for (std::size_t i = 0; i <= t.restarts.size(); ++i) {
+        run.to = i < t.restarts.size() ? t.restarts[i].tick : t.size();
+        if (run.to > run.from) add(batches, run);
+        if (i == t.restarts.size()) break;
+        run.from = run.to, run.velocity = t.restarts[i].velocity, run.rest = Rest::pressed;
+    }
+}
+
+}  // namespace
+
+Rest rest_at_start(const Plant& plant, const Ticks& ticks)
+{
+    Prediction one{plant, &ticks, {}, 0, nullptr};
+    if (!rest_is_open(one)) return Rest::pressed;
+    const auto command = known_command(plant, ticks);
+    one.command = command;
+    return rests_of({&one, 1})[0];
+}
+
+void predict_all(std::span<const Prediction> all)
+{
+    const auto rests = rests_of(all);
+    std::vector<Batch> batches;
+    for (std::size_t i = 0; i < all.size(); ++i) add_runs(batches, all[i], rests[i]);
+    go(batches);
+}
+
+void predict(const Plant& plant, const Ticks& ticks, std::span<const double> command, double omega, Innovation& out)
+{
+    const Prediction one{plant, &ticks, command, omega, &out, Wanted::all};
+    predict_all({&one, 1});
+}
+
+}  // namespace stickslip::gap

@@ -65,13 +65,17 @@ void SetFitter::look(Start& s, const FittedSet& below) const
     const auto model = corrections_.beside(s.causes);
     const auto& part = needs_history(model.candidate) ? whole_ : brief_;
     double least = infinity;
+    std::vector<Eigen::VectorXd> begun;
+    std::vector<std::vector<double>> si;
     for (const auto& own : from) {
         if (own.size() != static_cast<Eigen::Index>(added.parameter_count())) continue;
         Candidate all = others;
-        const auto x = start(s.causes, below, insert(all, s.effect, s.form, of_others, own));
-        const double o = evaluate(part, model.candidate, in_si(model.candidate, x, scales_), omega).objective;
-        if (o < least) least = o, s.x0 = x;
+        begun.push_back(start(s.causes, below, insert(all, s.effect, s.form, of_others, own)));
+        si.push_back(in_si(model.candidate, begun.back(), scales_));
     }
+    const auto looks = evaluate_all(part, model.candidate, si, {omega});
+    for (std::size_t i = 0; i < begun.size(); ++i)
+        if (looks[i].objective < least) least = looks[i].objective, s.x0 = begun[i];
     if (s.x0.size() == 0) return;
     const auto found = improve(part, model.candidate, scales_, s.x0, omega, first_effort, first_steps);
     s.x0 = found.x;

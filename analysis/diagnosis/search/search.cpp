@@ -75,6 +75,21 @@ LevelFit improve(const std::vector<Case>& cases, const Candidate& candidate, con
     return fit;
 }
 
+namespace {
+
+/// Of each of these places at one level.
+std::vector<double> objectives(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales,
+                               const std::vector<Eigen::VectorXd>& at, double omega)
+{
+    std::vector<std::vector<double>> si;
+    for (const auto& x : at) si.push_back(in_si(candidate, x, scales));
+    std::vector<double> all;
+    for (const auto& e : evaluate_all(cases, candidate, si, {omega})) all.push_back(e.objective);
+    return all;
+}
+
+}  // namespace
+
 LevelFit best_of(const std::vector<Case>& cases, const Scales& scales, const Candidate& candidate,
                  const std::vector<Eigen::VectorXd>& from, double omega, int effort, int descents)
 {
@@ -85,9 +100,8 @@ LevelFit best_of(const std::vector<Case>& cases, const Scales& scales, const Can
         candidate.forms.size() == 1 &&
         std::ranges::any_of(candidate.forms[0]->parameters, [](const auto& p) { return p.comb != Comb::none; });
     const bool rough = (from.size() > few && !combed) || jagged(candidate);
-    for (std::size_t i = 0; i < from.size(); ++i)
-        order.emplace_back(rough ? evaluate(cases, candidate, in_si(candidate, from[i], scales), omega).objective : 0,
-                           i);
+    const auto objective = rough ? objectives(cases, candidate, scales, from, omega) : std::vector<double>();
+    for (std::size_t i = 0; i < from.size(); ++i) order.emplace_back(rough ? objective[i] : 0, i);
     std::stable_sort(order.begin(), order.end());
     const int apart = candidate.forms.size() == 1 ? candidate.forms[0]->apart : -1;
     if (apart >= 0) {
@@ -103,19 +117,15 @@ LevelFit best_of(const std::vector<Case>& cases, const Scales& scales, const Can
     }
     LevelFit best;
     int evaluations = rough ? static_cast<int>(from.size()) : 0;
-    for (const auto& [objective, i] : order) {
+    for (const auto& [before, i] : order) {
         auto fit = improve(cases, candidate, scales, from[i], omega, effort, descents);
         evaluations += fit.evaluations;
         if (best.x.size() == 0 || fit.evaluation.objective < best.evaluation.objective) best = std::move(fit);
     }
     if (constexpr double longer = levels[1]; jagged(candidate) && omega > longer) {
         // the slope towards the right play or limit is longer where a prediction has to hold for longer
-        std::size_t start = 0;
-        double least = infinity;
-        for (std::size_t i = 0; i < from.size(); ++i)
-            if (const double o = evaluate(cases, candidate, in_si(candidate, from[i], scales), longer).objective;
-                o < least)
-                least = o, start = i;
+        const auto there = objectives(cases, candidate, scales, from, longer);
+        const auto start = static_cast<std::size_t>(std::min_element(there.begin(), there.end()) - there.begin());
         const int count = effort * static_cast<int>(candidate.parameter_count());
         constexpr double first_step = 0.3, near = 0.03;
         auto fit = search_rough(cases, candidate, scales, from[start], longer, count, first_step);
@@ -133,9 +143,11 @@ Attribution as_screened(const std::vector<Case>& cases, const Scales& scales, co
 {
     Attribution a;
     a.candidate = candidate;
+    const std::vector<std::vector<double>> everywhere(levels.size(), in_si(candidate, screened.x, scales));
+    auto evaluations = evaluate_all(cases, candidate, everywhere, {levels.begin(), levels.end()});
     for (std::size_t l = 0; l < levels.size(); ++l) {
         a.x[l] = screened.x;
-        a.evaluation[l] = evaluate(cases, candidate, in_si(candidate, screened.x, scales), levels[l]);
+        a.evaluation[l] = std::move(evaluations[l]);
     }
     a.evaluations = screened.evaluations + static_cast<int>(levels.size());
     a.information = screened.information;

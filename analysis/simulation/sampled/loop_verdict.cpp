@@ -70,6 +70,14 @@ std::optional<LoopVerdict> obstacle(const Joint& joint)
     return {};
 }
 
+double spring_rate(const Joint& joint)
+{
+    const Chain chain = chain_of(joint);
+    double inertia = 0;
+    for (int i = 0; i < chain.bodies; ++i) inertia += chain.body[i].inertia;
+    return std::sqrt(std::abs(joint.control.k_p) / inertia);
+}
+
 }  // namespace
 
 bool has_real_loop(const Joint& joint)
@@ -199,16 +207,27 @@ void LoopInquiry::judge_stated()
     } else if (stated.oscillates()) {
         verdict_.region = LoopRegion::bistable;
     } else if (question_.region) {
-        verdict_.searched_from = "a start from near rest; a pull of the spring by 3 V_0/|s|";
+        verdict_.searched_from = winds_up_slowly() ? "a start from near rest; a pull of the spring by 3 V_0 √(m/k_p)"
+                                                   : "a start from near rest; a pull of the spring by 3 V_0/|s|";
         if (!begin_search(Phase::from_rest) && !begin_search(Phase::pulled)) judge_search({});
     }
+}
+
+/// The slowest mode is that of the integral, −k_i/k_p: how far the loop swings does not follow from it, and a pull by
+/// 3 V_0/|s| would drive the joint backwards for a long time.
+bool LoopInquiry::winds_up_slowly() const
+{
+    constexpr double near = 3;
+    const auto& c = joint_.control;
+    return std::abs(mode_.rate()) < near * std::abs(gains_of(c).k_i / gains_of(c).k_p);
 }
 
 /// False where the loop has no such start.
 bool LoopInquiry::begin_search(Phase phase)
 {
     const bool rests = loop_->motion.joint.anything_can_rest();
-    const double pull = far_pull * std::abs(commanded_velocity(joint_)) / std::abs(mode_.rate());
+    const double rate = winds_up_slowly() ? spring_rate(joint_) : std::abs(mode_.rate());
+    const double pull = far_pull * std::abs(commanded_velocity(joint_)) / rate;
     const Disturbance far = phase == Phase::pulled ? Disturbance{DisturbanceKind::offset, pull}
                                                    : Disturbance{DisturbanceKind::start, rests ? 0 : near_rest_share};
     if (!disturb_loop(*loop_, joint_, far)) return false;

@@ -57,6 +57,7 @@ class LoopInquiry {
     bool find_mode(const Joint& asked, double frame, GrowthBy by);
     void begin_stated();
     void judge_stated();
+    bool winds_up_slowly() const;
     bool begin_search(Phase phase);
     void judge_search(const LoopEnd& large);
     void follow(Phase phase);

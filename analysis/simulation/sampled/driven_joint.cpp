@@ -1,6 +1,6 @@
 #include "analysis/simulation/sampled/driven_joint.h"
 
-#include "analysis/numerics/root.h"
+#include "analysis/simulation/sampled/friction_level.h"
 
 #include <cmath>
 
@@ -12,37 +12,8 @@ constexpr double least_share = 0.01;
 
 constexpr double slowest_clock = 1;  ///< rad/s, of the scale of positions where hardly a spring holds them
 
-constexpr double aged_speed = 1e-3;  ///< of the motion's: the sliding that contacts at rest remember
-
-/// Changes by which slopes are taken that no law states: of a level and of a drive signal, per itself.
+/// Change of a drive signal, per itself, by which the slope of the push is taken.
 constexpr double small_change = 1e-6;
-
-/// The numbers of a law that place, time and load add to.
-template <class Take>
-bool with_levels(FrictionLaw& law, Take&& take)
-{
-    return std::visit(
-        [&](auto& l) {
-            if constexpr (requires { l.c0; })
-                return take(l.c0), true;
-            else if constexpr (requires { l.kinetic; })
-                return take(l.kinetic), take(l.breakaway), true;
-            else if constexpr (requires { l.breakaway; })
-                return take(l.coulomb), take(l.breakaway), true;
-            else if constexpr (requires { l.coulomb; })
-                return take(l.coulomb), true;
-            else if constexpr (requires { l.f0; })
-                return take(l.f0), true;
-            else
-                return false;
-        },
-        law);
-}
-
-void raise(FrictionLaw& law, double by)
-{
-    with_levels(law, [by](double& level) { level = std::max(0.0, level + by); });
-}
 
 }  // namespace
 
@@ -174,59 +145,6 @@ double DrivenJoint::load(const double* y, double* by_place, double* by_time) con
     return load_force(l, q, t) - contact * x;
 }
 
-/// What place, time and load add to the level of body i, at its own side.
-DrivenJoint::Extra DrivenJoint::extra(const double* y, int i) const
-{
-    const auto& b = body_[i];
-    const auto& f = b.friction;
-    Extra e{};
-    const double t = now(y);
-    if (f.ripple.amplitude != 0) {
-        const double place = f.ripple.periods * b.ratio * (frame_ * t + y[i]) + f.ripple.phase;
-        e.level += f.ripple.amplitude * std::sin(place);
-        e.by_place += f.ripple.amplitude * f.ripple.periods * b.ratio * std::cos(place);
-        e.by_time += frame_ * e.by_place;
-    }
-    if (f.drift.change != 0) {
-        const double left = std::exp(-t / f.drift.time_constant);
-        e.level += f.drift.change * (1 - left);
-        e.by_time += f.drift.change * left / f.drift.time_constant;
-    }
-    if (f.load_coefficient != 0) {
-        double a, c;
-        const double through = bodies() == 1 ? drive(y).effort : spring(y, std::max(0, i - 1), &a, &c);
-        e.level += f.load_coefficient * std::abs(through) / b.ratio / f.normal_load;
-    }
-    return e;
-}
-
-FrictionResponse DrivenJoint::respond_as(const BodyData& b, const Friction& friction, Mode mode, const double* y,
-                                         int i) const
-{
-    States theta{};
-    std::copy_n(y + b.first_state, b.states, theta.begin());
-    if (b.logarithmic) return respond_logarithmic(friction, y[bodies() + i], b.ratio * b.speed, theta);
-    const double V = b.ratio * y[bodies() + i];
-    if (!b.rests) return respond(friction, V, theta);
-    return respond_on(friction, mode == Mode::reverse ? Branch::reverse : Branch::forward, V, b.ratio * b.speed, theta);
-}
-
-DrivenJoint::Contact DrivenJoint::contact(const double* y, int i, bool derivatives) const
-{
-    const auto& b = body_[i];
-    if (!b.bent) return {respond_as(b, b.friction, modes[i], y, i)};
-    Friction raised = b.friction;
-    raise(raised.law, extra(y, i).level);
-    Contact c{respond_as(b, raised, modes[i], y, i)};
-    if (!derivatives) return c;
-    const double change = small_change * (std::abs(c.r.force) + std::abs(extra(y, i).level) + 1e-300);
-    raise(raised.law, change);
-    const auto more = respond_as(b, raised, modes[i], y, i);
-    c.by_level = (more.force - c.r.force) / change;
-    for (int j = 0; j < b.states; ++j) c.rate_by_level[j] = (more.rate[j] - c.r.rate[j]) / change;
-    return c;
-}
-
 /// What friction must carry, in joint coordinates, for body i to keep its velocity.
 double DrivenJoint::needed(const double* y, int i) const
 {
@@ -236,23 +154,6 @@ double DrivenJoint::needed(const double* y, int i) const
     if (i < link()) sum -= spring(y, i, &a, &b);
     if (i == link()) sum += load(y, &a, &b);
     return sum;
-}
-
-/// The most that body i resists at rest against motion on this branch, in joint coordinates.
-double DrivenJoint::limit(const double* y, int i, Branch branch) const
-{
-    const auto& b = body_[i];
-    DrivenState still;
-    std::copy_n(y, size_, still.begin());
-    const double edge = rest_speed * b.speed, V = branch == Branch::forward ? edge : -edge;
-    still[bodies() + i] = V;
-    Friction raised = b.friction;
-    if (b.bent) raise(raised.law, extra(y, i).level);
-    const Mode mode = branch == Branch::forward ? Mode::forward : Mode::reverse;
-    const double sliding = std::abs(respond_as(b, raised, mode, still.data(), i).force);
-    // what a law resists at rest beyond the end of its curve: of kinetic and static friction
-    const double curve = raised.normal_load * std::abs(respond(raised.law, b.ratio * edge, {}).force);
-    return b.ratio * (sliding + std::max(0.0, static_force(raised) - curve));
 }
 
 void DrivenJoint::rate(const double* y, double* out) const
@@ -325,117 +226,9 @@ void DrivenJoint::jacobian(const double* y, double* J) const
     if (has_lag()) J[lag_index_ * size + lag_index_] = -1 / joint_.actuator.lag;
 }
 
-void DrivenJoint::switch_values(const double* y, double* values) const
-{
-    const int n = bodies();
-    for (int i = 0; i < n; ++i) {
-        if (!body_[i].rests)
-            values[i] = 1;
-        else if (modes[i] == Mode::stuck)
-            values[i] =
-                std::min(limit(y, i, Branch::forward) - needed(y, i), limit(y, i, Branch::reverse) + needed(y, i));
-        else
-            values[i] = (modes[i] == Mode::forward ? 1 : -1) * y[n + i];
-    }
-    for (int i = 0; i + 1 < n; ++i)
-        values[n + i] = backlash_[i] > 0 ? std::abs(y[i] - y[i + 1]) - 0.5 * backlash_[i] : 1;
-}
-
-void DrivenJoint::settle(int i, double* y)
-{
-    y[bodies() + i] = 0;
-    const double force = needed(y, i);
-    modes[i] = force > limit(y, i, Branch::forward)    ? Mode::forward
-               : force < -limit(y, i, Branch::reverse) ? Mode::reverse
-                                                       : Mode::stuck;
-}
-
-void DrivenJoint::pass(int which, double* y)
-{
-    if (which >= bodies()) return;  // a play: the spring knows by itself
-    if (modes[which] == Mode::stuck)
-        modes[which] = needed(y, which) > 0 ? Mode::forward : Mode::reverse;
-    else
-        settle(which, y);
-}
-
-void DrivenJoint::enter(double* y)
-{
-    for (int i = 0; i < bodies(); ++i) {
-        if (!body_[i].rests) continue;
-        if (y[bodies() + i] == 0)
-            settle(i, y);
-        else
-            modes[i] = y[bodies() + i] > 0 ? Mode::forward : Mode::reverse;
-    }
-}
-
 double DrivenJoint::effort(const double* y) const
 {
     return drive(y).effort / effort_ratio_;
-}
-
-double DrivenJoint::link_friction(const double* y) const
-{
-    if (modes[link()] == Mode::stuck) return needed(y, link());
-    return contact(y, link(), false).r.force;
-}
-
-DrivenJoint::Steady DrivenJoint::steady(double velocity_asked) const
-{
-    Steady s{{}, missing};
-    auto& y = s.y;
-    const int n = bodies();
-    double carried = 0, unused;  // by the springs, from the link down
-    for (int i = n - 1; i >= 0; --i) {
-        const auto& b = body_[i];
-        if (i < n - 1) {
-            const double stretch = carried / chain_.stiffness[i];
-            y[i] = y[i + 1] + stretch + (stretch == 0 ? 0 : std::copysign(0.5 * backlash_[i], stretch));
-        }
-        set_velocity(y.data(), i, velocity_asked);
-        const auto theta = steady_state(b.friction, b.ratio * velocity_asked);
-        std::copy_n(theta.begin(), b.states, y.data() + b.first_state);
-        carried += b.ratio * steady_force(b.friction, b.ratio * velocity_asked);
-        if (i == n - 1) carried -= load(y.data(), &unused, &unused);
-    }
-    const double origin = y[measured_];
-    for (int i = 0; i < n; ++i) y[i] -= origin;
-    const auto& a = joint_.actuator;
-    if (n == 1) carried /= 1 - joint_.friction.load_coefficient;
-    const double effort = carried / effort_ratio_, v = effort_ratio_ * velocity_asked;
-    const auto missed = [&](double command) { return push_of(a, command, a.supply_voltage, v).at(v) - effort; };
-    const double sign = a.effort_gain < 0 ? -1 : 1;
-    double reach = std::abs(effort / (a.effort_gain == 0 ? 1 : a.effort_gain)) + 1;
-    for (int k = 0; k < 60 && !(sign * missed(reach) >= 0 && sign * missed(-reach) <= 0); ++k) reach *= 2;
-    const double low = missed(-reach), high = missed(reach);
-    if (sign * high >= 0 && sign * low <= 0 && std::isfinite(low) && std::isfinite(high))
-        s.command = bracketed_root(missed, -reach, low, reach, high, 1e-16, 1e-300).value;
-    if (has_lag()) y[lag_index_] = s.command;
-    return s;
-}
-
-DrivenState DrivenJoint::at_rest(double x) const
-{
-    DrivenState y{};
-    for (int i = 0; i < bodies(); ++i) {
-        const auto& b = body_[i];
-        y[i] = x;
-        y[bodies() + i] = 0;
-        // contacts that rest have aged as in very slow sliding; bristles stand upright
-        const bool ages = b.friction.has_memory() || std::visit(
-                                                         [](const auto& l) {
-                                                             return requires
-                                                             {
-                                                                 l.f0;
-                                                             };
-                                                         },
-                                                         b.friction.law);
-        if (!ages) continue;
-        const auto theta = steady_state(b.friction, aged_speed * b.ratio * b.speed);
-        std::copy_n(theta.begin(), b.states, y.data() + b.first_state);
-    }
-    return y;
 }
 
 }  // namespace stickslip

@@ -1,0 +1,137 @@
+// Friction of a driven joint's bodies: what it answers, what it holds at rest, when a body sticks or slips.
+#include "analysis/simulation/sampled/driven_joint.h"
+#include "analysis/simulation/sampled/friction_level.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+/// Change of a level, per itself, by which slopes are taken that no law states.
+constexpr double small_change = 1e-6;
+
+}  // namespace
+
+/// What place, time and load add to the level of body i, at its own side.
+DrivenJoint::Extra DrivenJoint::extra(const double* y, int i) const
+{
+    const auto& b = body_[i];
+    const auto& f = b.friction;
+    Extra e{};
+    const double t = now(y);
+    if (f.ripple.amplitude != 0) {
+        const double place = f.ripple.periods * b.ratio * (frame_ * t + y[i]) + f.ripple.phase;
+        e.level += f.ripple.amplitude * std::sin(place);
+        e.by_place += f.ripple.amplitude * f.ripple.periods * b.ratio * std::cos(place);
+        e.by_time += frame_ * e.by_place;
+    }
+    if (f.drift.change != 0) {
+        const double left = std::exp(-t / f.drift.time_constant);
+        e.level += f.drift.change * (1 - left);
+        e.by_time += f.drift.change * left / f.drift.time_constant;
+    }
+    if (f.load_coefficient != 0) {
+        double a, c;
+        const double through = bodies() == 1 ? drive(y).effort : spring(y, std::max(0, i - 1), &a, &c);
+        e.level += f.load_coefficient * std::abs(through) / b.ratio / f.normal_load;
+    }
+    return e;
+}
+
+FrictionResponse DrivenJoint::respond_as(const BodyData& b, const Friction& friction, Mode mode, const double* y,
+                                         int i) const
+{
+    States theta{};
+    std::copy_n(y + b.first_state, b.states, theta.begin());
+    if (b.logarithmic) return respond_logarithmic(friction, y[bodies() + i], b.ratio * b.speed, theta);
+    const double V = b.ratio * y[bodies() + i];
+    if (!b.rests) return respond(friction, V, theta);
+    return respond_on(friction, mode == Mode::reverse ? Branch::reverse : Branch::forward, V, b.ratio * b.speed, theta);
+}
+
+DrivenJoint::Contact DrivenJoint::contact(const double* y, int i, bool derivatives) const
+{
+    const auto& b = body_[i];
+    if (!b.bent) return {respond_as(b, b.friction, modes[i], y, i)};
+    Friction raised = b.friction;
+    raise(raised.law, extra(y, i).level);
+    Contact c{respond_as(b, raised, modes[i], y, i)};
+    if (!derivatives) return c;
+    const double change = small_change * (std::abs(c.r.force) + std::abs(extra(y, i).level) + 1e-300);
+    raise(raised.law, change);
+    const auto more = respond_as(b, raised, modes[i], y, i);
+    c.by_level = (more.force - c.r.force) / change;
+    for (int j = 0; j < b.states; ++j) c.rate_by_level[j] = (more.rate[j] - c.r.rate[j]) / change;
+    return c;
+}
+
+/// The most that body i resists at rest against motion on this branch, in joint coordinates.
+double DrivenJoint::limit(const double* y, int i, Branch branch) const
+{
+    const auto& b = body_[i];
+    DrivenState still;
+    std::copy_n(y, size_, still.begin());
+    const double edge = rest_speed * b.speed, V = branch == Branch::forward ? edge : -edge;
+    still[bodies() + i] = V;
+    Friction raised = b.friction;
+    if (b.bent) raise(raised.law, extra(y, i).level);
+    const Mode mode = branch == Branch::forward ? Mode::forward : Mode::reverse;
+    const double sliding = std::abs(respond_as(b, raised, mode, still.data(), i).force);
+    // what a law resists at rest beyond the end of its curve: of kinetic and static friction
+    const double curve = raised.normal_load * std::abs(respond(raised.law, b.ratio * edge, {}).force);
+    return b.ratio * (sliding + std::max(0.0, static_force(raised) - curve));
+}
+
+void DrivenJoint::switch_values(const double* y, double* values) const
+{
+    const int n = bodies();
+    for (int i = 0; i < n; ++i) {
+        if (!body_[i].rests)
+            values[i] = 1;
+        else if (modes[i] == Mode::stuck)
+            values[i] =
+                std::min(limit(y, i, Branch::forward) - needed(y, i), limit(y, i, Branch::reverse) + needed(y, i));
+        else
+            values[i] = (modes[i] == Mode::forward ? 1 : -1) * y[n + i];
+    }
+    for (int i = 0; i + 1 < n; ++i)
+        values[n + i] = backlash_[i] > 0 ? std::abs(y[i] - y[i + 1]) - 0.5 * backlash_[i] : 1;
+}
+
+void DrivenJoint::settle(int i, double* y)
+{
+    y[bodies() + i] = 0;
+    const double force = needed(y, i);
+    modes[i] = force > limit(y, i, Branch::forward)    ? Mode::forward
+               : force < -limit(y, i, Branch::reverse) ? Mode::reverse
+                                                       : Mode::stuck;
+}
+
+void DrivenJoint::pass(int which, double* y)
+{
+    if (which >= bodies()) return;  // a play: the spring knows by itself
+    if (modes[which] == Mode::stuck)
+        modes[which] = needed(y, which) > 0 ? Mode::forward : Mode::reverse;
+    else
+        settle(which, y);
+}
+
+void DrivenJoint::enter(double* y)
+{
+    for (int i = 0; i < bodies(); ++i) {
+        if (!body_[i].rests) continue;
+        if (y[bodies() + i] == 0)
+            settle(i, y);
+        else
+            modes[i] = y[bodies() + i] > 0 ? Mode::forward : Mode::reverse;
+    }
+}
+
+double DrivenJoint::link_friction(const double* y) const
+{
+    if (modes[link()] == Mode::stuck) return needed(y, link());
+    return contact(y, link(), false).r.force;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,72 @@
+// Where motions of a driven joint begin: in steady sliding, or at rest.
+#include "analysis/numerics/root.h"
+#include "analysis/simulation/sampled/driven_joint.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+constexpr double aged_speed = 1e-3;  ///< of the motion's: the sliding that contacts at rest remember
+
+}  // namespace
+
+DrivenJoint::Steady DrivenJoint::steady(double velocity_asked) const
+{
+    Steady s{{}, missing};
+    auto& y = s.y;
+    const int n = bodies();
+    double carried = 0, unused;  // by the springs, from the link down
+    for (int i = n - 1; i >= 0; --i) {
+        const auto& b = body_[i];
+        if (i < n - 1) {
+            const double stretch = carried / chain_.stiffness[i];
+            y[i] = y[i + 1] + stretch + (stretch == 0 ? 0 : std::copysign(0.5 * backlash_[i], stretch));
+        }
+        set_velocity(y.data(), i, velocity_asked);
+        const auto theta = steady_state(b.friction, b.ratio * velocity_asked);
+        std::copy_n(theta.begin(), b.states, y.data() + b.first_state);
+        carried += b.ratio * steady_force(b.friction, b.ratio * velocity_asked);
+        if (i == n - 1) carried -= load(y.data(), &unused, &unused);
+    }
+    const double origin = y[measured_];
+    for (int i = 0; i < n; ++i) y[i] -= origin;
+    const auto& a = joint_.actuator;
+    if (n == 1) carried /= 1 - joint_.friction.load_coefficient;
+    const double effort = carried / effort_ratio_, v = effort_ratio_ * velocity_asked;
+    const auto missed = [&](double command) { return push_of(a, command, a.supply_voltage, v).at(v) - effort; };
+    const double sign = a.effort_gain < 0 ? -1 : 1;
+    double reach = std::abs(effort / (a.effort_gain == 0 ? 1 : a.effort_gain)) + 1;
+    for (int k = 0; k < 60 && !(sign * missed(reach) >= 0 && sign * missed(-reach) <= 0); ++k) reach *= 2;
+    const double low = missed(-reach), high = missed(reach);
+    if (sign * high >= 0 && sign * low <= 0 && std::isfinite(low) && std::isfinite(high))
+        s.command = bracketed_root(missed, -reach, low, reach, high, 1e-16, 1e-300).value;
+    if (has_lag()) y[lag_index_] = s.command;
+    return s;
+}
+
+DrivenState DrivenJoint::at_rest(double x) const
+{
+    DrivenState y{};
+    for (int i = 0; i < bodies(); ++i) {
+        const auto& b = body_[i];
+        y[i] = x;
+        y[bodies() + i] = 0;
+        // contacts that rest have aged as in very slow sliding; bristles stand upright
+        const bool ages = b.friction.has_memory() || std::visit(
+                                                         [](const auto& l) {
+                                                             return requires
+                                                             {
+                                                                 l.f0;
+                                                             };
+                                                         },
+                                                         b.friction.law);
+        if (!ages) continue;
+        const auto theta = steady_state(b.friction, aged_speed * b.ratio * b.speed);
+        std::copy_n(theta.begin(), b.states, y.data() + b.first_state);
+    }
+    return y;
+}
+
+}  // namespace stickslip

@@ -131,7 +131,7 @@ nlohmann::ordered_json choice_json(const GainChoice& c)
 
 }  // namespace
 
-std::string design_text(const DesignAnswer& a)
+std::string design_verdict(const DesignAnswer& a)
 {
     const Units u{a.joint.mechanism.motion};
     const auto& d = a.design;
@@ -140,8 +140,15 @@ std::string design_text(const DesignAnswer& a)
     std::string text = "Best gains: " + gains_text(d.best, u) + ". Sensor noise moves the link by " +
                        u.position(d.best.motion_noise) + " rms and the actuator by " + u.effort(d.best.effort_noise) +
                        " rms. ";
-    text += nearest_text(a.nearest, a.joint.mechanism.motion) + " " + cost_of_simple_thinking(a, u);
-    for (const auto& end : ends_of_range(a, u)) text += " On the search limit: " + end;
+    return text + nearest_text(a.nearest, a.joint.mechanism.motion) + " " + cost_of_simple_thinking(a, u);
+}
+
+std::string design_text(const DesignAnswer& a)
+{
+    std::string text = design_verdict(a);
+    if (a.design.decided && a.design.feasible)
+        for (const auto& end : ends_of_range(a, Units{a.joint.mechanism.motion}))
+            text += " On the search limit: " + end;
     return text;
 }
 
@@ -203,7 +210,7 @@ Report design_report(const DesignAnswer& a, std::vector<Snippet> snippets)
     Report report;
     report.title = a.title.empty() ? "Gains for the joint" : a.title;
     report.subtitle = "design of gains";
-    report.verdict = design_text(a);
+    report.verdict = design_verdict(a);
     report.tone = d.feasible ? Tone::good : Tone::bad;
     report.snippets = std::move(snippets);
     if (d.feasible) {

@@ -23,7 +23,8 @@ struct DesignAnswer {
     Trajectory motion, motion_before;  ///< after a disturbance at the commanded velocity: best gains, gains as given
 };
 
-/// The answer in a few sentences, mark-up: the optimum, or why there is none and what would be feasible.
+/// The answer in a few sentences, mark-up: the optimum, or why there is none and what would be feasible. Followed by
+/// which ends of the searched gains the optimum lies on: the page says that in an alert of its own.
 std::string design_text(const DesignAnswer& answer);
 
 /// The choices side by side, and how each demand fared.

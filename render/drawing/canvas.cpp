@@ -1,5 +1,6 @@
 #include "render/drawing/canvas.h"
 
+#include "render/drawing/letters.h"
 #include "render/drawing/markup.h"
 
 #include <vtkBrush.h>
@@ -9,23 +10,19 @@
 #include <vtkPen.h>
 #include <vtkRenderer.h>
 #include <vtkSVGContextDevice2D.h>
-#include <vtkTextProperty.h>
 #include <vtkXMLDataElement.h>
 
 #include <cmath>
-#include <map>
+#include <cstdio>
 #include <sstream>
-#include <tuple>
 
 namespace stickslip::drawing {
 namespace {
 
-// Everything is drawn this many times larger than it is shown: VTK fits letters to whole units, and at ten units a
-// pixel neither their shapes nor their distances show it.
+// Everything is drawn this many times larger than it is shown, so that whole units are fine enough.
 constexpr double units = 10;
 
-// DejaVu Sans, shares of the font size. VTK anchors the box that includes the descender.
-constexpr double descender = 0.236, capital_height = 0.729;
+constexpr double capital_height = 0.729;  // of DejaVu Sans, share of the font size
 
 constexpr double small_size = 0.72, raise = 0.36, lower = 0.16;  // sub- and superscripts
 constexpr double halo_width = 4;
@@ -34,6 +31,20 @@ constexpr int tallest = 4000;  // px; the device counts from the bottom of a pag
 double unit(double pixels)
 {
     return std::round(pixels * units);
+}
+
+/// As VTK writes it, so that page.css finds the colours of the theme.
+std::string hexadecimal(Colour c)
+{
+    char text[8];
+    std::snprintf(text, sizeof text, "#%02x%02x%02x", c.red, c.green, c.blue);
+    return text;
+}
+
+std::string moved_to(Point p)
+{
+    return "translate(" + std::to_string(std::lround(p.x * units)) + "," + std::to_string(std::lround(p.y * units)) +
+           ")";
 }
 
 }  // namespace
@@ -52,7 +63,6 @@ struct Canvas::Device {
     vtkNew<vtkXMLDataElement> drawing, definitions;
     vtkNew<vtkSVGContextDevice2D> svg;
     vtkNew<vtkContext2D> context;
-    vtkNew<vtkTextProperty> letters;
 
     Device(int w, const Fonts& f) : width(w), fonts(f)
     {
@@ -64,7 +74,6 @@ struct Canvas::Device {
         drawing->SetAttribute("stroke-linejoin", "round");
         definitions->SetName("defs");
         svg->SetSVGContext(drawing, definitions);
-        svg->SetTextAsPath(true);
         svg->Begin(renderer);
         context->Begin(svg);
     }
@@ -97,47 +106,35 @@ struct Canvas::Device {
                                       static_cast<unsigned char>(std::lround(255 * fill.opacity)));
     }
 
-    void use(double size, bool bold, Colour colour, double angle)
+    /// How far the pen moves.
+    double width_of(const std::string& text, double size, bool bold) const
     {
-        letters->SetFontFamily(VTK_FONT_FILE);
-        letters->SetFontFile((bold ? fonts.bold : fonts.regular).c_str());
-        letters->SetFontSize(static_cast<int>(std::lround(size * units)));
-        letters->SetColor(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
-        letters->SetOpacity(colour.opacity);
-        letters->SetOrientation(angle);
-        letters->SetJustificationToLeft();
-        letters->SetVerticalJustificationToBottom();
-        context->ApplyTextProp(letters);
+        return size * text_advance(bold ? fonts.bold : fonts.regular, text);
     }
 
-    double measured(const std::string& text, double size, bool bold)
+    void letters(Point pen, const std::string& text, double size, const TextStyle& style)
     {
-        // the charts of a page share most of their words, and layouts ask for them many times
-        thread_local std::map<std::tuple<std::string, std::string, double>, double> widths;
-        const auto [known, fresh] = widths.try_emplace({bold ? fonts.bold : fonts.regular, text, size}, 0.0);
-        if (fresh) {
-            use(size, bold, {}, 0);
-            float box[4];
-            context->ComputeStringBounds(text.c_str(), box);
-            known->second = box[2] / units;
+        const auto data = outlines(style.bold ? fonts.bold : fonts.regular, text, size * units, style.angle);
+        if (data.empty()) return;
+        const auto element = [&](Colour fill) {
+            vtkNew<vtkXMLDataElement> path;
+            path->SetName("path");
+            path->SetAttribute("fill", hexadecimal(fill).c_str());
+            if (fill.opacity < 1) path->SetDoubleAttribute("fill-opacity", fill.opacity);
+            path->SetAttribute("transform", moved_to(pen).c_str());
+            path->SetAttribute("d", data.c_str());
+            drawing->AddNestedElement(path);
+            return path;
+        };
+        if (style.halo) {
+            const auto rim = element(field_halo);
+            rim->SetAttribute("stroke", hexadecimal(field_halo).c_str());
+            rim->SetDoubleAttribute("stroke-width", halo_width * units);
         }
-        return known->second;
-    }
-
-    /// How far the pen moves. Measured between two letters, because the box of a text leaves out spaces at its ends.
-    double advance(const std::string& text, double size, bool bold)
-    {
-        return measured("x" + text + "x", size, bold) - measured("xx", size, bold);
+        element(style.colour);
     }
 
     int classed_from = 0;
-
-    void last_element_as_halo(double width_in_units)
-    {
-        auto* element = drawing->GetNestedElement(drawing->GetNumberOfNestedElements() - 1);
-        element->SetAttribute("stroke", element->GetAttribute("fill"));
-        element->SetDoubleAttribute("stroke-width", width_in_units);
-    }
 };
 
 Canvas::Canvas(int width, const Fonts& fonts) : device_(std::make_unique<Device>(width, fonts)) {}
@@ -229,7 +226,7 @@ double Canvas::text_width(std::string_view markup, const TextStyle& style)
     double width = 0;
     for (const Run& run : parse_markup(markup)) {
         const double size = run.level == Run::Level::base ? style.size : small_size * style.size;
-        width += device_->advance(run.text, size, style.bold);
+        width += device_->width_of(run.text, size, style.bold);
     }
     return width;
 }
@@ -244,17 +241,11 @@ double Canvas::text(Point at, std::string_view markup, const TextStyle& style, A
         const bool base = run.level == Run::Level::base;
         const double size = base ? style.size : small_size * style.size;
         const double lift = base ? 0 : style.size * (run.level == Run::Level::superscript ? raise : -lower);
-        const double step = device_->advance(run.text, size, style.bold);
-        const double height = up + lift - descender * size;
-        const double x = at.x + along_line * std::cos(turn) - height * std::sin(turn);
-        const double y = at.y - along_line * std::sin(turn) - height * std::cos(turn);
-        if (style.halo) {
-            device_->use(size, style.bold, field_halo, style.angle);
-            device_->context->DrawString(device_->x(x), device_->y(y), run.text.c_str());
-            device_->last_element_as_halo(halo_width * units);
-        }
-        device_->use(size, style.bold, style.colour, style.angle);
-        device_->context->DrawString(device_->x(x), device_->y(y), run.text.c_str());
+        const double step = device_->width_of(run.text, size, style.bold);
+        const double height = up + lift;
+        const Point pen{at.x + along_line * std::cos(turn) - height * std::sin(turn),
+                        at.y - along_line * std::sin(turn) - height * std::cos(turn)};
+        device_->letters(pen, run.text, size, style);
         along_line += step;
     }
     return width;

@@ -1,5 +1,5 @@
 // The painter of 2-D pictures: lines, areas, hatching, text and rasters, in CSS pixels from the top left, into one SVG.
-// No OpenGL is called. VTK's text machinery is shared by the whole process: hold the drawing lock while a canvas lives.
+// No OpenGL is called. VTK is not made for several threads: hold the drawing lock while a canvas lives.
 #pragma once
 #include "render/drawing/colour.h"
 #include "render/drawing/encode.h"

@@ -153,6 +153,13 @@ class Mechanics {
         length_ = StepLength<P>(joints_, tick / parts);
     }
 
+    /// What a known column says of the whole of this tick: its mean, since what surrounds the joint goes straight from
+    /// row to row and is not held as a command is.
+    static double over_tick(const std::vector<double>& column, std::size_t tick)
+    {
+        return 0.5 * (column[tick] + column[std::min(tick + 1, column.size() - 1)]);
+    }
+
     /// What the record or a drift says of this tick.
     void follow_record(const P& middle)
     {
@@ -160,9 +167,10 @@ class Mechanics {
         if (kind().link.drifts) joints_.link.coulomb = link_level_ + drifted(joints_.link, middle);
         for (int i = 0; i < lanes; ++i) {
             const Lane& l = lane_[i];
-            if (!l.ticks->load.empty()) joints_.load.constant.set(i, l.plant->load.constant + l.ticks->load[l.tick]);
+            if (!l.ticks->load.empty())
+                joints_.load.constant.set(i, l.plant->load.constant + over_tick(l.ticks->load, l.tick));
             if (l.ticks->inertia.empty()) continue;
-            const double factor = l.ticks->inertia[l.tick];
+            const double factor = over_tick(l.ticks->inertia, l.tick);
             if (kind().two_mass)
                 joints_.link_inertia.set(i, l.plant->link_inertia * factor);
             else

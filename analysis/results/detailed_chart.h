@@ -9,8 +9,9 @@ namespace stickslip {
 struct DetailedChart {
     struct Line {
         enum class Look {
-            line,   ///< marks, where there are any, stand on samples
-            points  ///< every sample is a mark, and nothing lies between them
+            line,    ///< marks, where there are any, stand on samples
+            points,  ///< every sample is a mark, and nothing lies between them
+            rule     ///< what the other lines are held against: thin, in the ink of the axes, without marks
         };
         std::string name;
         std::vector<double> x, y;

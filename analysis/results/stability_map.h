@@ -1,6 +1,7 @@
 // What one stability chart shows: a field over two axes, curves located beside the grid, the design point.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -102,6 +103,7 @@ struct FieldMap {
         std::string name;
         std::vector<double> x, y;  ///< SI; NaN separates pieces
         bool dashed = false;
+        std::optional<Curve::Kind> boundary = {};  ///< set: in the pen and the words of a stability map's curve
     };
     std::string title, fixed, statement;
     Motion motion = Motion::prismatic;

@@ -150,6 +150,16 @@ const Friction& link_friction_of(const LateFlow& flow)
     return link_friction_of(flow.chain());
 }
 
+/// A solver's errors are of the flow's scale and not of the disturbance's: a small one would soon drown in them, and
+/// multistep methods let errors of a decaying mode grow. Never below what the rounding of forces leaves.
+template <class AnyFlow>
+double follows_to(const FlowVector& start, const AnyFlow& flow, double rtol)
+{
+    constexpr double least_tolerance = 1e-12;
+    const double size = ((start - flow.steady()).array() / flow.scale().array()).abs().maxCoeff();
+    return size > 0 ? std::max(std::min(least_tolerance, rtol), rtol * std::min(1.0, size)) : rtol;
+}
+
 template <class AnyFlow>
 void follow(AnyFlow& flow, const SimulateOptions& options, Trajectory& path)
 {
@@ -171,11 +181,12 @@ void follow(AnyFlow& flow, const SimulateOptions& options, Trajectory& path)
         path.reason = Reason::law_needs_motion;
         return;
     }
+    const double rtol = follows_to(start, flow, options.rtol);
     const auto parts = pieces(options, link_friction_of(flow).normal_load, duration);
     // CVODE builds its order up anew after every jump of the force, one-step methods have nothing to lose
     const bool one_step = options.fallback_only || parts.size() > most_cvode_pieces;
     flow.surround(parts.front().force, parts.front().normal_load);
-    SlidingMotion motion(flow, one_step ? Solver::rodas5p : Solver::cvode, options.rtol);
+    SlidingMotion motion(flow, one_step ? Solver::rodas5p : Solver::cvode, rtol);
     motion.observe([&](const Instant& now) { keep(flow, now, path); });
     motion.start(start);
     for (std::size_t i = 0; i < parts.size(); ++i) {

@@ -1,6 +1,7 @@
 // A number or a class over two axes: amplitudes, periods, what changed from one run to another.
 #include "render/axes/frame.h"
 #include "render/drawing/markup.h"
+#include "render/pictures/curve_style.h"
 #include "render/pictures/design_mark.h"
 #include "render/pictures/field.h"
 #include "render/pictures/picture.h"
@@ -108,8 +109,14 @@ RegionRaster presence_of(const FieldMap& map, const Grid& grid, const std::vecto
     return RegionRaster(grid, regions, lines, box);
 }
 
+std::string name_of(const FieldMap::Line& line)
+{
+    return line.boundary ? curve_style(*line.boundary).text : line.name;
+}
+
 Pen pen_of(const FieldMap& map, std::size_t index)
 {
+    if (map.lines[index].boundary) return curve_style(*map.lines[index].boundary).pen;
     Pen pen{from_hex(line_colours[index % line_colours.size()]), 2.4, {}};
     if (map.lines[index].dashed) pen.dash = {9, 5};
     return pen;
@@ -132,10 +139,10 @@ std::vector<LegendEntry> legend(Canvas& canvas, const FieldMap& map)
         entries.push_back(
             {[&canvas, pen = pen_of(map, i)](const Rectangle& box) {
                  const Polyline line{{box.left, box.top + box.height / 2}, {box.right(), box.top + box.height / 2}};
-                 canvas.line(line, {field_halo, pen.width + 3, {}});
+                 canvas.line(line, halo_of(pen));
                  canvas.line(line, pen);
              },
-             map.lines[i].name});
+             name_of(map.lines[i])});
     for (std::size_t i = 0; i < map.classes.size(); ++i)
         if (std::find(map.values.begin(), map.values.end(), static_cast<double>(i)) != map.values.end())
             entries.push_back(class_entry(canvas, from_hex(class_colours[i]), class_textures[i], map.classes[i]));
@@ -185,8 +192,7 @@ Drawn draw(const FieldMap& map, const std::string& description, const Fonts& fon
             draw_texture(canvas, class_textures[i], frame.box,
                          [&](Point p) { return regions.at(p) == class_textures[i]; });
     }
-    for (std::size_t k = 0; k < owners.size(); ++k)
-        canvas.line(obstacles.lines[k], {field_halo, pen_of(map, owners[k]).width + 3, {}});
+    for (std::size_t k = 0; k < owners.size(); ++k) canvas.line(obstacles.lines[k], halo_of(pen_of(map, owners[k])));
     for (std::size_t k = 0; k < owners.size(); ++k) canvas.line(obstacles.lines[k], pen_of(map, owners[k]));
     if (map.has_design) draw_design(canvas, frame, map.design, obstacles);
     draw_axes(canvas, frame);

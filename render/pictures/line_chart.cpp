@@ -36,7 +36,8 @@ void check(const DetailedChart& chart, const std::vector<DetailedChart::Line>& l
 
 Pen pen_of(std::size_t index, const DetailedChart::Line& line)
 {
-    constexpr double fine = 1.8, broad = 5, pale = 0.45;
+    constexpr double fine = 1.8, broad = 5, pale = 0.45, thinnest = 1.3;
+    if (line.look == DetailedChart::Line::Look::rule) return {theme::ink, thinnest, {}};
     Pen pen{from_hex(line_colours[index % line_colours.size()], line.wide ? pale : 1), line.wide ? broad : fine, {}};
     if (line.dashed) pen.dash = {7, 4};
     return pen;
@@ -56,7 +57,8 @@ bool takes_markers(const std::vector<DetailedChart::Line>& lines, std::size_t in
                    const std::vector<Polyline>& pieces)
 {
     const auto& line = lines[index];
-    return lines.size() > 1 && !line.dashed && !line.wide && length_of(pieces) < 3 * (plot_width + plot_height);
+    const bool plain = !line.dashed && !line.wide && line.look == DetailedChart::Line::Look::line;
+    return lines.size() > 1 && plain && length_of(pieces) < 3 * (plot_width + plot_height);
 }
 
 /// A single line needs a legend only where the axis does not name it already.
@@ -69,13 +71,21 @@ bool needs_legend(const DetailedChart& chart)
 constexpr TextStyle mark_style{12, theme::muted};
 constexpr double mark_line = 17;
 
+/// Where a mark's label is centred: above its mark, or as near as the picture's edges let it stand whole.
+double label_middle(Canvas& canvas, const std::string& label, double at)
+{
+    const double room = 6 + canvas.text_width(label, mark_style) / 2;
+    return std::clamp(at, room, picture_width - room);
+}
+
 /// Labels of vertical marks stand above the frame, on as many levels as they need. Returns the level of each.
 std::vector<int> mark_levels(Canvas& canvas, const DetailedChart& chart, const Scale& x)
 {
     std::vector<int> levels;
     std::vector<double> right_end;  // of the last label on each level
     for (const auto& [label, value] : chart.x_marks) {
-        const double middle = axis_margin + plot_width * x.at(value), half = canvas.text_width(label, mark_style) / 2;
+        const double half = canvas.text_width(label, mark_style) / 2;
+        const double middle = label_middle(canvas, label, axis_margin + plot_width * x.at(value));
         std::size_t level = 0;
         while (level < right_end.size() && right_end[level] > middle - half - 8) ++level;
         if (level == right_end.size()) right_end.push_back(0);
@@ -135,7 +145,8 @@ Drawn draw(const DetailedChart& chart, const std::string& description, const Fon
     for (std::size_t i = 0; i < chart.x_marks.size(); ++i) {
         const double at = frame.at(chart.x_marks[i].second, y.low).x, top = frame.box.top - mark_line * levels[i];
         canvas.line({{at, top - 2}, {at, frame.box.bottom()}}, {theme::muted, 1, {4, 3}});
-        canvas.text({at, top - 6}, chart.x_marks[i].first, mark_style, Across::centre, Along::baseline);
+        const auto& label = chart.x_marks[i].first;
+        canvas.text({label_middle(canvas, label, at), top - 6}, label, mark_style, Across::centre, Along::baseline);
     }
     const auto entries = draw_lines(canvas, frame, chart.lines);
     double bottom = frame.box.bottom() + axis_depth;

@@ -1,6 +1,7 @@
 #include "render/pictures/stability_body.h"
 
 #include "render/drawing/colour_map.h"
+#include "render/pictures/curve_style.h"
 #include "render/pictures/design_mark.h"
 
 #include <algorithm>
@@ -10,33 +11,6 @@ namespace stickslip::drawing {
 namespace {
 
 constexpr double bar_gap = 24, bar_width = 17;
-
-struct CurveStyle {
-    Pen pen;
-    const char* text;
-};
-
-CurveStyle curve_style(Curve::Kind kind)
-{
-    switch (kind) {
-        case Curve::Kind::velocity_only:
-            return {{from_hex(0xa4006d), 2.6, {9, 5}}, "boundary, velocity-only theory"};
-        case Curve::Kind::state_variable:
-            return {{field_ink, 2.6, {}}, "boundary, with frictional memory"};
-        case Curve::Kind::fold:
-            return {{from_hex(0x00594c), 2.4, {10, 4, 2, 4}}, "fold of limit cycles"};
-        case Curve::Kind::ideal_loop:
-            return {{from_hex(0x00506e), 2.2, {1.5, 4}}, "boundary, the paper's ideal loop"};
-        case Curve::Kind::outcome:
-            break;
-    }
-    return {{from_hex(0x3d2f9c), 2.2, {2.5, 3}}, "boundary, nonlinear simulation"};
-}
-
-Pen halo_of(const CurveStyle& style)
-{
-    return {field_halo, style.pen.width + 3, {}};
-}
 
 /// Solid first: where two boundaries coincide, both show.
 constexpr Curve::Kind drawing_order[] = {Curve::Kind::state_variable, Curve::Kind::ideal_loop,
@@ -101,7 +75,7 @@ DrawnBody draw_body(Canvas& canvas, const Frame& frame, const StabilityBody& bod
         if (std::find(body.region.begin(), body.region.end(), region) != body.region.end())
             draw_texture(canvas, region, frame.box, drawn.covers(region));
     // All rims first: no curve may cut into another one.
-    for (std::size_t i = 0; i < styles.size(); ++i) canvas.line(drawn.obstacles.lines[i], halo_of(styles[i]));
+    for (std::size_t i = 0; i < styles.size(); ++i) canvas.line(drawn.obstacles.lines[i], halo_of(styles[i].pen));
     for (std::size_t i = 0; i < styles.size(); ++i) canvas.line(drawn.obstacles.lines[i], styles[i].pen);
     return drawn;
 }
@@ -117,7 +91,7 @@ std::vector<LegendEntry> body_legend(Canvas& canvas, const std::vector<Stability
             entries.push_back({[&canvas, kind](const Rectangle& box) {
                                    const double y = box.top + box.height / 2;
                                    const Polyline line{{box.left, y}, {box.right(), y}};
-                                   canvas.line(line, halo_of(curve_style(kind)));
+                                   canvas.line(line, halo_of(curve_style(kind).pen));
                                    canvas.line(line, curve_style(kind).pen);
                                },
                                curve_style(kind).text});

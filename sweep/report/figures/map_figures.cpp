@@ -72,10 +72,9 @@ Figure outcome_figure(Motion motion, const Slice& slice, const MapAnswer& answer
                               : "nowhere";
     map.statement = share + " of the points end in a limit cycle.";
     for (const auto& curve : answer.curves)
-        if (curve.kind == Curve::Kind::state_variable)
-            map.lines.push_back({"linear boundary, with memory", curve.x, curve.y, false});
+        if (curve.kind == Curve::Kind::state_variable) map.lines.push_back({"", curve.x, curve.y, false, curve.kind});
     // where limit cycles end, located: the steps of the field beside it are those of the grid
-    for (const auto& fold : answer.large.folds) map.lines.push_back({"fold of limit cycles", fold.x, fold.y, true});
+    for (const auto& fold : answer.large.folds) map.lines.push_back({"", fold.x, fold.y, false, Curve::Kind::fold});
     map.design = answer.design;
     map.has_design = true;
     map.command = reproducing_command(slice);
@@ -89,6 +88,11 @@ Figure outcome_figure(Motion motion, const Slice& slice, const MapAnswer& answer
                      map.none + "." + held_words(slice, motion);
     figure.picture = std::move(map);
     return figure;
+}
+
+bool never_positive(const std::vector<double>& values)
+{
+    return std::none_of(values.begin(), values.end(), [](double v) { return v > 0; });
 }
 
 }  // namespace
@@ -181,6 +185,10 @@ std::vector<Figure> outcome_figures(Motion motion, const Slice& slice, const Map
         const bool any =
             std::any_of(reading.values.begin(), reading.values.end(), [](double v) { return std::isfinite(v); });
         if (!any) continue;
+        if (reading.column == "stick_fraction" && never_positive(reading.values)) {
+            if (!figures.empty()) figures.back().caption += " No cycle sticks: none falls below a hundredth of V_{0}.";
+            continue;
+        }
         if (reading.column == "amplitude")
             figures.push_back(outcome_figure(motion, slice, answer, reading, "amplitude",
                                              "Amplitude of the limit cycle",

@@ -113,6 +113,31 @@ std::string comparison_words(const Comparison& c, const Words& words)
            "(Rabinowicz, §5): amplitudes are a matter of the nonlinear joint, and of its maps.";
 }
 
+/// Whether anything is asked: a chart of zeros shows nothing.
+bool demands_any(const Samples& demand)
+{
+    return std::any_of(demand.y.begin(), demand.y.end(), [](double k_v) { return k_v > 0 || std::isnan(k_v); });
+}
+
+/// Whether every line lies at one value.
+bool stands_at(const LineChart& chart, double value)
+{
+    const auto same = [&](const LineChart::Line& line) {
+        return std::all_of(line.y.begin(), line.y.end(), [&](double y) { return y == value; });
+    };
+    return !chart.lines.empty() && std::all_of(chart.lines.begin(), chart.lines.end(), same);
+}
+
+std::string stable_everywhere_text(const LineChart& chart, const Interval& velocities, const Words& words)
+{
+    std::string gains;
+    for (const auto& line : chart.lines) gains += (gains.empty() ? "" : ", ") + line.name;
+    const auto& k_p = chart.lines.front().x;
+    return "With memory, every velocity from " + with_unit(velocities.low, Quantity::velocity, words.motion) + " to " +
+           with_unit(velocities.high, Quantity::velocity, words.motion) + " slides smoothly, for k_{p} from " +
+           words.stiffness(k_p.front()) + " to " + words.stiffness(k_p.back()) + " and " + gains + ".";
+}
+
 }  // namespace
 
 Section comparison_section(const Joint& joint, const LinearDetails& details)
@@ -123,9 +148,17 @@ Section comparison_section(const Joint& joint, const LinearDetails& details)
     if (!study.comparison.known)
         section.text += " This loop has not both k_{p} and k_{v} as gains that can be turned alone.";
     if (!std::isnan(study.velocities.low)) {
-        if (study.comparison.known) section.figures.push_back(demand_figure(joint, details));
+        if (study.comparison.known && (demands_any(details.demanded_memory) || demands_any(details.demanded_simple)))
+            section.figures.push_back(demand_figure(joint, details));
+        else if (study.comparison.known)
+            section.text +=
+                " At its own k_{p}, neither theory demands any k_{v} of this joint at any velocity searched.";
         auto slowest = vmin_figure(joint, details);
-        if (!std::get<LineChart>(slowest.picture).lines.empty()) section.figures.push_back(std::move(slowest));
+        const auto& chart = std::get<LineChart>(slowest.picture);
+        if (stands_at(chart, study.velocities.low))
+            section.text += " " + stable_everywhere_text(chart, study.velocities, words);
+        else if (!chart.lines.empty())
+            section.figures.push_back(std::move(slowest));
     }
     section.tables.push_back(comparison_table(joint, study));
     return section;

@@ -59,12 +59,12 @@ std::string worst_text(const MarginsAnswer& a)
 }
 
 /// max Re s while one coordinate moves away from the joint, up to a little beyond its boundary.
-LineChart::Line growth_line(const Joint& joint, const Coordinate& coordinate, const std::string& name, double reach,
-                            double window)
+DetailedChart::Line growth_line(const Joint& joint, const Coordinate& coordinate, const std::string& name, double reach,
+                                double window)
 {
     constexpr int steps = 240;
     MovableJoint movable(joint, {coordinate});
-    LineChart::Line line{name, {}, {}};
+    DetailedChart::Line line{name, {}, {}};
     for (int i = -steps; i <= steps; ++i) {
         const double q = reach * i / steps;
         const double growth = linear_point(movable.at({q / coordinate.scale})).spectral_abscissa;
@@ -81,7 +81,7 @@ Figure growth_figure(const MarginsAnswer& a)
     constexpr double tall = 4;  // the window, per |max Re s| of the joint: what grows faster would flatten the rest
     const auto motion = a.joint.mechanism.motion;
     const double own = linear_point(a.joint).spectral_abscissa, window = tall * std::abs(own);
-    LineChart chart;
+    DetailedChart chart;
     chart.title = "Decay and growth while one parameter moves";
     chart.x_label = "parameter, as a multiple of its value";
     chart.y_label = "max Re s [1/s]";
@@ -97,7 +97,8 @@ Figure growth_figure(const MarginsAnswer& a)
         chart.lines.push_back(growth_line(a.joint, a.alone_of[i], name, reach, window));
         crossings += (crossings.empty() ? "" : ", ") + name + " at " + plain_number(move.to / move.from) + " times";
     }
-    chart.lines.push_back({"boundary", {std::exp(-reach), std::exp(reach)}, {0, 0}, true});
+    chart.lines.push_back(
+        {"boundary", {std::exp(-reach), std::exp(reach)}, {0, 0}, false, DetailedChart::Line::Look::rule});
     chart.x_marks.emplace_back("as given", 1);
     Figure figure;
     figure.id = "growth-by-parameter";

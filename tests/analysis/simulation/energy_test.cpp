@@ -5,6 +5,7 @@
 
 #include "analysis/simulation/attractor/attractor.h"
 #include "analysis/simulation/simulate.h"
+#include "analysis/stability/verdict.h"
 #include "tests/analysis/simulation/joints.h"
 
 using namespace stickslip;
@@ -77,4 +78,20 @@ TEST_CASE("a trajectory keeps its steps, sticks truly and starts where it is dis
         }
     }
     CHECK(stuck > 0.3);
+}
+
+TEST_CASE("a small disturbance that decays is followed at the rate of the spectrum to its end", "[nonlinear]")
+{
+    const Joint joint = example_joint(6e4, 10, 1e-3);
+    const auto path = simulate(joint, {});
+    REQUIRE(path.reason == Reason::none);
+    double greatest_early = 0, greatest_late = 0;  // share of the steady velocity, each counted back to its start
+    const double rate = linear_point(joint).spectral_abscissa, turns = path.time.back();
+    for (std::size_t i = 0; i < path.time.size(); ++i) {
+        const double undamped = std::abs(path.velocity[i] / 1e-3 - 1) * std::exp(-rate * path.time[i]);
+        auto& greatest = path.time[i] < 0.5 * turns ? greatest_early : greatest_late;
+        if (path.time[i] > 0.1 * turns) greatest = std::max(greatest, undamped);
+    }
+    CHECK(rate == Approx(-2.5).epsilon(0.05));
+    CHECK(greatest_late == Approx(greatest_early).epsilon(0.01));
 }

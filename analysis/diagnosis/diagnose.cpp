@@ -17,26 +17,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <optional>
 #include <stdexcept>
 
 namespace stickslip::gap {
 namespace {
 
-/// Not empty where so much of controller and encoder differs from the document that it is hardly the same joint.
-std::string another_joint(const Audit& audit)
+/// Where so much of controller and encoder differs from the document that it is hardly the same joint.
+std::optional<Note> another_joint(const Audit& audit)
 {
     constexpr std::size_t hardly_the_same = 3;
-    if (audit.findings.size() < hardly_the_same) return "";
-    std::string list;
-    for (const auto& f : audit.findings) {
-        char number[32];
-        std::snprintf(number, sizeof number, " = %.4g", f.value);
-        list += (list.empty() ? "" : ", ") + f.parameter + number;
-    }
-    return "suspected record of another joint: encoder and controller differ from the document in " +
-           std::to_string(audit.findings.size()) + " ways (" + list +
-           "); if it is this joint, correct the document first";
+    if (audit.findings.size() < hardly_the_same) return std::nullopt;
+    Note note{Note::Code::another_joint};
+    for (const auto& f : audit.findings) note.names.push_back(f.parameter), note.values.push_back(f.value);
+    return note;
 }
 
 void describe_data(const std::vector<Case>& cases, Diagnosis& d)
@@ -44,17 +38,15 @@ void describe_data(const std::vector<Case>& cases, Diagnosis& d)
     for (const auto& c : cases) {
         d.records.push_back({c.ticks.name, "held-out"});
         if (c.ticks.lost)
-            d.notes.push_back(c.ticks.name + ": rows are missing; what happened in them is simulated, not judged");
+            d.notes.push_back({Note::Code::rows_missing, c.ticks.name});
         else if (!c.ticks.regular)
-            d.notes.push_back(c.ticks.name + ": irregular sampling; every row is used at its own time");
+            d.notes.push_back({Note::Code::irregular_rows, c.ticks.name});
         if (c.ticks.rebuilt)
-            d.notes.push_back(c.ticks.name +
-                              ": logged at every second tick; the ticks between were rebuilt from the velocity");
+            d.notes.push_back({Note::Code::rebuilt_ticks, c.ticks.name});
         else if (c.ticks.ticks_per_row > 1)
-            d.notes.push_back(c.ticks.name + ": logged slower than the loop; readings between rows are interpolated");
+            d.notes.push_back({Note::Code::slow_log, c.ticks.name});
     }
-    d.notes.push_back(cases.size() > 1 ? "every record is held out in turn and predicted from a fit to the others"
-                                       : "one record: its three thirds are held out in turn");
+    d.notes.push_back({cases.size() > 1 ? Note::Code::held_out_in_turn : Note::Code::thirds_in_turn});
 }
 
 /// The pieces of records that are long enough; why others are not stands in the reasons.
@@ -71,7 +63,7 @@ std::vector<Record> usable_pieces(const Joint& joint, const std::vector<Record>&
         }
         auto uninterrupted = pieces(whole, d.notes);
         for (auto& piece : uninterrupted) {
-            const auto left = uninterrupted.size() > 1 ? inspect(piece, joint).shortages : std::vector<std::string>();
+            const auto left = uninterrupted.size() > 1 ? inspect(piece, joint).shortages : std::vector<Note>();
             d.reasons.insert(d.reasons.end(), left.begin(), left.end());
             if (left.empty()) usable.push_back(std::move(piece));
         }
@@ -99,11 +91,7 @@ Prepared audited(const Joint& joint, const std::vector<Record>& usable, Diagnosi
 void judge_quiet(const Prepared& p, const ParallelFor& parallel, Diagnosis& d)
 {
     d.verdict = could_have_shown(p.cases, p.scales, parallel) ? Verdict::no_gap : Verdict::insufficient_data;
-    if (d.verdict == Verdict::no_gap)
-        d.reasons.push_back({"the nominal joint predicts every record to the noise", Note::Code::within_noise});
-    else
-        d.reasons.push_back(
-            "no effect of usual size would have shown itself at five times the noise under this excitation");
+    d.reasons.push_back({d.verdict == Verdict::no_gap ? Note::Code::within_noise : Note::Code::nothing_would_show});
 }
 
 /// The ladder's answer, the drive force that it leaves included.
@@ -113,26 +101,18 @@ void tell_named(const Prepared& p, const ParallelFor& parallel, const Findings& 
     if (j.only_corrections && j.noise_left && !p.audit.findings.empty()) {
         // what the controller's regression found is the cause, and what is left beside it are a document's few per cent
         d.effects = {cause_of(p, f.none, 1 - policy::doubt_of_noise)};
-        d.reasons.push_back(
-            "the controller differs from its document; with the document's numbers corrected by a few per cent "
-            "besides, the joint predicts every record to the noise");
+        d.reasons.push_back({Note::Code::controller_and_numbers});
         return;
     }
     d.effects = causes_of(p, j);
     if (!j.answers()) return;
-    std::string names;
-    for (const auto& name : d.effects[0].names) names += (names.empty() ? "" : " with ") + name;
-    if (j.only_corrections) {
-        d.reasons.push_back("numbers of the document are off: " + names + "; " +
-                            (j.noise_left ? "corrected, the joint predicts every record to the noise"
-                                          : "no effect takes a good part of what their correction leaves"));
-        return;
-    }
-    d.reasons.push_back(j.noise_left ? "with the document's numbers corrected by a few per cent, " + names +
-                                           " explains the records to the noise"
-                                     : "no cause brings the misfit down to the noise; with inertia, friction and load "
-                                       "corrected within their uncertainty on both sides of every comparison, " +
-                                           names + " predicts held-out data best");
+    Note note{.code = Note::Code::cause_predicts_best, .names = d.effects[0].names};
+    if (j.only_corrections)
+        note.code = j.noise_left ? Note::Code::numbers_to_noise : Note::Code::numbers_and_rest;
+    else if (j.noise_left)
+        note.code = Note::Code::cause_to_noise;
+    d.reasons.push_back(note);
+    if (j.only_corrections) return;
     if (const double corner = drive_force_corner(p.cases); corner > 0) {
         const auto base = at_all_levels(p.cases, p.scales, p.nominal, j.ladder.corrected);
         std::vector<Attribution> rivals;
@@ -151,14 +131,11 @@ void tell_named(const Prepared& p, const ParallelFor& parallel, const Findings& 
 
 void tell_unexplained(const Findings& f, Diagnosis& d)
 {
-    Note note(Note::Code::unexplained);
-    note.taken = f.decision.best_explained;
-    d.reasons.push_back(note);
+    d.reasons.push_back({.code = Note::Code::unexplained, .values = {1 - f.decision.best_explained}});
     constexpr double worth_telling = 0.5;
     if (f.free.empty() || !(f.free[0].fit.explained > worth_telling)) return;
-    Note force(Note::Code::free_force);
-    force.signal = f.free[0].of, force.taken = f.free[0].fit.explained;
-    d.reasons.push_back(force);
+    d.reasons.push_back(
+        {.code = Note::Code::free_force, .signal = std::string(f.free[0].of), .values = {f.free[0].fit.explained}});
 }
 
 /// What it could be confused with, and the experiment that would tell.
@@ -220,9 +197,7 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
     d.notes.insert(d.notes.end(), held.notes.begin(), held.notes.end());
     if (shown && audit_alone) {
         d.effects.push_back(cause_of(p, f.none, f.quiet ? 0.99 : 0.5));
-        if (!f.quiet)
-            d.reasons.push_back(
-                "the controller differs from its document, and something that the catalogue does not explain remains");
+        if (!f.quiet) d.reasons.push_back({Note::Code::controller_and_rest});
     } else if (f.by_ladder) {
         tell_named(p, parallel, f, d);
         // what the controller's regression is sure of stands first by itself, what the mechanism adds comes after it
@@ -274,8 +249,8 @@ void find(const Joint& joint, const std::vector<Record>& records, const Parallel
     if (usable.empty()) return;
     progress("auditing the controller", 0.02);
     Prepared prepared = audited(joint, usable, d);
-    if (auto suspicion = another_joint(prepared.audit); !suspicion.empty()) {
-        d.reasons.push_back({std::move(suspicion), Note::Code::contradiction});
+    if (auto suspicion = another_joint(prepared.audit)) {
+        d.reasons.push_back(*suspicion);
         return;
     }
     settle_jumps(prepared.cases, {}, {});
@@ -302,9 +277,8 @@ void tell_interrupted(const std::string& stage, const Joint& joint, DiagnosisRes
     d.ambiguous_with.clear();
     d.next_experiment = {};
     result.after = joint;
-    d.reasons = {
-        "interrupted while " + stage + ": " +
-        (d.signals.empty() ? "nothing was found yet" : "where the gap lies was found, what causes it was not")};
+    d.reasons = {{.code = d.signals.empty() ? Note::Code::interrupted_early : Note::Code::interrupted_located,
+                  .names = {stage}}};
 }
 
 }  // namespace

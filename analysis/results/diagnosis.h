@@ -1,5 +1,6 @@
 // What a diagnosis found: plain data, the fields of diagnosis.json by the same names.
 #pragma once
+#include "analysis/results/note.h"
 #include "analysis/results/quantity.h"
 
 #include <limits>
@@ -153,32 +154,6 @@ struct DiagnosedTrace {
 };
 
 /// Everything that the report and diagnosis.json say. Boundary numbers are added by who can compute maps.
-/// A sentence for people, with the code that behaviour may depend on: nothing is decided by its wording. What the last
-/// codes mean is said by sweep/words (note_text), from the numbers beside them.
-struct Note {
-    enum class Code {
-        plain,
-        contradiction,     ///< record and joint contradict each other: nothing was concluded
-        within_noise,      ///< the nominal joint predicts every record to the noise
-        unexplained,       ///< no cause nor pair explains the gap; the best takes `taken`
-        free_force,        ///< a force of `signal`, of no catalogue, would take `taken`
-        nothing_earns,     ///< no cause takes a part of the gap on unseen data beside the corrections
-        takes_too_little,  ///< `names` come nearest, but take only `taken` of the gap, of which `explainable` is
-        nearer_force,      ///< `names` come nearest, but a force of `signal` explains the records clearly better
-        force_in_the_rest  ///< `names` come nearest, but a force of `signal` explains what they leave
-    };
-    Code code = Code::plain;
-    std::string text;
-    std::vector<std::string> names;
-    std::string signal;  ///< "position" | "velocity" | "hysteresis" | …
-    double taken = 0, explainable = 0;
-
-    Note(std::string sentence, Code meaning = Code::plain) : code(meaning), text(std::move(sentence)) {}
-    Note(const char* sentence) : text(sentence) {}
-    explicit Note(Code meaning) : code(meaning) {}
-    operator const std::string&() const { return text; }
-};
-
 struct Diagnosis {
     Verdict verdict = Verdict::insufficient_data;
     std::vector<Note> reasons;
@@ -196,7 +171,7 @@ struct Diagnosis {
     double corrected_share = 0;  ///< of the gap, that the corrections take
     ExplainableShare ceiling;
     Remainder remainder;  ///< what the best cause leaves of the gap
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     std::vector<DiagnosedTrace> traces;
     Motion motion = Motion::prismatic;
     double usual_speed = 0;  ///< 95th percentile of |velocity| in the records

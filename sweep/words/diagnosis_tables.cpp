@@ -140,30 +140,36 @@ Table records_table(const Diagnosis& d)
 
 std::vector<std::string> gathered_notes(const Diagnosis& d)
 {
-    std::vector<std::pair<std::string, int>> counted;
-    std::vector<std::string> firsts;
-    const auto said_as_reason = [&](const std::string& note) {
-        return std::any_of(d.reasons.begin(), d.reasons.end(),
-                           [&](const Note& r) { return note_text(r).ends_with(note); });
+    const auto one_of_several = [&](const Note& note) {
+        return std::any_of(d.records.begin(), d.records.end(), [&](const auto& r) { return r.file == note.record; });
     };
+    const auto said_as_reason = [&](const Note& note) {
+        return std::any_of(d.reasons.begin(), d.reasons.end(), [&](const Note& reason) {
+            return reason == note || (contradicts(reason) && reason.text == note.text && !note.text.empty());
+        });
+    };
+    struct Counted {
+        Note common;  ///< without the record
+        const Note* first;
+        int count;
+    };
+    std::vector<Counted> counted;
     for (const auto& note : d.notes) {
         if (said_as_reason(note)) continue;
-        std::string text = note;
-        for (const auto& r : d.records)
-            if (note.starts_with(r.file + ": ")) text = note.substr(r.file.size() + 2);
-        const auto same = std::find_if(counted.begin(), counted.end(), [&](const auto& c) { return c.first == text; });
-        if (same != counted.end()) {
-            ++same->second;
-            continue;
-        }
-        counted.emplace_back(text, 1);
-        firsts.push_back(note);
+        Note common = note;
+        if (one_of_several(note)) common.record.clear();
+        const auto same =
+            std::find_if(counted.begin(), counted.end(), [&](const auto& other) { return other.common == common; });
+        if (same != counted.end())
+            ++same->count;
+        else
+            counted.push_back({std::move(common), &note, 1});
     }
     std::vector<std::string> notes;
-    for (std::size_t i = 0; i < counted.size(); ++i)
-        notes.push_back(counted[i].second == 1 ? firsts[i]
-                                               : fmt::format("{} of {} records: {}", counted[i].second,
-                                                             d.records.size(), counted[i].first));
+    for (const auto& c : counted)
+        notes.push_back(c.count == 1
+                            ? note_text(*c.first)
+                            : fmt::format("{} of {} records: {}", c.count, d.records.size(), note_text(c.common)));
     return notes;
 }
 

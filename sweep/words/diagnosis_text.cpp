@@ -2,8 +2,148 @@
 
 #include "sweep/words/diagnosis_tables.h"
 
+#include <fmt/args.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+
 namespace stickslip {
 namespace {
+
+using Code = Note::Code;
+
+/// {0}, {1} … are the note's values, {share0}, {share1} the first two as per cent, {name0} … its names, {names} all of
+/// them as one cause, {lines} all values in a row, {numbers} every name with its value, {s} the plural of {0}.
+struct Sentence {
+    Code code;
+    const char* words;
+};
+
+constexpr Sentence sentences[] = {
+    {Code::told, "{text}"},
+    {Code::contradiction, "{text}"},
+    {Code::too_few_rows, "{0:.0f} rows; at least {1:.0f} are needed"},
+    {Code::position_still, "the position does not change beyond its noise"},
+    {Code::nothing_drives, "neither a command nor a reference was logged: what drove the joint is not known"},
+    {Code::uneven_ticks,
+     "rows are {0:f} periods of the loop apart, no whole number of them: every row is taken for a tick"},
+    {Code::no_command,
+     "no command was logged; it is computed from the reference, the measured motion and the documented controller, so "
+     "that the controller itself cannot be audited"},
+    {Code::no_effort,
+     "no effort was measured: inertia, gain and torque constant are told apart by friction and load only"},
+    {Code::holes,
+     "{0:.0f} hole{s} in time, the first from {1:.6g} s to {2:.6g} s: what comes after a hole is a record of its own"},
+    {Code::rows_missing, "rows are missing; what happened in them is simulated, not judged"},
+    {Code::irregular_rows, "irregular sampling; every row is used at its own time"},
+    {Code::rebuilt_ticks, "logged at every second tick; the ticks between were rebuilt from the velocity"},
+    {Code::slow_log, "logged slower than the loop; readings between rows are interpolated"},
+    {Code::scattered_stamps, "the time stamps scatter about the documented period; its ticks are taken as even"},
+    {Code::starts_moving, "starts in motion; at_rest_at_start under [record] says otherwise"},
+    {Code::noisier_than_documented,
+     "the readings are noisier than documented; the floor uses the noise estimated from third differences"},
+    {Code::no_documented_noise, "no documented noise; the floor uses the noise estimated from third differences"},
+    {Code::no_documented_effort_noise, "no documented effort noise; estimated from third differences"},
+    {Code::noise_of_noisiest,
+     "little noise shows behind the steps of the encoder; the floor is that of the noisiest record"},
+    {Code::held_out_in_turn, "every record is held out in turn and predicted from a fit to the others"},
+    {Code::thirds_in_turn, "one record: its three thirds are held out in turn"},
+    {Code::cause_almost_alone, "shows the cause almost alone; its thirds are held out in turn"},
+    {Code::another_joint,
+     "suspected record of another joint: encoder and controller differ from the document in {count} ways ({numbers}); "
+     "if it is this joint, correct the document first"},
+    {Code::command_unknown,
+     "the documented controller does not reproduce the logged command (misfit {0:f} of its rms), nor does any change "
+     "of its terms: none is named"},
+    {Code::gains_not_judged,
+     "the documented controller does not reproduce the logged command (misfit {0:f} of its rms): gains were not "
+     "judged"},
+    {Code::terms_to,
+     "the controller reproduces the logged command to {0:f} % of its rms: terms that are smaller are not named"},
+    {Code::gains_to,
+     "the controller reproduces the logged command to {0:f} % of its rms: only gains that are further off are named"},
+    {Code::gains_to_steps,
+     "the controller reproduces the logged command to the steps in which it is given: only gains that are off by more "
+     "than {0:f} % are named"},
+    {Code::reference_rebuilt,
+     "no reference was logged: the controller's gains were read from how the encoder's noise comes through it, and the "
+     "reference was rebuilt from the command"},
+    {Code::undocumented_k_v, "the document has no k_v; the command has a part that is proportional to the velocity"},
+    {Code::within_noise, "the nominal joint predicts every record to the noise"},
+    {Code::nothing_would_show,
+     "no effect of usual size would have shown itself at five times the noise under this excitation"},
+    {Code::controller_and_rest,
+     "the controller differs from its document, and something that the catalogue does not explain remains"},
+    {Code::controller_and_numbers,
+     "the controller differs from its document; with the document's numbers corrected by a few per cent besides, the "
+     "joint predicts every record to the noise"},
+    {Code::numbers_to_noise,
+     "numbers of the document are off: {names}; corrected, the joint predicts every record to the noise"},
+    {Code::numbers_and_rest,
+     "numbers of the document are off: {names}; no effect takes a good part of what their correction leaves"},
+    {Code::cause_to_noise,
+     "with the document's numbers corrected by a few per cent, {names} explains the records to the noise"},
+    {Code::cause_predicts_best,
+     "no cause brings the misfit down to the noise; with inertia, friction and load corrected within their uncertainty "
+     "on both sides of every comparison, {names} predicts held-out data best"},
+    {Code::unexplained,
+     "there is a gap, and no effect of the catalogue, nor two together, explain it: the best leaves {share0} of it"},
+    {Code::free_force, "{force} would explain {share0} of it"},
+    {Code::nothing_earns,
+     "no cause takes a part of the gap on data that its fit has not seen, with inertia, friction and load refitted "
+     "beside it"},
+    {Code::takes_too_little,
+     "{names} comes nearest, but takes only {share0} of a gap of which {share1} are explainable"},
+    {Code::nearer_force,
+     "{names} comes nearest, but {force} explains the records clearly better, and has the shape of no effect of the "
+     "catalogue"},
+    {Code::force_in_the_rest,
+     "{names} comes nearest, but a force that depends on the {signal} alone, in the shape of no effect of the "
+     "catalogue, explains what it leaves"},
+    {Code::withdrawn_worse,
+     "{names} fits best, but makes the simulation of held-out data worse: it is not named as the cause"},
+    {Code::withdrawn_leaves_most,
+     "{names} fits best, but leaves most of the gap on held-out data: it is not named as the cause"},
+    {Code::withdrawn_implausible,
+     "{names} fits best, but leaves more than noise, and needs a number at its bound or ten times the usual: it is not "
+     "named as the cause"},
+    {Code::withdrawn_in_many_floors,
+     "{names} fits best, but leaves {0:.1f} floors of held-out data, and no document tells the noise: it is not named "
+     "as the cause"},
+    {Code::far_as_a_whole,
+     "predicted from row to row the nominal joint stays within the noise, but simulated as a whole it is {0:.1f} "
+     "floors away: these rows are too few or too far apart to say why"},
+    {Code::interrupted_early, "interrupted while {name0}: nothing was found yet"},
+    {Code::interrupted_located, "interrupted while {name0}: where the gap lies was found, what causes it was not"},
+    {Code::rig,
+     "a friction rig: a load point's displacement and the friction; the stiffness between load point and slider and "
+     "the level of the friction are fitted for every law"},
+    {Code::rig_turns_round,
+     "the load point turns round; the longest stretch in one direction, rows {0:.0f} to {1:.0f}, is judged"},
+    {Code::rig_blocks_in_turn, "one record: blocks of 20 rows are held out, a third of them in turn"},
+    {Code::rig_still, "displacement or friction does not change"},
+    {Code::rig_laws_alike,
+     "the law of {name0} is ambiguous: these data cannot tell the {name1} law from the {name2} law"},
+    {Code::rig_level_suffices, "a constant level predicts the held-out rows to the noise"},
+    {Code::rig_no_law_predicts,
+     "no law that the program knows predicts the held-out rows better than a constant level"},
+    {Code::fifths_in_turn, "every fifth of the rows is held out in turn and predicted from a fit to the others"},
+    {Code::same_settings, "lines {lines} have the same settings and both outcomes"},
+    {Code::too_few_outcomes,
+     "{0:.0f} rows, {1:.0f} of them with stick-slip; a boundary needs at least {2:.0f} rows, {3:.0f} on either side"},
+    {Code::rows_contradict,
+     "{0:.0f} of {1:.0f} rows contradict others with the same settings: what decides the outcome is not in the table"},
+    {Code::nominal_explains, "the nominal joint explains the rows as well as any law fitted to them"},
+    {Code::best_law_misjudges, "the best law, {name0}, misjudges {0:.0f} of {1:.0f} rows that its fit had not seen"},
+    {Code::laws_alike, "the law is ambiguous: these rows cannot tell {name0} from {name1}"},
+    {Code::kinds_alike,
+     "{0:.0f} kinds of friction explain these rows: they lie on one side of what tells the laws apart"},
+    {Code::beyond_linear,
+     "{0:.0f} rows lie where small disturbances die out and a start from rest does not, or the reverse; the motion "
+     "from rest counts"},
+};
 
 /// "a force that depends on the position alone"
 std::string force_of(const std::string& signal)
@@ -13,33 +153,48 @@ std::string force_of(const std::string& signal)
     return "a force that depends on the " + signal + " alone";
 }
 
+std::string numbers_of(const Note& note)
+{
+    std::vector<std::string> each;
+    for (std::size_t i = 0; i < std::min(note.names.size(), note.values.size()); ++i)
+        each.push_back(fmt::format("{} = {:.4g}", note.names[i], note.values[i]));
+    return fmt::format("{}", fmt::join(each, ", "));
+}
+
+/// What a sentence may say of a note. A note that lacks what its sentence says is an error, as in any other format.
+fmt::dynamic_format_arg_store<fmt::format_context> parts_of(const Note& note)
+{
+    fmt::dynamic_format_arg_store<fmt::format_context> parts;
+    for (const double value : note.values) parts.push_back(value);
+    for (std::size_t i = 0; i < note.values.size(); ++i)
+        parts.push_back(fmt::arg(fmt::format("share{}", i).c_str(), whole_percent(note.values[i])));
+    for (std::size_t i = 0; i < note.names.size(); ++i)
+        parts.push_back(fmt::arg(fmt::format("name{}", i).c_str(), note.names[i]));
+    parts.push_back(fmt::arg("names", together(note.names)));
+    parts.push_back(fmt::arg("count", note.names.size()));
+    parts.push_back(fmt::arg("numbers", numbers_of(note)));
+    parts.push_back(fmt::arg("lines", fmt::format("{:.0f}", fmt::join(note.values, ", "))));
+    parts.push_back(fmt::arg("s", note.values.empty() || note.values[0] != 1 ? "s" : ""));
+    parts.push_back(fmt::arg("signal", note.signal));
+    parts.push_back(fmt::arg("force", force_of(note.signal)));
+    parts.push_back(fmt::arg("text", note.text));
+    return parts;
+}
+
 }  // namespace
+
+std::string remark_text(const Note& note)
+{
+    const auto* found = std::find_if(std::begin(sentences), std::end(sentences),
+                                     [&](const Sentence& sentence) { return sentence.code == note.code; });
+    if (found == std::end(sentences))
+        throw std::logic_error("no words for the note " + std::string(name_of(note.code)));
+    return fmt::vformat(found->words, parts_of(note));
+}
 
 std::string note_text(const Note& note)
 {
-    const auto nearest = [&] { return together(note.names) + " comes nearest, but "; };
-    switch (note.code) {
-        case Note::Code::unexplained:
-            return "there is a gap, and no effect of the catalogue, nor two together, explain it: the best leaves " +
-                   whole_percent(1 - note.taken) + " of it";
-        case Note::Code::free_force:
-            return force_of(note.signal) + " would explain " + whole_percent(note.taken) + " of it";
-        case Note::Code::nothing_earns:
-            return "no cause takes a part of the gap on data that its fit has not seen, with inertia, friction and "
-                   "load "
-                   "refitted beside it";
-        case Note::Code::takes_too_little:
-            return nearest() + "takes only " + whole_percent(note.taken) + " of a gap of which " +
-                   whole_percent(note.explainable) + " are explainable";
-        case Note::Code::nearer_force:
-            return nearest() + force_of(note.signal) +
-                   " explains the records clearly better, and has the shape of no effect of the catalogue";
-        case Note::Code::force_in_the_rest:
-            return nearest() + "a force that depends on the " + note.signal +
-                   " alone, in the shape of no effect of the catalogue, explains what it leaves";
-        default:
-            return note.text;
-    }
+    return note.record.empty() ? remark_text(note) : note.record + ": " + remark_text(note);
 }
 
 }  // namespace stickslip

@@ -1,12 +1,15 @@
-// What the answer of a diagnosis rests on, in words.
+// Why a diagnosis answers as it does, and what it remarks, in sentences. Nothing depends on their wording.
 #pragma once
-#include "analysis/results/diagnosis.h"
+#include "analysis/results/note.h"
 
 #include <string>
 
 namespace stickslip {
 
-/// A reason as people read it: its own text, or what its code and numbers mean.
+/// One sentence from the note's code, names and numbers, after the record that it is about.
 std::string note_text(const Note& note);
+
+/// The same without the record: what several records may share.
+std::string remark_text(const Note& note);
 
 }  // namespace stickslip

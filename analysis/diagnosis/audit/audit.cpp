@@ -90,7 +90,7 @@ bool find_missing_k_v(std::vector<Case>& cases, double limit, double misfit_with
     result.findings.push_back({"gain-k_v", "gain-k_v.value", k_v,
                                n > 1 ? std::sqrt(square / (n - 1) / n) : misfit * k_v, Quantity::damping,
                                1 - std::pow(misfit / misfit_without, 2)});
-    result.notes.push_back("the document has no k_v; the command has a part that is proportional to the velocity");
+    result.notes.push_back({Note::Code::undocumented_k_v});
     for (auto& c : cases) c.joint.control.k_v = k_v;
     return true;
 }
@@ -293,19 +293,12 @@ Audit audit(std::vector<Case>& cases)
                            : rounded ? std::max(flagged_gain, rounding)
                                      : std::max(rough_gain, rough_multiple * result.residual_after);
     if (result.residual_after > rough_command) {
-        result.notes.push_back("the documented controller does not reproduce the logged command (misfit " +
-                               std::to_string(result.residual_after) + " of its rms): gains were not judged");
+        result.notes.push_back({.code = Note::Code::gains_not_judged, .values = {result.residual_after}});
         return result;
     }
-    if (rounded)
-        result.notes.push_back(
-            "the controller reproduces the logged command to the steps in which it is given: only gains that are off "
-            "by more than " +
-            std::to_string(100 * flagged) + " % are named");
+    if (rounded) result.notes.push_back({.code = Note::Code::gains_to_steps, .values = {100 * flagged}});
     if (!result.command_explained)
-        result.notes.push_back("the controller reproduces the logged command to " +
-                               std::to_string(100 * result.residual_after) +
-                               " % of its rms: only gains that are further off are named");
+        result.notes.push_back({.code = Note::Code::gains_to, .values = {100 * result.residual_after}});
     double kp = 0, kv = 0;
     int rated = 0;
     for (std::size_t i = 0; i < cases.size(); ++i) {

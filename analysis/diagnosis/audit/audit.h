@@ -1,6 +1,7 @@
 // The controller audit: is the logged command what the documented controller would have asked for?
 #pragma once
 #include "analysis/diagnosis/fit/fit.h"
+#include "analysis/results/note.h"
 
 #include <string>
 #include <vector>
@@ -25,7 +26,7 @@ struct Audit {
     bool filter_seen = false;        ///< logged velocities follow a filter exactly
     bool command_explained = false;  ///< the corrected controller reproduces the command
     double residual_after = 0;       ///< rms of the command's misfit over its rms
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
 };
 
 /// Audits every case and corrects its joint: position grid, velocity filter, gains, controller limit.

@@ -123,10 +123,7 @@ void audit_without_reference(std::vector<Case>& cases, double limit, Audit& resu
         k_v.error = std::hypot(k_v.error, g.k_v_error / c.joint.control.k_v / n);
     }
     result.command_explained = true;
-    result.notes.push_back(
-        "no reference was logged: the controller's gains were read from how the encoder's noise comes through it, "
-        "and "
-        "the reference was rebuilt from the command");
+    result.notes.push_back({Note::Code::reference_rebuilt});
     if (k_p.off())
         result.findings.push_back({"gain-k_p", "gain-k_p.factor", k_p.value, k_p.error, Quantity::number, 1});
     if (damped && k_v.off())

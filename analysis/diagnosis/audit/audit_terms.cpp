@@ -275,9 +275,7 @@ bool audit_terms(std::vector<Case>& cases, double limit, Audit& result)
     result.residual_after = changed.fit.misfit;
     result.command_explained = changed.fit.misfit < understood;
     if (!result.command_explained && changed.fit.misfit > much_better * before) {
-        result.notes.push_back("the documented controller does not reproduce the logged command (misfit " +
-                               std::to_string(before) +
-                               " of its rms), nor does any change of its terms: none is named");
+        result.notes.push_back({.code = Note::Code::command_unknown, .values = {before}});
         return true;
     }
     const double gain = 1 - std::pow(changed.fit.misfit / before, 2);
@@ -295,9 +293,7 @@ bool audit_terms(std::vector<Case>& cases, double limit, Audit& result)
         result.findings.push_back({"dead-zone", "dead-zone.width", changed.dead_zone, 0, Quantity::position, gain});
     }
     if (!result.command_explained)
-        result.notes.push_back("the controller reproduces the logged command to " +
-                               std::to_string(100 * result.residual_after) +
-                               " % of its rms: terms that are smaller are not named");
+        result.notes.push_back({.code = Note::Code::terms_to, .values = {100 * result.residual_after}});
     return true;
 }
 

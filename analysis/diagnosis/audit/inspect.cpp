@@ -64,28 +64,19 @@ Inspection inspect(const Record& r, const Joint& joint)
         return result;
     }
     if (r.rows() < fewest_rows)
-        result.shortages.push_back(r.name + ": " + std::to_string(r.rows()) + " rows; at least " +
-                                   std::to_string(fewest_rows) + " are needed");
+        result.shortages.push_back({.code = Note::Code::too_few_rows,
+                                    .record = r.name,
+                                    .values = {static_cast<double>(r.rows()), static_cast<double>(fewest_rows)}});
     const double resolution = std::max(joint.sensor.encoder_quantum, joint.sensor.position_noise);
     if (span_of(r.position) <= 8 * resolution || span_of(r.position) == 0)
-        result.shortages.push_back(r.name + ": the position does not change beyond its noise");
+        result.shortages.push_back({Note::Code::position_still, r.name});
     const double ticks = r.rows() > 1 && is_set(joint.control.period) ? median_step(r.time) / joint.control.period : 1;
     if (ticks > 1.5 && (ticks >= most_ticks_per_row || std::abs(ticks - std::round(ticks)) > 0.02))
-        result.notes.push_back(r.name + ": rows are " + std::to_string(ticks) +
-                               " periods of the loop apart, no whole number of them: every row is taken for a tick");
+        result.notes.push_back({.code = Note::Code::uneven_ticks, .record = r.name, .values = {ticks}});
     const bool command = !r.effort_command.empty() || !r.drive.empty();
-    if (!command && r.reference_position.empty())
-        result.shortages.push_back(r.name +
-                                   ": neither a command nor a reference was logged: what drove the joint is not known");
-    if (!command && !r.reference_position.empty())
-        result.notes.push_back(
-            r.name +
-            ": no command was logged; it is computed from the reference, the measured motion and the "
-            "documented controller, so that the controller itself cannot be audited");
-    if (r.effort_measured.empty() && r.current.empty())
-        result.notes.push_back(
-            r.name +
-            ": no effort was measured: inertia, gain and torque constant are told apart by friction and load only");
+    if (!command && r.reference_position.empty()) result.shortages.push_back({Note::Code::nothing_drives, r.name});
+    if (!command && !r.reference_position.empty()) result.notes.push_back({Note::Code::no_command, r.name});
+    if (r.effort_measured.empty() && r.current.empty()) result.notes.push_back({Note::Code::no_effort, r.name});
     return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include "analysis/diagnosis/records/record.h"
 #include "analysis/joint/joint.h"
+#include "analysis/results/note.h"
 
 #include <string>
 #include <vector>
@@ -9,9 +10,9 @@
 namespace stickslip::gap {
 
 struct Inspection {
-    std::vector<std::string> errors;     ///< the record cannot be used at all: bad input
-    std::vector<std::string> shortages;  ///< it can be read, but nothing can be concluded: insufficient data
-    std::vector<std::string> notes;      ///< suspected units, missing columns and what they cost
+    std::vector<std::string> errors;  ///< the record cannot be used at all: bad input
+    std::vector<Note> shortages;      ///< it can be read, but nothing can be concluded: insufficient data
+    std::vector<Note> notes;          ///< suspected units, missing columns and what they cost
 };
 
 /// Time missing, unsorted or repeated, values that are not numbers, columns of unequal length: errors. Too few rows,

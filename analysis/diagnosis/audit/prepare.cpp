@@ -113,7 +113,7 @@ double missed_at_start(const Case& c)
 
 /// Cut from a longer one, a record starts in motion. It is taken to, where that predicts its first rows and rest does
 /// not.
-void find_start(Case& c, std::vector<std::string>& notes)
+void find_start(Case& c, std::vector<Note>& notes)
 {
     // mean square; of that of rest: an unmodelled force that sets a joint in motion leaves a sixth
     constexpr double clearly = 25, much_better = 0.05;
@@ -123,10 +123,10 @@ void find_start(Case& c, std::vector<std::string>& notes)
     moving.ticks.at_rest = false, moving.ticks.initial_velocity = velocity_at_start(c.ticks);
     if (!(missed_at_start(moving) < much_better * at_rest)) return;
     c.ticks = std::move(moving.ticks);
-    notes.push_back(c.ticks.name + ": starts in motion; at_rest_at_start under [record] says otherwise");
+    notes.push_back({Note::Code::starts_moving, c.ticks.name});
 }
 
-Case prepare_with_effort(const Record& record, const Joint& joint, std::vector<std::string>& notes)
+Case prepare_with_effort(const Record& record, const Joint& joint, std::vector<Note>& notes)
 {
     Case c;
     c.joint = joint;
@@ -152,9 +152,8 @@ Case prepare_with_effort(const Record& record, const Joint& joint, std::vector<s
     // joint; a step of the encoder alone says nothing of noise
     const double believed = c.joint.sensor.position_noise > 0 ? coarser ? 2 : 1.25 : 1.02;
     if (!documented || estimated > believed * reading_sigma(gridded, span)) {
-        notes.push_back(record.name +
-                        (documented ? ": the readings are noisier than documented" : ": no documented noise") +
-                        "; the floor uses the noise estimated from third differences");
+        notes.push_back(
+            {documented ? Note::Code::noisier_than_documented : Note::Code::no_documented_noise, record.name});
         c.sigma = std::max(c.sigma, estimated);
         // what rounding adds is in the estimate, and a simulated reading will be rounded again
         const double rounding = gridded.encoder_quantum / std::sqrt(12.0);
@@ -177,7 +176,7 @@ Case prepare_with_effort(const Record& record, const Joint& joint, std::vector<s
             sigma = effort_noise_of(c, record.effort_measured);
             c.joint.sensor.effort_noise = sigma;
             sigma *= doubt;
-            notes.push_back(record.name + ": no documented effort noise; estimated from third differences");
+            notes.push_back({Note::Code::no_documented_effort_noise, record.name});
         }
         c.effort_sigma =
             std::hypot(sigma, effort_part * range, c.joint.actuator.kind == ActuatorKind::effort ? command_noise : 0);
@@ -200,14 +199,13 @@ Joint joint_in(const Record& record, const Joint& nominal)
     return joint;
 }
 
-Case prepare(const Record& stamped, const Joint& nominal, std::vector<std::string>& notes)
+Case prepare(const Record& stamped, const Joint& nominal, std::vector<Note>& notes)
 {
     const Joint joint = joint_in(stamped, nominal);
     Record record = stamped;
     if (auto even = is_set(joint.control.period) ? even_times(stamped.time, joint.control.period) : std::nullopt) {
         record.time = std::move(*even);
-        notes.push_back(record.name +
-                        ": the time stamps scatter about the documented period; its ticks are taken as even");
+        notes.push_back({Note::Code::scattered_stamps, record.name});
     }
     if (record.effort_measured.empty() && !record.current.empty() && joint.actuator.kind == ActuatorKind::dc_motor) {
         // a motor's current is its effort: one place converts it
@@ -219,7 +217,7 @@ Case prepare(const Record& stamped, const Joint& nominal, std::vector<std::strin
     return prepare_with_effort(record, joint, notes);
 }
 
-void share_noise(std::vector<Case>& cases, const Sensor& documented, std::vector<std::string>& notes)
+void share_noise(std::vector<Case>& cases, const Sensor& documented, std::vector<Note>& notes)
 {
     constexpr double seldom = 0.5;  // of a step: what moves less than that is seen only in passing
     const double step = documented.encoder_quantum;
@@ -230,10 +228,7 @@ void share_noise(std::vector<Case>& cases, const Sensor& documented, std::vector
     }
     if (documented.position_noise > 0 || sigma >= seldom * step) return;
     for (auto& c : cases) {
-        if (c.sigma < sigma)
-            notes.push_back(
-                c.ticks.name +
-                ": little noise shows behind the steps of the encoder; the floor is that of the noisiest record");
+        if (c.sigma < sigma) notes.push_back({Note::Code::noise_of_noisiest, c.ticks.name});
         c.joint.sensor.position_noise = noise, c.sigma = sigma;
     }
 }

@@ -2,6 +2,7 @@
 #pragma once
 #include "analysis/diagnosis/fit/fit.h"
 #include "analysis/diagnosis/records/record.h"
+#include "analysis/results/note.h"
 
 #include <string>
 
@@ -17,11 +18,11 @@ Joint joint_in(const Record& record, const Joint& nominal);
 
 /// A case from a record: overrides applied, put on its clock, noise as documented or, where the joint does not say or
 /// the record shows a quarter more, as estimated; `notes` says which. Throws as joint_in() does.
-Case prepare(const Record& record, const Joint& nominal, std::vector<std::string>& notes);
+Case prepare(const Record& record, const Joint& nominal, std::vector<Note>& notes);
 
 /// Where no noise is documented and what there is stays below half a step of the encoder, a record mostly at rest shows
 /// none of it: every record gets the largest estimate, since all have one encoder, and `notes` says so.
-void share_noise(std::vector<Case>& cases, const Sensor& documented, std::vector<std::string>& notes);
+void share_noise(std::vector<Case>& cases, const Sensor& documented, std::vector<Note>& notes);
 
 /// Largest less least value; 0 of none.
 double span_of(const std::vector<double>& values);

@@ -177,7 +177,7 @@ HeldOut hold_out(const std::vector<Case>& cases, const std::vector<Joint>& docum
         const Case& shown = cases[folds[i].record];
         const Ticks& t = shown.ticks;
         if (cases.size() > 1 && folds[i].from > -infinity)
-            held.notes.push_back(t.name + ": shows the cause almost alone; its thirds are held out in turn");
+            held.notes.push_back({Note::Code::cause_almost_alone, t.name});
         DiagnosedTrace trace;
         trace.file = t.name;
         const CommandUnit command = command_unit(shown.joint);

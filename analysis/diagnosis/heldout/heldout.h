@@ -1,6 +1,7 @@
 // How far the gap shrinks on data that the fit has not seen.
 #pragma once
 #include "analysis/diagnosis/heldout/ensemble.h"
+#include "analysis/results/note.h"
 
 namespace stickslip::gap {
 
@@ -24,7 +25,7 @@ struct HeldOut {
     double gain = 0;                   ///< 1 − after / before
     ConfidenceInterval gain_interval;  ///< smallest and largest over the folds
     std::vector<DiagnosedTrace> traces;
-    std::vector<std::string> notes;  ///< which records were held out in thirds
+    std::vector<Note> notes;  ///< which records were held out in thirds
 };
 
 /// Refits the candidate without each fold (an empty candidate needs no fit), simulates the closed loop there before and

@@ -70,30 +70,28 @@ void decide(OutcomeAnswer& a)
         effects.insert(f.rival->effect);
         d.ambiguous_with.push_back({std::string(f.rival->effect)});
         if (f.rival->effect == winner.rival->effect)
-            d.reasons.push_back("the law is ambiguous: these rows cannot tell " + std::string(winner.rival->law) +
-                                " from " + std::string(f.rival->law));
+            d.reasons.push_back(
+                {.code = Note::Code::laws_alike, .names = {std::string(winner.rival->law), std::string(f.rival->law)}});
     }
     constexpr std::size_t too_many = 3;
     if (a.contradictions > most_contradicting * n) {
         d.verdict = Verdict::insufficient_data;
         d.reasons.push_back(
-            std::to_string(a.contradictions) + " of " + std::to_string(o.size()) +
-            " rows contradict others with the same settings: what decides the outcome is not in the table");
+            {.code = Note::Code::rows_contradict, .values = {static_cast<double>(a.contradictions), n}});
     } else if (explains(a.nominal) && a.nominal.total() > winner.total() - clear_margin) {
         d.verdict = Verdict::no_gap;
-        d.reasons = {"the nominal joint explains the rows as well as any law fitted to them"};
+        d.reasons = {{Note::Code::nominal_explains}};
     } else if (!explains(winner)) {
         d.verdict = Verdict::unknown;
-        d.reasons = {"the best law, " + std::string(winner.rival->law) + ", misjudges " +
-                     std::to_string(winner.misjudged) + " of " + std::to_string(o.size()) +
-                     " rows that its fit had not seen"};
+        d.reasons = {{.code = Note::Code::best_law_misjudges,
+                      .names = {std::string(winner.rival->law)},
+                      .values = {static_cast<double>(winner.misjudged), n}}};
         // their odds among each other say nothing of whether it is one of them
         if (const double factor = believed_unnamed / winner.posterior; factor < 1)
             for (auto& f : a.laws) f.posterior *= factor;
     } else if (effects.size() >= too_many) {
         d.verdict = Verdict::insufficient_data;
-        d.reasons.push_back(std::to_string(effects.size()) +
-                            " kinds of friction explain these rows: they lie on one side of what tells the laws apart");
+        d.reasons.push_back({.code = Note::Code::kinds_alike, .values = {static_cast<double>(effects.size())}});
     } else {
         d.verdict = Verdict::gap;
     }
@@ -113,15 +111,16 @@ OutcomeAnswer explain(const Joint& nominal, const OutcomeTable& table, const Par
     d.motion = nominal.mechanism.motion;
     d.records.push_back({table.name, "held-out"});
     d.usual_speed = a.outcomes.scales.velocity;
-    d.notes.push_back("every fifth of the rows is held out in turn and predicted from a fit to the others");
+    d.notes.push_back({Note::Code::fifths_in_turn});
     a.contradictions = contradictions(table, d.notes);
     std::size_t stuck = 0;
     for (const auto& row : table.rows) stuck += row.stick_slip;
     const std::size_t rarer = std::min(stuck, table.rows.size() - stuck);
     if (table.rows.size() < fewest_rows || rarer < fewest_of_either) {
-        d.reasons.push_back(table.name + ": " + std::to_string(table.rows.size()) + " rows, " + std::to_string(stuck) +
-                            " of them with stick-slip; a boundary needs at least " + std::to_string(fewest_rows) +
-                            " rows, " + std::to_string(fewest_of_either) + " on either side");
+        d.reasons.push_back({.code = Note::Code::too_few_outcomes,
+                             .record = table.name,
+                             .values = {static_cast<double>(table.rows.size()), static_cast<double>(stuck),
+                                        static_cast<double>(fewest_rows), static_cast<double>(fewest_of_either)}});
         return a;
     }
     a.laws.resize(rivals.size());
@@ -167,9 +166,8 @@ OutcomeAnswer explain(const Joint& nominal, const OutcomeTable& table, const Par
     if (d.verdict == Verdict::gap) {
         a.after = with_law(nominal, winner.law);
         if (winner.beyond_linear > 0)
-            d.notes.push_back(std::to_string(winner.beyond_linear) +
-                              " rows lie where small disturbances die out and a start from rest does not, or the "
-                              "reverse; the motion from rest counts");
+            d.notes.push_back(
+                {.code = Note::Code::beyond_linear, .values = {static_cast<double>(winner.beyond_linear)}});
     }
     const auto rival = std::find_if(a.laws.begin() + 1, a.laws.end(),
                                     [&](const auto& f) { return f.rival->effect != winner.rival->effect; });

@@ -74,23 +74,23 @@ Outcomes prepared(const Joint& nominal, const OutcomeTable& table)
     return o;
 }
 
-int contradictions(const OutcomeTable& table, std::vector<std::string>& notes)
+int contradictions(const OutcomeTable& table, std::vector<Note>& notes)
 {
     std::vector<bool> seen(table.rows.size());
     int against = 0;
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
         if (seen[i]) continue;
         int yes = 0, no = 0;
-        std::string lines;
+        std::vector<double> lines;
         for (std::size_t j = i; j < table.rows.size(); ++j)
             if (same_settings(table.rows[i], table.rows[j])) {
                 seen[j] = true;
                 (table.rows[j].stick_slip ? yes : no) += 1;
-                lines += (lines.empty() ? "" : ", ") + std::to_string(table.rows[j].line);
+                lines.push_back(static_cast<double>(table.rows[j].line));
             }
         if (yes > 0 && no > 0) {
             against += std::min(yes, no);
-            notes.push_back(table.name + ": lines " + lines + " have the same settings and both outcomes");
+            notes.push_back({.code = Note::Code::same_settings, .record = table.name, .values = lines});
         }
     }
     return against;

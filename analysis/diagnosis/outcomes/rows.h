@@ -1,6 +1,7 @@
 // The rows of a table of outcomes as joints, and what the rows say about one another. Internal to the explanation.
 #pragma once
 #include "analysis/diagnosis/outcomes/fit.h"
+#include "analysis/results/note.h"
 
 namespace stickslip::gap {
 
@@ -14,6 +15,6 @@ Joint joint_at(const Joint& nominal, const OutcomeTable& table, const std::vecto
 Outcomes prepared(const Joint& nominal, const OutcomeTable& table);
 
 /// Rows that say the opposite of most rows with the same settings; half of them where they are equally many.
-int contradictions(const OutcomeTable& table, std::vector<std::string>& notes);
+int contradictions(const OutcomeTable& table, std::vector<Note>& notes);
 
 }  // namespace stickslip::gap

@@ -88,7 +88,7 @@ class Planned {
   public:
     Planned(const Joint& joint, const PlannedMotion& planned)
     {
-        std::vector<std::string> notes;
+        std::vector<Note> notes;
         cases_.push_back(prepare(simulated(joint, planned), joint, notes));
         scales = scales_of(cases_);
         for (const double omega : levels) {

@@ -31,7 +31,7 @@ Record part(const Record& whole, std::size_t from, std::size_t to)
 
 }  // namespace
 
-std::vector<Record> pieces(const Record& record, std::vector<std::string>& notes)
+std::vector<Record> pieces(const Record& record, std::vector<Note>& notes)
 {
     const double longest = most_lost_rows * median_step(record.time);
     std::vector<std::size_t> starts{0};
@@ -42,9 +42,9 @@ std::vector<Record> pieces(const Record& record, std::vector<std::string>& notes
     for (std::size_t i = 0; i < starts.size(); ++i)
         all.push_back(part(record, starts[i], i + 1 < starts.size() ? starts[i + 1] : record.rows()));
     const std::size_t hole = starts[1];
-    notes.push_back(record.name + ": " + std::to_string(starts.size() - 1) + (starts.size() == 2 ? " hole" : " holes") +
-                    " in time, the first from " + seconds(record.time[hole - 1]) + " to " + seconds(record.time[hole]) +
-                    ": what comes after a hole is a record of its own");
+    notes.push_back({.code = Note::Code::holes,
+                     .record = record.name,
+                     .values = {static_cast<double>(starts.size() - 1), record.time[hole - 1], record.time[hole]}});
     return all;
 }
 

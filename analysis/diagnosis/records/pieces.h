@@ -1,6 +1,7 @@
 // A record that was interrupted is several.
 #pragma once
 #include "analysis/diagnosis/records/record.h"
+#include "analysis/results/note.h"
 
 #include <string>
 #include <vector>
@@ -10,6 +11,6 @@ namespace stickslip::gap {
 /// The record from hole to hole, where nothing is known of what the joint did for many rows: a simulation across would
 /// hold the last command all the while. Each piece keeps its times; those after a hole start in motion or at rest, as
 /// their motion says. `notes` names the holes.
-std::vector<Record> pieces(const Record& record, std::vector<std::string>& notes);
+std::vector<Record> pieces(const Record& record, std::vector<Note>& notes);
 
 }  // namespace stickslip::gap

@@ -124,8 +124,8 @@ void name_causes(const Rig& rig, const std::vector<Entry>& entries, const std::v
             d.effects.back().misfit = 0.5 * std::log(entries[i].held) - std::log(noise);
             sum += d.effects.back().probability = std::exp(-beyond / width);
         } else if (rival) {
-            d.reasons.push_back("the law of " + same->names[0] + " is ambiguous: these data cannot tell the " +
-                                rivals[order[0]].form + " law from the " + rivals[i].form + " law");
+            d.reasons.push_back(
+                {.code = Note::Code::rig_laws_alike, .names = {same->names[0], rivals[order[0]].form, rivals[i].form}});
             same->form += std::string(" or ") + rivals[i].form;
         }
     }
@@ -170,20 +170,21 @@ DiagnosisResult diagnose_rig(const Joint& joint, const Record& record, const Par
     d.motion = joint.mechanism.motion;
     constexpr std::size_t fewest = 100;
     if (record.rows() < fewest) {
-        d.reasons.push_back(record.name + ": " + std::to_string(record.rows()) + " rows; at least 100 are needed");
+        d.reasons.push_back({.code = Note::Code::too_few_rows,
+                             .record = record.name,
+                             .values = {static_cast<double>(record.rows()), static_cast<double>(fewest)}});
         return result;
     }
     const Rig rig = rig_of(record);
     d.records.push_back({record.name, "held-out"});
-    d.notes.push_back(
-        "a friction rig: a load point's displacement and the friction; the stiffness between load point "
-        "and slider and the level of the friction are fitted for every law");
+    d.notes.push_back({Note::Code::rig});
     if (rig.to - rig.from < record.rows())
-        d.notes.push_back(record.name + ": the load point turns round; the longest stretch in one direction, rows " +
-                          std::to_string(rig.from + 1) + " to " + std::to_string(rig.to) + ", is judged");
-    d.notes.push_back("one record: blocks of 20 rows are held out, a third of them in turn");
+        d.notes.push_back({.code = Note::Code::rig_turns_round,
+                           .record = record.name,
+                           .values = {static_cast<double>(rig.from + 1), static_cast<double>(rig.to)}});
+    d.notes.push_back({Note::Code::rig_blocks_in_turn});
     if (rig.travel == 0 || rig.range == 0 || rig.speed == 0) {
-        d.reasons.push_back(record.name + ": displacement or friction does not change");
+        d.reasons.push_back({Note::Code::rig_still, record.name});
         return result;
     }
     const auto& rivals = rig_rivals();
@@ -222,9 +223,9 @@ DiagnosisResult diagnose_rig(const Joint& joint, const Record& record, const Par
             m.form = best.law == RigLaw::ageing ? MemoryForm::ageing : MemoryForm::slip;
         }
     } else if (d.verdict == Verdict::no_gap) {
-        d.reasons.push_back("a constant level predicts the held-out rows to the noise");
+        d.reasons.push_back({Note::Code::rig_level_suffices});
     } else {
-        d.reasons.push_back("no law that the program knows predicts the held-out rows better than a constant level");
+        d.reasons.push_back({Note::Code::rig_no_law_predicts});
     }
     d.traces.push_back(trace_of(rig, record.name, best.law, entries[order[0]].fit.p));
     return result;

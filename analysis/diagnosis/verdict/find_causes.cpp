@@ -46,9 +46,8 @@ void hold_against_free_forces(const Prepared& p, const std::function<void(const 
     progress("fitting forces without a name", 0.85);
     f.free = fit_free_forces(p.cases, p.scales, p.nominal, parallel);
     if (!clearly_better(f.free[0], nearest)) return;
-    f.why_not = Note(Note::Code::nearer_force);
-    f.why_not->names = names_of(nearest.candidate);
-    f.why_not->signal = f.free[0].of;
+    f.why_not = Note{
+        .code = Note::Code::nearer_force, .names = names_of(nearest.candidate), .signal = std::string(f.free[0].of)};
     f.decision.named = false;
     f.decision.ambiguous.clear();
 }

@@ -47,18 +47,15 @@ std::optional<Note> why_not(const JudgedLadder& j)
     const auto& rungs = j.ladder.rungs;
     if (!j.noise_left && !takes_most(j.shares)) {
         const double whole = std::max(1e-300, j.shares.documented);
-        Note note(Note::Code::takes_too_little);
-        note.names = names_of(rungs[0].causes);
-        note.taken = (j.shares.base - j.shares.rungs[0]) / whole;
-        note.explainable = (j.shares.base - j.shares.explainable_to) / whole;
-        return note;
+        return Note{
+            .code = Note::Code::takes_too_little,
+            .names = names_of(rungs[0].causes),
+            .values = {(j.shares.base - j.shares.rungs[0]) / whole, (j.shares.base - j.shares.explainable_to) / whole}};
     }
-    if (!j.noise_left && only_nearest(j)) {
-        Note note(Note::Code::force_in_the_rest);
-        note.names = names_of(rungs.back().causes);
-        note.signal = signal_of(*rungs[0].causes.effects[0]);
-        return note;
-    }
+    if (!j.noise_left && only_nearest(j))
+        return Note{.code = Note::Code::force_in_the_rest,
+                    .names = names_of(rungs.back().causes),
+                    .signal = std::string(signal_of(*rungs[0].causes.effects[0]))};
     return std::nullopt;
 }
 
@@ -175,7 +172,7 @@ void judge(JudgedLadder& j, const HeldOutData& data, const Scales& scales, const
         const double least = std::max(policy::least_of_gap * j.shares.documented,
                                       policy::least_of_explainable * (j.shares.documented - j.shares.explainable_to));
         j.only_corrections = j.noise_left || taken >= least;
-        if (!j.only_corrections) j.why_not = Note(Note::Code::nothing_earns);
+        if (!j.only_corrections) j.why_not = Note{Note::Code::nothing_earns};
         return;
     }
     j.chances = chances_of(j);

@@ -1,7 +1,7 @@
 #include "analysis/diagnosis/verdict/withdraw.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <optional>
 
 namespace stickslip::gap {
 namespace {
@@ -13,30 +13,21 @@ void believe_at_most(std::vector<Cause>& causes, double most)
     for (auto& c : causes) c.probability *= factor;
 }
 
-std::string floors(double x)
-{
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f", x);
-    return text;
-}
-
-/// Empty where the cause may stay.
-std::string why_withdrawn(const Diagnosis& d, const Standing& standing)
+/// Nothing where the cause may stay.
+std::optional<Note> why_withdrawn(const Diagnosis& d, const Standing& standing)
 {
     const OverallGap& gap = d.overall;
     constexpr double mostly_left = 0.5;  // of the mean square beyond the noise
     // Of floors that nobody documented. Of the unsettled causes in ten draws of sealed cases the one that left less
     // than two was right, the two that left more than seven were an inertia that changed with time.
     constexpr double many = 3;
-    if (gap.worse()) return "makes the simulation of held-out data worse";
-    if (standing.settled) return "";
-    if (gap.left() >= mostly_left) return "leaves most of the gap on held-out data";
-    if (!d.effects.empty() && !d.effects[0].plausible)
-        return "leaves more than noise, and needs a number at its bound or ten times the usual";
+    if (gap.worse()) return Note{Note::Code::withdrawn_worse};
+    if (standing.settled) return std::nullopt;
+    if (gap.left() >= mostly_left) return Note{Note::Code::withdrawn_leaves_most};
+    if (!d.effects.empty() && !d.effects[0].plausible) return Note{Note::Code::withdrawn_implausible};
     if (!standing.noise_documented && gap.after > many * gap.noise())
-        return "leaves " + floors(gap.after / gap.noise()) +
-               " floors of held-out data, and no document tells the noise";
-    return "";
+        return Note{.code = Note::Code::withdrawn_in_many_floors, .values = {gap.after / gap.noise()}};
+    return std::nullopt;
 }
 
 }  // namespace
@@ -47,18 +38,16 @@ bool withdraw_if_no_better(Diagnosis& d, const Standing& standing)
     // that left more were wrong, or lacked a second effect.
     constexpr double more_than_noise = 1.5, doubted = 0.2;
     if (d.verdict != Verdict::gap) return false;
-    const std::string why = why_withdrawn(d, standing);
-    if (why.empty()) {
+    auto why = why_withdrawn(d, standing);
+    if (!why) {
         if (!standing.settled && standing.noise_documented && d.overall.after > more_than_noise * d.overall.noise())
             believe_at_most(d.effects, doubted);
         return false;
     }
     d.verdict = Verdict::unknown;
     believe_at_most(d.effects, believed_unnamed);
-    std::string names;
-    if (!d.effects.empty())
-        for (const auto& name : d.effects[0].names) names += (names.empty() ? "" : " with ") + name;
-    d.reasons.insert(d.reasons.begin(), names + " fits best, but " + why + ": it is not named as the cause");
+    if (!d.effects.empty()) why->names = d.effects[0].names;
+    d.reasons.insert(d.reasons.begin(), *why);
     d.ladder.clear();
     d.remainder.share = 1;
     d.ambiguous_with.clear();
@@ -73,10 +62,7 @@ bool withdraw_no_gap(Diagnosis& d)
     if (d.verdict != Verdict::no_gap || !(d.overall.before > far_from_noise)) return false;
     d.verdict = Verdict::unknown;
     std::erase_if(d.reasons, [](const Note& note) { return note.code == Note::Code::within_noise; });
-    d.reasons.push_back(
-        "predicted from row to row the nominal joint stays within the noise, but simulated as a whole "
-        "it is " +
-        floors(d.overall.before) + " floors away: these rows are too few or too far apart to say why");
+    d.reasons.push_back({.code = Note::Code::far_as_a_whole, .values = {d.overall.before}});
     return true;
 }
 

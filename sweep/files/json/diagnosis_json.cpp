@@ -99,6 +99,14 @@ void add_ladder(const Diagnosis& d, Json& json)
     json["remainder"] = {{"share", json_number(d.remainder.share)}, {"structure", d.remainder.structure}};
 }
 
+/// Sentences for people, and beside each its code for programs.
+void add_notes(Json& json, const char* sentences, const char* codes, const std::vector<Note>& notes)
+{
+    json[sentences] = Json::array(), json[codes] = Json::array();
+    for (const auto& note : notes)
+        json[sentences].push_back(note_text(note)), json[codes].push_back(name_of(note.code));
+}
+
 }  // namespace
 
 Json boundary_json(const Joint& given, double speed)
@@ -132,8 +140,7 @@ Json diagnosis_json(const Diagnosis& d, const Joint& before, const Joint& after)
     json["format"] = "stickslip-diagnosis/2";
     json["verdict"] = name_of(d.verdict);
     if (d.interrupted) json["interrupted"] = true;
-    json["reasons"] = Json::array();
-    for (const auto& reason : d.reasons) json["reasons"].push_back(note_text(reason));
+    add_notes(json, "reasons", "reason_codes", d.reasons);
     json["records"] = Json::array();
     for (const auto& r : d.records) json["records"].push_back({{"file", r.file}, {"role", r.role}});
     json["where"] = {{"signals", shares_json(d.signals)}, {"regimes", shares_json(d.regimes)}};
@@ -167,7 +174,7 @@ Json diagnosis_json(const Diagnosis& d, const Joint& before, const Joint& after)
     add_ladder(d, json);
     json["boundary"] = {{"before", boundary_json(before, d.usual_speed)},
                         {"after", boundary_json(after, d.usual_speed)}};
-    json["notes"] = d.notes;
+    add_notes(json, "notes", "note_codes", d.notes);
     return json;
 }
 

@@ -95,15 +95,6 @@ std::string name_of_log(const std::filesystem::path& log)
     return (log.has_filename() ? log : log.parent_path()).filename().string();
 }
 
-void rename_record(RecordReading& reading, const std::string& name)
-{
-    const std::string old = reading.record.name;
-    reading.record.name = name;
-    for (auto* texts : {&reading.warnings, &reading.contradictions})
-        for (auto& text : *texts)
-            if (text.starts_with(old + ":")) text.replace(0, old.size(), name);
-}
-
 JointLog read_joint_log(const std::filesystem::path& log, const LoggedJoint& wanted, const Joint& joint,
                         const LogOptions& options)
 {
@@ -118,9 +109,8 @@ JointLog read_joint_log(const std::filesystem::path& log, const LoggedJoint& wan
     } catch (const BadInput& e) {
         throw BadInput(converted.as_of_the_log(e.messages()));
     }
-    rename_record(read.records.back(), name_of_log(log));
-    for (const auto& guess : converted.guesses())
-        read.records.back().warnings.push_back(name_of_log(log) + ": " + guess);
+    read.records.back().record.name = name_of_log(log);
+    read.records.back().guesses = converted.guesses();
     return read;
 }
 

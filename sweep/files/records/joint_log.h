@@ -31,9 +31,6 @@ struct JointLog {
 JointLog read_joint_log(const std::filesystem::path& log, const LoggedJoint& wanted, const Joint& joint,
                         const LogOptions& options = {});
 
-/// Another name for the record, in what was said of it, too.
-void rename_record(RecordReading& reading, const std::string& name);
-
 /// Its last part, also of a folder that was given with a slash at its end.
 std::string name_of_log(const std::filesystem::path& log);
 

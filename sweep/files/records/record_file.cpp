@@ -219,7 +219,7 @@ class RecordReader {
         auto doubts = impossible_signals(record, gap::joint_in(record, joint_), time_named);
         if (doubts.empty()) doubts = suspicions(record, joint_, unit_named);  // every rate would be doubtful, too
         for (auto& suspicion : doubts) {
-            if (suspicion.contradiction) reading_.contradictions.push_back(record.name + ": " + suspicion.text);
+            if (suspicion.contradiction) reading_.contradictions.push_back(suspicion.text);
             reading_.warnings.push_back(std::move(suspicion.text));
         }
     }

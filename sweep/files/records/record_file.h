@@ -11,7 +11,8 @@
 
 namespace stickslip {
 
-/// A record and what a user should know about it ("suspected": degrees in a column that should be radians).
+/// A record and what a user should know about it ("suspected": degrees in a column that should be radians). Sentences
+/// do not name the record: whoever passes them on does.
 struct RecordReading {
     Record record;
     std::vector<std::string> warnings;
@@ -20,6 +21,8 @@ struct RecordReading {
     std::vector<std::string> contradictions;
     /// A signal with some values missing, and the place of the first, `file:line:column: signal: …`.
     std::vector<std::pair<std::string, std::string>> missing;
+    /// What the log does not say and its reader took for granted.
+    std::vector<std::string> guesses;
 };
 
 /// Bounds the memory: read, a signal takes 8 bytes a row, 80 MB for 10^7 rows, 2.7 hours at 1 kHz. A diagnosis was seen

@@ -72,7 +72,9 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
     }
     gap::OutcomeAnswer& answer = *found;
     Diagnosis& d = answer.diagnosis;
-    d.notes.insert(d.notes.begin(), warnings.begin(), warnings.end());
+    std::vector<Note> told;
+    for (const auto& text : warnings) told.push_back({.text = text});
+    d.notes.insert(d.notes.begin(), told.begin(), told.end());
     d.next_experiment.description = next_outcome_text(answer);
     remove_earlier(directory);
     auto json = diagnosis_json(d, joint, answer.after);
@@ -136,7 +138,7 @@ int diagnose(const Options& options, const Invocation& invocation)
     fmt::print("{}\n", diagnosis_sentence(d));
     for (const auto& reason : d.reasons) fmt::print("  {}\n", note_text(reason));
     if (!found.contradicted)
-        for (const auto& warning : given.warnings) fmt::print("  {}\n", warning);
+        for (const auto& warning : given.warnings) fmt::print("  {}\n", note_text(warning));
     for (const auto& cause : d.effects)
         fmt::print("  {:<44} probability {:.3f}  misfit {:.4g}\n", fmt::format("{}", fmt::join(cause.names, " + ")),
                    cause.probability, cause.misfit);

@@ -75,9 +75,12 @@ std::vector<Snippet> corrections(const std::string& corrected, const Joint& join
 
 void GatheredRecords::add(RecordReading reading)
 {
+    const std::string& name = reading.record.name;
+    for (auto& text : reading.warnings) warnings.push_back({.text = std::move(text)});
+    for (auto& text : reading.guesses) warnings.push_back({.record = name, .text = std::move(text)});
+    for (auto& text : reading.contradictions)
+        contradictions.push_back({.code = Note::Code::contradiction, .record = name, .text = std::move(text)});
     records.push_back(std::move(reading.record));
-    warnings.insert(warnings.end(), reading.warnings.begin(), reading.warnings.end());
-    contradictions.insert(contradictions.end(), reading.contradictions.begin(), reading.contradictions.end());
     for (const auto& [signal, place] : reading.missing)
         if (needs_every_value(signal))
             gaps.push_back(place + "; the diagnosis needs every value, leave such rows away");
@@ -117,7 +120,7 @@ JointDiagnosis diagnose_joint(const Joint& joint, const GatheredRecords& given, 
     if (found.contradicted) {
         // a cause fitted to records in another unit would be named with confidence, and wrong
         d.motion = joint.mechanism.motion;
-        for (const auto& text : given.contradictions) d.reasons.push_back({text, Note::Code::contradiction});
+        d.reasons = given.contradictions;
     } else {
         gap::DiagnosisOptions settings;
         settings.progress = [tell = line.listener(), &about](const std::string& stage, double done) {
@@ -134,7 +137,7 @@ JointDiagnosis diagnose_joint(const Joint& joint, const GatheredRecords& given, 
         }
     }
     d.notes.insert(d.notes.begin(), given.warnings.begin(), given.warnings.end());
-    if (const auto side = side_text(joint, true); !side.empty()) d.notes.push_back(plain_text(side));
+    if (const auto side = side_text(joint, true); !side.empty()) d.notes.push_back({.text = plain_text(side)});
     return found;
 }
 

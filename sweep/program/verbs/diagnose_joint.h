@@ -15,7 +15,8 @@ namespace stickslip {
 /// Records of one joint, and what reading them said.
 struct GatheredRecords {
     std::vector<Record> records;
-    std::vector<std::string> warnings, contradictions, gaps;
+    std::vector<Note> warnings, contradictions;
+    std::vector<std::string> gaps;
 
     void add(RecordReading reading);
 };

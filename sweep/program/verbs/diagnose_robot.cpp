@@ -49,12 +49,12 @@ GatheredRecords gathered(const RobotQuestion& question, const LoggedJoint& wante
         if (log.records.empty()) absent.push_back(log.absent);
         for (auto& reading : log.records) {
             const auto same = [&](const Record& other) { return other.name == reading.record.name; };
-            if (std::any_of(given.records.begin(), given.records.end(), same)) rename_record(reading, file);
+            if (std::any_of(given.records.begin(), given.records.end(), same)) reading.record.name = file;
             given.add(std::move(reading));
         }
     }
     if (given.records.empty()) throw BadInput(absent);
-    given.warnings.insert(given.warnings.end(), absent.begin(), absent.end());
+    for (const auto& text : absent) given.warnings.push_back({.text = text});
     return given;
 }
 

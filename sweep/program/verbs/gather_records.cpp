@@ -13,7 +13,7 @@ void name_by_path(RecordReading& reading, const std::string& file, const std::ve
 {
     const std::string name = reading.record.name;
     const auto same = [&](const std::string& other) { return std::filesystem::path(other).filename() == name; };
-    if (std::count_if(files.begin(), files.end(), same) >= 2) rename_record(reading, file);
+    if (std::count_if(files.begin(), files.end(), same) >= 2) reading.record.name = file;
 }
 
 /// The records of one joint in a file: itself, or those of the joint that is named in a log of several.

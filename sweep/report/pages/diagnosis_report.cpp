@@ -198,8 +198,7 @@ std::string diagnosis_sentence(const Diagnosis& d)
         case Verdict::unknown:
             return "There is a gap, and nothing in the catalogue explains it.";
         default: {
-            const bool suspected = std::any_of(d.reasons.begin(), d.reasons.end(),
-                                               [](const Note& r) { return r.code == Note::Code::contradiction; });
+            const bool suspected = std::any_of(d.reasons.begin(), d.reasons.end(), contradicts);
             return suspected ? "Nothing was concluded: records and joint do not fit together."
                              : "These records do not hold enough to conclude anything.";
         }

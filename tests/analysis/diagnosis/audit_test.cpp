@@ -18,7 +18,7 @@ std::pair<std::vector<Case>, Record> without_reference(const Machine& m)
     Record r = test::record_of(m, 1, 4);
     const Record whole = r;
     r.reference_position.clear(), r.reference_velocity.clear();
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     return {{prepare(r, test::nominal_joint(), notes)}, whole};
 }
 
@@ -32,7 +32,7 @@ TEST_CASE("without a reference a coarse grid does not bend the gains", "[gap]")
     r.reference_position.clear(), r.reference_velocity.clear();
     // steps of the reference, as they come through k_p: a few rows that noise does not explain
     for (std::size_t k = 0; k < r.rows(); ++k) r.effort_command[k] += k / 250 % 2 ? 3.0 : 0.0;
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     std::vector<Case> cases{prepare(r, test::nominal_joint(), notes)};
     const auto found = audit(cases);
     for (const auto& f : found.findings) CHECK(f.effect == "quantisation");
@@ -50,7 +50,7 @@ TEST_CASE("integral action and feed-forward that the document lacks are read off
         integrating.effort_command[k] += 150 * integral;
         fed.effort_command[k] += 0.3 * std::tanh(plain.reference_velocity[k] / 1e-3);
     }
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     std::vector<Case> with_integral{prepare(integrating, test::nominal_joint(), notes)};
     const auto k_i = audit(with_integral);
     REQUIRE(k_i.findings.size() == 1);
@@ -139,7 +139,7 @@ TEST_CASE("a slow filter behind much noise is told from gains exactly, although 
     joint.sensor.position_noise = m.noise;
     Record r = test::record_of(m, 1, 4);
     r.reference_position.clear(), r.reference_velocity.clear();
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     std::vector<Case> cases{prepare(r, joint, notes)};
     const auto found = audit(cases);
     REQUIRE(found.findings.size() == 1);
@@ -161,7 +161,7 @@ TEST_CASE("a command in whole steps is understood to its rounding, and a gain be
 {
     Machine m;
     m.command_step = 0.2;
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     const auto judged = [&] {
         std::vector<Case> cases{prepare(test::record_of(m, 1), test::nominal_joint(), notes)};
         CHECK(command_step(cases[0].ticks) == Approx(0.2));
@@ -172,7 +172,7 @@ TEST_CASE("a command in whole steps is understood to its rounding, and a gain be
     CHECK(fine.command_explained);
     CHECK(fine.residual_after > 2e-3);  // more than an exact controller leaves
     REQUIRE(fine.notes.size() == 1);
-    CHECK(fine.notes[0].find("the steps in which it is given") != std::string::npos);
+    CHECK(fine.notes[0].code == Note::Code::gains_to_steps);
     m.k_p = 1320;  // documented: 1200
     const auto wrong = judged();
     REQUIRE(wrong.findings.size() == 1);
@@ -214,7 +214,7 @@ TEST_CASE("of a log at every second tick and without a reference the commands be
     }
     Joint joint = test::nominal_joint();
     joint.control.effort_limit = m.command_limit;
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     std::vector<Case> cases{prepare(half, joint, notes)};
     CHECK(audit(cases).findings.empty());
     settle_jumps(cases, {}, {});
@@ -235,7 +235,7 @@ TEST_CASE("logged velocities tell the filter without a command, exactly", "[gap]
     m.tau = GENERATE(0.003, 0.0051);  // documented: 0.003
     Record r = test::record_of(m, 1, 3);
     r.effort_command.clear();
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     std::vector<Case> cases{prepare(r, test::nominal_joint(), notes)};
     const auto found = audit(cases);
     CHECK(found.filter_seen);
@@ -255,7 +255,7 @@ TEST_CASE("a velocity from anywhere else is no evidence of the controller's filt
         const std::size_t a = k == 0 ? 0 : k - 1, b = central ? std::min(k + 1, r.rows() - 1) : k;
         r.velocity[k] = b > a ? (r.position[b] - r.position[a]) / (r.time[b] - r.time[a]) : 0;
     }
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     std::vector<Case> cases{prepare(r, test::nominal_joint(), notes)};
     const auto found = audit(cases);
     CHECK_FALSE(found.filter_seen);
@@ -280,7 +280,7 @@ TEST_CASE("velocities at every second tick tell the filter by the grid on which 
     }
     Joint joint = test::nominal_joint();
     joint.sensor.encoder_quantum = m.quantum;
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     std::vector<Case> cases{prepare(half, joint, notes)};
     const auto found = audit(cases);
     REQUIRE(found.findings.size() == 1);
@@ -300,7 +300,7 @@ TEST_CASE("readings between rows are interpolated where the velocities follow no
         half.velocity.push_back((whole.position[b] - whole.position[a]) / (whole.time[b] - whole.time[a]));
         half.reference_position.push_back(whole.reference_position[k]);
     }
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     std::vector<Case> cases{prepare(half, test::nominal_joint(), notes)};
     REQUIRE(cases[0].ticks.rebuilt);
     const auto found = audit(cases);

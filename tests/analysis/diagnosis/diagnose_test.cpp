@@ -4,6 +4,7 @@
 #include "analysis/diagnosis/verdict/locate.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <set>
 
@@ -40,7 +41,7 @@ TEST_CASE("the gap is located in time, temperature and frequency", "[gap]")
         // a wobble of the reading late in the record, in the middle of a band
         if (r.time[k] > 9) r.position[k] += 2e-4 * std::sin(2 * M_PI * 3 * r.time[k]);
     }
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     const auto regimes = locate_regimes({prepare(r, test::nominal_joint(), notes)});
     const auto share = [&](const std::string& name) {
         const auto at = std::find_if(regimes.begin(), regimes.end(), [&](const Share& s) { return s.name == name; });
@@ -116,7 +117,7 @@ TEST_CASE("the audit reads a wrong gain and a wrong filter off the command, to a
     Machine m;
     m.k_p *= 1.07;
     m.tau = 0.0051;
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     std::vector<Case> cases{prepare(record_of(m, 1), nominal_joint(), notes),
                             prepare(record_of(m, 2), nominal_joint(), notes)};
     const Audit found = audit(cases);
@@ -194,6 +195,10 @@ TEST_CASE("a record in which nothing of the controller is as documented is suspe
     const auto d = diagnose(nominal_joint(), {record_of(other, 1)}, in_order).diagnosis;
     CHECK(d.verdict == Verdict::insufficient_data);
     REQUIRE(d.reasons.size() == 1);
-    CHECK(d.reasons[0].text.find("another joint") != std::string::npos);
-    CHECK(d.reasons[0].text.find("gain-k_p.factor = 1.083") != std::string::npos);
+    CHECK(d.reasons[0].code == Note::Code::another_joint);
+    CHECK(contradicts(d.reasons[0]));
+    const auto& names = d.reasons[0].names;
+    const auto k_p = std::find(names.begin(), names.end(), "gain-k_p.factor");
+    REQUIRE(k_p != names.end());
+    CHECK(d.reasons[0].values.at(static_cast<std::size_t>(k_p - names.begin())) == Approx(1.083).epsilon(1e-3));
 }

@@ -37,7 +37,7 @@ Case unlogged_force(const std::function<double(double)>& force)
         q += v * T + 0.5 * a * T * T;
         v += a * T;
     }
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     return prepare(r, free_mass(), notes);
 }
 

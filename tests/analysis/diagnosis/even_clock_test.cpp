@@ -58,7 +58,7 @@ TEST_CASE("a wrong gain is read off a command whose time stamps scatter and whos
     m.k_v *= 1.16;
     std::mt19937 random(5);
     std::normal_distribution<double> normal;
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     std::vector<Case> cases;
     for (unsigned seed : {1u, 2u}) {
         Record r = test::record_of(m, seed);

@@ -14,7 +14,7 @@ namespace {
 
 std::vector<Case> cases_of(const Machine& m, double seconds)
 {
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     return {prepare(record_of(m, 3, seconds), nominal_joint(), notes)};
 }
 
@@ -86,7 +86,7 @@ TEST_CASE("an excerpt of a loop that integrates has the integral of the whole re
         slow.position.push_back(record.position[k]);
         slow.effort_command.push_back(record.effort_command[k]);
     }
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     const Case whole = prepare(slow, joint, notes);
     REQUIRE(whole.ticks.ticks_per_row == 2);
     const Ticks part = excerpts({whole}, 50, 8000, 1)[0].ticks;

@@ -17,7 +17,7 @@ struct Fitted {
 
     explicit Fitted(const test::Machine& m)
     {
-        std::vector<std::string> notes;
+        std::vector<Note> notes;
         for (unsigned seed : {1u, 2u}) {
             cases.push_back(prepare(test::record_of(m, seed), test::nominal_joint(), notes));
             cases.back().number = cases.size() - 1;

@@ -13,7 +13,7 @@ TEST_CASE("a record that alone reaches the limit is held out in thirds, one of m
     test::Machine m;
     m.limit = 4, m.coulomb = 2.3;  // documented: no limit, 2 N
     std::vector<Case> cases;
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     for (const auto& [seed, amplitude] : {std::pair{1u, 1.0}, {2u, 0.2}, {3u, 0.2}}) {
         m.amplitude = amplitude;
         cases.push_back(prepare(test::record_of(m, seed), test::nominal_joint(), notes));
@@ -46,7 +46,7 @@ TEST_CASE("floors are of the joint in question: the steps of a coarser encoder t
 {
     test::Machine m;
     m.quantum = 1e-4;  // documented: 5 µm
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     const Joint documented = test::nominal_joint();
     Case c = prepare(test::record_of(m, 1), documented, notes);
     Joint audited = c.joint;
@@ -68,7 +68,7 @@ TEST_CASE("floors are of the joint in question: the steps of a coarser encoder t
 TEST_CASE("a nominal simulation that is unstable at its rate is no noise floor", "[gap]")
 {
     test::Machine m;
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     Joint late = test::nominal_joint();
     late.control.delay = 0.03;  // 45 N·s/m on 1.2 kg forgets in 27 ms: the loop swings up to its limit
     late.control.effort_limit = 40;

@@ -27,7 +27,7 @@ struct Search {
 
     Search(const Machine& m, std::initializer_list<const char*> causes, double dropped = 0)
     {
-        std::vector<std::string> notes;
+        std::vector<Note> notes;
         std::mt19937 random(7);
         std::uniform_real_distribution<double> uniform;
         for (unsigned seed : {1u, 2u}) {

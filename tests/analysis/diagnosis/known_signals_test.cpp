@@ -55,7 +55,7 @@ TEST_CASE("a logged feed-forward is no fault of the controller, an unlogged one 
         r.effort_command[k] += r.feed_forward[k];
     }
     const auto audited = [](const Record& record) {
-        std::vector<std::string> notes;
+        std::vector<Note> notes;
         std::vector<Case> cases{prepare(record, test::nominal_joint(), notes)};
         return audit(cases);
     };

@@ -29,7 +29,7 @@ struct Climbed {
 
     explicit Climbed(const Machine& m, const Joint& document = test::nominal_joint())
     {
-        std::vector<std::string> notes;
+        std::vector<Note> notes;
         for (unsigned seed : {1u, 2u}) {
             cases.push_back(prepare(test::record_of(m, seed, 5), document, notes));
             cases.back().number = cases.size() - 1;

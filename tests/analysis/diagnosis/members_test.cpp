@@ -39,7 +39,7 @@ TEST_CASE("a member that explains everything alone, from where the pair found it
 {
     test::Machine m;
     m.coulomb = 2.3;
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     const std::vector<Case> cases{prepare(test::record_of(m, 1), test::nominal_joint(), notes)};
     const Scales scales = scales_of(cases);
     const Nominal nominal = judge_nominal(cases);
@@ -67,7 +67,7 @@ TEST_CASE("what the best pair brings to light looks for its own partner", "[gap]
     test::Machine m;
     m.inertia = 1.5;
     m.viscous = 3;
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     const std::vector<Case> cases{prepare(test::record_of(m, 1), test::nominal_joint(), notes)};
     const Scales scales = scales_of(cases);
     const Nominal nominal = judge_nominal(cases);
@@ -90,7 +90,7 @@ TEST_CASE("a descent finds back from where friction has been taken away altogeth
 {
     test::Machine m;
     m.viscous = 0.3;  // documented: 1.5
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     const std::vector<Case> cases{prepare(test::record_of(m, 1), test::nominal_joint(), notes)};
     const Scales scales = scales_of(cases);
     const Candidate viscous = of({"viscous"});
@@ -105,7 +105,7 @@ TEST_CASE("a soft spring is found although springs too stiff to be seen miss by 
 {
     test::Machine m;
     m.amplitude = 0.05, m.step = 0.02;
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     std::vector<Case> cases{prepare(test::record_of(m, 1, 4), test::nominal_joint(), notes)};
     Ticks& t = cases[0].ticks;
     const Candidate spring = of({"compliance"});
@@ -127,7 +127,7 @@ TEST_CASE("numbers that make up for each other are searched together in the end"
 {
     test::Machine m;
     m.coulomb = 2.4, m.limit = 3;
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     const std::vector<Case> cases{prepare(test::record_of(m, 1), test::nominal_joint(), notes)};
     const Scales scales = scales_of(cases);
     const Nominal nominal = judge_nominal(cases);

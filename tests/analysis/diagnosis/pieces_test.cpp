@@ -41,7 +41,7 @@ Diagnosis answer(const Record& record)
 
 void names_inertia(const Diagnosis& d)
 {
-    for (const auto& reason : d.reasons) UNSCOPED_INFO(reason.text);
+    for (const auto& reason : d.reasons) UNSCOPED_INFO(name_of(reason.code));
     CHECK(d.verdict == Verdict::gap);
     REQUIRE_FALSE(d.effects.empty());
     CHECK(d.effects[0].names == std::vector<std::string>{"inertia"});
@@ -71,10 +71,11 @@ TEST_CASE("a hole in time parts a record, and what comes after it starts as it m
 {
     const Record whole = test::record_of({}, 1);
     const Record holed = chosen(whole, [](std::size_t k) { return k < 2000 || k >= 2500; });
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     const auto parts = pieces(holed, notes);
     REQUIRE(parts.size() == 2);
-    CHECK(notes.at(0).find("1 hole in time, the first from 1.999 s to 2.5 s") != std::string::npos);
+    CHECK(notes.at(0).code == Note::Code::holes);
+    CHECK(notes.at(0).values == std::vector<double>{1, whole.time[1999], 2.5});
     CHECK(parts[0].rows() == 2000);
     CHECK(parts[1].time.front() == 2.5);
     CHECK(parts[1].position.front() == whole.position[2500]);
@@ -104,7 +105,7 @@ TEST_CASE("a force that nobody modelled sets a joint in motion from rest: that i
 {
     test::Machine m;
     m.load = 12;
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     CHECK(prepare(test::record_of(m, 2), test::nominal_joint(), notes).ticks.at_rest);
 }
 

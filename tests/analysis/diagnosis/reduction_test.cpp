@@ -57,7 +57,7 @@ TEST_CASE("behind a reduction the missing force is the motor's, whichever side t
 {
     constexpr double torque = 2e-3;
     for (const Feedback feedback : {Feedback::motor, Feedback::link}) {
-        std::vector<std::string> notes;
+        std::vector<Note> notes;
         const Case c = prepare(pushed(torque, feedback), geared(feedback), notes);
         const auto force = missing_force(c, c.joint, 100);
         CAPTURE(feedback == Feedback::link);
@@ -74,7 +74,7 @@ TEST_CASE("what one of everything means is that of the body which an effect acts
     std::get<CoulombViscous>(j.frictions.link.law).coulomb = 1.5;
     CHECK(&main_friction(j) == &j.frictions.link);
 
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     const std::vector<Case> cases{prepare(pushed(2e-3, Feedback::motor), j, notes)};
     const Scales s = scales_of(cases);
     CHECK(s.inertia == Approx(felt));
@@ -87,7 +87,7 @@ TEST_CASE("what one of everything means is that of the body which an effect acts
 
 TEST_CASE("the gap is located in the motor's effort, gear and effort gain included", "[gap]")
 {
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     const auto motion_rms = [&](const Joint& j, const Record& r) {
         const std::vector<Case> cases{prepare(r, j, notes)};
         for (const auto& s : locate_signals(cases, {j}))
@@ -120,7 +120,7 @@ TEST_CASE("a command that the documented gains give exactly leaves nothing but t
     m.quantum = 1e-9;  // the recursion of the velocity is then the only thing between position and command
     Joint j = test::nominal_joint();
     j.sensor.encoder_quantum = 0;
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     std::vector<Case> cases{prepare(test::record_of(m, 1, 4), j, notes)};
     CHECK(audit(cases).residual_after < 1e-11);  // the difference of two sums would end at 1e-8
 }

@@ -15,7 +15,7 @@ namespace {
 std::vector<SheetValue> of_half_differences(double of_coulomb, double of_viscous, double shared)
 {
     Prepared p;
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     p.cases.push_back(prepare(test::record_of({}, 1, 2), test::nominal_joint(), notes));
     p.documented.push_back(p.cases[0].joint);
     p.scales = Scales{};
@@ -61,7 +61,7 @@ TEST_CASE("a number whose interval is as wide as the number is large is not pinn
 TEST_CASE("errors of a number that hang together with those of a correction are carried through", "[gap]")
 {
     Prepared p;
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     p.cases.push_back(prepare(test::record_of({}, 1, 2), test::nominal_joint(), notes));
     p.documented.push_back(p.cases[0].joint);
     Attribution a;

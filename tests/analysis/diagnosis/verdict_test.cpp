@@ -158,7 +158,7 @@ TEST_CASE("noise estimated from rounded readings is that before rounding", "[gap
     test::Machine m;
     m.noise = 4e-5, m.quantum = 8e-5;
     const Joint joint = without_noise(m);
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     const Case c = prepare(test::record_of(m, 5), joint, notes);
     CHECK(c.joint.sensor.position_noise == Approx(m.noise).epsilon(0.05));
     CHECK(c.sigma == Approx(std::hypot(m.noise, m.quantum / std::sqrt(12.0))).epsilon(0.05));
@@ -168,7 +168,7 @@ TEST_CASE("noise of a measured effort is that of its sensor, not what the encode
 {
     test::Machine m;
     m.noise = 2e-5, m.effort_noise = 0.05;  // the encoder's alone makes the command rattle by 0.4 N
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     const Case c = prepare(test::record_of(m, 3), test::nominal_joint(), notes);
     CHECK(c.joint.sensor.effort_noise == Approx(m.effort_noise).epsilon(0.05));
 }
@@ -178,7 +178,7 @@ TEST_CASE("noise that is not stated counts although the step of the encoder make
     test::Machine m;
     m.quantum = 2e-5, m.noise = 3e-6;  // together 1.12 of what rounding alone makes
     const Joint joint = without_noise(m);
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     const Case c = prepare(test::record_of(m, 5), joint, notes);
     CHECK(c.sigma == Approx(std::hypot(m.noise, m.quantum / std::sqrt(12.0))).epsilon(0.03));
 }
@@ -188,7 +188,7 @@ TEST_CASE("a joint at rest hides the noise of its encoder behind the steps, and 
     test::Machine m;
     m.quantum = 2e-5, m.noise = 5e-6;
     const Joint joint = without_noise(m);
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     test::Machine still = m;
     still.amplitude = 0;
     std::vector<Case> cases{prepare(test::record_of(m, 5), joint, notes),
@@ -217,7 +217,7 @@ TEST_CASE("a joint whose closed loop differs from no record by more than noise h
         for (std::size_t i = 0; i < n; ++i) task(i);
     };
     const auto at_its_floor = [&](const test::Machine& m) {
-        std::vector<std::string> notes;
+        std::vector<Note> notes;
         const std::vector<Case> cases{prepare(test::record_of(m, 1), test::nominal_joint(), notes)};
         Nominal nominal = judge_nominal(cases);
         nominal.worst = 1.2;  // a slow observer that once took a stop for a slip
@@ -253,7 +253,7 @@ TEST_CASE("a coarser grid than documented is not booked as noise", "[gap]")
     Joint joint = test::nominal_joint();
     joint.sensor.position_noise = m.noise;
     joint.sensor.encoder_quantum = 0;
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     const Case c = prepare(test::record_of(m, 2), joint, notes);
     CHECK(c.joint.sensor.position_noise == m.noise);
     CHECK(notes.empty());
@@ -285,7 +285,7 @@ TEST_CASE("what a coarse grid leaves open reaches the command's floor through k_
     test::Machine m;
     m.noise = 0, m.quantum = 2e-3, m.amplitude = 0;
     const Joint joint = without_noise(m);
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     const Case c = prepare(test::record_of(m, 1, 2), joint, notes);
     // a joint at rest on a step of its grid: every run gives the same readings and the same command
     const auto signals = compare(c, joint, 3, -infinity, infinity);

@@ -76,7 +76,7 @@ std::string gzipped(const std::string& text, const char* mode = "wb")
 
 TEST_CASE("a plain record, its gaps and its columns that nobody reads")
 {
-    const auto [record, warnings, contradictions, missing] = read(
+    const auto [record, warnings, contradictions, missing, guesses] = read(
         "\xef\xbb\xbf# a comment\r\n\r\n \"time\" , position,effort_command,postion2\r\n"
         "0,1.5e-3,-2,x\r\n0.5, +2 ,,y\r\n\r\n1.25,nan,3,z\r\n");
     CHECK(record.name == "run.csv");
@@ -127,7 +127,7 @@ control.k_p = 200
 constants.supply_voltage = 24
 )",
                                                 "record.toml", joint);
-    const auto [record, warnings, contradictions, missing] = read_record(
+    const auto [record, warnings, contradictions, missing, guesses] = read_record(
         file("t_ms,angle_deg,velocity,stress_MPa,T\n0,180,60,20,293.15\n2.5,90,30,21,300\n"), joint, layout);
     const double pi = 3.14159265358979323846;
     CHECK(record.time == std::vector<double>{0, 2.5e-3});
@@ -172,7 +172,7 @@ TEST_CASE("the drive signal is the one that the actuator takes")
 
 TEST_CASE("rows with the motor off are kept and counted")
 {
-    const auto [record, warnings, contradictions, missing] =
+    const auto [record, warnings, contradictions, missing, guesses] =
         read("time,position,torque_enable\n0,1,1\n1e-3,2,0\n2e-3,3,0\n");
     CHECK(record.rows() == 3);
     CHECK(warnings == std::vector<std::string>{"2 of 3 rows have torque_enable = 0: the motor was off"});
@@ -332,7 +332,7 @@ TEST_CASE("measured records of others read with a few lines of layout")
     }
     SECTION("a ball-screw drive: own names, nothing to say")
     {
-        const auto [record, warnings, contradictions, missing] =
+        const auto [record, warnings, contradictions, missing, guesses] =
             read_record(data / "emps" / "run.csv.gz", joint_of("prismatic"));
         CHECK(record.rows() == 24841);
         CHECK(record.drive[0] == 2.53863);
@@ -347,7 +347,7 @@ TEST_CASE("measured records of others read with a few lines of layout")
         int files = 0;
         for (const auto& entry : std::filesystem::directory_iterator(data / "xl330")) {
             if (entry.path().extension() != ".gz") continue;
-            const auto [record, warnings, contradictions, missing] = read_record(entry.path(), joint, layout);
+            const auto [record, warnings, contradictions, missing, guesses] = read_record(entry.path(), joint, layout);
             INFO(entry.path());
             CHECK(record.rows() > 1000);
             CHECK(record.temperature.size() == record.rows());
@@ -371,7 +371,7 @@ effort_measured = "friction_coefficient"
 normal_load = { name = "normal_stress_MPa", unit = "MPa" }
 )",
                                                     "record.toml", joint);
-        const auto [record, warnings, contradictions, missing] =
+        const auto [record, warnings, contradictions, missing, guesses] =
             read_record(data / "basalt" / "velocity-step.csv.gz", joint, layout);
         CHECK(record.rows() == 5849);
         CHECK(record.reference_position[0] == 8503.602e-6);

@@ -50,7 +50,8 @@ Diagnosis named()
     d.signals = {{"command", 0.1, {0.05, 0.2}, 1, 0.1, "N"}, {"motion", 0.9, {0.8, 0.95}, 2, 0.1, "N"}};
     d.overall = {5, 1.2, 1, 0.98, {0.95, 0.99}};
     d.usual_speed = 1e-2;
-    d.notes = {"a.csv: no effort was measured", "b.csv: no effort was measured", "b.csv: irregular sampling"};
+    d.notes = {
+        {Note::Code::no_effort, "a.csv"}, {Note::Code::no_effort, "b.csv"}, {Note::Code::irregular_rows, "b.csv"}};
     return d;
 }
 
@@ -74,8 +75,9 @@ TEST_CASE("the first screen of a diagnosis says where, what, how much and how su
         for (const auto& figure : section.figures) CHECK(ids.insert(figure.id).second);
     }
     CHECK(ids.count("moved-boundary") == 1);
-    CHECK(r.not_checked ==
-          std::vector<std::string>{"2 of 2 records: no effort was measured", "b.csv: irregular sampling"});
+    CHECK(r.not_checked == std::vector<std::string>{"2 of 2 records: no effort was measured: inertia, gain and torque "
+                                                    "constant are told apart by friction and load only",
+                                                    "b.csv: irregular sampling; every row is used at its own time"});
 }
 
 TEST_CASE("a diagnosis whose cause makes held-out data worse is not written", "[report]")
@@ -225,7 +227,7 @@ TEST_CASE("a page without a gap shows no shares of noise, and a suspicion is sai
     Diagnosis fine = named();
     fine.verdict = Verdict::no_gap;
     fine.effects.clear();
-    fine.reasons = {"the nominal joint predicts every record to the noise"};
+    fine.reasons = {{Note::Code::within_noise}};
     const auto page = diagnosis_report(fine, j, j, {});
     CHECK(page.alerts.empty());
     CHECK(page.headlines[0].value == "nothing");
@@ -233,30 +235,14 @@ TEST_CASE("a page without a gap shows no shares of noise, and a suspicion is sai
     for (const auto& s : page.sections) CHECK(s.id != "where");
 
     Diagnosis foreign;
-    foreign.reasons = {Note("a.csv: suspected degrees: position moves too far", Note::Code::contradiction)};
-    foreign.notes = {"suspected degrees: position moves too far", "a column was ignored"};
+    const std::string suspicion = "suspected degrees: position moves too far";
+    foreign.reasons = {{.code = Note::Code::contradiction, .record = "a.csv", .text = suspicion}};
+    foreign.notes = {{.text = suspicion}, {.text = "a column was ignored"}};
     const auto refused = diagnosis_report(foreign, j, j, {});
     CHECK_THAT(refused.verdict, Contains("do not fit together"));
     CHECK(refused.alerts.size() == 1);
     CHECK(refused.not_checked == std::vector<std::string>{"a column was ignored"});
     CHECK(refused.subtitle.empty());
-}
-
-TEST_CASE("why the nearest cause is not the answer is said from its code and numbers", "[report]")
-{
-    Note little(Note::Code::takes_too_little);
-    little.names = {"stribeck", "viscous"}, little.taken = 0.31, little.explainable = 0.8;
-    CHECK(note_text(little) ==
-          "stribeck with viscous comes nearest, but takes only 31 % of a gap of which 80 % are explainable");
-    Note force(Note::Code::nearer_force);
-    force.names = {"gravity"}, force.signal = "position";
-    CHECK_THAT(note_text(force), Contains("gravity comes nearest, but a force that depends on the position alone"));
-    force.signal = "hysteresis";
-    CHECK_THAT(note_text(force), Contains("a force that follows the position behind a play"));
-    Note open(Note::Code::unexplained);
-    open.taken = 0.42;
-    CHECK_THAT(note_text(open), Contains("the best leaves 58 % of it"));
-    CHECK(note_text("as it stands") == "as it stands");
 }
 
 TEST_CASE("numbers that the records do not pin are said to be so, others stand with their interval", "[report]")

@@ -1,0 +1,110 @@
+// What a diagnosis remarks, and why it answers as it does: a code with its names and numbers. Behaviour depends on the
+// code and never on a sentence; sentences are composed from it in sweep/words (note_text).
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stickslip {
+
+struct Note {
+    /// Behind each code what it carries beside `record`; values are in SI units, shares are parts of one.
+    enum class Code {
+        // of those who read the files
+        told,           ///< `text`, as it came
+        contradiction,  ///< `text`: record and joint cannot both be in their units; nothing was concluded
+        // what a record holds
+        too_few_rows,      ///< values: rows, how many are needed
+        position_still,    ///< the position does not change beyond its noise
+        nothing_drives,    ///< neither a command nor a reference was logged
+        uneven_ticks,      ///< values: periods of the loop between two rows, no whole number
+        no_command,        ///< the command is computed from the reference
+        no_effort,         ///< no effort was measured
+        holes,             ///< values: holes in time, start and end of the first
+        rows_missing,      ///< what happened in them is simulated
+        irregular_rows,    ///< every row is used at its own time
+        rebuilt_ticks,     ///< logged at every second tick
+        slow_log,          ///< logged slower than the loop
+        scattered_stamps,  ///< about the documented period
+        starts_moving,     ///< cut from a longer record
+        // its noise
+        noisier_than_documented,  ///< the floor is estimated
+        no_documented_noise,      ///< the floor is estimated
+        no_documented_effort_noise,
+        noise_of_noisiest,  ///< the steps of the encoder hide the record's own
+        // how data are held out
+        held_out_in_turn,    ///< every record
+        thirds_in_turn,      ///< of the only record
+        cause_almost_alone,  ///< shown by this record: its thirds are held out
+        // the audit of the controller
+        another_joint,      ///< names and values: numbers that differ from the document; nothing was concluded
+        command_unknown,    ///< values: misfit; no change of the controller's terms reproduces the command
+        gains_not_judged,   ///< values: misfit
+        terms_to,           ///< values: per cent of the command's rms that is left; smaller terms are not named
+        gains_to,           ///< values: per cent that is left; only gains that are further off are named
+        gains_to_steps,     ///< values: per cent beyond which a gain is named, for the steps of the command
+        reference_rebuilt,  ///< from the command, gains from the encoder's noise
+        undocumented_k_v,   ///< the command has a part that is proportional to the velocity
+        // the verdict
+        within_noise,              ///< the nominal joint predicts every record to the noise
+        nothing_would_show,        ///< no effect of usual size, under this excitation
+        controller_and_rest,       ///< the controller differs; something outside the catalogue remains
+        controller_and_numbers,    ///< the controller differs; with the numbers corrected nothing remains
+        numbers_to_noise,          ///< names: corrected, the joint predicts every record to the noise
+        numbers_and_rest,          ///< names: no effect takes a good part of what their correction leaves
+        cause_to_noise,            ///< names: beside the corrections
+        cause_predicts_best,       ///< names: not to the noise
+        unexplained,               ///< values: what the best of the catalogue leaves
+        free_force,                ///< signal: a force of it, of no catalogue; values: what it would take
+        nothing_earns,             ///< no cause takes a part of the gap on unseen data beside the corrections
+        takes_too_little,          ///< names come nearest; values: what they take, what is explainable
+        nearer_force,              ///< names come nearest, but a force of `signal` is clearly better
+        force_in_the_rest,         ///< names come nearest, but a force of `signal` explains what they leave
+        withdrawn_worse,           ///< names fit best, but make held-out data worse
+        withdrawn_leaves_most,     ///< names: of the gap on held-out data
+        withdrawn_implausible,     ///< names: more than noise is left, and a number is at its bound
+        withdrawn_in_many_floors,  ///< names; values: floors that are left, and no document tells the noise
+        far_as_a_whole,            ///< values: floors by which the nominal joint misses where rows are within the noise
+        interrupted_early,         ///< names: the stage; nothing was found yet
+        interrupted_located,       ///< names: the stage; where the gap lies was found
+        // friction rigs
+        rig,
+        rig_turns_round,  ///< values: first and last row of what is judged
+        rig_blocks_in_turn,
+        rig_still,            ///< displacement or friction does not change
+        rig_laws_alike,       ///< names: the cause, and two laws of it
+        rig_level_suffices,   ///< within the noise
+        rig_no_law_predicts,  ///< better than a constant level
+        // tables of outcomes
+        fifths_in_turn,
+        same_settings,       ///< values: lines with both outcomes
+        too_few_outcomes,    ///< values: rows, those with stick-slip, rows and rows of either that are needed
+        rows_contradict,     ///< values: rows that contradict others, all rows
+        nominal_explains,    ///< as well as any law
+        best_law_misjudges,  ///< names: the law; values: rows that it misjudges, all rows
+        laws_alike,          ///< names: two laws of one effect
+        kinds_alike,         ///< values: kinds of friction that explain the rows
+        beyond_linear        ///< values: rows where a start from rest goes another way than a small disturbance
+    };
+    static constexpr int number_of_codes = static_cast<int>(Code::beyond_linear) + 1;
+
+    Code code = Code::told;
+    std::string record{};  ///< that it is about; empty: all
+    std::vector<std::string> names{};
+    std::string signal{};  ///< "position" | "velocity" | "hysteresis" | …
+    std::vector<double> values{};
+    std::string text{};  ///< of those who read the files alone
+
+    bool operator==(const Note&) const = default;
+};
+
+/// "too-few-rows": the code in files, stable where sentences are not.
+std::string_view name_of(Note::Code code);
+
+/// Record and joint do not fit together: nothing was concluded.
+inline bool contradicts(const Note& note)
+{
+    return note.code == Note::Code::contradiction || note.code == Note::Code::another_joint;
+}
+
+}  // namespace stickslip

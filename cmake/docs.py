@@ -18,7 +18,7 @@ ROOT = pathlib.Path(__file__).parent.parent
 MADE = "<!-- Made by `cmake --build build --target docs_text`; a change here is overwritten. -->\n\n"
 POLICY = "analysis/diagnosis/verdict/policy.h"
 SCHEMAS = ("evaluate", "sweep-run", "boundary", "margins", "design", "baseline", "diagnosis", "robot-diagnosis",
-           "gap-baseline", "gap-check", "comparison", "timeline")
+           "gap-baseline", "gap-check", "comparison", "timeline", "set-point-design")
 REFERENCE = """# Reference
 
 Every key of a joint file, a spec and a `[record]` table, every column and every field of the JSON answers. Units are SI, those of

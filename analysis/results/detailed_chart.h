@@ -18,6 +18,7 @@ struct DetailedChart {
         bool dashed = false;
         Look look = Look::line;
         bool wide = false;               ///< broad and pale, so that what follows it closely is seen on it
+        bool see_through = false;        ///< lies on a line that must still be seen
         std::vector<double> along = {};  ///< what a curve in the plane was drawn over; empty, or one for each sample
     };
     std::string title, fixed;

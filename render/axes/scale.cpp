@@ -58,11 +58,27 @@ double round_step(double least)
     return 10 * power;
 }
 
+/// Labels that steps of `step` set between the ends.
+long labels_at(double step, double low, double high)
+{
+    return static_cast<long>(std::floor(high / step + tiny)) - static_cast<long>(std::ceil(low / step - tiny)) + 1;
+}
+
+/// One label is no scale: then finer steps, as many as `room` still holds.
+double label_step(double low, double high, int room)
+{
+    constexpr double finer = 0.4;  // takes 1, 2 and 5 each to the next smaller one
+    double step = round_step((high - low) / room);
+    while (labels_at(step, low, high) < 2 && labels_at(round_step(finer * step), low, high) <= room + 1)
+        step = round_step(finer * step);
+    return step;
+}
+
 Ticks linear_ticks(const Scale& scale, int room, double divisor)
 {
     Ticks result;
     const double low = scale.low / divisor, high = scale.high / divisor;
-    const double step = round_step((high - low) / std::max(1, room));
+    const double step = label_step(low, high, std::max(1, room));
     const int parts = std::lround(step / std::pow(10, std::floor(std::log10(step) + tiny))) == 2 ? 4 : 5;
     const auto first = static_cast<long>(std::ceil(low / step * parts - tiny * parts));
     const auto last = static_cast<long>(std::floor(high / step * parts + tiny * parts));

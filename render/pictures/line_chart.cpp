@@ -36,9 +36,10 @@ void check(const DetailedChart& chart, const std::vector<DetailedChart::Line>& l
 
 Pen pen_of(std::size_t index, const DetailedChart::Line& line)
 {
-    constexpr double fine = 1.8, broad = 5, pale = 0.45, thinnest = 1.3;
+    constexpr double fine = 1.8, broad = 5, pale = 0.45, see_through = 0.65, thinnest = 1.3;
     if (line.look == DetailedChart::Line::Look::rule) return {theme::ink, thinnest, {}};
-    Pen pen{from_hex(line_colours[index % line_colours.size()], line.wide ? pale : 1), line.wide ? broad : fine, {}};
+    const double opacity = line.wide ? pale : line.see_through ? see_through : 1;
+    Pen pen{from_hex(line_colours[index % line_colours.size()], opacity), line.wide ? broad : fine, {}};
     if (line.dashed) pen.dash = {7, 4};
     return pen;
 }

@@ -141,6 +141,10 @@ std::string with_error(double value, double standard_error, const std::string& u
     const std::string shown = unit == "1" || unit.empty() ? "" : " " + scaled.text;
     const double v = value / scaled.size, e = standard_error / scaled.size;
     if (!std::isfinite(e) || !(e > 0)) return plain_number(v, 4) + shown;
+    const int places = 1 - static_cast<int>(std::floor(std::log10(e)));  // of two digits of the error
+    constexpr int most_places = 4;
+    if (places >= 0 && places <= most_places)
+        return fmt::format("{}{:.{}f} ± {:.{}f}", v < 0 ? "−" : "", std::abs(v), places, e, places) + shown;
     constexpr int least = 1, most = 6;
     const int digits =
         v == 0 ? least

@@ -81,6 +81,16 @@ Headline nearest_headline(const NearestBoundary& n, Motion motion)
     return h;
 }
 
+void name_symbols(Report& report, const NearestBoundary& n, Motion motion)
+{
+    if (!n.decided || !n.found) return;
+    std::string text;
+    for (const auto& move : leading_moves(n))
+        text += (text.empty() ? "" : " ") + symbol(move, motion) + ": " + name_of(move.path) +
+                (move.less.empty() ? "" : " less " + name_of(move.less)) + ".";
+    report.findings.push_back(text);
+}
+
 std::string all_at_once(double distance, std::size_t parameters)
 {
     const double each = distance / std::sqrt(static_cast<double>(std::max<std::size_t>(1, parameters)));

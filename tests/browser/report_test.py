@@ -331,11 +331,17 @@ class Report(unittest.TestCase):
                          "b => { b.textContent = 'stribeck with asymmetric-friction'; b.className = 'words'; })")
         self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"), 400)
 
-    def test_what_is_wider_than_the_screen_says_so(self):
+    def test_a_chart_fits_a_phone_whole_and_is_enlarged_on_request(self):
         ends = ("const s = document.querySelector('.stage');"
                 "return [s.classList.contains('more-before'), s.classList.contains('more-after')]")
-        hint = "return document.querySelector('.sideways').getClientRects().length"
+        hint = "return document.querySelector('.fit').getClientRects().length"
+        width = "return document.querySelector('.sheet > svg').getBoundingClientRect().width"
         self.browser.open(self.pages["boundary"], width=400)
+        self.browser.wait("return document.querySelector('.fit').getClientRects().length")
+        self.assertEqual(self.browser.run(ends), [False, False])
+        self.assertLess(self.browser.run(width), 400)
+        self.browser.run("document.querySelector('.fit button').click()")
+        self.assertGreaterEqual(self.browser.run(width), 600)
         self.browser.wait("return document.querySelector('.stage').classList.contains('more-after')")
         self.assertEqual(self.browser.run(hint), 1)
         self.assertEqual(self.browser.run(ends), [False, True])

@@ -130,6 +130,8 @@ with tempfile.TemporaryDirectory() as folder:
     for margin in ("1", "99"):  # feasible, and not
         check("design", json.loads(stickslip("design", "examples/04-design/spec.toml", "--require", f"margin={margin}",
                                              "--require", "front_points=3", "--json", codes=(0, 1))))
+    check("set-point-design", json.loads(stickslip("design", "examples/08-hunting-arm/joint.toml", "--set-point", "--friction-margin", "0", "--json",
+                                                   codes=(0, 1))))
     baseline = pathlib.Path(folder, "baseline.json")
     stickslip("check", str(spec), str(baseline), "--update")
     check("baseline", json.loads(baseline.read_text(encoding="utf-8")))

@@ -5,6 +5,16 @@ const surfaceColour = (t, shade) => {
   return `rgb(${viridis[k].map((c, n) => Math.round(shade * (c + f * (viridis[k + 1][n] - c)))).join(",")})`;
 };
 
+// So large that the box and its labels stay on the canvas however it is turned.
+const surfaceSize = (width, tall, height) => {
+  const labels = { left: 150, right: 130, above: 14, below: 66 };  // px
+  const across = Math.SQRT2, upwards = 0.8 * Math.cos(height) + Math.SQRT2 * Math.sin(height);  // of the box, at most
+  return {
+    middle: (labels.left + width - labels.right) / 2, centre: (labels.above + tall - labels.below) / 2,
+    scale: Math.min((width - labels.left - labels.right) / across, (tall - labels.above - labels.below) / upwards),
+  };
+};
+
 // Places in [−½, ½]³ onto the screen: seen from `azimuth` around and `height` above.
 const surfaceView = (azimuth, height, size) => {
   const [ca, sa, ch, sh] = [Math.cos(azimuth), Math.sin(azimuth), Math.cos(height), Math.sin(height)];
@@ -31,7 +41,8 @@ const surfaceQuads = (data, zAxis) => {
   for (let a = 0; a + 1 < columns.length; ++a)
     for (let b = 0; b + 1 < rows.length; ++b) {
       const corners = [place(columns[a], rows[b]), place(columns[a + 1], rows[b]), place(columns[a + 1], rows[b + 1]), place(columns[a], rows[b + 1])];
-      if (corners.every((c) => Number.isFinite(c[2]))) quads.push(corners);
+      const known = corners.filter((c) => Number.isFinite(c[2]));
+      if (known.length > 2) quads.push(known);  // a triangle at the edge of the surface
     }
   return quads;
 };
@@ -50,14 +61,17 @@ const drawSurfaceAxes = (pen, view, axes) => {
     const out = upright ? { x: -1, y: 0 } : (() => { const mx = (from.x + to.x) / 2 - middle.x, my = (from.y + to.y) / 2 - middle.y, n = Math.hypot(mx, my) || 1; return { x: mx / n, y: my / n }; })();
     const at = (t) => ({ x: from.x + t * (to.x - from.x), y: from.y + t * (to.y - from.y) });
     pen.textAlign = upright || out.x < -0.3 ? "right" : out.x > 0.3 ? "left" : "center";
+    let widest = 0;
     for (const value of axisTicks(axis)) {
+      widest = Math.max(widest, pen.measureText(withUnit(value, axis)).width);
       const p = at(position(axis, value));
       edge(p, { x: p.x + 5 * out.x, y: p.y + 5 * out.y });
       pen.fillText(withUnit(value, axis), p.x + 9 * out.x, p.y + 14 * out.y + 4);
     }
     pen.save();
-    const p = at(0.5), away = upright ? 84 : 44;
-    pen.translate(p.x + away * out.x, p.y + away * out.y + (upright ? 0 : 10));
+    const p = at(0.5), aside = pen.textAlign === "center" ? 0 : Math.sign(out.x) * (widest + 12);
+    if (upright) pen.translate(p.x - widest - 24, p.y);
+    else pen.translate(p.x + 9 * out.x + aside, p.y + (aside === 0 ? 40 : 14) * out.y + 4);
     if (upright) { pen.rotate(-Math.PI / 2); pen.textAlign = "center"; }
     pen.font = "600 13px system-ui, sans-serif";
     pen.fillText(axis.name, 0, 0);
@@ -77,7 +91,7 @@ const addTurning = (figure, data, button) => {
     const width = 900, tall = 560, fine = Math.max(1, window.devicePixelRatio || 1), pen = canvas.getContext("2d");
     canvas.width = width * fine; canvas.height = tall * fine;
     pen.scale(fine, fine);
-    const view = surfaceView(azimuth, height, { middle: width / 2 + 20, centre: tall / 2, scale: 400 }), ink = getComputedStyle(canvas).color;
+    const view = surfaceView(azimuth, height, surfaceSize(width, tall, height)), ink = getComputedStyle(canvas).color;
     pen.strokeStyle = pen.fillStyle = ink; pen.font = "13px system-ui, sans-serif"; pen.lineWidth = 1;
     pen.globalAlpha = 0.35;
     for (const s of [-0.5, 0.5]) for (const t of [-0.5, 0.5])
@@ -86,7 +100,7 @@ const addTurning = (figure, data, button) => {
         pen.beginPath(); pen.moveTo(p.x, p.y); pen.lineTo(q.x, q.y); pen.stroke();
       }
     pen.globalAlpha = 1;
-    const seen = quads.map((corners) => { const c = corners.map(view); return { c, depth: c.reduce((sum, p) => sum + p.depth, 0), z: corners.reduce((sum, p) => sum + p[2], 0) / 4 + 0.5 }; });
+    const seen = quads.map((corners) => { const c = corners.map(view); return { c, depth: c.reduce((sum, p) => sum + p.depth, 0) / c.length, z: corners.reduce((sum, p) => sum + p[2], 0) / corners.length + 0.5 }; });
     seen.sort((a, b) => b.depth - a.depth);
     for (const { c, z } of seen) {
       const turned = (c[1].x - c[0].x) * (c[2].y - c[0].y) - (c[1].y - c[0].y) * (c[2].x - c[0].x);

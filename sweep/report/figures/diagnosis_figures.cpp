@@ -71,6 +71,13 @@ DetailedChart::Line measured_line(std::vector<double> time, std::vector<double> 
     return line;
 }
 
+DetailedChart::Line remaining_line(std::vector<double> time, std::vector<double> values)
+{
+    DetailedChart::Line line{"after", std::move(time), std::move(values), false};
+    line.see_through = true;  // where it hides what was wrong before, nothing was gained
+    return line;
+}
+
 Figure overlay(const Signal& s)
 {
     const auto stretch = worst_stretch(s);
@@ -92,7 +99,7 @@ Figure overlay(const Signal& s)
     chart.below = {{s.named ? "before" : "residual", time, wrong(s.before), true}};
     if (s.named) {
         chart.lines.push_back({"simulated after", time, cut(s.after, stretch), false});
-        chart.below.push_back({"after", time, wrong(s.after), false});
+        chart.below.push_back(remaining_line(time, wrong(s.after)));
     }
     return {s.id, chart,
             "The stretch in which the joint as documented errs most; below, what is left of it. The simulation follows "
@@ -116,7 +123,7 @@ Figure residual(const Signal& s)
         const std::string words = "Residual of " + s.name + " over time.";
         return {s.id + "-residual", chart, words + spikes, words};
     }
-    chart.lines = {{"before", s.trace.time, before, true}, {"after", s.trace.time, after, false}};
+    chart.lines = {{"before", s.trace.time, before, true}, remaining_line(s.trace.time, after)};
     const double was = rms(before), is = rms(after);
     std::string words = "Residual of " + s.name + " over time, before and after";
     if (was > 0) words += ": its RMS goes to " + std::to_string(std::lround(100 * is / was)) + " % of what it was";

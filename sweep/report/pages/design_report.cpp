@@ -211,6 +211,7 @@ Report design_report(const DesignAnswer& a, std::vector<Snippet> snippets)
     report.title = a.title.empty() ? "Gains for the joint" : a.title;
     report.subtitle = "design of gains";
     report.verdict = design_verdict(a);
+    if (a.design.decided && a.design.feasible) name_symbols(report, a.nearest, a.joint.mechanism.motion);
     report.tone = d.feasible ? Tone::good : Tone::bad;
     report.snippets = std::move(snippets);
     if (d.feasible) {

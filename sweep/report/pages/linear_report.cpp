@@ -114,6 +114,7 @@ Report linear_report(const Joint& joint, const JointAnswer& answer)
         const auto& c = study.comparison;
         const bool stable = linear.state_variable.stable;
         report.headlines = {nearest_headline(*answer.nearest, motion)};
+        name_symbols(report, *answer.nearest, motion);
         if (linear.loop.kind == LoopKind::ideal) {
             report.headlines.push_back(demand("by velocity alone", c.k_v_velocity_only, joint.control.k_v, motion));
             report.headlines.push_back(demand("with memory", c.k_v_memory, joint.control.k_v, motion));

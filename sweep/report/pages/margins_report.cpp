@@ -128,6 +128,7 @@ void add_headlines(Report& report, const MarginsAnswer& a)
     using Tone = Headline::Tone;
     const auto motion = a.joint.mechanism.motion;
     report.headlines.push_back(nearest_headline(a.nearest, motion));
+    name_symbols(report, a.nearest, motion);
     if (const auto* move = shortest_alone(a)) {
         const auto quantity = quantity_of(a.joint, move->path);
         report.headlines.push_back(

@@ -119,6 +119,7 @@ Report stability_report(const Spec& spec, const SweepSummary& summary, const Swe
 
     if (slides) {
         report.headlines.push_back(nearest_headline(*own.nearest, motion));
+        name_symbols(report, *own.nearest, motion);
         report.headlines.push_back(nearest_boundary(margins, stable, motion));
         if (own.velocities)
             for (auto& headline : velocity_headlines(*own.velocities, stable, motion))

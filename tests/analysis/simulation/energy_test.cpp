@@ -93,5 +93,6 @@ TEST_CASE("a small disturbance that decays is followed at the rate of the spectr
         if (path.time[i] > 0.1 * turns) greatest = std::max(greatest, undamped);
     }
     CHECK(rate == Approx(-2.5).epsilon(0.05));
-    CHECK(greatest_late == Approx(greatest_early).epsilon(0.01));
+    // at its end the motion is some 25 times what the solver's least tolerance, 1e-12 of V_0, lets be an error
+    CHECK(greatest_late == Approx(greatest_early).epsilon(0.04));
 }

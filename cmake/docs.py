@@ -30,7 +30,7 @@ JSON_HEAD = """
 ## Fields of the JSON answers
 
 A number that does not exist is `null`. `[]` stands for the entries of a list, `*` for a name. The schemas are in `docs/schema`;
-`answer.json`, from which pages of sweeps are drawn again, has its own: `sweep-answer.schema.json`.
+`answer.json`, from which pages of sweeps are drawn again, has its own: `sweep-answer.schema.json`, and so has `charts/drawn.json`: `drawn-charts.schema.json`.
 """
 METHOD = """# Method: the thresholds of the diagnosis
 

@@ -32,6 +32,10 @@ RenderedFigure render(const Figure& figure);
 /// Throws std::runtime_error if the picture cannot be read.
 std::string png(const RenderedFigure& figure);
 
+/// Stands for all that a figure's picture and numbers are made of: its data and words, this program's drawing, the
+/// typeface. Figures with equal keys give equal bytes, so that what was drawn once can be kept.
+std::string figure_key(const Figure& figure);
+
 /// Every figure of a report, in the order of the page.
 std::vector<RenderedFigure> render(const Report& report);
 

@@ -2,7 +2,8 @@
 """The rooms of the house: which folder may include which. Run: tests/house.py [source folder]
 
 Checks that arrows between floors go down only, that no folders include each other in a circle (a pair is the smallest
-circle), that the headers of heavy libraries stay behind ours, and that programs outside see public headers only.
+circle), that the headers of heavy libraries stay behind ours, that a header which says "Internal to FOLDER" is included
+from there only, and that programs outside see public headers only.
 """
 import re
 import sys
@@ -58,6 +59,26 @@ def public_complaints():
             inside = name.split("/")[0] in ROOMS or name.startswith("stickslip/") and name.split("/")[1] not in public
             if inside and name != "stickslip/stickslip.h":
                 yield f"{path.relative_to(SOURCE)}: includes {name}, which is not public"
+
+
+# What a header is for inside its room only: "Internal to FOLDER." in the words above its #pragma once.
+INTERNAL = re.compile(r"Internal to (\S+?)[.:,]?(?=\s|$)")
+
+
+def internal_complaints():
+    rooms = {}
+    for path in (p for p in files() if p.suffix == ".h"):
+        words = re.sub(r"\n// ?", " ", (SOURCE / path).read_text(encoding="utf-8").split("#pragma once")[0])
+        if found := INTERNAL.search(words):
+            room = found.group(1)
+            if (SOURCE / room).is_dir() and path.is_relative_to(room):
+                rooms[path.as_posix()] = room
+            else:
+                yield f"{path}: is internal to {room}, which is no folder that it lies in"
+    for path in files():
+        for name in INCLUDE.findall((SOURCE / path).read_text(encoding="utf-8")):
+            if name in rooms and not path.is_relative_to(rooms[name]):
+                yield f"{path}: includes {name}, which is internal to {rooms[name]}"
 
 
 def files():
@@ -120,6 +141,7 @@ def main():
     for members in circles(arrows):
         wrong.append("folders that include each other in a circle: " + ", ".join(members))
         wrong += [f"    {text}" for (a, b), text in sorted(because.items()) if a in members and b in members]
+    wrong += internal_complaints()
     wrong += public_complaints()
     for line in wrong:
         print(line)

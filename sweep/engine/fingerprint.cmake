@@ -1,19 +1,5 @@
-# Writes build_info.h: version, compiler, flags and a hash of the sources that make the numbers. Included by sweep/CMakeLists.txt
-# to set the rule up, and run as a script by that rule whenever one of those sources has changed.
-if(CMAKE_SCRIPT_MODE_FILE)
-  file(STRINGS ${LIST} sources)
-  set(text "")
-  foreach(source IN LISTS sources)
-    file(SHA256 ${source} hash)
-    string(APPEND text "${hash}\n")
-  endforeach()
-  string(SHA256 sources "${text}")
-  string(SUBSTRING ${sources} 0 16 sources)
-  file(READ ${SETTINGS} settings)
-  file(WRITE ${OUT} "// made by the build\n#pragma once\nnamespace stickslip::build_info {\n${settings}inline constexpr char sources[] = \"${sources}\";\n}\n")
-  return()
-endif()
-
+# The rule that makes build_info.h: version, compiler, flags and a hash of the sources that make the numbers. Included by
+# sweep/CMakeLists.txt.
 file(GLOB_RECURSE numeric_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/analysis/*.h ${PROJECT_SOURCE_DIR}/analysis/*.cpp
   ${PROJECT_SOURCE_DIR}/sweep/study/evaluate.cpp)
 list(SORT numeric_sources)
@@ -34,8 +20,8 @@ inline constexpr char flags[] = \"${flags}\";
 
 add_custom_command(OUTPUT ${made}/build_info.h
   COMMAND ${CMAKE_COMMAND} -DLIST=${made}/numeric_sources.txt -DSETTINGS=${made}/settings.txt -DOUT=${made}/build_info.h
-          -P ${CMAKE_CURRENT_LIST_FILE}
-  DEPENDS ${numeric_sources} ${made}/numeric_sources.txt ${made}/settings.txt ${CMAKE_CURRENT_LIST_FILE}
+          -DNAMESPACE=stickslip::build_info -P ${PROJECT_SOURCE_DIR}/cmake/hash_of_sources.cmake
+  DEPENDS ${numeric_sources} ${made}/numeric_sources.txt ${made}/settings.txt ${PROJECT_SOURCE_DIR}/cmake/hash_of_sources.cmake
   COMMENT "Fingerprint of the numeric sources" VERBATIM)
 set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/engine/build.cpp PROPERTIES OBJECT_DEPENDS ${made}/build_info.h)
 set_property(SOURCE ${CMAKE_CURRENT_SOURCE_DIR}/engine/build.cpp APPEND PROPERTY INCLUDE_DIRECTORIES ${made})

@@ -1,4 +1,4 @@
-// The end of a sweep whose chunks are all journalled. Internal to run_sweep and run_on_cluster.
+// The end of a sweep whose chunks are all journalled. Internal to sweep/engine.
 #pragma once
 #include "sweep/engine/run_sweep.h"
 

@@ -1,4 +1,4 @@
-// The tables of a diagnosis: where, which causes, which numbers, how far. Internal to the page.
+// The tables of a diagnosis: where, which causes, which numbers, how far.
 #pragma once
 #include "analysis/results/diagnosis.h"
 #include "analysis/results/report.h"

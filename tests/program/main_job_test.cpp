@@ -101,9 +101,30 @@ TEST_CASE("the page can be drawn again from the results alone", "[program]")
     // The default sweep: its first page once had two labels shifted by what was drawn before them.
     REQUIRE(stickslip("sweep -o '" + (folder / "out") + "'").exit_code == 0);
     const auto first = program::read(folder / "out/report.html");
-    std::filesystem::remove(folder / "out/report.html");
-    const auto run = stickslip("report '" + (folder / "out") + "'");
-    INFO(run.output);
-    CHECK(run.exit_code == 0);
-    CHECK(program::read(folder / "out/report.html") == first);
+    const auto draw_again = [&] {
+        std::filesystem::remove(folder / "out/report.html");
+        const auto run = stickslip("report '" + (folder / "out") + "'");
+        INFO(run.output);
+        CHECK(run.exit_code == 0);
+        CHECK(program::read(folder / "out/report.html") == first);
+    };
+    const std::string charts = folder / "out/charts";
+    const auto map = program::read(charts + "/map-k-p-k-v.png"), locus = program::read(charts + "/root-locus.svg");
+    const auto written = std::filesystem::last_write_time(charts + "/map-k-p-k-v.png");
+    draw_again();
+    CHECK(std::filesystem::last_write_time(charts + "/map-k-p-k-v.png") == written);  // a chart of the same is kept
+
+    // charts that are lost or damaged, or not known to be of this sweep, are drawn
+    folder.write("out/charts/map-k-p-k-v.png", map.substr(0, 1000));
+    std::filesystem::remove(charts + "/root-locus.svg");
+    draw_again();
+    CHECK(program::read(charts + "/map-k-p-k-v.png") == map);
+    CHECK(program::read(charts + "/root-locus.svg") == locus);
+    for (const std::string index : {"not ours", "{\"format\":\"stickslip-charts/1\",\"charts\":{\"root-locus\":7}}"}) {
+        folder.write("out/charts/drawn.json", index);
+        draw_again();
+    }
+    std::filesystem::remove_all(charts);
+    draw_again();
+    CHECK(program::read(charts + "/root-locus.svg") == locus);
 }

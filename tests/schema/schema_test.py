@@ -116,6 +116,7 @@ with tempfile.TemporaryDirectory() as folder:
     spec.write_text(SPEC, encoding="utf-8")
     check("sweep-run", json.loads(stickslip("sweep", str(spec), "-o", out, "--json")))
     check("sweep-answer", json.loads(pathlib.Path(out, "answer.json").read_text(encoding="utf-8")))
+    check("drawn-charts", json.loads(pathlib.Path(out, "charts", "drawn.json").read_text(encoding="utf-8")))
     ball_screw = "examples/02-ball-screw/joint-with-memory.toml"
     for question in (
         (ball_screw, "--set", "control.k_v=0", "--along", "control.k_p=1e3..1e7"),

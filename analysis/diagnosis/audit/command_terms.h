@@ -1,5 +1,5 @@
 // What the command of a record consists of: a regression on changes of the documented controller's terms. Internal to
-// the audit.
+// analysis/diagnosis/audit.
 #pragma once
 #include "analysis/diagnosis/fit/fit.h"
 

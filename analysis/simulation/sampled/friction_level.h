@@ -1,4 +1,5 @@
-// The level of a friction law, which place, time and load add to. Internal to the driven joint.
+// The level of a friction law, which place, time and load add to. Internal to
+// analysis/simulation/sampled.
 #pragma once
 #include "analysis/friction/law.h"
 

@@ -1,6 +1,5 @@
 #include "sweep/files/text/toml_input.h"
 
-#include "analysis/joint/parameters.h"
 #include "sweep/files/text/bad_input.h"
 
 #include <algorithm>
@@ -153,19 +152,6 @@ std::string describe(const toml::node& node)
     if (node.is_array()) return "a list";
     if (node.is_table()) return "a table";
     return "a date or time";
-}
-
-std::string did_you_mean(std::string_view given, const std::vector<std::string>& known)
-{
-    const auto near = nearest_names(given, known);
-    return near.empty() ? "" : "; did you mean \"" + near.front() + "\"?";
-}
-
-std::string listed(const std::vector<std::string>& names)
-{
-    std::string text;
-    for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
-    return text;
 }
 
 std::string number_text(double value)

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sweep/files/text/names.h"
+
 namespace stickslip::files {
 
 /// Line and column of a node, both from 1; line 0 means that the value did not come from a file.
@@ -53,12 +55,6 @@ toml::table parse_toml(std::string_view text, const std::string& name);
 
 /// "a number", "text", "a list" …: what a node is, for messages; numbers and short texts with their value.
 std::string describe(const toml::node& node);
-
-/// `; did you mean "x"?`, or nothing where no name comes close.
-std::string did_you_mean(std::string_view given, const std::vector<std::string>& known);
-
-/// "a, b, c"
-std::string listed(const std::vector<std::string>& names);
 
 /// The shortest text that reads back as the same number.
 std::string number_text(double value);

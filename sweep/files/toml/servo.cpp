@@ -1,5 +1,7 @@
 #include "sweep/files/toml/servo.h"
 
+#include "sweep/files/toml/servo_text.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -191,9 +193,10 @@ ServoGains servo_gains(const toml::table& root, Complaints& complaints)
     return gains;
 }
 
-std::string servo_text(std::string_view text, const std::string& name)
+std::string servo_text(const std::filesystem::path& joint_file)
 {
-    const toml::table root = parse_toml(text, name);
+    const auto name = joint_file.string();
+    const toml::table root = parse_toml(read_text(joint_file), name);
     Complaints complaints(name);
     const auto gains = servo_gains(root, complaints);
     if (gains.servo.empty() || !complaints.empty()) return "";

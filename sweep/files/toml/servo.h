@@ -1,8 +1,8 @@
 // Registers of servo drives as gains in SI: control.servo = "dynamixel-xl330", control.registers = { P = 400, I = 0 }.
+// Internal to sweep/files.
 #pragma once
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "sweep/files/text/toml_input.h"
@@ -22,8 +22,5 @@ std::vector<std::string> servo_names();
 /// Reads control.servo and control.registers of a joint's table; no servo: nothing. What does not fit goes to
 /// `complaints`.
 ServoGains servo_gains(const toml::table& root, Complaints& complaints);
-
-/// A sentence that says which keys the registers of this joint file filled; empty without a servo.
-std::string servo_text(std::string_view toml, const std::string& name);
 
 }  // namespace stickslip::files

@@ -1,10 +1,8 @@
 // stickslip arm-load: columns of a moving arm's load and inertia for the records of its joints.
 #include "sweep/study/import/arm_load.h"
-#include "sweep/files/records/record_header.h"
+#include "sweep/files/records/table_columns.h"
 #include "sweep/files/robots/robot_file.h"
 #include "sweep/files/text/bad_input.h"
-#include "sweep/files/text/csv.h"
-#include "sweep/files/text/line_stream.h"
 #include "sweep/files/text/series_file.h"
 #include "sweep/files/text/whole_file.h"
 #include "sweep/program/verbs/diagnosis_verbs.h"
@@ -36,18 +34,11 @@ struct Moved {
 
 std::vector<std::string> joints_of(const std::string& file)
 {
-    files::LineStream lines(file);
-    std::string_view line;
     std::vector<std::string> joints;
-    while (lines.next(line)) {
-        line = files::trimmed(line);
-        if (line.empty() || line.starts_with('#')) continue;
-        for (const auto& name : files::header_names(line, files::separator_of(line)))
-            if (name.size() > ending.size() && name.ends_with(ending) && !name.ends_with("_reference_position") &&
-                !name.ends_with("_link_position"))
-                joints.push_back(name.substr(0, name.size() - ending.size()));
-        break;
-    }
+    for (const auto& name : table_columns(file))
+        if (name.size() > ending.size() && name.ends_with(ending) && !name.ends_with("_reference_position") &&
+            !name.ends_with("_link_position"))
+            joints.push_back(name.substr(0, name.size() - ending.size()));
     if (joints.empty())
         throw BadInput(file + ": has no column of a joint's positions, expected are columns such as elbow_position");
     return joints;

@@ -4,7 +4,7 @@
 #include "sweep/files/json/robot_json.h"
 #include "sweep/files/robots/robot_joints.h"
 #include "sweep/files/text/bad_input.h"
-#include "sweep/files/text/toml_input.h"
+#include "sweep/files/text/names.h"
 #include "sweep/files/text/whole_file.h"
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/program/verbs/diagnose_joint.h"

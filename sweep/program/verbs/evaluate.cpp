@@ -13,9 +13,8 @@
 #include "sweep/files/json/set_point_json.h"
 #include "sweep/files/json/study_json.h"
 #include "sweep/files/json/verdict_json.h"
-#include "sweep/files/text/toml_input.h"
 #include "sweep/files/toml/asked_axes.h"
-#include "sweep/files/toml/servo.h"
+#include "sweep/files/toml/servo_text.h"
 #include "sweep/program/verbs/disturbance_option.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/surroundings_option.h"
@@ -132,7 +131,7 @@ int evaluate(const Options& options, const Invocation& invocation)
     const Motion units = joint.mechanism.motion;
     const auto near = near_modes(joint);
     const auto integral = integral_cost(joint, verdict);
-    const auto servo = files::servo_text(files::read_text(options.joint), options.joint);
+    const auto servo = files::servo_text(options.joint);
     std::filesystem::path page;
     if (!options.directory.empty()) {
         const auto answer = answer_joint(summed, verdict, nonlinear, *study);

@@ -1,4 +1,4 @@
-// The charts of a diagnosis. Internal to the page.
+// The charts of a diagnosis. Internal to sweep/report.
 #pragma once
 #include "analysis/results/diagnosis.h"
 #include "analysis/results/report.h"

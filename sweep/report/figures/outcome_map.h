@@ -1,4 +1,5 @@
-// Measured outcomes on a chart of velocity and stiffness, with the boundaries of friction laws. Internal to the page.
+// Measured outcomes on a chart of velocity and stiffness, with the boundaries of friction laws. Internal to
+// sweep/report.
 #pragma once
 #include "analysis/diagnosis/outcomes/explain.h"
 #include "analysis/results/report.h"

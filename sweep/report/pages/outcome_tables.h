@@ -1,4 +1,4 @@
-// The tables of a page about measured outcomes. Internal to the page.
+// The tables of a page about measured outcomes. Internal to sweep/report/pages.
 #pragma once
 #include "analysis/diagnosis/outcomes/explain.h"
 #include "analysis/results/report.h"

@@ -1,6 +1,7 @@
 #include "sweep/report/pages/write_report.h"
 
 #include "render/marked_page.h"
+#include "sweep/files/json/drawn_charts.h"
 #include "sweep/files/text/whole_file.h"
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/report/pages/write_linked_report.h"
@@ -21,20 +22,32 @@ std::filesystem::path write_linked_report(const Report& report, const std::files
     std::size_t count = 0;
     for (const auto& section : report.sections) count += section.figures.size();
     std::vector<RenderedFigure> figures(count);  // of fixed size: the tasks below hold references into it
+    std::map<std::string, std::string> drawn;    // and its elements stay where they are, too
+    std::vector<std::string> same;
+    const DrawnCharts before(charts);
     tbb::task_group files;
     std::size_t i = 0;
     // Drawing takes turns; pixels and files of a drawn picture are made while the next one is drawn.
     for (const auto& section : report.sections)
         for (const auto& figure : section.figures) {
-            figures[i] = render(figure);
-            files.run([&charts, &rendered = figures[i], &id = figure.id] {
-                if (!rendered.svg.empty()) write_whole(charts / (id + ".png"), png(rendered));
-                if (!rendered.svg.empty()) write_whole(charts / (id + ".svg"), rendered.svg);
-                if (!rendered.csv.empty()) write_whole(charts / (id + ".csv"), rendered.csv);
+            auto& rendered = figures[i++];
+            const auto key = figure_key(figure);
+            if (auto kept = before.kept(figure.id, key)) {
+                rendered = std::move(*kept);
+                same.push_back(figure.id);
+                continue;
+            }
+            rendered = render(figure);
+            if (!rendered.missing.empty()) {  // what is missing may be there next time
+                if (!rendered.csv.empty()) write_whole(charts / (figure.id + ".csv"), rendered.csv);
+                continue;
+            }
+            files.run([&before, &rendered, &id = figure.id, &said = drawn[figure.id], key] {
+                said = before.write(id, key, rendered);
             });
-            ++i;
         }
     files.wait();
+    if (count > 0) before.write_index(drawn, same);
     const auto file = directory / "report.html";
     write_whole(file, marked_page(report, figures, marks, above));
     return file;

@@ -1,4 +1,4 @@
-// Where the bodies and axes of a robot are at a pose. Internal to study/import.
+// Where the bodies and axes of a robot are at a pose. Internal to sweep/study/import.
 #pragma once
 #include "sweep/study/import/robot.h"
 

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace stickslip {
 namespace {
@@ -16,7 +17,8 @@ struct Freed {
     void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
 };
 
-/// Everything that lies within plain structs, lists, pairs and texts; lengths too, so that no two arrangements meet.
+/// Everything that lies within plain structs, lists, pairs, texts and what may be absent; lengths too, so that no two
+/// arrangements meet.
 class Key {
   public:
     Key() : state_(XXH3_createState()) { XXH3_128bits_reset(state_.get()); }
@@ -42,6 +44,12 @@ class Key {
             bytes(list.data(), list.size() * sizeof(T));
         else
             for (const T& item : list) add(item);
+    }
+    template <class T>
+    void add(const std::optional<T>& value)
+    {
+        add(value.has_value());
+        if (value) add(*value);
     }
     template <class A, class B>
     void add(const std::pair<A, B>& pair)

@@ -1,6 +1,9 @@
 #include "sweep/files/toml/changed_lines.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <charconv>
 #include <map>
 #include <vector>
 
@@ -34,6 +37,16 @@ std::vector<Entry> entries(std::string_view text)
     return list;
 }
 
+/// Nobody types, or knows, more digits of a measured number; other values as they are.
+std::string typed(const std::string& value)
+{
+    double number = 0;
+    const auto end = value.data() + value.size();
+    if (const auto [read, error] = std::from_chars(value.data(), end, number); error != std::errc{} || read != end)
+        return value;
+    return fmt::format("{:.7g}", number);
+}
+
 }  // namespace
 
 std::string changed_lines(std::string_view before, std::string_view after)
@@ -49,10 +62,11 @@ std::string changed_lines(std::string_view before, std::string_view after)
         const std::string number = trimmed(e.value.substr(0, e.value.find('#')));
         const std::string unit =
             e.value.find('#') == std::string::npos ? "" : trimmed(e.value.substr(e.value.find('#') + 1));
-        text += e.key + " = " + number + "   #";
+        text += e.key + " = " + typed(number) + "   #";
         if (!unit.empty()) text += " " + unit + ",";
-        text += old == was.end() ? " not in the documented file\n"
-                                 : " documented: " + trimmed(old->second.substr(0, old->second.find('#'))) + "\n";
+        text += old == was.end()
+                    ? " not in the documented file\n"
+                    : " documented: " + typed(trimmed(old->second.substr(0, old->second.find('#')))) + "\n";
     }
     return text;
 }

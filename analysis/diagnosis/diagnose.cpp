@@ -259,26 +259,47 @@ void find(const Joint& joint, const std::vector<Record>& records, const Parallel
     prepared.nominal = judge_nominal(prepared.cases);
     d.signals = locate_signals(prepared.cases, prepared.documented);
     d.regimes = locate_regimes(prepared.cases);
-    Findings findings = find_causes(prepared, options.pair_partners, progress, parallel);
-    if (findings.why_not) d.reasons.push_back(*findings.why_not);
-    progress("predicting held-out data", 0.9);
-    conclude(prepared, findings, options.ensemble, parallel, result);
+    Findings findings;
+    try {
+        find_causes(prepared, options.pair_partners, progress, parallel, findings);
+        if (findings.why_not) d.reasons.push_back(*findings.why_not);
+        progress("predicting held-out data", 0.9);
+        conclude(prepared, findings, options.ensemble, parallel, result);
+    } catch (const Interrupted&) {
+        d.effects.clear();
+        // none is named: what a probability would be of is not known before all were looked at
+        findings.decision = decide(findings.singles, findings.pairs);
+        findings.decision.named = false;
+        list_effects(prepared, rank(findings.singles, findings.pairs, findings.decision, rows_of(prepared.cases)), d);
+        throw;
+    }
     progress("done", 1);
 }
 
 /// What was found before the interruption stays; a cause that was not held against other data is none.
 void tell_interrupted(const std::string& stage, const Joint& joint, DiagnosisResult& result)
 {
+    static constexpr const char* in_order[] = {"reading",
+                                               "auditing the controller",
+                                               "measuring the floor",
+                                               "fitting single effects",
+                                               "correcting the joint's own numbers",
+                                               "fitting pairs",
+                                               "climbing the ladder",
+                                               "fitting forces without a name",
+                                               "predicting held-out data"};
     Diagnosis& d = result.diagnosis;
     d.interrupted = true;
     d.verdict = Verdict::unknown;
-    d.effects.clear();
     d.ladder.clear();
     d.ambiguous_with.clear();
     d.next_experiment = {};
     result.after = joint;
-    d.reasons = {{.code = d.signals.empty() ? Note::Code::interrupted_early : Note::Code::interrupted_located,
-                  .names = {stage}}};
+    Note note{.code = d.signals.empty() ? Note::Code::interrupted_early : Note::Code::interrupted_located,
+              .names = {stage}};
+    const auto now = std::ranges::find(in_order, stage);
+    if (now != std::end(in_order)) note.names.insert(note.names.end(), now + 1, std::end(in_order));
+    d.reasons = {note};
 }
 
 }  // namespace

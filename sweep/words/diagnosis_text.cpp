@@ -115,8 +115,10 @@ constexpr Sentence sentences[] = {
     {Code::far_as_a_whole,
      "predicted from row to row the nominal joint stays within the noise, but simulated as a whole it is {0:.1f} "
      "floors away: these rows are too few or too far apart to say why"},
-    {Code::interrupted_early, "interrupted while {name0}: nothing was found yet"},
-    {Code::interrupted_located, "interrupted while {name0}: where the gap lies was found, what causes it was not"},
+    {Code::interrupted_early, "interrupted while {name0}{before}: nothing was found yet"},
+    {Code::interrupted_located,
+     "interrupted while {name0}{before}: where the gap lies was found, what causes it was not; what was fitted until "
+     "then is listed"},
     {Code::rig,
      "a friction rig: a load point's displacement and the friction; the stiffness between load point and slider and "
      "the level of the friction are fitted for every law"},
@@ -153,6 +155,13 @@ std::string force_of(const std::string& signal)
     return "a force that depends on the " + signal + " alone";
 }
 
+/// ", and before a, b": the stages that an interruption left out, which not every diagnosis needs.
+std::string before_what(const Note& note)
+{
+    if (note.names.size() < 2) return "";
+    return fmt::format(", and before {} where needed", fmt::join(note.names.begin() + 1, note.names.end(), ", "));
+}
+
 std::string numbers_of(const Note& note)
 {
     std::vector<std::string> each;
@@ -177,6 +186,7 @@ fmt::dynamic_format_arg_store<fmt::format_context> parts_of(const Note& note)
     parts.push_back(fmt::arg("s", note.values.empty() || note.values[0] != 1 ? "s" : ""));
     parts.push_back(fmt::arg("signal", note.signal));
     parts.push_back(fmt::arg("force", force_of(note.signal)));
+    parts.push_back(fmt::arg("before", before_what(note)));
     parts.push_back(fmt::arg("text", note.text));
     return parts;
 }

@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/audit/audit_filter.h"
 
+#include "analysis/diagnosis/audit/regression.h"
 #include "analysis/diagnosis/plant/controller.h"
 #include "analysis/numerics/line_search.h"
 
@@ -15,7 +16,7 @@ struct Recursion {
     double gain = 0, misfit = 1;
 };
 
-/// Least squares of v_k − v_{k−1} on d_k − v_{k−1} over all records of every tick.
+/// Least squares of v_k − v_{k−1} on d_k − v_{k−1} over all records of every tick, where no row before k was lost.
 Recursion recursion_of(const std::vector<const Case*>& cases)
 {
     double ab = 0, aa = 0, bb = 0;
@@ -24,15 +25,35 @@ Recursion recursion_of(const std::vector<const Case*>& cases)
         Control unfiltered = c->joint.control;
         unfiltered.velocity_estimate.tau = 0;
         Controller controller(unfiltered);
+        const double averaged = std::max(1.0, unfiltered.velocity_estimate.average);
+        double in_a_row = 0;
         for (std::size_t k = 0; k < t.size(); ++k) {
             controller.read(t.position[k], k == 0 ? t.step[0] : t.step[k - 1], 0);
-            if (k == 0) continue;
+            in_a_row = t.logged[k] ? in_a_row + 1 : 0;
+            if (k == 0 || (t.lost && in_a_row <= averaged)) continue;
             const double a = controller.velocity() - t.velocity[k - 1], b = t.velocity[k] - t.velocity[k - 1];
             if (std::isfinite(a) && std::isfinite(b)) ab += a * b, aa += a * a, bb += b * b;
         }
     }
     if (aa == 0 || bb == 0) return {};
     return {ab / aa, std::sqrt(std::max(0.0, 1 - ab * ab / aa / bb))};
+}
+
+/// Whether the command is made of the logged velocities, with gains of any size: they are the controller's own then.
+bool velocities_make_the_command(const Case& c)
+{
+    constexpr double made_of = 2e-3;  // misfit over rms
+    const Ticks& t = c.ticks;
+    const Control& control = c.joint.control;
+    GainRegression rows;
+    for (std::size_t k = 0; k < t.size(); ++k) {
+        const double rate = control.reference_velocity ? t.reference_rate[k] : 0;
+        const double a = t.reference[k] - t.position[k], b = rate - t.velocity[k], u = t.command[k] - t.added(k);
+        const bool cut = std::abs(t.command[k]) > 0.999 * control.effort_limit;
+        if (t.logged[k] && t.enabled[k] && !cut && std::isfinite(a + b + u)) rows.add(a, b, u);
+    }
+    const auto found = rows.solve(true);
+    return found.used > 0 && found.both && found.misfit < made_of;
 }
 
 double distance_to_grid(double y, double quantum)
@@ -100,13 +121,20 @@ void audit_filter(std::vector<Case>& cases, Audit& result)
         return control.velocity_estimate.form != EstimateForm::exact && control.k_v != 0 &&
                control.velocity_estimate.tau == tau && control.period == documented.period;
     });
-    if (!one_controller || !all([](const Case& c) { return c.ticks.regular && c.ticks.has_velocity; })) return;
+    if (!one_controller ||
+        !all([](const Case& c) { return (c.ticks.regular || c.ticks.lost) && c.ticks.has_velocity; }))
+        return;
     std::vector<const Case*> at_every_tick;
     for (const auto& c : cases)
         if (c.ticks.ticks_per_row == 1) at_every_tick.push_back(&c);
     if (!at_every_tick.empty()) {
-        // a logged command says it better: the velocities may be anybody's
-        if (cases[0].ticks.source == CommandSource::logged) return;
+        // a logged command says it better: the velocities may be anybody's. Where rows are lost its gains are read off
+        // with the logged velocities, and so say nothing of their filter but that they are the controller's
+        if (!all([](const Case& c) {
+                return c.ticks.source != CommandSource::logged ||
+                       (c.ticks.unseen_between() && velocities_make_the_command(c));
+            }))
+            return;
         const double tick = at_every_tick[0]->ticks.step[0];
         const auto seen = recursion_of(at_every_tick);
         if (seen.misfit > exact_velocity || seen.gain <= 0 || seen.gain > 1 + exact_velocity) return;
@@ -116,7 +144,9 @@ void audit_filter(std::vector<Case>& cases, Audit& result)
         if (differs && seen.gain > 1 - exact_velocity) return;
         result.filter_seen = true;
         if (differs) correct(cases, found, result);
-    } else if (all([](const Case& c) { return c.ticks.rebuilt && c.joint.sensor.encoder_quantum > 0; })) {
+    } else if (all([](const Case& c) {
+                   return c.ticks.regular && c.ticks.rebuilt && c.joint.sensor.encoder_quantum > 0;
+               })) {
         // without a grid any reading between the rows could be one
         constexpr double on_grid = 0.05;
         double off = 0, n = 0;

@@ -116,13 +116,19 @@ Corrected Corrections::beside(const Candidate& causes) const
     return all;
 }
 
+bool Corrections::same_number(const Effect& effect, const EffectForm& form) const
+{
+    // a form with a name of its own changes something else, one of two masses, say; forms of gravity do not
+    return (form.name.empty() || effect.name == "gravity") &&
+           std::ranges::any_of(effects_, [&](const Effect& own) { return own.name == effect.name; });
+}
+
 bool Corrections::is_one(const Candidate& causes, const Eigen::VectorXd& x) const
 {
     Eigen::Index at = 0;
     for (std::size_t i = 0; i < causes.effects.size(); ++i) {
         const auto count = static_cast<Eigen::Index>(causes.count_of(*causes.forms[i]));
-        // a form with a name of its own changes something else, one of two masses, say; forms of gravity do not
-        const bool same = causes.forms[i]->name.empty() || causes.effects[i]->name == "gravity";
+        const bool same = same_number(*causes.effects[i], *causes.forms[i]);
         for (std::size_t k = 0; k < effects_.size(); ++k)
             if (same && causes.effects[i]->name == effects_[k].name &&
                 x.segment(at, count).cwiseAbs().maxCoeff() <= widest_ * sds_[k])

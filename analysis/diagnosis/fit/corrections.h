@@ -32,6 +32,8 @@ class Corrections {
 
     /// The causes behind the corrections.
     Corrected beside(const Candidate& causes) const;
+    /// Whether this form of a cause changes a number that a correction changes.
+    bool same_number(const Effect& effect, const EffectForm& form) const;
     /// Whether one of the causes changes a number that a correction changes, and by no more than its prior allows: then
     /// it is that correction, held back by nothing.
     bool is_one(const Candidate& causes, const Eigen::VectorXd& x) const;

@@ -54,8 +54,12 @@ NoiseSpread spread_of(const std::vector<Case>& cases, const Candidate& candidate
             log.torque_enable.push_back(t.enabled[k]);
         }
         log.at_rest_at_start = t.at_rest;
-        c.ticks = on_clock(log, c.joint);
-        if (t.reference_rebuilt) rebuild_reference(c, c.joint.control.effort_limit);
+        Ticks again = on_clock(log, c.joint);
+        // what is known of the surroundings is known of a simulated run, too, tick by tick
+        again.feed_forward = t.feed_forward, again.load = t.load, again.inertia = t.inertia;
+        const bool without_reference = t.reference_rebuilt;
+        c.ticks = std::move(again);
+        if (without_reference) rebuild_reference(c, c.joint.control.effort_limit);
         std::vector<Case> one{std::move(c)};
         settle_jumps(one, {}, {});
         for (std::size_t l = 0; l < levels.size(); ++l)

@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/ladder/plausible.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -13,6 +14,20 @@ bool at_bound(const EffectParameter& p, double scaled)
     const bool above = scaled > p.high * (p.high > 0 ? 1 - next_to : 1 + next_to);
     return above || (p.logarithmic && scaled < p.low * (1 + next_to)) ||
            (!p.logarithmic && p.low < 0 && scaled < p.low * (1 - next_to));
+}
+
+/// Whether the effect has a form that lacks just this number: at its least the number is absent, and the form is that
+/// other one (LuGre's bristles without damping are Dahl's).
+bool may_be_absent(const Effect& effect, const EffectForm& form, std::string_view number)
+{
+    const auto has = [](const EffectForm& f, std::string_view name) {
+        return std::ranges::any_of(f.parameters, [&](const EffectParameter& p) { return p.name == name; });
+    };
+    return std::ranges::any_of(effect.forms, [&](const EffectForm& other) {
+        return other.parameters.size() + 1 == form.parameters.size() &&
+               std::ranges::all_of(form.parameters,
+                                   [&](const EffectParameter& p) { return has(other, p.name) == (p.name != number); });
+    });
 }
 
 double in_units_of(const PhysicalRange& range, double scaled, double si, const Scales& scales, const Joint& joint)
@@ -49,7 +64,9 @@ bool plausible(const Candidate& causes, const Eigen::VectorXd& x, const Scales& 
         for (std::size_t k = 0; k < causes.count_of(*causes.forms[n]); ++k, ++i) {
             const auto& p = causes.parameter(i);
             const double scaled = si[i] / unit_of(p.scale, scales);
-            if (at_bound(p, scaled)) return false;
+            const bool absent =
+                p.logarithmic && scaled < 2 * p.low && may_be_absent(*causes.effects[n], *causes.forms[n], p.name);
+            if (at_bound(p, scaled) && !absent) return false;
             for (const auto& range : ranges) {
                 if (range.effect != causes.effects[n]->name || range.parameter != p.name) continue;
                 const double value = in_units_of(range, scaled, si[i], scales, joint);

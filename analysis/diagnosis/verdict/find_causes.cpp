@@ -84,15 +84,14 @@ bool accepted(const Decision& d)
 
 }  // namespace
 
-Findings find_causes(Prepared& p, std::size_t pair_partners, const std::function<void(const char*, double)>& progress,
-                     const ParallelFor& parallel)
+void find_causes(Prepared& p, std::size_t pair_partners, const std::function<void(const char*, double)>& progress,
+                 const ParallelFor& parallel, Findings& f)
 {
-    Findings f;
     f.none.evaluation = p.nominal.evaluation;
     f.none.score = p.nominal.score;
     progress("measuring the floor", 0.05);
     f.quiet = f.none.accepted = at_floor(p.cases, f.none, p.nominal, p.scales, parallel);
-    if (f.quiet) return f;
+    if (f.quiet) return;
     fit_single(p, progress, parallel, f);
     if (!f.singles.empty() && !f.singles[0].accepted) {
         f.pairs = fit_parts(p.cases, p.scales, p.nominal, f.singles, parallel);
@@ -132,7 +131,6 @@ Findings find_causes(Prepared& p, std::size_t pair_partners, const std::function
         tell_accepted(p, parallel, f);
     }
     if (f.by_ladder) f.why_not = f.judged.why_not;
-    return f;
 }
 
 }  // namespace stickslip::gap

@@ -86,10 +86,29 @@ std::vector<double> chances_of(const JudgedLadder& j)
     return chances;
 }
 
+namespace {
+
+/// Whether the last rung is a number of the document's own.
+bool corrects_the_document(const Ladder& ladder)
+{
+    if (!ladder.corrections) return false;
+    const Candidate& causes = ladder.rungs.back().causes;
+    for (std::size_t i = 0; i < causes.effects.size(); ++i) {
+        const bool below = ladder.rungs.size() > 1 &&
+                           std::ranges::count(ladder.rungs[ladder.rungs.size() - 2].causes.effects, causes.effects[i]);
+        if (!below && !ladder.corrections->same_number(*causes.effects[i], *causes.forms[i])) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
 bool small_against_corrections(const JudgedLadder& j)
 {
     const Shares& s = j.shares;
-    if (j.noise_left || s.rungs.empty()) return false;
+    // a number of the document that needs no rung for what its uncertainty allows has one because it is further off
+    // than documents are: corrections beside it that are held back by their own take on its part
+    if (j.noise_left || s.rungs.empty() || corrects_the_document(j.ladder)) return false;
     const double above = s.rungs.size() > 1 ? s.rungs[s.rungs.size() - 2] : s.corrected;
     return above - s.rungs.back() < policy::least_against_corrections * (s.documented - s.corrected);
 }

@@ -52,6 +52,7 @@ std::string rivals_text(const Diagnosis& d)
 Headline what_card(const Diagnosis& d)
 {
     if (d.verdict == Verdict::no_gap) return {Tone::good, "nothing", "what: the nominal joint is enough"};
+    if (d.interrupted) return {Tone::neutral, "not known", "what: the search was interrupted; nothing is ruled out"};
     if (d.verdict == Verdict::unknown || d.effects.empty())
         return {Tone::bad, "none of the catalogue", "what: no named effect explains the gap"};
     return {Tone::warning, together(d.effects[0].names),
@@ -196,6 +197,9 @@ std::string diagnosis_sentence(const Diagnosis& d)
         case Verdict::no_gap:
             return "No gap: the nominal joint predicts the records to the noise.";
         case Verdict::unknown:
+            if (d.interrupted)
+                return "Interrupted before the search was done: what causes the gap is not known, and nothing is ruled "
+                       "out.";
             return "There is a gap, and nothing in the catalogue explains it.";
         default: {
             const bool suspected = std::any_of(d.reasons.begin(), d.reasons.end(), contradicts);

@@ -244,6 +244,30 @@ TEST_CASE("logged velocities tell the filter without a command, exactly", "[gap]
     for (const auto& c : single_candidates(cases, found)) CHECK(c.effects[0]->name != "velocity-filter");
 }
 
+TEST_CASE("velocities that the command is made of tell the filter where rows were lost", "[gap]")
+{
+    Machine m;
+    m.tau = GENERATE(0.003, 0.011);  // documented: 0.003
+    const bool own = GENERATE(true, false);
+    Record r = test::record_of(m, 1, 3);
+    CAPTURE(m.tau, own);
+    if (!own)  // another filter of the logger's, which the command knows nothing of
+        for (std::size_t k = 1; k < r.rows(); ++k)
+            r.velocity[k] = r.velocity[k - 1] + 0.2 * ((r.position[k] - r.position[k - 1]) / 1e-3 - r.velocity[k - 1]);
+    for (const std::ptrdiff_t lost : {500, 1100, 2300})
+        for (auto* column : {&r.time, &r.position, &r.velocity, &r.reference_position, &r.reference_velocity,
+                             &r.effort_command, &r.effort_measured})
+            if (!column->empty()) column->erase(column->begin() + lost, column->begin() + lost + 4);
+    std::vector<Note> notes;
+    std::vector<Case> cases{prepare(r, test::nominal_joint(), notes)};
+    REQUIRE(cases[0].ticks.lost);
+    const auto found = audit(cases);
+    CHECK(found.filter_seen == own);
+    if (!own) return;
+    REQUIRE(found.findings.size() == (m.tau == 0.003 ? 0 : 1));
+    CHECK(cases[0].joint.control.velocity_estimate.tau == Approx(m.tau).epsilon(1e-6));
+}
+
 TEST_CASE("a velocity from anywhere else is no evidence of the controller's filter", "[gap]")
 {
     const Record whole = test::record_of({}, 1, 3);

@@ -157,6 +157,38 @@ TEST_CASE("more friction is named, sized and halves nothing but the gap; the ord
     CHECK(again.diagnosis.overall.after == d.overall.after);
 }
 
+TEST_CASE("an interrupted diagnosis says what was not looked at, keeps what was fitted and names nothing", "[gap]")
+{
+    Machine m;
+    m.coulomb = 9;
+    const auto until = [&](const std::string& last) {
+        bool stop = false;
+        DiagnosisOptions options;
+        options.progress = [&](const std::string& stage, double) { stop = stop || stage == last; };
+        const auto run = [&](std::size_t n, const std::function<void(std::size_t)>& task) {
+            if (stop) throw Interrupted();
+            in_order(n, task);
+        };
+        return diagnose(nominal_joint(), records_of(m), run, options).diagnosis;
+    };
+    const Diagnosis early = until("fitting single effects"), late = until("predicting held-out data");
+    for (const auto* d : {&early, &late}) {
+        CHECK(d->interrupted);
+        CHECK(d->verdict == Verdict::unknown);
+        CHECK_FALSE(d->signals.empty());
+        REQUIRE(d->reasons.size() == 1);
+    }
+    CHECK(early.effects.empty());
+    CHECK(early.reasons[0].code == Note::Code::interrupted_located);
+    CHECK(early.reasons[0].names.front() == "fitting single effects");
+    CHECK(early.reasons[0].names.back() == "predicting held-out data");
+    REQUIRE_FALSE(late.effects.empty());
+    CHECK(late.effects[0].names == std::vector<std::string>{"coulomb-level"});
+    CHECK(late.effects[0].probability <= 0.1);
+    CHECK(late.reasons[0].code == Note::Code::interrupted_located);
+    CHECK(late.reasons[0].names == std::vector<std::string>{"predicting held-out data"});
+}
+
 TEST_CASE("a wrong filter of the controller is the cause, and not the few per cent of the document beside it", "[gap]")
 {
     Machine m;

@@ -144,6 +144,21 @@ TEST_CASE("a cause that takes little beside the corrections is not what the gap 
     CHECK_FALSE(small_against_corrections(j));
 }
 
+TEST_CASE("a number of the document that is far off is a cause, whatever corrections beside it take", "[gap][ladder]")
+{
+    Machine m;
+    m.viscous = 3;
+    const Search search(m, {"viscous"});
+    JudgedLadder j;
+    j.ladder = search.search->climb({}, 1);
+    REQUIRE(j.ladder.rungs.size() == 1);
+    j.shares.documented = 1, j.shares.base = j.shares.corrected = 0.2, j.shares.rungs = {0.05};
+    CHECK_FALSE(small_against_corrections(j));
+    j.ladder.rungs[0].causes.effects = {effect_named("cogging")};
+    j.ladder.rungs[0].causes.forms = {&effect_named("cogging")->forms[0]};
+    CHECK(small_against_corrections(j));
+}
+
 TEST_CASE("a ladder without its last rung is that of the corrections alone", "[gap][ladder]")
 {
     Machine m;

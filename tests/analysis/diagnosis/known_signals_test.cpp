@@ -1,11 +1,13 @@
 #include "analysis/diagnosis/audit/audit.h"
 #include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/heldout/ensemble.h"
 #include "analysis/diagnosis/plant/simulator.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <functional>
 
 using namespace stickslip;
 using namespace stickslip::gap;
@@ -64,4 +66,22 @@ TEST_CASE("a logged feed-forward is no fault of the controller, an unlogged one 
     CHECK(with.findings.empty());
     r.feed_forward.clear();
     CHECK_FALSE(audited(r).command_explained);
+}
+
+TEST_CASE("what noise makes of a joint is measured with the load and the inertia that its record knows", "[gap]")
+{
+    Record r = test::record_of({}, 1, 4);
+    for (const double t : r.time) {
+        r.load_effort.push_back(5 * std::sin(3 * t));
+        r.inertia.push_back(test::nominal_joint().mechanism.inertia * (1 + 0.5 * std::sin(2 * t)));
+        r.feed_forward.push_back(2 * std::cos(t));
+    }
+    std::vector<Note> notes;
+    const std::vector<Case> cases{prepare(r, test::nominal_joint(), notes)};
+    const auto in_order = [](std::size_t n, const std::function<void(std::size_t)>& task) {
+        for (std::size_t i = 0; i < n; ++i) task(i);
+    };
+    const NoiseSpread spread = spread_of(cases, {}, {}, 3, in_order);
+    REQUIRE(spread.simulated);
+    for (std::size_t l = 0; l < levels.size(); ++l) CHECK(spread.mean[l][0].position == Approx(1).margin(0.3));
 }

@@ -153,4 +153,10 @@ TEST_CASE("numbers outside their physical range are no cause", "[gap][ladder]")
     CHECK_FALSE(plausible(lag, to_fit(lag, {0.49, 0.1, 0.01, 0.1}), scales, joint, policy::ladder.ranges));
     CHECK_FALSE(plausible(lag, to_fit(lag, {0.1, 0.49, 0.01, 0.1}), scales, joint, policy::ladder.ranges));
     CHECK_FALSE(plausible(lag, to_fit(lag, {0.1, 0.12, 4e-6, 0.1}), scales, joint, policy::ladder.ranges));
+    // LuGre's bristles without damping are Dahl's; without stiffness they are none
+    const Effect* bristles = effect_named("presliding");
+    const Candidate lugre{{bristles}, {&bristles->forms[1]}, 1};
+    CHECK(plausible(lugre, to_fit(lugre, {30, 0.001}), scales, joint, policy::ladder.ranges));
+    CHECK_FALSE(plausible(lugre, to_fit(lugre, {1, 0.1}), scales, joint, policy::ladder.ranges));
+    CHECK_FALSE(plausible(lugre, to_fit(lugre, {30, 1000}), scales, joint, policy::ladder.ranges));
 }

@@ -35,6 +35,8 @@ TEST_CASE("why the nearest cause is not the answer is said from its code and num
     CHECK_THAT(note_text(force), Contains("a force that follows the position behind a play"));
     CHECK_THAT(note_text({.code = Code::unexplained, .values = {0.58}}), Contains("the best leaves 58 % of it"));
     CHECK(note_text({.text = "as {it} stands"}) == "as {it} stands");
+    CHECK(note_text({.code = Code::interrupted_early, .names = {"reading", "fitting", "climbing"}}) ==
+          "interrupted while reading, and before fitting, climbing where needed: nothing was found yet");
 }
 
 TEST_CASE("the numbers of a note stand in its sentence as they are", "[report]")

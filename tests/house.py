@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The rooms of the house: which folder may include which. Run: tests/house.py [source folder]
+"""The rooms of the house: which folder may include which. Run: tests/house.py [source folder], with --sizes for the files
+and functions that are longer than a reader likes.
 
 Checks that arrows between floors go down only, that no folders include each other in a circle (a pair is the smallest
 circle), that the headers of heavy libraries stay behind ours, that a header which says "Internal to FOLDER" is included
@@ -10,7 +11,8 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
-SOURCE = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parent.parent)
+GIVEN = [given for given in sys.argv[1:] if given != "--sizes"]
+SOURCE = Path(GIVEN[0] if GIVEN else Path(__file__).parent.parent)
 ROOMS = ("analysis", "render", "sweep")
 
 # What a floor may not include: the first folder that a file lies in decides.
@@ -81,6 +83,49 @@ def internal_complaints():
                 yield f"{path}: includes {name}, which is internal to {rooms[name]}"
 
 
+LONGEST_FILE, LONGEST_FUNCTION = 250, 60
+# Why a function is longer, by file and first word of its name's line; what stands here is read before it is extended.
+LONG_FOR_A_REASON = {
+    "analysis/boundary/kinds/fold.cpp locate_folds": "one walk along an axis whose steps share their bracket",
+    "analysis/boundary/trace/tracer.cpp walk": "one step after the other of a trace: predict, correct, judge, adapt",
+    "analysis/diagnosis/audit/audit.cpp audit": "the audit's checks in the order in which each relies on those before",
+    "analysis/diagnosis/effects/compliance.cpp compliance": "a declaration: the forms of one effect, each with its range",
+    "analysis/diagnosis/effects/frictional_memory.cpp frictional_memory": "a declaration, as compliance",
+    "analysis/diagnosis/fit/fit.cpp descend_block": "Levenberg-Marquardt over blocks: one loop whose state all of it needs",
+    "analysis/loop/sampled_loop.cpp sampled_loop": "the discrete loop assembled block by block, as the figure shows it",
+    "analysis/simulation/attractor/follower.cpp run": "one motion until it is judged: the order of its tests is the method",
+    "analysis/simulation/attractor/nonlinear.cpp judge": "the outcomes, each tried where those before did not decide",
+    "analysis/simulation/solvers/motion.cpp run": "one turn: integrate, find the event, change the regime",
+    "analysis/stability/delayed_response.cpp delayed_response": "the method of steps, with its history as local state",
+    "sweep/report/pages/compare_report.cpp compare_report": "a page from top to bottom: its sections in their order",
+    "sweep/report/pages/design_report.cpp design_report": "a page from top to bottom: its sections in their order",
+    "sweep/report/pages/diagnosis_report.cpp diagnosis_report": "a page from top to bottom: its sections in their order",
+    "sweep/report/pages/outcome_report.cpp outcome_report": "a page from top to bottom: its sections in their order",
+    "sweep/report/pages/stability_report.cpp stability_report": "a page from top to bottom: its sections in their order",
+    "sweep/report/pages/trajectory_report.cpp trajectory_report": "a page from top to bottom: its sections in their order",
+}
+
+
+def sizes():
+    """Files and functions beyond the limits, the longest first. A body opens and closes with a brace of its own line."""
+    for path in files():
+        lines = (SOURCE / path).read_text(encoding="utf-8").split("\n")
+        if len(lines) - 1 > LONGEST_FILE:
+            yield len(lines) - 1, f"{path}"
+        at = 0
+        while at < len(lines):
+            opens = re.fullmatch(r"( *)\{", lines[at])
+            head = " ".join(lines[max(0, at - 4):at])
+            named = re.findall(r"(\w+)\([^;{}]*\)(?: const| override| noexcept)*(?: : .*)?$", head)
+            if opens and named:
+                end = next((i for i in range(at, len(lines)) if lines[i] == opens.group(1) + "}"), at)
+                if end - at + 1 > LONGEST_FUNCTION:
+                    reason = LONG_FOR_A_REASON.get(f"{path} {named[0]}", "no reason given")
+                    yield end - at + 1, f"{path} {named[0]}(): {reason}"
+                at = end
+            at += 1
+
+
 def files():
     for room in ROOMS:
         for path in sorted((SOURCE / room).rglob("*")):
@@ -117,6 +162,10 @@ def circles(arrows):
 
 
 def main():
+    if "--sizes" in sys.argv:
+        for count, what in sorted(sizes(), reverse=True):
+            print(f"{count:4} {what}")
+        return 0
     wrong, arrows, because, counted = [], defaultdict(set), {}, defaultdict(int)
     for path in files():
         folder = path.parent.as_posix()

@@ -27,6 +27,99 @@ namespace {
 struct Stopped {};
 using Task = std::function<void(std::size_t)>;
 
+/// Runs nothing more once somebody has asked to stop, and then throws Stopped.
+ParallelFor stoppable(const Invocation& invocation, const ParallelFor& run)
+{
+    return [&invocation, run](std::size_t n, const Task& task) {
+        const auto unless_asked_to_stop = [&](std::size_t i) {
+            if (!invocation.interrupted) task(i);
+        };
+        if (run) run(n, unless_asked_to_stop);
+        for (std::size_t i = 0; !run && i < n; ++i) unless_asked_to_stop(i);
+        if (invocation.interrupted) throw Stopped();
+    };
+}
+
+void answer_one(BoundaryAnswer& answer, BoundaryRequest request, const std::vector<Axis>& axes,
+                const Invocation& invocation)
+{
+    request.parallel = stoppable(invocation, request.parallel);
+    if (request.kind == BoundaryKind::outcome)
+        answer.outcome_means = disturbance_text(request.disturbance, answer.design.mechanism.motion);
+    if (axes.size() == 2) {
+        answer.curves.push_back(follow_boundaries(answer.design, axes[0], axes[1], request));
+        return;
+    }
+    auto ray = locate_boundaries(answer.design, axes[0], request);
+    if (ray.points.empty() && ray.undecided < ray.nodes) ray.outside = nearest_outside(answer.design, ray, request);
+    answer.rays.push_back(std::move(ray));
+}
+
+/// Returns how many questions were answered before somebody asked to stop.
+std::size_t answer_all(BoundaryAnswer& answer, const std::vector<BoundaryQuestion>& questions,
+                       const Invocation& invocation)
+{
+    std::size_t answered = 0;
+    try {
+        for (const auto& [request, axes] : questions) {
+            if (invocation.interrupted) throw Stopped();
+            answer_one(answer, request, axes, invocation);
+            ++answered;
+        }
+    } catch (const Stopped&) {
+        fmt::print(stderr, "interrupted: {} of {} boundaries were located{}\n", answered, questions.size(),
+                   answered > 0 ? " and are kept; the others are left out" : "; nothing was written");
+    }
+    return answered;
+}
+
+/// What all boundaries of an answer come to.
+struct Tally {
+    int points = 0, evaluations = 0;
+    bool coarse = false, undecided = false;
+
+    Tally(const BoundaryAnswer& answer, double max_undecided)
+    {
+        const auto judge = [&](int missing_verdicts, int nodes) {
+            undecided = undecided || missing_verdicts > max_undecided * nodes;
+        };
+        for (const auto& ray : answer.rays) {
+            judge(ray.undecided, ray.nodes);
+            points += static_cast<int>(ray.points.size());
+            evaluations += ray.evaluations;
+            for (const auto& p : ray.points) coarse = coarse || !p.converged;
+        }
+        for (const auto& c : answer.curves) {
+            judge(c.guard.undecided, c.guard.nodes);
+            points += c.points();
+            evaluations += c.evaluations;
+        }
+    }
+};
+
+void print_ray(const LocatedRay& ray, Motion motion)
+{
+    fmt::print("{} along {}: {} points, {} evaluations\n", name_of(ray.kind), ray.axis.path, ray.points.size(),
+               ray.evaluations);
+    for (const auto& p : ray.points)
+        fmt::print("  {:<14} {:<18.12g} {:<8} bracket {:.1e}  {}  {}, {} evaluations\n", name_of(ray.kind), p.value,
+                   unit_of(ray.axis.quantity, motion), p.precision(), p.converged ? "located" : "coarse ",
+                   name_of(p.method), p.evaluations);
+    fmt::print("  could be missed: {}\n", could_be_missed(ray));
+}
+
+void print_curve(const FollowedBoundary& c)
+{
+    fmt::print("{} over ({}, {}): {} pieces, {} points, coarsest bracket {:.1e}, {} evaluations\n", name_of(c.kind),
+               c.x.path, c.y.path, c.pieces.size(), c.points(), c.precision(), c.evaluations);
+    for (const auto& piece : c.pieces)
+        if (!piece.points.empty())
+            fmt::print("  ({:.6g}, {:.6g}) … ({:.6g}, {:.6g}), {} points, ends: {}, {}\n", piece.points.front().x,
+                       piece.points.front().y, piece.points.back().x, piece.points.back().y, piece.points.size(),
+                       name_of(piece.first), name_of(piece.last));
+    fmt::print("  could be missed: {}\n", could_be_missed(c));
+}
+
 int locate(const BoundaryOptions& options, const Invocation& invocation)
 {
     auto asked = read_spec_or_joint(options.input, options.settings);
@@ -41,75 +134,18 @@ int locate(const BoundaryOptions& options, const Invocation& invocation)
     answer.command = invocation.command;
     answer.design = asked.design;
     const auto start = std::chrono::steady_clock::now();
-    std::size_t answered = 0;
-    const auto answer_one = [&](BoundaryRequest request, const std::vector<Axis>& axes) {
-        request.parallel = [&invocation, run = request.parallel](std::size_t n, const Task& task) {
-            const auto unless_asked_to_stop = [&](std::size_t i) {
-                if (!invocation.interrupted) task(i);
-            };
-            if (run) run(n, unless_asked_to_stop);
-            for (std::size_t i = 0; !run && i < n; ++i) unless_asked_to_stop(i);
-            if (invocation.interrupted) throw Stopped();
-        };
-        if (request.kind == BoundaryKind::outcome)
-            answer.outcome_means = disturbance_text(request.disturbance, asked.design.mechanism.motion);
-        if (axes.size() == 2) {
-            answer.curves.push_back(follow_boundaries(asked.design, axes[0], axes[1], request));
-            return;
-        }
-        auto ray = locate_boundaries(asked.design, axes[0], request);
-        if (ray.points.empty() && ray.undecided < ray.nodes) ray.outside = nearest_outside(asked.design, ray, request);
-        answer.rays.push_back(std::move(ray));
-    };
-    try {
-        for (const auto& [request, axes] : questions) {
-            if (invocation.interrupted) throw Stopped();
-            answer_one(request, axes);
-            ++answered;
-        }
-    } catch (const Stopped&) {
-        fmt::print(stderr, "interrupted: {} of {} boundaries were located{}\n", answered, questions.size(),
-                   answered > 0 ? " and are kept; the others are left out" : "; nothing was written");
-        if (answered == 0) return exit_interrupted;
-    }
+    const std::size_t answered = answer_all(answer, questions, invocation);
+    if (answered == 0 && !questions.empty()) return exit_interrupted;
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
 
     const auto report = boundary_report(answer, parallel_for_each);
     auto json = boundary_json(answer);
     json["answer"] = plain_text(report.verdict);
     fmt::print("{}\n", options.json ? json.dump(2) : plain_text(report.verdict));
-    bool coarse = false, undecided = false;
-    const auto judge = [&](int missing_verdicts, int nodes) {
-        undecided = undecided || missing_verdicts > options.max_undecided * nodes;
-    };
-    int points = 0, evaluations = 0;
-    for (const auto& ray : answer.rays) {
-        judge(ray.undecided, ray.nodes);
-        points += static_cast<int>(ray.points.size());
-        evaluations += ray.evaluations;
-        for (const auto& p : ray.points) coarse = coarse || !p.converged;
-        if (options.json) continue;
-        fmt::print("{} along {}: {} points, {} evaluations\n", name_of(ray.kind), ray.axis.path, ray.points.size(),
-                   ray.evaluations);
-        for (const auto& p : ray.points)
-            fmt::print("  {:<14} {:<18.12g} {:<8} bracket {:.1e}  {}  {}, {} evaluations\n", name_of(ray.kind), p.value,
-                       unit_of(ray.axis.quantity, answer.design.mechanism.motion), p.precision(),
-                       p.converged ? "located" : "coarse ", name_of(p.method), p.evaluations);
-        fmt::print("  could be missed: {}\n", could_be_missed(ray));
-    }
-    for (const auto& c : answer.curves) {
-        judge(c.guard.undecided, c.guard.nodes);
-        points += c.points();
-        evaluations += c.evaluations;
-        if (options.json) continue;
-        fmt::print("{} over ({}, {}): {} pieces, {} points, coarsest bracket {:.1e}, {} evaluations\n", name_of(c.kind),
-                   c.x.path, c.y.path, c.pieces.size(), c.points(), c.precision(), c.evaluations);
-        for (const auto& piece : c.pieces)
-            if (!piece.points.empty())
-                fmt::print("  ({:.6g}, {:.6g}) … ({:.6g}, {:.6g}), {} points, ends: {}, {}\n", piece.points.front().x,
-                           piece.points.front().y, piece.points.back().x, piece.points.back().y, piece.points.size(),
-                           name_of(piece.first), name_of(piece.last));
-        fmt::print("  could be missed: {}\n", could_be_missed(c));
+    const Tally tally(answer, options.max_undecided);
+    if (!options.json) {
+        for (const auto& ray : answer.rays) print_ray(ray, answer.design.mechanism.motion);
+        for (const auto& curve : answer.curves) print_curve(curve);
     }
     if (!options.directory.empty()) {
         write_whole(std::filesystem::path(options.directory) / "boundary.json", json.dump(1) + "\n");
@@ -120,10 +156,10 @@ int locate(const BoundaryOptions& options, const Invocation& invocation)
     if (!options.json) {
         if (!answer.outcome_means.empty())
             fmt::print("outcomes follow a disturbance: {}\n", plain_text(answer.outcome_means));
-        fmt::print("{} points, {} evaluations, {:.2f} s\n", points, evaluations, wall.count());
+        fmt::print("{} points, {} evaluations, {:.2f} s\n", tally.points, tally.evaluations, wall.count());
     }
     if (answered < questions.size()) return exit_interrupted;
-    return coarse || undecided ? exit_undecided : exit_done;
+    return tally.coarse || tally.undecided ? exit_undecided : exit_done;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "analysis/stability/real_loop.h"
 #include "analysis/stability/verdict.h"
 #include "sweep/engine/build.h"
+#include "sweep/files/json/load_json.h"
 #include "sweep/files/json/nonlinear_json.h"
 #include "sweep/files/json/set_point_json.h"
 #include "sweep/files/json/study_json.h"
@@ -61,26 +62,7 @@ std::optional<LoadStudy> loaded(const Joint& joint, const SurroundingsOption& su
     return load_study(joint, record.sampled(record.duration() / sampled_disturbance, sampled_disturbance));
 }
 
-nlohmann::ordered_json load_json(const LoadStudy& study)
-{
-    nlohmann::ordered_json json = {
-        {"low", study.low},
-        {"high", study.high},
-        {"stable_share",
-         {{"velocity_only", study.stable_velocity_only}, {"state_variable", study.stable_state_variable}}},
-        {"hardest", json_number(study.hardest_load)},
-        {"k_cr", json_number(study.hardest_k_cr)}};
-    auto& levels = json["levels"] = nlohmann::ordered_json::array();
-    for (const auto& v : study.at)
-        levels.push_back({{"load", v.load},
-                          {"velocity_only",
-                           {{"spectral_abscissa", json_number(v.velocity_only)}, {"k_v_min", json_number(v.k_v_min)}}},
-                          {"state_variable",
-                           {{"spectral_abscissa", json_number(v.state_variable)}, {"k_cr", json_number(v.k_cr)}}}});
-    return json;
-}
-
-nlohmann::ordered_json motion_json(const AskedDisturbance& asked, const DisturbedMotion& motion)
+nlohmann::ordered_json forced_json(const AskedDisturbance& asked, const DisturbedMotion& motion)
 {
     return {{"kind", asked.kind},
             {"size", asked.size},
@@ -102,95 +84,132 @@ void print_rows(const Table& table)
     for (const auto& row : table.rows) fmt::print("  {:<40} {}\n", plain_text(row[0]), plain_text(row[1]));
 }
 
-int evaluate(const Options& options, const Invocation& invocation)
+/// Everything that one evaluation found.
+struct Evaluated {
+    Joint joint;
+    Joint summed;  ///< pages and studies turn k_p, which a cascade has only as part of its sum of gains
+    LinearVerdict verdict;
+    NonlinearVerdict nonlinear;
+    std::optional<LinearStudy> study;  ///< for JSON and pages
+    std::optional<DisturbedMotion> motion;
+    std::optional<LoadStudy> loads;
+    std::optional<SetPoint> rest;
+    std::vector<NearMode> near;
+    std::optional<IntegralCost> integral;
+    std::string servo;
+
+    bool decided() const { return verdict.steady.reason == Reason::none; }
+    bool only_rest() const { return rest && (joint.control.V0 == 0 || (!is_set(joint.control.V0) && !decided())); }
+    Motion units() const { return joint.mechanism.motion; }
+};
+
+Evaluated evaluated(const Options& options)
 {
     auto asked = read_spec_or_joint(options.joint, options.settings);
     if (options.ideal_loop) {
         asked.design = with_ideal_loop(asked.design);
         asked.spec.joint = with_ideal_loop(asked.spec.joint);
     }
-    const Joint& joint = asked.design;
     set_search_effort(options.effort);
-    auto verdict = linear_verdict(joint);
-    add_margins(joint, verdict);
-    // pages and studies turn k_p, which a cascade has only as part of its sum of gains
-    const Joint summed = joint.control.structure == Structure::cascade ? with_gains(joint) : joint;
-    NonlinearOptions nonlinear_options;
-    nonlinear_options.bifurcation = true;
-    nonlinear_options.disturbance = options.disturbance.disturbance(asked.spec.nonlinear);
-    nonlinear_options.rtol = asked.spec.nonlinear.tolerance;
-    const auto nonlinear = nonlinear_verdict(joint, nonlinear_options);
-    const bool decided = verdict.steady.reason == Reason::none;
-    std::optional<LinearStudy> study;
-    if (options.json || !options.directory.empty()) study = linear_study(summed);
-    const auto& force = options.surroundings.force;
-    const auto motion = decided ? disturbed(summed, force) : std::nullopt;
-    const auto loads = decided ? loaded(summed, options.surroundings) : std::nullopt;
-    const auto rest = resting(joint);
-    const bool only_rest = rest && (joint.control.V0 == 0 || (!is_set(joint.control.V0) && !decided));
-    const Motion units = joint.mechanism.motion;
-    const auto near = near_modes(joint);
-    const auto integral = integral_cost(joint, verdict);
-    const auto servo = files::servo_text(options.joint);
-    std::filesystem::path page;
-    if (!options.directory.empty()) {
-        const auto answer = answer_joint(summed, verdict, nonlinear, *study);
-        auto report = linear_report(summed, answer);
-        if (const auto chart = gain_chart(summed))
-            report.sections.insert(report.sections.begin(), gains_section(summed, answer, *chart));
-        report.provenance = {{"version", program_version()}, {"command", invocation.command}};
-        if (motion)
-            for (auto& section : report.sections)
-                if (section.id == "response") section.figures.push_back(disturbance_figure(joint, force, *motion));
-        if (rest && only_rest) report.verdict = set_point_text(*rest, units);
-        if (rest) report.sections.insert(report.sections.end() - 1, set_point_section(*rest, units));
-        if (loads) report.sections.insert(report.sections.end() - 1, load_section(joint, *loads));
-        for (const auto& mode : near) report.alerts.push_back(near_mode_alert(mode, units));
-        if (integral)
-            report.alerts.push_back({integral->with > 0 ? Headline::Tone::neutral : Headline::Tone::warning,
-                                     integral_text(*integral, units)});
-        page = write_report(report, options.directory);
+    Evaluated e;
+    e.joint = asked.design;
+    e.verdict = linear_verdict(e.joint);
+    add_margins(e.joint, e.verdict);
+    e.summed = e.joint.control.structure == Structure::cascade ? with_gains(e.joint) : e.joint;
+    NonlinearOptions nonlinear;
+    nonlinear.bifurcation = true;
+    nonlinear.disturbance = options.disturbance.disturbance(asked.spec.nonlinear);
+    nonlinear.rtol = asked.spec.nonlinear.tolerance;
+    e.nonlinear = nonlinear_verdict(e.joint, nonlinear);
+    if (options.json || !options.directory.empty()) e.study = linear_study(e.summed);
+    if (e.decided()) {
+        e.motion = disturbed(e.summed, options.surroundings.force);
+        e.loads = loaded(e.summed, options.surroundings);
     }
+    e.rest = resting(e.joint);
+    e.near = near_modes(e.joint);
+    e.integral = integral_cost(e.joint, e.verdict);
+    e.servo = files::servo_text(options.joint);
+    return e;
+}
+
+std::filesystem::path write_page(const Evaluated& e, const Options& options, const std::string& command)
+{
+    const auto answer = answer_joint(e.summed, e.verdict, e.nonlinear, *e.study);
+    auto report = linear_report(e.summed, answer);
+    if (const auto chart = gain_chart(e.summed))
+        report.sections.insert(report.sections.begin(), gains_section(e.summed, answer, *chart));
+    report.provenance = {{"version", program_version()}, {"command", command}};
+    if (e.motion)
+        for (auto& section : report.sections)
+            if (section.id == "response")
+                section.figures.push_back(disturbance_figure(e.joint, options.surroundings.force, *e.motion));
+    if (e.only_rest()) report.verdict = set_point_text(*e.rest, e.units());
+    if (e.rest) report.sections.insert(report.sections.end() - 1, set_point_section(*e.rest, e.units()));
+    if (e.loads) report.sections.insert(report.sections.end() - 1, load_section(e.joint, *e.loads));
+    for (const auto& mode : e.near) report.alerts.push_back(near_mode_alert(mode, e.units()));
+    if (e.integral)
+        report.alerts.push_back({e.integral->with > 0 ? Headline::Tone::neutral : Headline::Tone::warning,
+                                 integral_text(*e.integral, e.units())});
+    return write_report(report, options.directory);
+}
+
+nlohmann::ordered_json evaluate_json(const Evaluated& e, const AskedDisturbance& force)
+{
+    nlohmann::ordered_json json = {{"format", "stickslip-evaluate/1"}};
+    json.update(verdict_json(e.verdict));
+    if (e.decided()) json["linear"].update(study_json(e.summed, *e.study));
+    if (e.motion) json["linear"]["forced"] = forced_json(force, *e.motion);
+    if (e.loads) json["linear"]["normal_load"] = load_json(*e.loads);
+    json["nonlinear"] = nonlinear_json(e.nonlinear);
+    for (const auto& mode : e.near)
+        json["warnings"].push_back({{"code", "neighbour-mode"},
+                                    {"neighbour", mode.neighbour},
+                                    {"omega", mode.omega},
+                                    {"friction_omega", mode.friction}});
+    if (e.rest) json["set_point"] = set_point_json(*e.rest);
+    if (e.integral)
+        json["linear"]["integral_cost"] = {
+            {"margin", e.integral->with}, {"margin_without", e.integral->without}, {"share", e.integral->share()}};
+    if (!e.servo.empty()) json["notes"].push_back(e.servo);
+    return json;
+}
+
+void print_text(const Evaluated& e)
+{
+    if (e.rest) fmt::print("{}\n", plain_text(set_point_text(*e.rest, e.units())));
+    if (e.rest) print_rows(set_point_table(*e.rest, e.units()));
+    if (!e.only_rest()) {
+        fmt::print("{}\n", plain_text(verdict_text(e.summed, e.verdict)));
+        print_rows(linear_table(e.summed, e.verdict));
+        print_rows(nonlinear_table(e.joint, e.nonlinear));
+    }
+    for (const auto& mode : e.near) fmt::print("warning: {}\n", plain_text(near_mode_text(mode, e.units())));
+    if (e.integral) fmt::print("{}\n", plain_text(integral_text(*e.integral, e.units())));
+    if (!e.servo.empty()) fmt::print("{}\n", e.servo);
+    if (e.motion)
+        fmt::print("  {:<40} {} at {}\n", "largest linear answer to the force",
+                   with_unit(e.motion->peak, Quantity::position, e.units()),
+                   with_unit(e.motion->peak_time, Quantity::time, e.units()));
+    if (e.loads) print_rows(load_table(e.joint, *e.loads));
+}
+
+int evaluate(const Options& options, const Invocation& invocation)
+{
+    const Evaluated e = evaluated(options);
+    std::filesystem::path page;
+    if (!options.directory.empty()) page = write_page(e, options, invocation.command);
     if (options.json) {
-        nlohmann::ordered_json json = {{"format", "stickslip-evaluate/1"}};
-        json.update(verdict_json(verdict));
-        if (decided) json["linear"].update(study_json(summed, *study));
-        if (motion) json["linear"]["forced"] = motion_json(force, *motion);
-        if (loads) json["linear"]["normal_load"] = load_json(*loads);
-        json["nonlinear"] = nonlinear_json(nonlinear);
-        for (const auto& mode : near)
-            json["warnings"].push_back({{"code", "neighbour-mode"},
-                                        {"neighbour", mode.neighbour},
-                                        {"omega", mode.omega},
-                                        {"friction_omega", mode.friction}});
-        if (rest) json["set_point"] = set_point_json(*rest);
-        if (integral)
-            json["linear"]["integral_cost"] = {
-                {"margin", integral->with}, {"margin_without", integral->without}, {"share", integral->share()}};
-        if (!servo.empty()) json["notes"].push_back(servo);
-        fmt::print("{}\n", json.dump(2));
+        fmt::print("{}\n", evaluate_json(e, options.surroundings.force).dump(2));
     } else {
-        if (rest) fmt::print("{}\n", plain_text(set_point_text(*rest, units)));
-        if (rest) print_rows(set_point_table(*rest, units));
-        if (!only_rest) {
-            fmt::print("{}\n", plain_text(verdict_text(summed, verdict)));
-            print_rows(linear_table(summed, verdict));
-            print_rows(nonlinear_table(joint, nonlinear));
-        }
-        for (const auto& mode : near) fmt::print("warning: {}\n", plain_text(near_mode_text(mode, units)));
-        if (integral) fmt::print("{}\n", plain_text(integral_text(*integral, units)));
-        if (!servo.empty()) fmt::print("{}\n", servo);
-        if (motion)
-            fmt::print("  {:<40} {} at {}\n", "largest linear answer to the force",
-                       with_unit(motion->peak, Quantity::position, joint.mechanism.motion),
-                       with_unit(motion->peak_time, Quantity::time, joint.mechanism.motion));
-        if (loads) print_rows(load_table(joint, *loads));
+        print_text(e);
         if (!page.empty()) fmt::print("report:  {}\n", page.string());
     }
-    if (only_rest) return rest->hunting == Hunting::undecided ? exit_undecided : exit_done;
-    const bool half = nonlinear.outcome == Outcome::stable_sliding && nonlinear.region == NonlinearRegion::undecided;
-    const bool failed = nonlinear.outcome == Outcome::undecided || nonlinear.outcome == Outcome::solver_failure || half;
-    return decided && !failed ? exit_done : exit_undecided;
+    if (e.only_rest()) return e.rest->hunting == Hunting::undecided ? exit_undecided : exit_done;
+    const auto& n = e.nonlinear;
+    const bool half = n.outcome == Outcome::stable_sliding && n.region == NonlinearRegion::undecided;
+    const bool failed = n.outcome == Outcome::undecided || n.outcome == Outcome::solver_failure || half;
+    return e.decided() && !failed ? exit_done : exit_undecided;
 }
 
 }  // namespace

@@ -9,9 +9,9 @@ namespace stickslip::lanes {
 namespace {
 
 /// A rough search is believed where every turn loses more than that of its amplitude; a rough cycle where the return
-/// map contracts by that. Elsewhere a fold or the linear boundary is near, and tolerance decides. Evidence: over the 61 × 61
-/// gains of the bistable strip (examples/03-bistable-strip) every outcome and region is that of searches that are all
-/// fine and every number within 2·10⁻⁵ of theirs; with all rough searches believed an overshoot is off by 0.4 %.
+/// map contracts by that. Elsewhere a fold or the linear boundary is near, and tolerance decides. Evidence: over the 61
+/// × 61 gains of the bistable strip (examples/03-bistable-strip) every outcome and region is that of searches that are
+/// all fine and every number within 2·10⁻⁵ of theirs; with all rough searches believed an overshoot is off by 0.4 %.
 constexpr double clear_decay = 0.95, clear_multiplier = 0.95;
 constexpr double rough_closure = 1e-4;  ///< as `closure`
 constexpr double refined = 1e-2;        ///< largest step of a refinement, per amplitude

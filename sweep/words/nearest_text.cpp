@@ -71,12 +71,13 @@ std::string nearest_text(const NearestBoundary& n, Motion motion)
 
 Headline nearest_headline(const NearestBoundary& n, Motion motion)
 {
-    Headline h{Headline::Tone::neutral, "none near",
+    Headline h{Headline::Tone::neutral, "no boundary near",
                nearest_text(n, motion) + " Nearest change of all uncertain parameters together."};
     if (!n.found) return h;
-    const auto move = leading_moves(n).front();
-    const double change = move.to / move.from - 1;
-    h.value = symbol(move, motion) + (change < 0 ? " −" : " +") + plain_number(100 * std::abs(change), 2) + " %";
+    const auto moves = leading_moves(n);
+    const double change = moves.front().to / moves.front().from - 1;
+    h.value = symbol(moves.front(), motion) + (change < 0 ? " −" : " +") + plain_number(100 * std::abs(change), 2) +
+              " %" + (moves.size() > 1 ? " with others" : "");
     h.tone = !n.stable ? Headline::Tone::bad : n.distance < near ? Headline::Tone::warning : Headline::Tone::good;
     return h;
 }
@@ -87,13 +88,15 @@ void name_symbols(Report& report, const NearestBoundary& n, Motion motion)
     std::string text;
     for (const auto& move : leading_moves(n))
         text += (text.empty() ? "" : " ") + symbol(move, motion) + ": " + name_of(move.path) +
-                (move.less.empty() ? "" : " less " + name_of(move.less)) + ".";
+                (move.less.empty() ? "" : " minus " + name_of(move.less)) + ".";
     report.findings.push_back(text);
 }
 
-std::string all_at_once(double distance, std::size_t parameters)
+std::string all_at_once(double distance, const std::vector<double>& scales)
 {
-    const double each = distance / std::sqrt(static_cast<double>(std::max<std::size_t>(1, parameters)));
+    double squares = 0;
+    for (const double scale : scales) squares += 1 / (scale * scale);
+    const double each = squares > 0 ? distance / std::sqrt(squares) : distance;
     return "±" + plain_number(100 * -std::expm1(-each), 2) + "\u00a0%";
 }
 

@@ -13,13 +13,14 @@ std::string nearest_text(const NearestBoundary& nearest, Motion motion);
 /// The parameter that moves most, and the sentence.
 Headline nearest_headline(const NearestBoundary& nearest, Motion motion);
 
-/// What the letters of that sentence stand for: "L: slip distance. B − A: evolution effect less direct effect.", below
+/// What the letters of that sentence stand for: "L: slip distance. B − A: evolution effect minus direct effect.", below
 /// the numbers of the first screen.
 void name_symbols(Report& report, const NearestBoundary& nearest, Motion motion);
 
-/// A distance over `parameters` numbers as an engineer states tolerances: "±4.2 %". Numbers that are all off by no more
-/// than that together stay within the distance: √n |ln(1 ± x)| ≤ d.
-std::string all_at_once(double distance, std::size_t parameters);
+/// A distance over numbers as an engineer states tolerances: "±4.2 %". Numbers that are all off by no more than that
+/// together stay within the distance: |ln(1 ± x)| √Σ 1/scale² ≤ d. `scales` are those of the coordinates in which it
+/// was measured.
+std::string all_at_once(double distance, const std::vector<double>& scales);
 
 nlohmann::ordered_json nearest_json(const NearestBoundary& nearest);
 

@@ -76,7 +76,7 @@ TEST_CASE("the page of margins draws the way to each boundary", "[program][pages
     Folder folder;
     const auto page = page_of(folder, "margins '" + folder.write("joint.toml", joint) + "' --uncertain friction.L=20%");
     check_first_screen(page);
-    CHECK_THAT(page, Contains("id=\"growth-by-parameter\"") && Contains("class=\"verdict warning\""));
+    CHECK_THAT(page, Contains("id=\"growth-by-parameter\"") && Contains("class=\"verdict bad\""));
     const auto lines = program::read(folder / "out/charts/growth-by-parameter.csv");
     for (const char* name : {"\nm,", "\nL,", "\nA,", "\nboundary,"}) CHECK_THAT(lines, Contains(name));
 }

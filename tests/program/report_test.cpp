@@ -133,7 +133,7 @@ TEST_CASE("a finished sweep is drawn from its stored answers, byte for byte, and
     REQUIRE(at != std::string::npos);
     told.replace(at, found.size(), "\"nearest\":{\"decided\":true,\"stable\":true,\"found\":false");
     folder.write("a/answer.json", told);
-    CHECK_THAT(stickslip(again).output, Contains("none near"));
+    CHECK_THAT(stickslip(again).output, Contains("no boundary near"));
 
     // without it, or with that of another sweep, it is made again
     for (const std::string other :

@@ -34,6 +34,13 @@ std::string kind_words(BoundaryKind kind)
     return "boundary of the outcome";
 }
 
+/// What happens there, for who does not know the name.
+std::string meaning_of(BoundaryKind kind)
+{
+    if (kind == BoundaryKind::state_variable) return ", where small disturbances turn from decay to growth";
+    return kind == BoundaryKind::fold ? ", where stick-slip cycles appear or vanish" : "";
+}
+
 /// Where a curve meets the design's own line along one of its axes, the other number held: the meeting nearest to the
 /// design, interpolated between located points; NaN where it does not.
 double meeting(const FollowedBoundary& c, const Joint& given, bool along_x)
@@ -91,8 +98,9 @@ std::vector<Headline> meeting_headlines(const Joint& design, const std::vector<L
         const double change = (at - own) / std::abs(own);
         list.push_back({Headline::Tone::neutral,
                         axis.symbol + (change < 0 ? " −" : " +") + plain_number(100 * std::abs(change)) + " %",
-                        "from the design to the " + kind_words(kind) + ": " + with_unit(own, axis.quantity, motion, 4) +
-                            " to " + with_unit(at, axis.quantity, motion, 4)});
+                        "from the design to the " + kind_words(kind) + meaning_of(kind) + ": " +
+                            with_unit(own, axis.quantity, motion, 4) + " to " +
+                            with_unit(at, axis.quantity, motion, 4)});
     };
     for (const auto& ray : rays) {
         const double own = *find_parameter(joint, ray.axis.path);

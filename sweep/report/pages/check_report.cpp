@@ -158,20 +158,27 @@ Report check_report(const Spec& spec, const std::vector<Deviation>& deviations,
                             : "All " + std::to_string(deviations.size()) + " boundaries are where they were.";
     if (refined) report.verdict += " " + std::to_string(refined) + " are located more finely than before.";
     report.tone = failed ? Tone::bad : Tone::good;
-    double largest = 0;
-    for (const auto& d : deviations) largest = std::max(largest, d.relative);
+    const auto farthest = std::max_element(deviations.begin(), deviations.end(),
+                                           [](const auto& a, const auto& b) { return a.relative < b.relative; });
+    const bool moved = farthest != deviations.end() && farthest->relative > 0;
     report.headlines = {
         {failed ? Tone::bad : Tone::good, std::to_string(failed),
          "of " + std::to_string(deviations.size()) + " boundaries are out of tolerance; none is allowed"},
-        {Tone::neutral, largest > 0 ? plain_number(largest, 2) : "0",
-         "largest relative move of a boundary; each has a tolerance of its own"},
+        {Tone::neutral, moved ? plain_number(100 * farthest->relative, 2) + " %" : "0",
+         "largest relative move of a boundary" +
+             (moved ? ": " + watched_words(spec, farthest->now) + ", from " + row_of(spec, *farthest)[1] + " to " +
+                          row_of(spec, *farthest)[2]
+                    : "; each has a tolerance of its own")},
         {Tone::neutral, std::to_string(refined), "are located more finely than in the baseline"}};
     for (const auto& c : changed)
         report.findings.push_back("Changed since the baseline: " + changed_text(spec, c) + ".");
     if (changed.empty() && failed)
         report.findings.push_back(
-            "No number of the joint has changed since the baseline, or the baseline is older than such lists: look at "
-            "the choices of the joint file, the axes and the version of the program.");
+            "Which number of the joint has changed is not known: the baseline names none, or all are as they were and "
+            "a "
+            "friction law, an axis or the version of the program is another. A baseline written with --update names "
+            "the "
+            "numbers.");
     Section curves{"curves", "Before and now", "", {}, {}};
     for (const auto& [x, y] : spec.report.charts)
         if (const Axis* a = axis_of(spec, x), *b = axis_of(spec, y); a && b) {

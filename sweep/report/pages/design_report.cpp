@@ -100,6 +100,15 @@ std::vector<std::string> ends_of_range(const DesignAnswer& a, const Units& u)
     return texts;
 }
 
+/// Of the numbers in which its margin is measured.
+std::vector<double> scales_of(const DesignAnswer& a)
+{
+    std::vector<double> scales;
+    for (const auto& c : a.requirements.uncertain.empty() ? friction_coordinates(a.joint) : a.requirements.uncertain)
+        scales.push_back(c.scale);
+    return scales;
+}
+
 std::vector<std::string> row_of(const char* name, const GainChoice& c, const GainDesign& d, const Units& u)
 {
     return {name,
@@ -222,9 +231,8 @@ Report design_report(const DesignAnswer& a, std::vector<Snippet> snippets)
             report.headlines.push_back(
                 {r.met ? Tone::good : Tone::bad, demand_value(r, r.reached, a, u),
                  (r.name == "margin"
-                      ? "margin: the " + std::to_string(a.nearest.direction.size()) +
-                            " uncertain parameters may be off by " +
-                            all_at_once(r.reached, a.nearest.direction.size()) + " at once; required: at least "
+                      ? "margin: the " + std::to_string(scales_of(a).size()) + " uncertain parameters may be off by " +
+                            all_at_once(r.reached, scales_of(a)) + " at once; required: at least "
                       : demand_name(r.name) + "; required: at most ") +
                      demand_value(r, r.demanded, a, u)});
     }

@@ -59,6 +59,11 @@ Headline what_card(const Diagnosis& d)
             "what: the most probable cause, by its name in the catalogue; its numbers stand above"};
 }
 
+std::string when_text(const std::string& regime)
+{
+    return regime == "low speed" ? "at low speed" : "while " + regime;
+}
+
 Headline where_card(const Diagnosis& d)
 {
     if (d.verdict == Verdict::no_gap) return {Tone::good, "nowhere", "where: no stage errs by more than its noise"};
@@ -66,8 +71,14 @@ Headline where_card(const Diagnosis& d)
     const Share* s = largest(d.signals, d.signals.size());
     const Share* r = largest(d.regimes, exclusive);
     std::string meaning = fmt::format("where: the stage that holds {} of the gap", whole_percent(s->share));
-    if (r && r->share > 0) meaning += fmt::format("; {} of the motion's while {}", whole_percent(r->share), r->name);
+    if (r && r->share > 0)
+        meaning += fmt::format("; of the motion's part {} {}", whole_percent(r->share), when_text(r->name));
     return {Tone::neutral, s->name, meaning};
+}
+
+bool has_remainder(const Diagnosis& d)
+{
+    return !d.ladder.empty() && std::isfinite(d.remainder.share);
 }
 
 /// A cause that is itself noise cannot bring two simulations closer: it explains why they differ.
@@ -76,12 +87,23 @@ bool adds_noise(const Diagnosis& d)
     return d.overall.after >= d.overall.before;
 }
 
-Headline how_much_card(const Diagnosis& d)
+/// The gap before and after, on held-out data, noise included.
+std::string held_out_text(const Diagnosis& d)
 {
     if (judged_by_force(d))
+        return fmt::format("held-out drive force that the model gets wrong, {:.3g} → {:.3g} {}", d.drive_force.before,
+                           d.drive_force.after, d.drive_force.unit);
+    return fmt::format("held-out gap, {} → {} noise floors", floors(d.overall.before), floors(d.overall.after));
+}
+
+Headline how_much_card(const Diagnosis& d)
+{
+    if (d.verdict == Verdict::gap && !adds_noise(d) && has_remainder(d))
+        return {Tone::neutral, whole_percent(1 - std::max(0.0, d.remainder.share)),
+                "how much: of the gap beyond the noise it explains; " + held_out_text(d) + ", noise included"};
+    if (judged_by_force(d))
         return {Tone::neutral, fmt::format("− {}", whole_percent(1 - d.drive_force.after / d.drive_force.before)),
-                fmt::format("how much: held-out drive force that the model gets wrong, {:.3g} → {:.3g} {}",
-                            d.drive_force.before, d.drive_force.after, d.drive_force.unit)};
+                "how much: " + held_out_text(d)};
     if (d.verdict == Verdict::gap && adds_noise(d))
         return {
             Tone::neutral, floors(d.overall.after) + " floors",
@@ -89,8 +111,7 @@ Headline how_much_card(const Diagnosis& d)
                         floors(d.overall.own_floor))};
     if (d.verdict == Verdict::gap)
         return {Tone::neutral, fmt::format("− {}", whole_percent(1 - d.overall.after / d.overall.before)),
-                fmt::format("how much: held-out gap, {} → {} noise floors", floors(d.overall.before),
-                            floors(d.overall.after))};
+                "how much: " + held_out_text(d)};
     return {Tone::neutral, floors(d.overall.before) + " floors",
             "how much: the gap on held-out data; 1 is what noise alone makes"};
 }
@@ -112,7 +133,7 @@ Headline how_sure_card(const Diagnosis& d)
 /// What the ladder leaves of the gap, where there is one.
 std::vector<Headline> remains_card(const Diagnosis& d)
 {
-    if (d.ladder.empty() || !std::isfinite(d.remainder.share)) return {};
+    if (!has_remainder(d)) return {};
     std::string meaning = "what remains: of the gap's held-out squares beyond the noise";
     if (!d.remainder.structure.empty())
         meaning += fmt::format("; it still depends on {}", fmt::join(d.remainder.structure, ", "));

@@ -98,9 +98,10 @@ std::vector<Headline> velocity_headlines(const VelocitySearch& search, bool stab
     for (const auto& i : stable_set.intervals) {
         if (!stable || V < i.low || V > i.high || (i.low <= low * (1 + 1e-9) && i.high >= high * (1 - 1e-9))) continue;
         const bool open = i.high >= high * (1 - 1e-9);
-        headlines.push_back({!open && i.high < near_factor * V ? Tone::warning : Tone::neutral,
-                             (open ? "≥ " : "") + text(i.high),
-                             "up to here sliding stays smooth when the design's " + text(V) + " is raised"});
+        headlines.push_back(
+            {!open && i.high < near_factor * V ? Tone::warning : Tone::neutral, (open ? "≥ " : "") + text(i.high),
+             "up to here sliding stays smooth when the design's " + text(V) + " is raised" +
+                 (open || std::isnan(from) || from <= i.high ? "" : "; then not, up to " + text(from))});
     }
     return headlines;
 }

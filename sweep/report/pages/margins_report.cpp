@@ -113,6 +113,12 @@ Figure growth_figure(const MarginsAnswer& a)
     return figure;
 }
 
+/// One factor of e each: margins_of measures the nearest boundary in plain logarithms.
+std::vector<double> scales_of(const MarginsAnswer& a)
+{
+    return std::vector<double>(a.nearest.direction.size(), 1);
+}
+
 /// The parameter that has the shortest way to its boundary, alone.
 const NearestMove* shortest_alone(const MarginsAnswer& a)
 {
@@ -137,7 +143,7 @@ void add_headlines(Report& report, const MarginsAnswer& a)
                  with_unit(move->from, quantity, motion, 4) + " to " + with_unit(move->to, quantity, motion, 4)});
     }
     if (a.nearest.found)
-        report.headlines.push_back({Tone::neutral, all_at_once(a.nearest.distance, a.nearest.direction.size()),
+        report.headlines.push_back({Tone::neutral, all_at_once(a.nearest.distance, scales_of(a)),
                                     "in all " + std::to_string(a.nearest.direction.size()) +
                                         " parameters at once cannot reach the boundary (distance " +
                                         plain_number(a.nearest.distance) + ")"});
@@ -187,8 +193,8 @@ std::string margins_text(const MarginsAnswer& a)
     std::string text = nearest_text(a.nearest, a.joint.mechanism.motion);
     if (a.nearest.found)
         text += " All " + std::to_string(a.nearest.direction.size()) + " parameters may be off by " +
-                all_at_once(a.nearest.distance, a.nearest.direction.size()) +
-                " at once without reaching it (distance " + plain_number(a.nearest.distance) + ").";
+                all_at_once(a.nearest.distance, scales_of(a)) + " at once without reaching it (distance " +
+                plain_number(a.nearest.distance) + ").";
     return text + worst_text(a);
 }
 
@@ -199,9 +205,9 @@ Report margins_report(const MarginsAnswer& a)
     report.subtitle = "margins of the design point";
     report.verdict = margins_text(a);
     const bool doubtful = a.worst && a.worst->instability >= 0;
-    report.tone = !a.nearest.decided || (a.nearest.stable && doubtful) ? Headline::Tone::warning
-                  : a.nearest.stable                                   ? Headline::Tone::good
-                                                                       : Headline::Tone::bad;
+    report.tone = !a.nearest.decided              ? Headline::Tone::warning
+                  : a.nearest.stable && !doubtful ? Headline::Tone::good
+                                                  : Headline::Tone::bad;
     if (a.nearest.decided) add_headlines(report, a);
     Section section{"margins", "Margins", "", {}, {alone_table(a)}};
     if (a.robust && a.nominal) section.figures.push_back(robust_figure(a));

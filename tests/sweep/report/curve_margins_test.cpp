@@ -71,7 +71,9 @@ TEST_CASE("a ray tells how far each boundary is and on which side of it the desi
     REQUIRE(cards.size() == 2);
     CHECK(cards[0].value == "k_{p} −11.6 %");
     CHECK(cards[1].value == "k_{p} +13 %");
-    CHECK(cards[1].meaning == "from the design to the fold of limit cycles: 22 kN/m to 24.85 kN/m");
+    CHECK(
+        cards[1].meaning ==
+        "from the design to the fold of limit cycles, where stick-slip cycles appear or vanish: 22 kN/m to 24.85 kN/m");
     CHECK(beyond_rays(design, {linear, fold}));
     // cycles on the other side
     CHECK_FALSE(beyond_rays(design, {ray(BoundaryKind::fold, 24849, 1)}));

@@ -200,12 +200,6 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
         if (!f.quiet) d.reasons.push_back({Note::Code::controller_and_rest});
     } else if (f.by_ladder) {
         tell_named(p, parallel, f, d);
-        // what the controller's regression is sure of stands first by itself, what the mechanism adds comes after it
-        if (wrong_controller && shown && !f.judged.noise_left) {
-            constexpr double half = 0.5;
-            for (auto& c : d.effects) c.probability *= half;
-            d.effects.insert(d.effects.begin(), cause_of(p, f.none, half));
-        }
     } else {
         list_effects(p, ranked, d);
         if (!d.effects.empty() && shown)
@@ -218,6 +212,9 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
         audited = std::clamp(alone.overall.explained, 0.0, 1.0);
     }
     tell_ladder(p, f, audited, d);
+    const bool only_numbers = f.judged.only_corrections && f.judged.noise_left;
+    if (f.by_ladder && !audit_alone && wrong_controller && shown && !only_numbers)
+        put_controller_in_order(cause_of(p, f.none, 0), f.judged.noise_left, d);
     if (!f.climbed && shown) d.remainder.share = f.quiet ? 0 : std::clamp(1 - held.overall.explained, 0.0, 1.0);
     if (shown) tell_rivals(p, f, ranked, winner, d);
     const bool settled = f.quiet || f.by_ladder || winner.accepted || wrong_controller;

@@ -93,6 +93,7 @@ inline constexpr double least_chance_of_further_rung = 0.5;
 /// little it takes: it has a rung only where it is further off than documents are. Evidence: a viscous friction of a
 /// tenth of the documented one took 9 % of the gap, and all but 4 % of what corrections of inertia and Coulomb friction
 /// left.
+/// The same part of what a finding about the controller takes lets causes in the mechanism stand with it first.
 inline constexpr double least_against_corrections = 0.25;
 /// A correction is told as what is wrong with the document where leaving it out costs so much of what all of them take.
 inline constexpr double worth_correcting = 0.05;

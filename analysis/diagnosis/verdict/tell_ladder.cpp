@@ -207,4 +207,24 @@ std::vector<Cause> causes_of(const Prepared& p, const JudgedLadder& j)
     return causes;
 }
 
+void put_controller_in_order(Cause controller, bool noise_left, Diagnosis& d)
+{
+    if (d.ladder.empty() || d.effects.empty()) return;
+    double beside = 0, sum = 0;
+    for (std::size_t i = 1; i < d.ladder.size(); ++i) beside += d.ladder[i].share;
+    for (const auto& c : d.effects) sum += c.probability;
+    // an encoder's coarser steps take nothing of the gap that they make, and corrections are no causes beside them
+    const bool good_part = beside > 0 && beside >= policy::least_against_corrections * d.ladder[0].share;
+    if (good_part && noise_left) return;
+    constexpr double half = 0.5;
+    if (good_part && d.effects[0].probability > half) {
+        controller.probability = std::max(0.0, 1 - sum);
+        d.effects.insert(d.effects.begin() + 1, std::move(controller));
+        return;
+    }
+    controller.probability = noise_left ? 1 - policy::doubt_of_noise : half;
+    for (auto& c : d.effects) c.probability *= 1 - controller.probability;
+    d.effects.insert(d.effects.begin(), std::move(controller));
+}
+
 }  // namespace stickslip::gap

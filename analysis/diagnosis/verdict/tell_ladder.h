@@ -13,4 +13,9 @@ void tell_ladder(const Prepared& prepared, const Findings& findings, double audi
 /// The ladder's causes and their rivals, best first.
 std::vector<Cause> causes_of(const Prepared& prepared, const JudgedLadder& judged);
 
+/// Puts what the controller's regression is sure of, the first rung of the ladder, among the effects by itself: first,
+/// unless causes in the mechanism are likely and take a good part beside it. Where those leave only noise, a small part
+/// is no doubt about the controller.
+void put_controller_in_order(Cause controller, bool noise_left, Diagnosis& diagnosis);
+
 }  // namespace stickslip::gap

@@ -1,6 +1,7 @@
 #include "analysis/diagnosis/verdict/judge_ladder.h"
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/verdict/policy.h"
+#include "analysis/diagnosis/verdict/tell_ladder.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 
 #include <catch2/catch.hpp>
@@ -142,6 +143,37 @@ TEST_CASE("a cause that takes little beside the corrections is not what the gap 
     j.shares.rungs = {0.05};
     j.noise_left = true;  // what explains everything stands, however little that is
     CHECK_FALSE(small_against_corrections(j));
+}
+
+TEST_CASE("the controller stands first by itself, and with causes that take a good part beside it", "[gap][ladder]")
+{
+    const auto answer = [](double of_controller, double of_rung, double chance, bool noise_left = false) {
+        Diagnosis d;
+        d.ladder.resize(2);
+        d.ladder[0].share = of_controller, d.ladder[1].share = of_rung;
+        d.effects.resize(2);
+        d.effects[0].names = {"velocity-filter", "presliding"}, d.effects[0].probability = chance;
+        d.effects[1].names = {"compliance"}, d.effects[1].probability = 0.05;
+        Cause controller;
+        controller.names = {"velocity-filter"};
+        put_controller_in_order(controller, noise_left, d);
+        return d.effects;
+    };
+    const auto both = answer(0.3, 0.5, 0.9);
+    CHECK(both[0].names.size() == 2);
+    CHECK(both[0].probability == 0.9);
+    CHECK(both[1].names.size() == 1);
+    CHECK(both[1].probability == Approx(0.05));
+    for (const auto& alone : {answer(0.9, 0.05, 0.9), answer(0.3, 0.5, 0.4), answer(0, 0, 0.6)}) {
+        CHECK(alone[0].names.size() == 1);
+        CHECK(alone[0].probability == 0.5);
+        CHECK(alone[1].names.size() == 2);
+    }
+    // small things that leave only noise are no doubt about the controller, and large ones belong to the answer
+    CHECK(answer(0.9, 0.01, 0.9, true)[0].names.size() == 1);
+    CHECK(answer(0.9, 0.01, 0.9, true)[0].probability == Approx(1 - policy::doubt_of_noise));
+    CHECK(answer(0.3, 0.5, 0.9, true)[0].probability == 0.9);
+    CHECK(answer(0.3, 0.5, 0.9, true).size() == 2);
 }
 
 TEST_CASE("a number of the document that is far off is a cause, whatever corrections beside it take", "[gap][ladder]")

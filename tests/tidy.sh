@@ -15,4 +15,11 @@ commands=build/tidy
 mkdir -p "$commands"
 cmake -S . -B "$commands" -G Ninja -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DSTICKSLIP_TESTS=OFF \
   -DCMAKE_CXX_COMPILER_LAUNCHER= -DCCACHE= >"$commands/configure.log" 2>&1 || { cat "$commands/configure.log"; exit 1; }
+# headers that the build makes, without the rest that their rules wait for
+make_header() { # folder, list, settings, header
+  cmake -DLIST="$commands/$1/made/$2.txt" -DSETTINGS="$commands/$1/made/$3.txt" -DOUT="$PWD/$commands/$1/made/$4.h" \
+    -DNAMESPACE="stickslip::$4" -P cmake/hash_of_sources.cmake
+}
+make_header sweep numeric_sources settings build_info
+make_header render drawing_sources drawing_settings drawing_build
 echo "$files" | tr ' ' '\n' | xargs -P "$(nproc)" -n 1 clang-tidy-14 --quiet -p "$commands" 2>"$commands/notes"

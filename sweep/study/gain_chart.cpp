@@ -48,25 +48,28 @@ double k_v_end(const Joint& joint)
     return 1.3 * range.high;
 }
 
-}  // namespace
-
-std::optional<GainChart> gain_chart(const Joint& joint)
+bool has_gains_to_turn(const Joint& joint)
 {
-    if (loop_kind(joint) == LoopKind::ideal || joint.control.kind != ControlKind::position) return std::nullopt;
-    if (joint.control.structure == Structure::cascade || !(joint.control.k_p > 0)) return std::nullopt;
-    if (steady_sliding(joint).reason != Reason::none) return std::nullopt;
-    const auto own = stable_gains(joint), ideal = stable_gains(with_ideal_loop(joint));
-    if (!own.known) return std::nullopt;
-    const auto k_p = k_p_range(joint, own, ideal);
-    const double top = k_v_end(joint);
-    if (!std::isfinite(top) || !(top > 0)) return std::nullopt;
-    const auto& size = loop_kind(joint) == LoopKind::continuous ? coarse : fine;
+    return joint.control.kind == ControlKind::position && joint.control.structure != Structure::cascade &&
+           joint.control.k_p > 0 && steady_sliding(joint).reason == Reason::none;
+}
+
+const Fineness& fineness_of(const Joint& joint)
+{
+    return loop_kind(joint) == LoopKind::continuous ? coarse : fine;
+}
+
+Axis k_p_axis(const Interval& range, int points)
+{
+    return {"control.k_p",       "k_{p}", "position gain",
+            Quantity::stiffness, true,    log_steps(range.low, range.high, points)};
+}
+
+GainChart judged(const Joint& joint, const Axis& k_p, const Axis& k_v, int mesh)
+{
     GainChart chart;
     auto& slice = chart.slice;
-    slice.x = {"control.k_p",       "k_{p}", "position gain",
-               Quantity::stiffness, true,    log_steps(k_p.low, k_p.high, size.columns)};
-    slice.y = {"control.k_v", "k_{v}", "velocity gain", Quantity::damping, false, {}};
-    for (int i = 0; i < size.rows; ++i) slice.y.values.push_back(top * i / (size.rows - 1));
+    slice.x = k_p, slice.y = k_v;
     const std::size_t columns = slice.x.values.size();
     slice.abscissa.resize(columns * slice.y.values.size());
     slice.region.resize(slice.abscissa.size());
@@ -80,11 +83,37 @@ std::optional<GainChart> gain_chart(const Joint& joint)
             slice.region[row * columns + i] = point.region;
         }
     });
-    chart.answer.curves = chart_boundaries(joint, slice.x, slice.y, size.mesh);
+    chart.answer.curves = chart_boundaries(joint, slice.x, slice.y, mesh);
     chart.answer.precision = linear_precision;
-    chart.answer.mesh = size.mesh;
+    chart.answer.mesh = mesh;
     chart.answer.design = design_point(joint, slice);
     return chart;
+}
+
+}  // namespace
+
+std::optional<GainChart> gain_chart_over(const Joint& joint, const Interval& k_p, const Interval& k_v)
+{
+    if (!has_gains_to_turn(joint) || !(k_p.low > 0) || !(k_v.low > 0)) return std::nullopt;
+    const auto& size = fineness_of(joint);
+    return judged(
+        joint, k_p_axis(k_p, size.columns),
+        {"control.k_v", "k_{v}", "velocity gain", Quantity::damping, true, log_steps(k_v.low, k_v.high, size.rows)},
+        size.mesh);
+}
+
+std::optional<GainChart> gain_chart(const Joint& joint)
+{
+    if (loop_kind(joint) == LoopKind::ideal || !has_gains_to_turn(joint)) return std::nullopt;
+    const auto own = stable_gains(joint), ideal = stable_gains(with_ideal_loop(joint));
+    if (!own.known) return std::nullopt;
+    const auto k_p = k_p_range(joint, own, ideal);
+    const double top = k_v_end(joint);
+    if (!std::isfinite(top) || !(top > 0)) return std::nullopt;
+    const auto& size = fineness_of(joint);
+    Axis k_v{"control.k_v", "k_{v}", "velocity gain", Quantity::damping, false, {}};
+    for (int i = 0; i < size.rows; ++i) k_v.values.push_back(top * i / (size.rows - 1));
+    return judged(joint, k_p_axis(k_p, size.columns), k_v, size.mesh);
 }
 
 }  // namespace stickslip

@@ -331,6 +331,13 @@ class Report(unittest.TestCase):
                          "b => { b.textContent = 'stribeck with asymmetric-friction'; b.className = 'words'; })")
         self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"), 400)
 
+    def test_data_begin_with_a_byte_order_mark_on_request(self):
+        self.browser.open(self.pages["linear"])
+        first = "return csvFile(prepared[0]).charCodeAt(0)"
+        self.assertNotEqual(self.browser.run(first), 0xFEFF)
+        self.browser.run("document.getElementById('csv-mark').click()")
+        self.assertEqual(self.browser.run(first), 0xFEFF)
+
     def test_a_chart_fits_a_phone_whole_and_is_enlarged_on_request(self):
         ends = ("const s = document.querySelector('.stage');"
                 "return [s.classList.contains('more-before'), s.classList.contains('more-after')]")

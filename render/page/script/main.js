@@ -73,7 +73,7 @@ const prepare = async (figure) => {
     if (data.surface && picture) addTurning(figure, data, button);
     if (data.played && data.yAxis) addPlayer(figure, data);
     if (data.kind === "lines" && picture) addZoom(figure, data, button);
-    button("Data (CSV)", () => save(figure.id + ".csv", "text/csv", csv(data)));
+    button("Data (CSV)", () => save(figure.id + ".csv", "text/csv", csvFile(data)));
   }
   if (!picture) return;
   button("Picture (SVG)", () => save(figure.id + ".svg", "image/svg+xml", new XMLSerializer().serializeToString(picture)));
@@ -127,8 +127,17 @@ const prepareUnits = () => {
   });
 };
 
+// Spreadsheets that guess an encoding take UTF-8 for what it is behind a byte-order mark only.
+const BYTE_ORDER_MARK = "\ufeff";
+const csvFile = (data) => (document.getElementById("csv-mark").checked ? BYTE_ORDER_MARK : "") + csv(data);
+const prepareMark = () => {
+  const box = element("input", { type: "checkbox", id: "csv-mark" });
+  document.querySelector("nav").append(element("label", { class: "units", for: "csv-mark" }, box, " CSV for Excel (with a byte-order mark)"));
+};
+
 prepareContents();
 prepareUnits();
+prepareMark();
 prepareWidths();
 for (const box of document.querySelectorAll(".snippet")) prepareSnippet(box);
 Promise.all([...document.querySelectorAll("figure[id]")].map(prepare)).then(() => { document.documentElement.dataset.ready = "true"; });

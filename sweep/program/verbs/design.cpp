@@ -17,6 +17,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace stickslip {
@@ -29,6 +31,24 @@ struct Options {
     bool json = false, holds = false;  ///< holds: --set-point
     SetPointOptions set_point;
 };
+
+/// Around the range that was searched and every choice that is compared.
+std::optional<GainChart> map_of_choices(const DesignAnswer& answer, const Joint& best)
+{
+    constexpr double beside = 2;  // beyond the outermost, as a factor
+    Interval k_p = answer.range.k_p, k_v = answer.range.k_v;
+    for (Interval* range : {&k_p, &k_v})  // from zero on: from the least choice on, on a logarithmic axis
+        if (!(range->low > 0)) range->low = range->high;
+    const auto take = [](Interval& range, double value) {
+        if (value > 0 && std::isfinite(value)) range = {std::min(range.low, value), std::max(range.high, value)};
+    };
+    const auto& d = answer.design;
+    for (const auto& [p, v] : {std::pair{d.best.k_p, d.best.k_v},
+                               {d.velocity_only.k_p, d.velocity_only.k_v},
+                               {answer.joint.control.k_p, answer.joint.control.k_v}})
+        take(k_p, p), take(k_v, v);
+    return gain_chart_over(best, {k_p.low / beside, k_p.high * beside}, {k_v.low / beside, k_v.high * beside});
+}
 
 int design(const Options& options, const Invocation& invocation)
 {
@@ -52,6 +72,7 @@ int design(const Options& options, const Invocation& invocation)
         answer.nearest =
             nearest_boundary(best, uncertain.empty() ? friction_coordinates(best) : uncertain, affordable_search(best));
         if (!options.directory.empty()) {  // only the page shows them
+            answer.map = map_of_choices(answer, best);
             answer.motion = simulate(best, {});
             answer.motion_before = simulate(answer.joint, {});
         }

@@ -2,6 +2,7 @@
 
 #include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
+#include "sweep/report/figures/map_figures.h"
 #include "sweep/words/nearest_text.h"
 #include "sweep/words/verdict_text.h"
 
@@ -186,6 +187,16 @@ std::vector<Table> design_tables(const DesignAnswer& a)
 namespace {
 
 /// How the joint slides after the same disturbance, with the gains as given and with the best ones.
+Section map_section(const DesignAnswer& a)
+{
+    const Units u{a.joint.mechanism.motion};
+    Figure figure = map_figure(a.joint.mechanism.motion, a.map->slice, a.map->answer);
+    figure.caption +=
+        " The cross is the best choice; the joint's own gains are k_{p} = " + u.stiffness(a.joint.control.k_p) +
+        ", k_{v} = " + u.damping(a.joint.control.k_v) + ".";
+    return {"map", "Where the gains lie", "", {std::move(figure)}, {}};
+}
+
 Section motion_section(const DesignAnswer& a)
 {
     const Motion motion = a.joint.mechanism.motion;
@@ -237,6 +248,7 @@ Report design_report(const DesignAnswer& a, std::vector<Snippet> snippets)
                      demand_value(r, r.demanded, a, u)});
     }
     for (const auto& text : ends_of_range(a, u)) report.alerts.push_back({Tone::warning, text});
+    if (a.map) report.sections.push_back(map_section(a));
     Section front{"pareto", "Noise against margin", "", {}, {}};
     if (d.front.size() > 1) {
         const bool motion = a.requirements.objective == DesignObjective::motion;

@@ -4,9 +4,11 @@
 #include "analysis/design/design.h"
 #include "analysis/results/report.h"
 #include "analysis/results/trajectory.h"
+#include "sweep/study/gain_chart.h"
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,7 @@ struct DesignAnswer {
     GainDesign design;
     GainRange range{{missing, missing}, {missing, missing}};  ///< that was searched
     NearestBoundary nearest;                                  ///< of the best gains
+    std::optional<GainChart> map;      ///< around all the choices, at the best gains; only for a page
     Trajectory motion, motion_before;  ///< after a disturbance at the commanded velocity: best gains, gains as given
 };
 

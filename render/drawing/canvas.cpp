@@ -123,6 +123,11 @@ struct Canvas::Device {
             if (fill.opacity < 1) path->SetDoubleAttribute("fill-opacity", fill.opacity);
             path->SetAttribute("transform", moved_to(pen).c_str());
             path->SetAttribute("d", data.c_str());
+            // what the outlines say, for who wants to search or edit a saved picture
+            path->SetAttribute("data-text", text.c_str());
+            path->SetDoubleAttribute("data-size", size * units);
+            if (style.bold) path->SetAttribute("data-bold", "1");
+            if (style.angle != 0) path->SetDoubleAttribute("data-angle", style.angle);
             drawing->AddNestedElement(path);
             return path;
         };

@@ -331,6 +331,15 @@ class Report(unittest.TestCase):
                          "b => { b.textContent = 'stribeck with asymmetric-friction'; b.className = 'words'; })")
         self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"), 400)
 
+    def test_a_picture_is_saved_with_its_text_on_request(self):
+        self.browser.open(self.pages["linear"])
+        said = self.browser.run("const s = withText(document.querySelector('#k-v-demanded .sheet > svg'));"
+                                "return [...s.querySelectorAll('text')].map(t => t.textContent).join(' ')")
+        for words in ("Velocity gain that each theory demands", "velocity alone", "[N·s/m]", "commanded velocity"):
+            self.assertIn(words, said)
+        self.assertEqual(self.browser.run("return withText(document.querySelector('#k-v-demanded .sheet > svg'))"
+                                          ".querySelectorAll('path[data-text]').length"), 0)
+
     def test_data_begin_with_a_byte_order_mark_on_request(self):
         self.browser.open(self.pages["linear"])
         first = "return csvFile(prepared[0]).charCodeAt(0)"

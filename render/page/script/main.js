@@ -56,6 +56,23 @@ const prepareGrid = async (figure, data) => {
   if (data.command) addPlace(chart);
 };
 
+// The picture with letters of the reader's own typeface in place of outlines: to be searched and edited.
+const withText = (picture) => {
+  const copy = picture.cloneNode(true);
+  for (const path of copy.querySelectorAll("path[data-text]")) {
+    const { text, size, bold, angle } = path.dataset, letters = document.createElementNS("http://www.w3.org/2000/svg", "text");
+    letters.textContent = text;
+    const turned = angle ? ` rotate(${-Number(angle)})` : "";
+    const given = { transform: path.getAttribute("transform") + turned, fill: path.getAttribute("fill"), "font-size": size,
+      "font-family": "DejaVu Sans, Verdana, sans-serif", style: "white-space: pre", ...(bold === undefined ? {} : { "font-weight": "bold" }) };
+    for (const name of ["stroke", "stroke-width"])  // of the white edge around letters on a field
+      if (path.hasAttribute(name)) given[name] = path.getAttribute(name);
+    for (const [name, value] of Object.entries(given)) letters.setAttribute(name, value);
+    path.replaceWith(letters);
+  }
+  return copy;
+};
+
 const prepare = async (figure) => {
   const source = figure.querySelector('script[type="application/json"]');
   const tools = figure.querySelector(".tools"), picture = figure.querySelector(".sheet > svg");
@@ -77,6 +94,7 @@ const prepare = async (figure) => {
   }
   if (!picture) return;
   button("Picture (SVG)", () => save(figure.id + ".svg", "image/svg+xml", new XMLSerializer().serializeToString(picture)));
+  button("SVG with text", () => save(figure.id + ".svg", "image/svg+xml", new XMLSerializer().serializeToString(withText(picture))));
   button("Picture (PNG)", async () => save(figure.id + ".png", "image/png", await pngOf(picture)));
   button("Print or PDF", () => printAlone(figure));
 };

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/results/point.h"
@@ -34,6 +35,13 @@ enum class SetPointReason : std::uint8_t {
 };
 
 enum class SetPointMethod : std::uint8_t { none, closed_form, event_driven, presliding };
+
+/// As JSON calls it.
+constexpr std::string_view name_of(SetPointMethod method)
+{
+    constexpr std::string_view names[] = {"none", "closed-form", "event-driven", "presliding"};
+    return names[static_cast<int>(method)];
+}
 
 struct SetPoint {
     Hunting hunting = Hunting::undecided;

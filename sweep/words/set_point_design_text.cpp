@@ -41,7 +41,7 @@ std::string window_text(const SetPointChoice& c, Motion motion)
 std::string proof_text(const SetPointProof& p, Motion motion)
 {
     const auto& s = p.answer;
-    if (s.starts == 0) return s.method == SetPointMethod::closed_form ? "closed form" : method_text(s.method);
+    if (s.starts == 0) return s.method == SetPointMethod::closed_form ? "closed form" : std::string(name_of(s.method));
     const auto length = [&](double value) { return with_unit(value, Quantity::position, motion); };
     std::string text = fmt::format("{} slips followed from starts of {} to {}", s.starts, length(s.searched_from),
                                    length(s.searched_to));

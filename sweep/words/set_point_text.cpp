@@ -55,21 +55,6 @@ std::string set_point_reason(SetPointReason reason)
     return "";
 }
 
-std::string method_text(SetPointMethod method)
-{
-    switch (method) {
-        case SetPointMethod::none:
-            return "none";
-        case SetPointMethod::closed_form:
-            return "closed-form";
-        case SetPointMethod::event_driven:
-            return "event-driven";
-        case SetPointMethod::presliding:
-            return "presliding";
-    }
-    return "none";
-}
-
 std::string set_point_text(const SetPoint& s, Motion motion)
 {
     const auto length = [&](double value) { return with_unit(value, Quantity::position, motion); };

@@ -17,9 +17,6 @@ Table set_point_table(const SetPoint& answer, Motion motion);
 /// Why it hunts, rests or is undecided; "" for none.
 std::string set_point_reason(SetPointReason reason);
 
-/// "closed-form", "event-driven", "presliding", "none".
-std::string method_text(SetPointMethod method);
-
 /// The section of a page.
 Section set_point_section(const SetPoint& answer, Motion motion);
 

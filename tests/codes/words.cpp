@@ -95,11 +95,6 @@ std::string set_point_reason(SetPointReason)
     return "#set-point-reason";
 }
 
-std::string method_text(SetPointMethod)
-{
-    return "#set-point-method";
-}
-
 std::string verdict_text(const Joint&, const LinearVerdict&, bool)
 {
     return "#verdict";

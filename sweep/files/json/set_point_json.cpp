@@ -24,7 +24,7 @@ nlohmann::ordered_json set_point_json(const SetPoint& s)
                         {"largest_ratio", json_number(s.largest_ratio)}};
     json["rests_nearby"] = s.rests_nearby;
     json["asymmetric"] = s.asymmetric;
-    json["method"] = method_text(s.method);
+    json["method"] = name_of(s.method);
     json["reason"] = set_point_reason(s.reason);
     json["not_used"] = s.not_used;
     return json;

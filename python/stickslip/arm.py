@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 def with_arm_load(records: Mapping[str, Any], robot: str | Path | None = None, *,
                   inverse_dynamics: "InverseDynamics | None" = None, armature: Mapping[str, float] | None = None,
-                  at: Mapping[str, float] | None = None, window: float = 0.05) -> "dict[str, pandas.DataFrame]":
+                  at: Mapping[str, float] | None = None, window: float | None = None) -> "dict[str, pandas.DataFrame]":
     """The records of the joints of one log, each with the columns `load_effort` (N·m or N) and `inertia` (kg·m² or kg).
 
     `records` has a data frame for each joint that moves, under its name in `robot`: a URDF or MJCF, whose dynamics the
@@ -35,7 +35,8 @@ def with_arm_load(records: Mapping[str, Any], robot: str | Path | None = None, *
     (armature and friction loss of the model set to zero first).
 
     `armature` (kg·m² or kg) is what the description lacks beside the links, such as a rotor behind its gear: {"elbow": 0.12}.
-    Velocities and accelerations are those of a cubic through `window` seconds of positions round each row. Gravity is in
+    Velocities and accelerations are those of a cubic through `window` seconds of positions round each row
+    (default: 0.03 s, or six rows, 0.1 s at most). Gravity is in
     load_effort: the joint's own load.gravity_amplitude has to be zero then. For a joint with play or a soft transmission the
     link's motion counts; where the log has only the motor's, loads are as wrong as that difference.
 
@@ -70,7 +71,7 @@ def _column(name: str, frame: "pandas.DataFrame", column: str) -> "numpy.ndarray
     return frame[column].to_numpy(dtype=float)
 
 
-def _arm_load(frames: "Mapping[str, pandas.DataFrame]", window: float, words: list[Any], at: Mapping[str, float] | None):
+def _arm_load(frames: "Mapping[str, pandas.DataFrame]", window: float | None, words: list[Any], at: Mapping[str, float] | None):
     """What the program makes of the joints' positions."""
     import numpy
     import pandas
@@ -89,7 +90,7 @@ def _arm_load(frames: "Mapping[str, pandas.DataFrame]", window: float, words: li
             pose.write_text(toml_text.dumps(dict(at)), encoding="utf-8")
             words = [*words, "--at", pose]
         try:
-            text = program.run(["arm-load", file, "--window", window, *words]).stdout
+            text = program.run(["arm-load", file, *(["--window", window] if window is not None else []), *words]).stdout
         except StickslipError as error:
             raise StickslipError(str(error).replace(str(file), "records")) from None
     return pandas.read_csv(io.StringIO(text), float_precision="round_trip")

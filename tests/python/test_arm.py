@@ -64,7 +64,7 @@ def test_loads_and_inertias_are_those_of_the_closed_form(urdf):
         for frame in (by_urdf[name], by_engine[name]):
             assert numpy.allclose(frame["inertia"], inertia, rtol=1e-5)
             wrong = numpy.abs(frame["load_effort"] - load) / numpy.abs(load).max()
-            assert wrong[15:-15].max() < 1e-3  # what a cubic over 50 ms makes of these sines
+            assert wrong[15:-15].max() < 1e-3  # what a cubic over 30 ms makes of these sines
             assert wrong.max() < 2e-2          # at both ends half of the window is missing
         assert numpy.allclose(by_urdf[name]["load_effort"], by_engine[name]["load_effort"], rtol=1e-9, atol=1e-9)
 

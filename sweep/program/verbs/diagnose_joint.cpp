@@ -63,10 +63,11 @@ std::string corrected_joint(const Diagnosis& d, const Joint& joint, const Joint&
 }
 
 /// What the page offers to take along.
-std::vector<Snippet> corrections(const std::string& corrected, const Joint& joint, const Joint& after)
+std::vector<Snippet> corrections(const std::string& corrected, const Joint& joint, const Joint& after, bool rig)
 {
     if (corrected.empty()) return {};
-    return {{"To put into the joint file: what the diagnosis changes in it, documented values behind #",
+    return {{std::string("To put into the joint file: what the diagnosis changes in it, documented values behind #") +
+                 (rig ? "; N stands for the unit of the logged friction" : ""),
              changed_lines(joint_text(joint), joint_text(after)), ""},
             {"The whole corrected joint file", corrected, "corrected-joint.toml"}};
 }
@@ -153,7 +154,7 @@ std::string write_joint_diagnosis(const JointDiagnosis& found, const std::filesy
     if (!d.next_experiment.reference.empty()) write_experiment(directory / "next-experiment.csv", d.next_experiment);
     if (page) {
         auto report = diagnosis_report(d, before, after, {{"version", program_version()}, {"command", command}},
-                                       corrections(corrected, before, after), rig);
+                                       corrections(corrected, before, after, rig), rig);
         if (!of.name.empty()) report.title = "Sim-to-real gap of " + of.name;
         write_linked_report(report, directory, {}, {of.robot, of.page});
     }

@@ -236,7 +236,11 @@ namespace {
 Diagnosis in_units_of_the_record(Diagnosis d)
 {
     const auto as_logged = [](std::string& unit) {
-        if (unit == "N" || unit == "N·m") unit = "as logged";
+        for (const std::string_view effort : {"N·m", "N"})
+            if (unit.starts_with(effort)) {
+                unit = "as logged" + unit.substr(effort.size());
+                return;
+            }
     };
     for (auto* shares : {&d.signals, &d.regimes})
         for (auto& s : *shares) as_logged(s.unit);

@@ -26,9 +26,10 @@ struct Options {
     double window = missing;  ///< s; not set: default_window of the rows
 };
 
-/// A joint that turns or stops is smeared over the window, noise grows as its −2.5th power. Arms of two joints at 500
-/// Hz with 30 µrad of noise (tests/reliability/arms.py, seeds 5, 101, 105) leave least unexplained with 30 ms, of 22 to
-/// 120. Slower logs need the rows of a cubic.
+/// A joint that turns or stops is smeared over the window, noise grows as its −2.5th power. Evidence, weak: of three
+/// arms without a cause (tests/python/test_arm.py, seeds 5, 101, 105; 500 Hz, 30 µrad of noise) 22, 30 and 40 ms leave
+/// about the same, 1.07 to 1.08 × the noise floor in the mean, 50 ms 1.10, 80 and 120 ms more. Slower logs need the
+/// rows of a cubic.
 double default_window(const std::vector<double>& time)
 {
     constexpr double usual = 0.03, longest = 0.1;  // s

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace stickslip {
 namespace {
@@ -76,6 +77,20 @@ Headline where_card(const Diagnosis& d)
     return {Tone::neutral, s->name, meaning};
 }
 
+/// Of the gap's held-out squares beyond the noise: the rungs of the causes that are named. What corrections of the
+/// document or rungs that are not named take is not theirs. NaN where the named ones are no rungs.
+double explained_by_named(const Diagnosis& d)
+{
+    double share = std::numeric_limits<double>::quiet_NaN();
+    if (d.effects.empty()) return share;
+    const auto& named = d.effects[0].names;
+    for (const auto& rung : d.ladder)
+        if (std::all_of(rung.names.begin(), rung.names.end(),
+                        [&](const auto& n) { return std::find(named.begin(), named.end(), n) != named.end(); }))
+            share = (std::isnan(share) ? 0 : share) + rung.share;
+    return share;
+}
+
 bool has_remainder(const Diagnosis& d)
 {
     return !d.ladder.empty() && std::isfinite(d.remainder.share);
@@ -98,8 +113,8 @@ std::string held_out_text(const Diagnosis& d)
 
 Headline how_much_card(const Diagnosis& d)
 {
-    if (d.verdict == Verdict::gap && !adds_noise(d) && has_remainder(d))
-        return {Tone::neutral, whole_percent(1 - std::max(0.0, d.remainder.share)),
+    if (const double share = explained_by_named(d); d.verdict == Verdict::gap && !adds_noise(d) && std::isfinite(share))
+        return {Tone::neutral, whole_percent(share),
                 "how much: of the gap beyond the noise it explains; " + held_out_text(d) + ", noise included"};
     if (judged_by_force(d))
         return {Tone::neutral, fmt::format("− {}", whole_percent(1 - d.drive_force.after / d.drive_force.before)),

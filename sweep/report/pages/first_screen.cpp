@@ -78,6 +78,15 @@ Headline nearest_boundary(const std::vector<Margin>& margins, bool stable, Motio
     return h;
 }
 
+/// Where velocities slide smoothly again above one; NaN: nowhere within the search.
+double next_window(const StableVelocities& stable, double velocity)
+{
+    double next = missing;
+    for (const auto& i : stable.intervals)
+        if (i.low > velocity && !(i.low > next)) next = i.low;
+    return next;
+}
+
 std::vector<Headline> velocity_headlines(const VelocitySearch& search, bool stable, Motion motion)
 {
     const auto text = [&](double v) { return with_unit(v, Quantity::velocity, motion); };
@@ -98,10 +107,11 @@ std::vector<Headline> velocity_headlines(const VelocitySearch& search, bool stab
     for (const auto& i : stable_set.intervals) {
         if (!stable || V < i.low || V > i.high || (i.low <= low * (1 + 1e-9) && i.high >= high * (1 - 1e-9))) continue;
         const bool open = i.high >= high * (1 - 1e-9);
-        headlines.push_back(
-            {!open && i.high < near_factor * V ? Tone::warning : Tone::neutral, (open ? "≥ " : "") + text(i.high),
-             "up to here sliding stays smooth when the design's " + text(V) + " is raised" +
-                 (open || std::isnan(from) || from <= i.high ? "" : "; then not, up to " + text(from))});
+        const double next = next_window(stable_set, i.high);
+        headlines.push_back({!open && i.high < near_factor * V ? Tone::warning : Tone::neutral,
+                             (open ? "≥ " : "") + text(i.high),
+                             "up to here sliding stays smooth when the design's " + text(V) + " is raised" +
+                                 (open || std::isnan(next) ? "" : "; then not, up to " + text(next))});
     }
     return headlines;
 }

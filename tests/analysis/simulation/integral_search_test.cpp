@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "analysis/simulation/sampled/loop_verdict.h"
+#include "tests/analysis/simulation/joints.h"
 
 using namespace stickslip;
 
@@ -12,16 +13,8 @@ TEST_CASE("stable loops that integrate are followed from large disturbances to t
     };
     // critical gains by the quadratic of the linear theory: 56 087 and 119 363 N/m
     for (const Loop asked : {Loop{1e5, 6e4}, Loop{1e5, 7e4}, Loop{1e7, 1.3e5}}) {
-        Joint joint;
-        joint.mechanism.inertia = 1;
-        joint.control.k_p = asked.k_p;
+        Joint joint = example_joint(asked.k_p, 10, 1e-3);
         joint.control.k_i = asked.k_i;
-        joint.control.k_v = 10;
-        joint.control.V0 = 1e-3;
-        RateAndState law;
-        law.f0 = 60, law.A = 1, law.V_star = 1e-3;
-        law.B.push_back(1.5), law.L.push_back(1e-5);
-        joint.friction.law = law;
         const auto verdict = loop_verdict(joint, {});
         CHECK(verdict.region == LoopRegion::stable);
         CHECK(verdict.reason == Reason::none);

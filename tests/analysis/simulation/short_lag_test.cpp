@@ -4,20 +4,13 @@
 #include "analysis/simulation/sampled/loop_verdict.h"
 #include "analysis/simulation/sampled/sampled_loop.h"
 #include "analysis/stability/verdict.h"
+#include "tests/analysis/simulation/joints.h"
 
 using namespace stickslip;
 
 TEST_CASE("a lag far below the loop costs no steps and keeps the growth of the linear theory", "[sampled][lag]")
 {
-    Joint joint;
-    joint.mechanism.inertia = 1;
-    joint.control.k_p = 45000;
-    joint.control.k_v = 10;
-    joint.control.V0 = 1e-3;
-    RateAndState law;
-    law.f0 = 60, law.A = 1, law.V_star = 1e-3;
-    law.B.push_back(1.5), law.L.push_back(1e-5);
-    joint.friction.law = law;
+    Joint joint = example_joint(45000, 10, 1e-3);
     const double usual = tick_of(joint);
     for (const double lag : {1e-8, 1e-7, 5e-7}) {
         joint.actuator.lag = lag;

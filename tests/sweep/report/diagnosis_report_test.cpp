@@ -80,6 +80,22 @@ TEST_CASE("the first screen of a diagnosis says where, what, how much and how su
                                                     "b.csv: irregular sampling; every row is used at its own time"});
 }
 
+TEST_CASE("the share that a cause explains is that of its own rungs", "[report]")
+{
+    Diagnosis d = named();
+    d.ladder.resize(2);
+    d.ladder[0].names = {"frictional-memory"}, d.ladder[0].share = 0.6;
+    d.ladder[1].names = {"gravity"}, d.ladder[1].share = 0.2;  // not named
+    d.corrected_share = 0.15;                                  // by numbers of the document
+    d.remainder.share = 0.05;
+    const auto shown = [](const Diagnosis& it) {
+        return diagnosis_report(it, joint_with(slip_law(1e-5)), joint_with(slip_law(2e-5)), {}).headlines[1].value;
+    };
+    CHECK(shown(d) == "60 %");
+    d.effects[0].names = {"frictional-memory", "gravity"};
+    CHECK(shown(d) == "80 %");
+}
+
 TEST_CASE("a diagnosis whose cause makes held-out data worse is not written", "[report]")
 {
     Diagnosis d = named();

@@ -1,0 +1,19 @@
+#include <catch2/catch.hpp>
+
+#include "sweep/report/pages/first_screen.h"
+
+using namespace stickslip;
+using Catch::Matchers::Contains;
+
+TEST_CASE("faster than its window a joint is not smooth until the next window begins", "[report]")
+{
+    VelocitySearch search;
+    search.velocity = 1e-3, search.low = 1e-6, search.high = 1;
+    search.found.intervals = {{1e-6, 2e-3}, {1e-2, 3e-2}, {5e-2, 1}};
+    search.found.least = 1e-6;
+    search.found.all_above = 5e-2;
+    const auto cards = velocity_headlines(search, true, Motion::prismatic);
+    REQUIRE(cards.size() == 2);
+    CHECK(cards[1].value == "2 mm/s");
+    CHECK_THAT(cards[1].meaning, Contains("then not, up to 10 mm/s"));
+}

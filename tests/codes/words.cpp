@@ -1,5 +1,6 @@
-// The room of words as a stub of codes: linked before the real one, these stand in for the sentences below. Those of sweeps,
-// margins, designs, checks and comparisons have none and keep their words. What reads or decides by an answer must not notice: tests/schema/schema_test.py compares.
+// The room of words as a stub of codes: linked before the real one, these stand in for the sentences below. Those of
+// sweeps, margins, designs, checks and comparisons have none and keep their words. What reads or decides by an answer
+// must not notice: tests/schema/schema_test.py compares.
 #include "sweep/words/boundary_text.h"
 #include "sweep/words/cause_text.h"
 #include "sweep/words/diagnosis_tables.h"

@@ -7,6 +7,7 @@ docs/schema. method.md: every threshold of analysis/diagnosis/verdict/policy.h w
 pictures that the program draws for it, and FOLDER/site where mkdocs is installed.
 """
 import json
+import os
 import pathlib
 import re
 import shutil
@@ -160,55 +161,88 @@ PICTURES = {
 }
 
 
-# the gallery: one command, and charts of the page that it writes into the folder OUT, each with what it shows
+# the gallery: commands, the last of which writes a page into the folder OUT, and charts of that page, each with what it
+# shows
+REAL_LOOP = ("--set control.period=1e-3 --set control.delay=1e-3 "
+             "--set 'control.velocity_estimate.form=\"backward-difference\"'")
+MOTION = ("awk 'BEGIN { print \"time,reference_position\"; "
+          "for (i = 0; i < 8000; ++i) print i / 1000 \",\" 0.1 * (1 - cos(1.5e-3 * i)) }' > motion.csv")
 GALLERY = [
-    ("stickslip sweep -o OUT", [
+    (["stickslip sweep -o OUT"], [
         ("map-k-p-k-v", "Stability over two gains, for friction with memory and for friction of velocity alone"),
         ("panels-k-p-k-v", "The same map at six velocities"),
         ("root-locus", "The roots of the joint while the position gain moves; reading a place on the page gives its gain"),
         ("k-v-demanded", "The velocity gain that each theory demands"),
     ]),
-    ("stickslip simulate examples/03-bistable-strip/spec.toml --set control.k_p=15e3 --set control.k_v=45 -o OUT", [
+    ([f"stickslip evaluate examples/01-reference-joint/spec.toml {REAL_LOOP} -o OUT"], [
+        ("map-k-p-k-v", "The same joint behind a loop of 1 kHz that is one tick late: what it allows, and what the "
+                        "ideal loop of the paper would"),
+    ]),
+    (["stickslip sweep examples/03-bistable-strip/spec.toml -o OUT"], [
+        ("map-k-p-k-v", "Between the two boundaries small disturbances decay and larger ones end in stick-slip"),
+        ("amplitude-k-p-k-v", "How far the joint swings where it sticks and slips"),
+    ]),
+    (["stickslip simulate examples/03-bistable-strip/spec.toml --set control.k_p=15e3 --set control.k_v=45 -o OUT"], [
         ("path", "Position and reference of a joint that sticks and slips, and the force of its loop"),
         ("loop", "Friction over velocity: what friction with memory does, and the steady curve"),
     ]),
-    ("stickslip boundary examples/03-bistable-strip/spec.toml --kind linear fold --over control.k_p control.k_v -o OUT", [
+    (["stickslip boundary examples/03-bistable-strip/spec.toml --kind linear fold --over control.k_p control.k_v -o OUT"], [
         ("boundaries-k-p-k-v", "Located boundaries: where sliding loses its stability, and where limit cycles begin"),
     ]),
-    ("stickslip design examples/04-design/spec.toml -o OUT", [
+    (["stickslip boundary examples/08-hunting-arm/joint.toml --set control.V0=0 --set control.k_i=900 --kind hunting "
+      "--over control.k_p=10..1e4 control.k_i=10..1e5 -o OUT"], [
+        ("hunting-k-p-k-i", "A joint that is to stand still: where its integral makes it hunt"),
+        ("hunting-amplitude-k-p-k-i", "How far from the set point it stops"),
+    ]),
+    (["stickslip design examples/04-design/spec.toml -o OUT"], [
+        ("map-k-p-k-v", "The best gains on the map of stability"),
         ("noise-against-margin", "What a margin against stick-slip costs in noise"),
     ]),
-    ("stickslip margins examples/04-design/spec.toml -o OUT", [
+    (["stickslip margins examples/04-design/spec.toml -o OUT"], [
         ("growth-by-parameter", "How far each parameter may move before the joint sticks and slips"),
+    ]),
+    ([MOTION,
+      "stickslip simulate examples/07-measured-machines/emps.toml --set friction.coulomb=26 "
+      "--set load.cogging.amplitude=4 --set load.cogging.periods=100 --reference motion.csv -o robot",
+      "stickslip diagnose examples/07-measured-machines/emps.toml robot/record.csv -o OUT"], [
+        ("where-drawn", "A gap between a joint and its record: where along the chain it lies"),
+        ("ladder", "Which causes take how much of it, and what remains"),
+        ("record-1-effort", "Where the documented joint errs most, before and after the cause is added"),
     ]),
 ]
 
 
-def gallery_picture(command, chart):
-    return f"gallery-{command.split()[1]}-{chart}.svg"
+def gallery_pictures():
+    """(commands, [(name of the picture, chart, words)]) of every entry; the name tells two pages of one verb apart."""
+    for number, (commands, charts) in enumerate(GALLERY, 1):
+        verb = commands[-1].split()[1]
+        yield commands, [(f"gallery-{number}-{verb}-{chart}.svg", chart, words) for chart, words in charts]
 
 
 def drawn():
     """Names of all pictures that the site draws."""
-    return {*PICTURES, *(gallery_picture(command, chart) for command, charts in GALLERY for chart, _ in charts)}
+    return {*PICTURES, *(name for _, charts in gallery_pictures() for name, _, _ in charts)}
 
 
 def gallery():
-    text = MADE + "# Gallery\n\nCharts of the examples, each page by one command from the folder of the project.\n"
-    for command, charts in GALLERY:
-        text += f"\n```sh\n{command.replace('OUT', 'out')}\n```\n"
-        for chart, words in charts:
-            text += f"\n![{words}](pictures/{gallery_picture(command, chart)})\n\n{words}.\n"
+    text = MADE + "# Gallery\n\nCharts of the examples, each page by the commands above it, from the folder of the project.\n"
+    for commands, charts in gallery_pictures():
+        text += "\n```sh\n" + "\n".join(commands).replace("OUT", "out") + "\n```\n"
+        for name, _, words in charts:
+            text += f"\n![{words}](pictures/{name})\n\n{words}.\n"
     return text
 
 
 def draw_gallery(program, folder):
-    for command, charts in GALLERY:
+    """Every entry in a folder of its own from which the examples can be read and in which its commands write."""
+    environment = {**os.environ, "PATH": f"{pathlib.Path(program).parent}:{os.environ['PATH']}"}
+    for commands, charts in gallery_pictures():
         with tempfile.TemporaryDirectory() as room:
-            words = [f"{room}/out" if word == "OUT" else word for word in command.split()[1:]]
-            subprocess.run([program, *words], cwd=ROOT, stdout=subprocess.DEVNULL, check=True)
-            for chart, _ in charts:
-                shutil.copy(f"{room}/out/charts/{chart}.svg", folder / gallery_picture(command, chart))
+            pathlib.Path(room, "examples").symlink_to(ROOT / "examples")
+            subprocess.run(["sh", "-euc", "\n".join(commands).replace("OUT", "out")], cwd=room, env=environment,
+                           stdout=subprocess.DEVNULL, check=True)
+            for name, chart, _ in charts:
+                shutil.copy(f"{room}/out/charts/{chart}.svg", folder / name)
 
 
 def draw(program, folder):

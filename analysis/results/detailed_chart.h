@@ -2,6 +2,8 @@
 #pragma once
 #include "analysis/results/stability_map.h"
 
+#include <optional>
+
 namespace stickslip {
 
 /// A line chart with more than lines: marks alone, broad lines, what a curve was drawn over, a second panel over the
@@ -17,8 +19,10 @@ struct DetailedChart {
         std::vector<double> x, y;
         bool dashed = false;
         Look look = Look::line;
-        bool wide = false;               ///< broad and pale, so that what follows it closely is seen on it
-        bool see_through = false;        ///< lies on a line that must still be seen
+        bool wide = false;         ///< broad and pale, so that what follows it closely is seen on it
+        bool see_through = false;  ///< lies on a line that must still be seen
+        std::optional<std::size_t> place =
+            {};                          ///< drawn as the line in this place: one thing has one pen; none: its own
         std::vector<double> along = {};  ///< what a curve in the plane was drawn over; empty, or one for each sample
     };
     std::string title, fixed;

@@ -26,6 +26,7 @@ struct LineDrawing {
     double width = 0, height = 0;    ///< of the drawing, without title and notes
     std::vector<std::vector<std::pair<double, double>>> lines;
     std::vector<Box> boxes;
+    std::vector<Box> bars;    ///< filled
     std::vector<Ring> rings;  ///< above the lines
     std::vector<Label> labels;
 };

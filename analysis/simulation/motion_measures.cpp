@@ -28,24 +28,34 @@ void measure_arrival(MotionMeasures& m, Rows time, Rows reference, Rows position
     if (outside < position.size()) m.settling_time = std::max(0.0, time[outside] - time[stop]);
 }
 
+/// A stop is one of a stair where the joint moved before it and moves on after it, both in the reference's direction:
+/// at a turning point every joint stands.
 void measure_stairs(MotionMeasures& m, Rows time, Rows reference, Rows position, std::size_t stop)
 {
-    bool stopped = false;
-    double first_time = 0, first_place = 0, last_time = 0, last_place = 0;
+    bool stopped = false, moved = false, of_a_stair = false, after_a_stair = false, forward = true;
+    double stop_time = 0, stop_place = 0, last_time = 0, last_place = 0, heights = 0, durations = 0;
+    int steps = 0;
     for (std::size_t i = 1; i <= stop; ++i) {
-        const double asked = std::abs(reference[i] - reference[i - 1]), made = std::abs(position[i] - position[i - 1]);
+        const double asked = reference[i] - reference[i - 1], made = std::abs(position[i] - position[i - 1]);
         if (asked == 0) continue;
-        if (!stopped && made < stop_share * asked) {
-            stopped = true;
-            last_time = time[i], last_place = position[i];
-            if (m.stairs++ == 0) first_time = last_time, first_place = last_place;
-        } else if (stopped && made > go_share * asked) {
+        if ((asked > 0) != forward) forward = asked > 0, moved = of_a_stair = after_a_stair = false;
+        if (!stopped && made < stop_share * std::abs(asked)) {
+            stopped = true, of_a_stair = moved;
+            stop_time = time[i], stop_place = position[i];
+        } else if (made > go_share * std::abs(asked)) {
+            moved = true;
+            if (!stopped) continue;
             stopped = false;
+            if (!of_a_stair) continue;
+            ++m.stairs;
+            if (after_a_stair)
+                heights += std::abs(stop_place - last_place), durations += stop_time - last_time, ++steps;
+            last_time = stop_time, last_place = stop_place, after_a_stair = true;
         }
     }
-    if (m.stairs < 2) return;
-    m.stair_height = std::abs(last_place - first_place) / (m.stairs - 1);
-    m.stair_rate = (m.stairs - 1) / (last_time - first_time);
+    if (steps == 0) return;
+    m.stair_height = heights / steps;
+    m.stair_rate = steps / durations;
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ struct MotionMeasures {
     double settling_time =
         missing;  ///< after the reference stops: until the error stays within `settled_share` of travel
     double final_error = missing;   ///< reference minus position in the last row
-    int stairs = 0;                 ///< stops while the reference moves on
+    int stairs = 0;                 ///< stops while the reference moves on in one direction
     double stair_height = missing;  ///< mean distance from stop to stop
     double stair_rate = missing;    ///< stairs a second
 };

@@ -179,6 +179,7 @@ std::string line_data(const std::vector<DetailedChart::Line>& list)
     for (const auto& line : list) {
         JsonObject json;
         json.text("name", plain_text(line.name)).text("x", pack(line.x)).text("y", pack(line.y));
+        if (line.place) json.number("place", static_cast<double>(*line.place));
         if (!line.along.empty()) json.text("along", pack(line.along));
         lines.push_back(json.close());
     }

@@ -111,7 +111,7 @@ RegionRaster presence_of(const FieldMap& map, const Grid& grid, const std::vecto
 
 std::string name_of(const FieldMap::Line& line)
 {
-    return line.boundary ? curve_style(*line.boundary).text : line.name;
+    return line.boundary && line.name.empty() ? curve_style(*line.boundary).text : line.name;
 }
 
 Pen pen_of(const FieldMap& map, std::size_t index)

@@ -109,19 +109,20 @@ std::vector<LegendEntry> draw_lines(Canvas& canvas, const Frame& frame, const st
             points.push_back(frame.at(line.x[k], y.log && line.y[k] >= 0 && line.y[k] < edge ? edge : line.y[k]));
         const bool alone = points.size() == 1 || line.look == DetailedChart::Line::Look::points;
         std::vector<Polyline> pieces = alone ? std::vector<Polyline>{} : clip(points, frame.box);
-        const Pen pen = pen_of(i, line);
+        const std::size_t place = line.place.value_or(i);
+        const Pen pen = pen_of(place, line);
         for (Polyline& piece : pieces) canvas.line(piece = thin(piece, 0.1), pen);
         const bool marked = alone || takes_markers(lines, i, pieces);
         if (alone)
             for (const Point& p : points) {
-                if (frame.box.holds(p)) draw_mark(canvas, p, i, pen.colour);
+                if (frame.box.holds(p)) draw_mark(canvas, p, place, pen.colour);
             }
         else if (marked)
-            for (const Point& p : marked_samples(points, frame.box, i)) draw_mark(canvas, p, i, pen.colour);
-        entries.push_back({[&canvas, alone, marked, pen, i](const Rectangle& box) {
+            for (const Point& p : marked_samples(points, frame.box, i)) draw_mark(canvas, p, place, pen.colour);
+        entries.push_back({[&canvas, alone, marked, pen, place](const Rectangle& box) {
                                const double middle = box.top + box.height / 2;
                                if (!alone) canvas.line({{box.left, middle}, {box.right(), middle}}, pen);
-                               if (marked) draw_mark(canvas, {box.left + box.width / 2, middle}, i, pen.colour);
+                               if (marked) draw_mark(canvas, {box.left + box.width / 2, middle}, place, pen.colour);
                            },
                            line.name});
     }

@@ -47,6 +47,8 @@ Drawn draw(const LineDrawing& d, const std::string& description, const Fonts& fo
         canvas.rectangle(at, theme::paper);
         canvas.frame(at, pen);
     }
+    for (const auto& bar : d.bars)
+        canvas.rectangle({left + bar.left, heading + bar.top, bar.width, bar.height}, theme::ink);
     for (const auto& ring : d.rings) {
         const Point centre{left + ring.x, heading + ring.y};
         canvas.circle(centre, ring.radius + pen.width / 2, theme::ink);

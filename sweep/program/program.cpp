@@ -67,6 +67,66 @@ void keep_to_instructions()
     }
 }
 
+void add_verbs(CLI::App& app, Invocation& invocation)
+{
+    add_sweep(app, invocation);
+    add_boundary(app, invocation);
+    add_design(app, invocation);
+    add_margins(app, invocation);
+    add_check(app, invocation);
+    add_evaluate(app, invocation);
+    add_list(app, invocation);
+    add_figures(app, invocation);
+    add_merge(app, invocation);
+    add_report(app, invocation);
+    add_simulate(app, invocation);
+    add_new(app, invocation);
+    add_convert(app, invocation);
+    add_import(app, invocation);
+    add_export(app, invocation);
+    add_diagnose(app, invocation);
+    add_arm_load(app, invocation);
+    add_compare(app, invocation);
+    add_timeline(app, invocation);
+    add_plan(app, invocation);
+    add_blind(app, invocation);
+    add_completion(app, invocation);
+    add_man_page(app, invocation);
+}
+
+/// Says what the exception that is being handled means to whoever called, and with which code to end. `words` are the
+/// arguments.
+int exit_after_failure(const CLI::App& app, const std::vector<std::string>& words)
+{
+    try {
+        throw;
+    } catch (const CLI::ParseError& e) {
+        // help or version, on standard output; what follows a verb that there is not asks for nothing
+        const bool of_no_verb = !words.empty() && words[0][0] != '-' && app.get_subcommands().empty();
+        if (e.get_exit_code() == 0 && !of_no_verb) {
+            const int code = app.exit(e);
+            return answer_written() ? code : exit_interrupted;
+        }
+        fmt::print(stderr, "{}", usage_error(app, e, words));
+        return exit_bad_input;
+    } catch (const BadInput& e) {
+        for (const auto& message : e.messages()) fmt::print(stderr, "{}\n", message);
+        return exit_bad_input;
+    } catch (const Refused& e) {
+        fmt::print(stderr, "{}\n", e.what());
+        return exit_bad_input;
+    } catch (const std::filesystem::filesystem_error& e) {
+        fmt::print(stderr,
+                   "stickslip: {}: {}\nChoose a directory that exists on a disk and that you may write to, with -o.\n",
+                   e.path1().string(), e.code().message());
+        return exit_bad_input;
+    } catch (const std::exception& e) {
+        if (std::ferror(stdout) != 0 && !answer_written()) return exit_interrupted;
+        fmt::print(stderr, "stickslip: {}\n", e.what());
+        return exit_bad_input;
+    }
+}
+
 }  // namespace
 
 void catch_interrupts(Invocation& invocation)
@@ -96,57 +156,12 @@ int run_program(int argc, char** argv, Cluster* cluster)
     app.footer(
         "Exit codes: 0 done, 1 check failed, 2 bad input, 3 interrupted and resumable, 4 too many undecided points.\n"
         "Example: stickslip sweep -o out && xdg-open out/report.html");
-    add_sweep(app, invocation);
-    add_boundary(app, invocation);
-    add_design(app, invocation);
-    add_margins(app, invocation);
-    add_check(app, invocation);
-    add_evaluate(app, invocation);
-    add_list(app, invocation);
-    add_figures(app, invocation);
-    add_merge(app, invocation);
-    add_report(app, invocation);
-    add_simulate(app, invocation);
-    add_new(app, invocation);
-    add_convert(app, invocation);
-    add_import(app, invocation);
-    add_export(app, invocation);
-    add_diagnose(app, invocation);
-    add_arm_load(app, invocation);
-    add_compare(app, invocation);
-    add_timeline(app, invocation);
-    add_plan(app, invocation);
-    add_blind(app, invocation);
-    add_completion(app, invocation);
-    add_man_page(app, invocation);
-
+    add_verbs(app, invocation);
     try {
         keep_to_instructions();
         app.parse(argc, argv);
-    } catch (const CLI::ParseError& e) {
-        // help or version, on standard output; what follows a verb that there is not asks for nothing
-        const bool of_no_verb = argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty();
-        if (e.get_exit_code() == 0 && !of_no_verb) {
-            const int code = app.exit(e);
-            return answer_written() ? code : exit_interrupted;
-        }
-        fmt::print(stderr, "{}", usage_error(app, e, {argv + 1, argv + argc}));
-        return exit_bad_input;
-    } catch (const BadInput& e) {
-        for (const auto& message : e.messages()) fmt::print(stderr, "{}\n", message);
-        return exit_bad_input;
-    } catch (const Refused& e) {
-        fmt::print(stderr, "{}\n", e.what());
-        return exit_bad_input;
-    } catch (const std::filesystem::filesystem_error& e) {
-        fmt::print(stderr,
-                   "stickslip: {}: {}\nChoose a directory that exists on a disk and that you may write to, with -o.\n",
-                   e.path1().string(), e.code().message());
-        return exit_bad_input;
-    } catch (const std::exception& e) {
-        if (std::ferror(stdout) != 0 && !answer_written()) return exit_interrupted;
-        fmt::print(stderr, "stickslip: {}\n", e.what());
-        return exit_bad_input;
+    } catch (...) {
+        return exit_after_failure(app, {argv + 1, argv + argc});
     }
     return answer_written() ? invocation.exit_code : exit_interrupted;
 }

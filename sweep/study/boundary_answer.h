@@ -1,7 +1,9 @@
 // Everything that one question about boundaries was answered with.
 #pragma once
 #include "analysis/boundary/kinds/boundary.h"
+#include "analysis/results/set_point.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +14,8 @@ struct BoundaryAnswer {
     Joint design;
     std::vector<LocatedRay> rays;
     std::vector<FollowedBoundary> curves;
-    std::string outcome_means;  ///< "position of 0.0001 m", mark-up, where outcomes were asked for
+    std::string outcome_means;               ///< "position of 0.0001 m", mark-up, where outcomes were asked for
+    std::optional<SetPoint> set_point = {};  ///< of the design, where boundaries of hunting were asked for
 };
 
 }  // namespace stickslip

@@ -11,6 +11,21 @@ std::vector<double> log_steps(double low, double high, int count)
     return values;
 }
 
+std::vector<double> spaced(double from, double to, std::size_t points, bool log)
+{
+    std::vector<double> values(points, from);
+    if (points < 2) return values;
+    const double last = static_cast<double>(points - 1);
+    const double low = log ? std::log(from) : from, high = log ? std::log(to) : to;
+    for (std::size_t i = 1; i + 1 < points; ++i) {
+        const double t = static_cast<double>(i) / last;
+        const double value = low * (1 - t) + high * t;
+        values[i] = log ? std::exp(value) : value;
+    }
+    values.back() = to;
+    return values;
+}
+
 void smooth(Samples& line, const std::function<double(double)>& y, double most, int rounds)
 {
     const auto kind = [](double v) { return std::isnan(v) ? 0 : v > 0 ? 2 : 1; };

@@ -91,7 +91,8 @@ std::string ray_text(const Joint& design, const LocatedRay& ray)
     if (ray.undecided == ray.nodes) {
         Joint first = design;
         *find_parameter(first, ray.axis.path) = ray.axis.values.front();
-        const auto reason = linear_verdict(first).steady.reason;
+        // of a set point the answer for the design says why
+        const auto reason = ray.kind == BoundaryKind::hunting ? Reason::none : linear_verdict(first).steady.reason;
         return "No verdict along " + ray.axis.symbol + ": the joint cannot be judged at any of the " +
                std::to_string(ray.nodes) + " points of the scan" +
                (reason == Reason::none ? "." : ". At the first: " + reason_text(reason) + ".");

@@ -1,4 +1,7 @@
 // Long time series can be looked into: dygraphs (inlined where a page has one) in place of the printed picture.
+// as in the printed picture
+const penColours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
+
 const sharedRows = (lines) => {
   const rows = new Map();
   lines.forEach((line, n) => line.x.forEach((x, i) => {
@@ -29,7 +32,7 @@ const addZoom = (figure, data, button) => {
     Dygraph.PLUGINS = Dygraph.PLUGINS.filter((plugin) => plugin !== Dygraph.Plugins.Legend);
     graph = new Dygraph(box, sharedRows(data.lines), {
       labels: ["x", ...data.lines.map((line) => line.name)], xlabel: data.xLabel, ylabel: data.yLabel,
-      colors: ["#0072b2", "#d55e00", "#009e73", "#cc79a7"], strokeWidth: 1.5, connectSeparatedPoints: true,
+      colors: data.lines.map((line, i) => penColours[(line.place ?? i) % penColours.length]), strokeWidth: 1.5, connectSeparatedPoints: true,
       legend: "never", showRangeSelector: true, rangeSelectorPlotStrokeColor: "#0072b2", rangeSelectorPlotFillColor: "#9cc7e6",
       axisLineColor: ink, gridLineColor: "#8886", height: 380, axisLabelFontSize: 12, logscale: data.yLog,
       highlightCallback: (event, x, points) => say(x, points), unhighlightCallback: () => say(null),

@@ -1,6 +1,7 @@
 #include "sweep/files/json/boundary_json.h"
 
 #include "analysis/joint/parameters.h"
+#include "sweep/files/json/set_point_json.h"
 #include "sweep/words/boundary_text.h"
 #include "sweep/words/verdict_text.h"
 
@@ -95,6 +96,7 @@ nlohmann::ordered_json boundary_json(const BoundaryAnswer& answer)
     json["joint"] = Json::object();
     for (const auto& leaf : parameters(joint))
         if (std::isfinite(*leaf.value)) json["joint"][leaf.path] = *leaf.value;
+    if (answer.set_point) json["set_point"] = set_point_json(*answer.set_point);
     json["lines"] = Json::array();
     for (const auto& ray : answer.rays) json["lines"].push_back(ray_json(answer.design, ray));
     json["curves"] = Json::array();

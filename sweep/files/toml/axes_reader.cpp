@@ -3,6 +3,7 @@
 #include "analysis/joint/parameters.h"
 #include "sweep/files/toml/hand_keys.h"
 #include "sweep/files/toml/named_values.h"
+#include "sweep/study/samples.h"
 #include "sweep/words/symbols.h"
 
 #include <algorithm>
@@ -203,22 +204,3 @@ std::vector<Axis> read_axes(const toml::table& table, Joint& joint, const PlanLi
 }
 
 }  // namespace stickslip::files
-
-namespace stickslip {
-
-std::vector<double> spaced(double from, double to, std::size_t points, bool log)
-{
-    std::vector<double> values(points, from);
-    if (points < 2) return values;
-    const double last = static_cast<double>(points - 1);
-    const double low = log ? std::log(from) : from, high = log ? std::log(to) : to;
-    for (std::size_t i = 1; i + 1 < points; ++i) {
-        const double t = static_cast<double>(i) / last;
-        const double value = low * (1 - t) + high * t;
-        values[i] = log ? std::exp(value) : value;
-    }
-    values.back() = to;
-    return values;
-}
-
-}  // namespace stickslip

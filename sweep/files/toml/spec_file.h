@@ -28,7 +28,4 @@ Spec read_spec_text(std::string_view text, const std::string& name, const std::f
 /// Throws BadInput like read_spec.
 std::string self_contained_text(const std::filesystem::path& file);
 
-/// The values of an axis, both ends included and exact. Needs from < to, and from > 0 for a log scale.
-std::vector<double> spaced(double from, double to, std::size_t points, bool log);
-
 }  // namespace stickslip

@@ -1,6 +1,7 @@
 // stickslip boundary: where exactly the boundaries lie.
 #include "analysis/boundary/kinds/outside.h"
 #include "analysis/loop/loop_use.h"
+#include "analysis/simulation/set_point/set_point.h"
 #include "sweep/files/json/boundary_json.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/whole_file.h"
@@ -133,6 +134,8 @@ int locate(const BoundaryOptions& options, const Invocation& invocation)
     answer.title = asked.spec.title;
     answer.command = invocation.command;
     answer.design = asked.design;
+    for (const auto& question : questions)
+        if (question.request.kind == BoundaryKind::hunting) answer.set_point = set_point(answer.design);
     const auto start = std::chrono::steady_clock::now();
     const std::size_t answered = answer_all(answer, questions, invocation);
     if (answered == 0 && !questions.empty()) return exit_interrupted;

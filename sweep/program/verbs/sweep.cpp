@@ -58,11 +58,43 @@ int end_early(const RunReport& run, const std::string& directory)
     return exit_interrupted;
 }
 
+PlanOptions plan_options_of(const Options& options, const Spec& spec)
+{
+    PlanOptions plan_options;
+    plan_options.evaluation = evaluation_text(spec.nonlinear);
+    plan_options.nonlinear = spec.nonlinear.enabled;
+    plan_options.seconds_per_point = seconds_per_point(spec.nonlinear, spec.joint);
+    plan_options.title = spec.title;
+    plan_options.spec = options.spec.empty() ? std::string(embedded_spec()) : self_contained_text(options.spec);
+    plan_options.command = options.spec.empty() ? "stickslip sweep" : "stickslip sweep " + shell_word(options.spec);
+    return plan_options;
+}
+
+/// What came of it, on standard output; `page` is empty where no report was asked for.
+void tell(const Options& options, const SweepSummary& summary, const RunReport& run, const std::string& answer,
+          const std::filesystem::path& page)
+{
+    if (options.json) {
+        nlohmann::ordered_json json{{"format", "stickslip-sweep-run/1"},         {"points", summary.points},
+                                    {"computed", run.computed.points},           {"undecided", summary.undecided},
+                                    {"results", absolute(run.results).string()}, {"report", nullptr}};
+        if (!page.empty()) json["report"] = absolute(page).string();
+        fmt::print("{}\n", json.dump(2));
+    } else {
+        fmt::print("{}", answer);
+        fmt::print("{}, {} of them computed now in {:.2f} s, {} undecided\n", counted(summary.points, "point"),
+                   run.computed.points, run.computed.seconds, summary.undecided);
+        for (const auto& [reason, count] : summary.reasons)
+            fmt::print("  {}: {}\n", counted(count, "point"), reason_text(reason));
+        fmt::print("results: {}\n", (std::filesystem::path(options.directory) / run_files::results).string());
+        if (!page.empty()) fmt::print("report:  {}\n", page.string());
+    }
+}
+
 int sweep(const Options& options, Invocation& invocation)
 {
     const auto date = timestamp(options.timestamp);
-    const bool embedded = options.spec.empty();
-    Spec spec = embedded ? read_spec_text(embedded_spec(), "(embedded example)") : read_spec(options.spec);
+    Spec spec = options.spec.empty() ? read_spec_text(embedded_spec(), "(embedded example)") : read_spec(options.spec);
     if (options.ideal_loop) spec.joint = with_ideal_loop(spec.joint);
     choose_charts(spec);
 
@@ -70,13 +102,7 @@ int sweep(const Options& options, Invocation& invocation)
         fmt::print(stderr, "note: {} changes no linear answer at the design point; the maps' theory may leave it out\n",
                    path);
 
-    PlanOptions plan_options;
-    plan_options.evaluation = evaluation_text(spec.nonlinear);
-    plan_options.nonlinear = spec.nonlinear.enabled;
-    plan_options.seconds_per_point = seconds_per_point(spec.nonlinear, spec.joint);
-    plan_options.title = spec.title;
-    plan_options.spec = embedded ? std::string(embedded_spec()) : self_contained_text(options.spec);
-    plan_options.command = embedded ? "stickslip sweep" : "stickslip sweep " + shell_word(options.spec);
+    const PlanOptions plan_options = plan_options_of(options, spec);
     const Plan plan = make_plan(spec.joint, spec.axes, plan_options);
 
     ProgressLine line;
@@ -116,21 +142,7 @@ int sweep(const Options& options, Invocation& invocation)
         answer = terminal_summary(report);
         page = write_sweep_report(report, spec, options.directory);
     }
-    if (options.json) {
-        nlohmann::ordered_json json{{"format", "stickslip-sweep-run/1"},         {"points", summary.points},
-                                    {"computed", run.computed.points},           {"undecided", summary.undecided},
-                                    {"results", absolute(run.results).string()}, {"report", nullptr}};
-        if (!page.empty()) json["report"] = absolute(page).string();
-        fmt::print("{}\n", json.dump(2));
-    } else {
-        fmt::print("{}", answer);
-        fmt::print("{}, {} of them computed now in {:.2f} s, {} undecided\n", counted(summary.points, "point"),
-                   run.computed.points, run.computed.seconds, summary.undecided);
-        for (const auto& [reason, count] : summary.reasons)
-            fmt::print("  {}: {}\n", counted(count, "point"), reason_text(reason));
-        fmt::print("results: {}\n", (std::filesystem::path(options.directory) / run_files::results).string());
-        if (!page.empty()) fmt::print("report:  {}\n", page.string());
-    }
+    tell(options, summary, run, answer, page);
     return undecided > options.max_undecided ? exit_undecided : exit_done;
 }
 

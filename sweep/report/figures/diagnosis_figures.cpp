@@ -71,9 +71,20 @@ DetailedChart::Line measured_line(std::vector<double> time, std::vector<double> 
     return line;
 }
 
+// a simulation and what it leaves have one pen on all charts of a page
+constexpr std::size_t place_before = 1, place_after = 2;
+
+DetailedChart::Line before_line(const char* name, std::vector<double> time, std::vector<double> values)
+{
+    DetailedChart::Line line{name, std::move(time), std::move(values), true};
+    line.place = place_before;
+    return line;
+}
+
 DetailedChart::Line remaining_line(std::vector<double> time, std::vector<double> values)
 {
     DetailedChart::Line line{"after", std::move(time), std::move(values), false};
+    line.place = place_after;
     line.see_through = true;  // where it hides what was wrong before, nothing was gained
     return line;
 }
@@ -96,7 +107,7 @@ Figure overlay(const Signal& s)
     chart.shown_share = usual_share;
     chart.lines = {measured_line(time, cut(s.measured, stretch)),
                    {s.named ? "simulated before" : "simulated", time, cut(s.before, stretch), true}};
-    chart.below = {{s.named ? "before" : "residual", time, wrong(s.before), true}};
+    chart.below = {before_line(s.named ? "before" : "residual", time, wrong(s.before))};
     if (s.named) {
         chart.lines.push_back({"simulated after", time, cut(s.after, stretch), false});
         chart.below.push_back(remaining_line(time, wrong(s.after)));
@@ -123,7 +134,7 @@ Figure residual(const Signal& s)
         const std::string words = "Residual of " + s.name + " over time.";
         return {s.id + "-residual", chart, words + spikes, words};
     }
-    chart.lines = {{"before", s.trace.time, before, true}, remaining_line(s.trace.time, after)};
+    chart.lines = {before_line("before", s.trace.time, before), remaining_line(s.trace.time, after)};
     const double was = rms(before), is = rms(after);
     std::string words = "Residual of " + s.name + " over time, before and after";
     if (was > 0) words += ": its RMS goes to " + std::to_string(std::lround(100 * is / was)) + " % of what it was";

@@ -8,9 +8,8 @@
 namespace stickslip {
 namespace {
 
-// as where_drawing: what is drawn stays on the left, where a telephone shows it
-constexpr double drawing_width = 760, left = 176, length = 196, right = 430;
-constexpr double bar_height = 12, stroke = 1.5, row_height = 28;
+constexpr double drawing_width = 760, left = 176, length = 480, right = 720;
+constexpr double bar_height = 12, row_height = 28;
 
 class Waterfall {
   public:
@@ -24,7 +23,7 @@ class Waterfall {
     {
         drawing.labels.push_back({left - 10, y_ + bar_height - 1, name, LineDrawing::Anchor::right});
         drawing.labels.push_back({right, y_ + bar_height - 1, whole_percent(from - to), LineDrawing::Anchor::right});
-        for (double y = y_; y <= y_ + bar_height && from > to; y += stroke) line(at(to), y, at(from), y);
+        if (from > to) drawing.bars.push_back({at(to), y_, at(from) - at(to), bar_height});
         line(at(to), y_ - 2, at(to), y_ + row_height + bar_height);  // leads on to the next step
         if (std::isfinite(interval.low) && std::isfinite(interval.high)) {
             const double low = at(from - interval.high), high = at(from - interval.low), below = y_ + bar_height + 4;

@@ -61,6 +61,32 @@ FieldMap::Line boundary_line(const Joint& at, const LawFit& fit, const std::vect
     return line;
 }
 
+/// The measured rows with one velocity gain, as small crosses and diamonds.
+struct Marks {
+    int rows = 0;
+    FieldMap::Line sticks{"measured: stick-slip (×)", {}, {}, false}, slides{"measured: slides (◇)", {}, {}, false};
+};
+
+Marks marks_of(const gap::Outcomes& o, double k_v, const FieldMap& map)
+{
+    Marks marks;
+    const double dx = std::pow(map.x.values.back() / map.x.values.front(), 0.009);
+    const double dy = std::pow(map.y.values.back() / map.y.values.front(), 0.013);
+    for (std::size_t i = 0; i < o.size(); ++i) {
+        const auto& c = o.joints[i].control;
+        if (c.k_v != k_v) continue;
+        ++marks.rows;
+        const double x = c.V0, y = c.k_p;
+        if (o.table.rows[i].stick_slip) {
+            add_piece(marks.sticks, {{x / dx, y / dy}, {x * dx, y * dy}});
+            add_piece(marks.sticks, {{x / dx, y * dy}, {x * dx, y / dy}});
+        } else {
+            add_piece(marks.slides, {{x, y / dy}, {x * dx, y}, {x, y * dy}, {x / dx, y}, {x, y / dy}});
+        }
+    }
+    return marks;
+}
+
 }  // namespace
 
 Figure outcome_map(const OutcomeAnswer& a, const Joint& nominal, double k_v, int number)
@@ -97,22 +123,7 @@ Figure outcome_map(const OutcomeAnswer& a, const Joint& nominal, double k_v, int
             joint.control.k_p = k, joint.control.V0 = V;
             map.values.push_back(gap::distance_to_stick_slip(joint) > 0 ? 1 : 0);
         }
-    FieldMap::Line sticks{"measured: stick-slip (×)", {}, {}, false}, slides{"measured: slides (◇)", {}, {}, false};
-    const double dx = std::pow(map.x.values.back() / map.x.values.front(), 0.009);
-    const double dy = std::pow(map.y.values.back() / map.y.values.front(), 0.013);
-    int rows = 0;
-    for (std::size_t i = 0; i < o.size(); ++i) {
-        const auto& c = o.joints[i].control;
-        if (c.k_v != k_v) continue;
-        ++rows;
-        const double x = c.V0, y = c.k_p;
-        if (o.table.rows[i].stick_slip) {
-            add_piece(sticks, {{x / dx, y / dy}, {x * dx, y * dy}});
-            add_piece(sticks, {{x / dx, y * dy}, {x * dx, y / dy}});
-        } else {
-            add_piece(slides, {{x, y / dy}, {x * dx, y}, {x, y * dy}, {x / dx, y}, {x, y / dy}});
-        }
-    }
+    const auto [rows, sticks, slides] = marks_of(o, k_v, map);
     map.lines = {sticks, slides};
     map.lines.push_back(
         boundary_line(at, best, map.x.values, map.y.values, "boundary: " + std::string(best.rival->law), false));

@@ -8,9 +8,8 @@
 namespace stickslip {
 namespace {
 
-// drawings are as wide as charts: what is drawn stays on the left, where a telephone shows it
-constexpr double drawing_width = 760, width = 430, box_width = 122, box_height = 28, box_left = 2, arrow_length = 16;
-constexpr double bar_height = 12, stroke = 1.5, bars_left = 136, bars_width = 236, row_height = 26;
+constexpr double drawing_width = 760, width = 720, box_width = 122, box_height = 28, box_left = 2, arrow_length = 16;
+constexpr double bar_height = 12, bars_left = 136, bars_width = 520, row_height = 26;
 constexpr const char* stages[] = {"command", "effort", "motion"};
 
 class Drawing {
@@ -32,7 +31,7 @@ class Drawing {
     {
         constexpr double left = bars_left, length = bars_width;
         const double end = left + length * std::clamp(s.share, 0.0, 1.0);
-        for (double at = y; at <= y + bar_height && end > left; at += stroke) line(left, at, end, at);
+        if (end > left) drawing.bars.push_back({left, y, end - left, bar_height});
         line(left, y - 2, left, y + bar_height + 7);
         text(width, y + bar_height - 1, whole_percent(s.share), LineDrawing::Anchor::right);
         if (!std::isfinite(s.interval.low) || !std::isfinite(s.interval.high)) return;

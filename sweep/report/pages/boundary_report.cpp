@@ -6,7 +6,11 @@
 #include "sweep/files/toml/spec_file.h"
 #include "sweep/report/figures/beyond_curves.h"
 #include "sweep/report/figures/curve_margins.h"
+#include "sweep/report/figures/hunting_map.h"
 #include "sweep/report/figures/map_figures.h"
+#include "sweep/study/hunting_field.h"
+#include "sweep/study/samples.h"
+#include "sweep/words/set_point_text.h"
 
 #include <fmt/format.h>
 
@@ -116,6 +120,56 @@ std::vector<std::vector<FollowedBoundary>> charts_of(const std::vector<FollowedB
     return charts;
 }
 
+bool is_hunting(BoundaryKind kind)
+{
+    return kind == BoundaryKind::hunting;
+}
+
+/// What one chart's curves show: sliding under all of them, and what a set point does under those of hunting.
+void add_charts(Section& section, Region& region, const BoundaryAnswer& answer,
+                const std::vector<FollowedBoundary>& together, const ParallelFor& parallel)
+{
+    const auto motion = answer.design.mechanism.motion;
+    std::vector<FollowedBoundary> hunting;
+    for (const auto& c : together)
+        if (is_hunting(c.kind)) hunting.push_back(c);
+    if (hunting.size() < together.size()) {
+        auto map = marked_map(answer.design, together, parallel);
+        if (map.design.region == Region::bistable) region = Region::bistable;
+        section.figures.push_back(curve_figure(std::move(map), together, answer.outcome_means));
+    }
+    if (!hunting.empty()) {
+        const auto& first = hunting.front();
+        for (auto& figure : hunting_figures(hunting_field(answer.design, first.x, first.y, parallel), hunting, motion))
+            section.figures.push_back(std::move(figure));
+    }
+    if (auto sharp = precision_figure(together, motion); !std::get<LineChart>(sharp.picture).lines.empty())
+        section.figures.push_back(std::move(sharp));
+}
+
+/// Nothing but set points was asked about.
+bool asks_of_set_points_only(const BoundaryAnswer& answer)
+{
+    const auto hunting = [](const auto& b) { return is_hunting(b.kind); };
+    return answer.set_point && std::all_of(answer.rays.begin(), answer.rays.end(), hunting) &&
+           std::all_of(answer.curves.begin(), answer.curves.end(), hunting);
+}
+
+Tone set_point_tone(const SetPoint& s)
+{
+    if (s.hunting == Hunting::undecided) return Tone::warning;
+    return s.hunting == Hunting::yes || s.reason == SetPointReason::loop_unstable ? Tone::bad : Tone::good;
+}
+
+void warn_of_lost_pieces(Report& report, const FollowedBoundary& c)
+{
+    for (const auto& piece : c.pieces)
+        for (const auto end : {piece.first, piece.last})
+            if (end == CurveEnd::lost)
+                report.alerts.push_back({Tone::warning, "A piece of the " + std::string(name_of(c.kind)) +
+                                                            " boundary could not be followed to its end."});
+}
+
 }  // namespace
 
 StabilityMap map_under(const Joint& design, Axis x, Axis y, const ParallelFor& parallel)
@@ -158,23 +212,22 @@ StabilityMap map_under(const Joint& design, Axis x, Axis y, const ParallelFor& p
 Report boundary_report(const BoundaryAnswer& answer, const ParallelFor& parallel)
 {
     const auto& design = answer.design;
+    const bool set_points_only = asks_of_set_points_only(answer);
     Report report;
-    report.title = answer.title.empty() ? "Boundaries of sliding" : answer.title;
+    report.title = !answer.title.empty() ? answer.title
+                   : set_points_only     ? "Hunting at a set point"
+                                         : "Boundaries of sliding";
     report.subtitle = "boundaries, located";
     if (!answer.outcome_means.empty()) report.subtitle += " · outcomes follow a disturbance: " + answer.outcome_means;
     Section curves{"curves", "Curves", "", {}, {}};
     Region region = linear_point(design).region;
     if (beyond_rays(design, answer.rays)) region = Region::bistable;
-    for (const auto& together : charts_of(answer.curves)) {
-        auto map = marked_map(design, together, parallel);
-        if (map.design.region == Region::bistable) region = Region::bistable;
-        curves.figures.push_back(curve_figure(std::move(map), together, answer.outcome_means));
-        if (auto sharp = precision_figure(together, design.mechanism.motion);
-            !std::get<LineChart>(sharp.picture).lines.empty())
-            curves.figures.push_back(std::move(sharp));
+    for (const auto& together : charts_of(answer.curves)) add_charts(curves, region, answer, together, parallel);
+    if (!set_points_only) report.tone = design_tone(region), report.verdict = design_words(region);
+    if (answer.set_point) {
+        if (set_points_only) report.tone = set_point_tone(*answer.set_point);
+        report.verdict += (set_points_only ? "" : " ") + set_point_text(*answer.set_point, design.mechanism.motion);
     }
-    report.tone = design_tone(region);
-    report.verdict = design_words(region);
     for (const auto& ray : answer.rays) report.verdict += " " + ray_text(design, ray);
     if (!answer.curves.empty()) report.verdict += " " + meeting_text(design, answer.curves);
     report.headlines = meeting_headlines(design, answer.rays, answer.curves);
@@ -189,7 +242,7 @@ Report boundary_report(const BoundaryAnswer& answer, const ParallelFor& parallel
     const auto nonlinear = [](const auto& b) {
         return b.kind == BoundaryKind::fold || b.kind == BoundaryKind::outcome;
     };
-    if (std::none_of(answer.rays.begin(), answer.rays.end(), nonlinear) &&
+    if (!set_points_only && std::none_of(answer.rays.begin(), answer.rays.end(), nonlinear) &&
         std::none_of(answer.curves.begin(), answer.curves.end(), nonlinear))
         report.not_checked.push_back("Large disturbances: ask for --kind fold or outcome.");
     for (const auto& ray : answer.rays)
@@ -198,11 +251,7 @@ Report boundary_report(const BoundaryAnswer& answer, const ParallelFor& parallel
     for (const auto& c : answer.curves) {
         report.not_checked.push_back(std::string(name_of(c.kind)) + " over " + c.x.symbol + " and " + c.y.symbol +
                                      ": " + could_be_missed(c) + ".");
-        for (const auto& piece : c.pieces)
-            for (const auto end : {piece.first, piece.last})
-                if (end == CurveEnd::lost)
-                    report.alerts.push_back({Tone::warning, "A piece of the " + std::string(name_of(c.kind)) +
-                                                                " boundary could not be followed to its end."});
+        warn_of_lost_pieces(report, c);
     }
     report.provenance = {{"command", answer.command}};
     return report;

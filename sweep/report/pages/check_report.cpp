@@ -128,6 +128,42 @@ std::vector<std::string> row_of(const Spec& spec, const Deviation& d)
             verdict_of(d.kind)};
 }
 
+std::vector<Headline> headlines_of(const Spec& spec, const std::vector<Deviation>& deviations, std::size_t failed,
+                                   std::size_t refined)
+{
+    const auto farthest = std::max_element(deviations.begin(), deviations.end(),
+                                           [](const auto& a, const auto& b) { return a.relative < b.relative; });
+    const bool moved = farthest != deviations.end() && farthest->relative > 0;
+    return {{failed ? Tone::bad : Tone::good, std::to_string(failed),
+             "of " + std::to_string(deviations.size()) + " boundaries are out of tolerance; none is allowed"},
+            {Tone::neutral, moved ? plain_number(100 * farthest->relative, 2) + " %" : "0",
+             "largest relative move of a boundary" +
+                 (moved ? ": " + watched_words(spec, farthest->now) + ", from " + row_of(spec, *farthest)[1] + " to " +
+                              row_of(spec, *farthest)[2]
+                        : "; each has a tolerance of its own")},
+            {Tone::neutral, std::to_string(refined), "are located more finely than in the baseline"}};
+}
+
+/// What fails, farthest beyond its tolerance first; where nothing does, the largest moves.
+Section list_of(const Spec& spec, const std::vector<Deviation>& deviations, bool failed)
+{
+    constexpr std::size_t worth_a_row = 10;  // of what passes
+    Table table;
+    table.title = failed ? "Out of tolerance" : "The largest moves";
+    table.columns = {"boundary", "baseline", "now", "relative move", "allowed", "verdict"};
+    std::vector<const Deviation*> shown;
+    for (const auto& d : deviations)
+        if (!failed || !d.passes()) shown.push_back(&d);
+    std::stable_sort(shown.begin(), shown.end(), [](const Deviation* a, const Deviation* b) {
+        return a->relative * b->stored.tolerance > b->relative * a->stored.tolerance;
+    });
+    for (std::size_t i = 0; i < shown.size() && (failed || i < worth_a_row); ++i)
+        table.rows.push_back(row_of(spec, *shown[i]));
+    Section list{"list", table.title, "", {}, {}};
+    list.tables.push_back(std::move(table));
+    return list;
+}
+
 }  // namespace
 
 std::string changed_text(const Spec& spec, const ChangedNumber& c)
@@ -158,18 +194,7 @@ Report check_report(const Spec& spec, const std::vector<Deviation>& deviations,
                             : "All " + std::to_string(deviations.size()) + " boundaries are where they were.";
     if (refined) report.verdict += " " + std::to_string(refined) + " are located more finely than before.";
     report.tone = failed ? Tone::bad : Tone::good;
-    const auto farthest = std::max_element(deviations.begin(), deviations.end(),
-                                           [](const auto& a, const auto& b) { return a.relative < b.relative; });
-    const bool moved = farthest != deviations.end() && farthest->relative > 0;
-    report.headlines = {
-        {failed ? Tone::bad : Tone::good, std::to_string(failed),
-         "of " + std::to_string(deviations.size()) + " boundaries are out of tolerance; none is allowed"},
-        {Tone::neutral, moved ? plain_number(100 * farthest->relative, 2) + " %" : "0",
-         "largest relative move of a boundary" +
-             (moved ? ": " + watched_words(spec, farthest->now) + ", from " + row_of(spec, *farthest)[1] + " to " +
-                          row_of(spec, *farthest)[2]
-                    : "; each has a tolerance of its own")},
-        {Tone::neutral, std::to_string(refined), "are located more finely than in the baseline"}};
+    report.headlines = headlines_of(spec, deviations, failed, refined);
     for (const auto& c : changed)
         report.findings.push_back("Changed since the baseline: " + changed_text(spec, c) + ".");
     if (changed.empty() && failed)
@@ -186,19 +211,7 @@ Report check_report(const Spec& spec, const std::vector<Deviation>& deviations,
             if (!std::get<LineChart>(figure.picture).lines.empty()) curves.figures.push_back(std::move(figure));
         }
     if (!curves.figures.empty()) report.sections.push_back(std::move(curves));
-    Table table;
-    table.title = failed ? "Out of tolerance" : "The largest moves";
-    table.columns = {"boundary", "baseline", "now", "relative move", "allowed", "verdict"};
-    std::vector<const Deviation*> shown;
-    for (const auto& d : deviations)
-        if (!failed || !d.passes()) shown.push_back(&d);
-    std::stable_sort(shown.begin(), shown.end(), [](const Deviation* a, const Deviation* b) {
-        return a->relative * b->stored.tolerance > b->relative * a->stored.tolerance;
-    });
-    for (std::size_t i = 0; i < shown.size() && (failed || i < 10); ++i) table.rows.push_back(row_of(spec, *shown[i]));
-    Section list{"list", table.title, "", {}, {}};
-    list.tables.push_back(std::move(table));
-    report.sections.push_back(std::move(list));
+    report.sections.push_back(list_of(spec, deviations, failed > 0));
     report.not_checked = {
         "Boundaries away from the nine rays of each chart and from the rays through the design point.",
         "Whether the baseline was right: it says where the boundaries were."};

@@ -5,6 +5,7 @@
 #include "analysis/results/text.h"
 #include "sweep/files/toml/spec_file.h"
 #include "sweep/report/pages/boundary_report.h"
+#include "sweep/study/samples.h"
 #include "sweep/words/verdict_text.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // What is read off motions whose measures are known by construction.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
@@ -45,4 +46,18 @@ TEST_CASE("stairs of slow motion: height and rate", "[simulation][measures]")
     CHECK(m.stair_height == Approx(0.01).epsilon(0.01));
     CHECK(m.stair_rate == Approx(2).epsilon(0.01));
     CHECK(!is_set(m.overshoot));
+}
+
+TEST_CASE("a joint that stands at its turning points makes no stairs", "[simulation][measures]")
+{
+    std::vector<double> time, reference, position;
+    double place = 0;
+    for (int i = 0; i <= 20000; ++i) {
+        const double t = i * 1e-3, asked = 0.1 * std::sin(2 * t), play = 0.01;
+        place = std::clamp(place, asked - play, asked + play);  // follows behind its friction
+        time.push_back(t), reference.push_back(asked), position.push_back(place);
+    }
+    const auto m = measure_motion(time, reference, position);
+    CHECK(m.stairs == 0);
+    CHECK(!is_set(m.stair_height));
 }

@@ -1,6 +1,7 @@
 #include "sweep/files/toml/spec_file.h"
 
 #include "sweep/files/toml/joint_file.h"
+#include "sweep/study/samples.h"
 #include "sweep/words/symbols.h"
 #include "tests/sweep/files/messages.h"
 #include "tests/temporary_directory.h"

@@ -1,0 +1,39 @@
+#include "sweep/study/hunting_field.h"
+
+#include "analysis/joint/parameters.h"
+#include "analysis/simulation/set_point/set_point.h"
+#include "sweep/study/samples.h"
+
+namespace stickslip {
+namespace {
+
+constexpr int nodes_in_closed_form = 81, nodes_followed = 25;  ///< along each axis; a followed place takes milliseconds
+
+}  // namespace
+
+HuntingField hunting_field(const Joint& design, Axis x, Axis y, const ParallelFor& parallel)
+{
+    HuntingField field;
+    field.design = set_point(design);
+    const int nodes =
+        field.design.method == SetPointMethod::event_driven || field.design.method == SetPointMethod::presliding
+            ? nodes_followed
+            : nodes_in_closed_form;
+    x.values = spaced(x.values.front(), x.values.back(), nodes, x.log);
+    y.values = spaced(y.values.front(), y.values.back(), nodes, y.log);
+    field.places.resize(x.values.size() * y.values.size());
+    parallel(y.values.size(), [&](std::size_t j) {
+        Joint joint = design;
+        double &u = *find_parameter(joint, x.path), &v = *find_parameter(joint, y.path);
+        for (std::size_t i = 0; i < x.values.size(); ++i) {
+            u = x.values[i], v = y.values[j];
+            field.places[j * x.values.size() + i] = set_point(joint);
+        }
+    });
+    Joint joint = design;
+    field.design_x = *find_parameter(joint, x.path), field.design_y = *find_parameter(joint, y.path);
+    field.x = std::move(x), field.y = std::move(y);
+    return field;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,63 @@
+// Charts of hunting: their regions and the amplitude, against the closed form of dry friction.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "analysis/joint/parameters.h"
+#include "analysis/simulation/set_point/set_point.h"
+#include "sweep/report/figures/hunting_map.h"
+#include "sweep/report/pages/boundary_report.h"
+
+using namespace stickslip;
+
+namespace {
+
+BoundaryAnswer hunting_answer()
+{
+    BoundaryAnswer answer;
+    auto& joint = answer.design;
+    joint.mechanism.inertia = 1;
+    joint.control.V0 = 0;
+    joint.control.k_p = 100, joint.control.k_v = 20, joint.control.k_i = 100;
+    joint.friction.law = KineticStatic{1, 1.5};
+    const auto axis = [&](const char* path, double low, double high) {
+        return Axis{path, path, path, Quantity::stiffness, true, {low, high}};
+    };
+    BoundaryRequest request;
+    request.kind = BoundaryKind::hunting;
+    answer.curves.push_back(
+        follow_boundaries(joint, axis("control.k_p", 10, 1e4), axis("control.k_i", 10, 1e5), request));
+    answer.set_point = set_point(joint);
+    return answer;
+}
+
+void one_by_one(std::size_t n, const std::function<void(std::size_t)>& task)
+{
+    for (std::size_t i = 0; i < n; ++i) task(i);
+}
+
+}  // namespace
+
+TEST_CASE("a chart of hunting shows where the joint hunts and where the loop diverges", "[report][set-point]")
+{
+    const auto answer = hunting_answer();
+    const auto report = boundary_report(answer, one_by_one);
+    CHECK(report.verdict.find("Hunts at a set point") == 0);
+    CHECK(report.tone == Headline::Tone::bad);
+    REQUIRE(report.sections.front().figures.size() >= 2);
+    const auto& map = std::get<FieldMap>(report.sections.front().figures[0].picture);
+    const auto& far = std::get<FieldMap>(report.sections.front().figures[1].picture);
+    REQUIRE(map.values.size() == map.x.values.size() * map.y.values.size());
+    int wrong = 0;
+    for (std::size_t j = 0; j < map.y.values.size(); ++j)
+        for (std::size_t i = 0; i < map.x.values.size(); ++i) {
+            const std::size_t at = j * map.x.values.size() + i;
+            const double k_p = map.x.values[i], k_i = map.y.values[j];
+            const bool stable = k_i < 20 * k_p;  // Routh: k_v k_p = m k_i
+            if (std::abs(std::log(k_i / (20 * k_p))) < 1e-6) continue;
+            const auto& says = map.classes[static_cast<std::size_t>(map.values[at])];
+            wrong += says != (stable ? "hunts" : "diverges: the loop itself is unstable");
+            wrong += std::isfinite(far.values[at]) != stable;
+        }
+    CHECK(wrong == 0);
+    CHECK(map.lines.size() == 1);
+}

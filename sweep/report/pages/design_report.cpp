@@ -19,7 +19,7 @@ struct Units {
     std::string stiffness(double v) const { return with_unit(v, Quantity::stiffness, motion, 4); }
     std::string damping(double v) const { return with_unit(v, Quantity::damping, motion, 4); }
     std::string position(double v) const { return with_unit(v, Quantity::position, motion); }
-    std::string effort(double v) const { return with_unit(v, Quantity::effort, motion, 5); }
+    std::string effort(double v) const { return with_unit(v, Quantity::effort, motion, 4); }
     std::string velocity(double v) const { return with_unit(v, Quantity::velocity, motion); }
 };
 

@@ -128,6 +128,11 @@ Report stability_report(const Spec& spec, const SweepSummary& summary, const Swe
     if (!drawn.empty()) report.headlines.push_back(disagreement_headline(*drawn.front()));
     if (summary.undecided > 0 || report.headlines.size() < card_limit)
         report.headlines.push_back(undecided_headline(summary));
+    if (own.region == Region::bistable)
+        report.alerts.push_back(
+            {Tone::warning,
+             "The numbers above speak of small disturbances. A larger one ends in stick-slip in the "
+             "whole dotted region of the map."});
     add_alerts(report, summary, drawn, slides && stable && near_boundary(margins));
 
     if (summary.multiples) maps.figures.push_back(multiples_figure(*summary.multiples, *answer.panels, motion));

@@ -81,7 +81,8 @@ class SetPointSearch {
         if (asked_.over_push && asked_.over_k_i) design.choices.push_back(with_push_alone());
         if (asked_.over_push && asked_.over_dead_zone)
             design.choices.push_back(
-                with_dead_zone(SetPointWay::push_and_dead_zone, plain(k_i_), push_of(most_push() / reserve)));
+                with_dead_zone(SetPointWay::push_and_dead_zone, pushed(k_i_, most_push() / reserve)));
+        if (asked_.over_dither) design.choices.push_back(with_dither());
         for (std::size_t i = 0; i < design.choices.size(); ++i) {
             const auto& c = design.choices[i];
             if (c.holds && (design.best < 0 || better(c, design.choices[static_cast<std::size_t>(design.best)])))
@@ -110,18 +111,26 @@ class SetPointSearch {
         return a.k_i > 0 && !(b.k_i > 0);
     }
 
+    /// Nothing but gains; a push that looks at the reference is silent at a set point and stays.
     Joint plain(double k_i) const
     {
         Joint j = joint_;
         j.control.k_i = k_i;
         j.control.dead_zone = 0;
+        if (j.control.feed_forward.fed_back()) j.control.feed_forward.coulomb = 0;
+        j.control.dither.amplitude = 0;
         return j;
     }
 
-    Compensation push_of(double effort) const
+    Joint pushed(double k_i, double effort) const
     {
-        const double own = joint_.control.feed_forward.coulomb_speed;
-        return {Compensation::From::error, effort / per_signal_, is_set(asked_.push_speed) ? asked_.push_speed : own};
+        Joint j = plain(k_i);
+        auto& f = j.control.feed_forward;
+        f.coulomb = effort / per_signal_;
+        f.coulomb_from = CoulombFrom::error;
+        f.coulomb_width = 0;
+        if (is_set(asked_.push_speed)) f.coulomb_speed = asked_.push_speed;
+        return j;
     }
 
     double least_push() const
@@ -138,28 +147,39 @@ class SetPointSearch {
         return least;
     }
 
-    bool hunts_somewhere(const Joint& joint, const Compensation& push) const
+    /// The least kinetic friction: a dither beyond it may keep the joint moving.
+    double most_dither() const
+    {
+        double least = infinity;
+        for (const auto& f : corners_) least = std::min(least, levels_of(f).kinetic);
+        return least;
+    }
+
+    bool hunts_somewhere(const Joint& joint) const
     {
         return std::any_of(corners_.begin(), corners_.end(), [&](const Friction& f) {
             Joint j = joint;
             j.friction = f;
-            return set_point(j, {push}).hunting != Hunting::no;
+            return set_point(j).hunting != Hunting::no;
         });
     }
 
-    SetPointChoice proven(SetPointWay way, const Joint& joint, const Compensation& push = {}) const
+    SetPointChoice proven(SetPointWay way, const Joint& joint) const
     {
         SetPointChoice c;
         c.way = way;
         c.k_i = joint.control.k_i;
         c.dead_zone = joint.control.dead_zone;
-        c.push = push.level, c.push_speed = push.acts() ? push.speed : missing;
+        if (const auto& f = joint.control.feed_forward; f.fed_back() && f.coulomb_from == CoulombFrom::error)
+            c.push = f.coulomb, c.push_speed = f.coulomb_speed;
+        if (const auto& d = joint.control.dither; d.amplitude > 0)
+            c.dither = d.amplitude, c.dither_frequency = d.frequency;
         c.proofs.resize(corners_.size());
         parallel_(corners_.size(), [&](std::size_t i) {
             Joint j = joint;
             j.friction = corners_[i];
             const auto levels = levels_of(j.friction);
-            c.proofs[i] = {levels.kinetic, levels.breakaway, set_point(j, {push, asked_.starts_per_decade})};
+            c.proofs[i] = {levels.kinetic, levels.breakaway, set_point(j, {asked_.starts_per_decade})};
         });
         c.holds = true, c.rest_error = 0;
         // an integral carries a constant load, without one it is a part of the error
@@ -185,20 +205,29 @@ class SetPointSearch {
         }
         // no drop to overcome: any push is enough, half of the most is far from both ends
         const double effort = low > 0 ? std::sqrt(low * high) : 0.5 * high;
-        auto c = proven(SetPointWay::push, plain(k_i_), push_of(effort));
+        auto c = proven(SetPointWay::push, pushed(k_i_, effort));
         c.low = low, c.high = high;
         return c;
     }
 
     SetPointChoice with_push_alone() const
     {
-        auto c = proven(SetPointWay::push_without_integral, plain(0), push_of(most_push() / reserve));
+        auto c = proven(SetPointWay::push_without_integral, pushed(0, most_push() / reserve));
         c.low = 0, c.high = most_push();
         return c;
     }
 
+    SetPointChoice with_dither() const
+    {
+        Joint j = plain(0);
+        j.control.dither.amplitude = most_dither() / reserve / std::abs(per_signal_);
+        auto c = proven(SetPointWay::dither_without_integral, j);
+        c.low = 0, c.high = most_dither();
+        return c;
+    }
+
     /// The least dead zone: from wide ones down to the first that hunts, then between.
-    SetPointChoice with_dead_zone(SetPointWay way, Joint joint, const Compensation& push = {}) const
+    SetPointChoice with_dead_zone(SetPointWay way, Joint joint) const
     {
         constexpr double widest = 30, narrower = 0.5, close = 1e-3;
         constexpr int most = 40;
@@ -212,11 +241,11 @@ class SetPointSearch {
         SetPointChoice c;
         c.way = way;
         if (!(natural > 0)) {  // nothing hunts, and no dead zone is needed
-            c = proven(way, joint, push);
+            c = proven(way, joint);
             c.low = 0;
             return c;
         }
-        const auto hunts = [&](double zone) { return joint.control.dead_zone = zone, hunts_somewhere(joint, push); };
+        const auto hunts = [&](double zone) { return joint.control.dead_zone = zone, hunts_somewhere(joint); };
         double wide = widest * natural;
         if (hunts(wide)) return c;
         double narrow = narrower * wide;
@@ -228,7 +257,7 @@ class SetPointSearch {
             (hunts(middle) ? narrow : wide) = middle;
         }
         joint.control.dead_zone = reserve * wide;
-        c = proven(way, joint, push);
+        c = proven(way, joint);
         c.low = wide;
         return c;
     }
@@ -258,6 +287,25 @@ void check_set_point_joint(const Joint& joint, const SetPointRequirements& asked
 }
 
 }  // namespace
+
+Joint with_choice(Joint joint, const SetPointChoice& choice)
+{
+    if (choice.way == SetPointWay::as_described) return joint;
+    auto& c = joint.control;
+    c.k_i = choice.k_i;
+    c.dead_zone = choice.dead_zone;
+    if (choice.push != 0) {
+        c.feed_forward.coulomb = choice.push;
+        c.feed_forward.coulomb_from = CoulombFrom::error;
+        c.feed_forward.coulomb_speed = choice.push_speed;
+        c.feed_forward.coulomb_width = 0;
+    } else if (c.feed_forward.fed_back()) {
+        c.feed_forward.coulomb = 0;
+    }
+    c.dither.amplitude = choice.dither;
+    if (choice.dither > 0) c.dither.frequency = choice.dither_frequency;
+    return joint;
+}
 
 SetPointDesign design_set_point(const Joint& joint, const SetPointRequirements& requirements,
                                 const ParallelFor& parallel)

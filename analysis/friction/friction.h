@@ -88,7 +88,9 @@ struct Memory {
         visit.number(
             {"lag", Quantity::time, not_negative, Need::optional, "time lag of the velocity dependence, 0 for none"},
             self.lag);
-        visit.flag("lag_viscous", "viscous friction follows the speed late, too", self.lag_viscous);
+        visit.flag("lag_viscous",
+                   "the whole friction follows the speed late, viscous part included; else its level alone",
+                   self.lag_viscous);
         visit.choice("form", "how the state evolves", self.form, memory_forms);
     }
 };

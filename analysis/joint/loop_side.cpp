@@ -30,11 +30,12 @@ Joint with_loop_at_joint(Joint joint)
     for (double* gain :
          {&c.k_p, &c.k_v, &c.k_i, &c.velocity_gain, &c.velocity_integral_gain, &c.feed_forward.acceleration})
         *gain *= N * signal;
-    for (double* command : {&c.effort_limit, &c.integral_limit, &c.feed_forward.coulomb}) *command *= signal;
+    for (double* command : {&c.effort_limit, &c.integral_limit, &c.feed_forward.coulomb, &c.dither.amplitude})
+        *command *= signal;
     for (double* effort : {&a.limit, &a.sag_effort, &joint.sensor.effort_noise}) *effort *= N;
     if (volts) a.k_t *= N, a.k_e *= N;
-    for (double* length : {&c.dead_zone, &c.integral_band, &c.feed_forward.coulomb_speed, &joint.sensor.encoder_quantum,
-                           &joint.sensor.position_noise, &joint.sensor.position_offset})
+    for (double* length : {&c.dead_zone, &c.integral_band, &c.feed_forward.coulomb_speed, &c.feed_forward.coulomb_width,
+                           &joint.sensor.encoder_quantum, &joint.sensor.position_noise, &joint.sensor.position_offset})
         *length /= N;
     return joint;
 }

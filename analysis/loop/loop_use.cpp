@@ -29,6 +29,32 @@ LoopKind loop_kind(const Joint& joint)
 
 namespace {
 
+/// Of an effect beside which another counts for nothing.
+constexpr double nothing_beside = 0.01;
+
+/// Whether a push that follows the motion adds to the slopes of the loop at V_0. Beside a jump there is no slope.
+bool push_is_felt(const Joint& joint)
+{
+    const auto& f = joint.control.feed_forward;
+    const auto [k_p, k_v, k_i] = gains_of(joint.control);
+    const double share = std::tanh(joint.control.V0 / f.coulomb_speed);
+    const double damping = std::abs(f.coulomb) * (1 - share * share) / f.coulomb_speed;
+    const double left = std::abs(f.coulomb) * (1 - std::abs(share));
+    const bool felt = !(damping < nothing_beside * std::abs(k_v));
+    if (f.coulomb_from == CoulombFrom::velocity) return felt;
+    return felt || !(left < nothing_beside * std::abs(k_p) * f.coulomb_width);
+}
+
+/// Whether the dither's own velocity is noticed beside V_0.
+bool dither_is_felt(const Joint& joint)
+{
+    const auto& m = joint.mechanism;
+    const auto& d = joint.control.dither;
+    const double inertia = m.model == Model::single_mass ? m.inertia : m.motor_inertia;
+    const double velocity = std::abs(joint.actuator.effort_gain) * d.amplitude / (inertia * d.frequency);
+    return !(velocity < nothing_beside * std::abs(joint.control.V0));
+}
+
 /// Collects what a loop uses and what it cannot.
 struct Collector {
     LoopUse use;
@@ -73,8 +99,10 @@ void take_controller(Collector& c, const Joint& joint)
     }
     c.leave(!control.reference_velocity, "control.reference_velocity", WhyNot::reference_only, false);
     const auto& f = control.feed_forward;
-    c.leave(f.velocity != 1 || f.acceleration != 0 || f.coulomb != 0, "control.feed_forward", WhyNot::reference_only,
-            false);
+    c.leave(f.velocity != 1 || f.acceleration != 0 || (f.coulomb != 0 && !f.fed_back()), "control.feed_forward",
+            WhyNot::reference_only, false);
+    c.leave(f.fed_back(), "control.feed_forward.coulomb_from", WhyNot::fed_back, push_is_felt(joint));
+    c.leave(control.dither.amplitude > 0, "control.dither", WhyNot::time, dither_is_felt(joint));
     c.leave(f.gravity, "control.feed_forward.gravity", WhyNot::reference_only, false);
     c.leave(control.effort_limit < infinity, "control.effort_limit", WhyNot::small_signal, false);
     c.leave(control.integral_limit < infinity, "control.integral_limit", WhyNot::small_signal, false);
@@ -151,6 +179,7 @@ Joint with_ideal_loop(Joint joint)
     c.effort_limit = infinity;
     c.dead_zone = 0;
     c.feed_forward = {};
+    c.dither = {};
     joint.actuator = {};
     joint.sensor = {};
     return joint;

@@ -21,6 +21,7 @@ enum class WhyNot {
     needs_period,    ///< of a sampled estimate, in a loop without a period
     no_feedback,     ///< the loop feeds nothing back that it could act on
     reference_only,  ///< it acts on the reference alone and moves no root
+    fed_back,        ///< a push that follows the motion itself, of which the linear theory has no term
     unsupported      ///< this loop has no evaluation with such friction
 };
 

@@ -24,11 +24,13 @@ enum class SetPointReason : std::uint8_t {
     push_breaks_friction,  ///< hunts: the compensation alone moves the mass off any place but one
     driven_by_velocity,    ///< hunts: a compensation that follows the velocity gives more than friction takes
     not_driven,            ///< rests: it gives less, and each slip ends nearer to the set point
+    dither_narrows,        ///< rests: a dither below the kinetic friction leaves less of the static one to hold it
     loop_unstable,         ///< without dry friction the loop itself is unstable: it does not hunt, it diverges
     force_control,         ///< the following are not judged
     several_bodies,
     law_needs_motion,
     law_without_motion,    ///< creep, delayed or linear laws: no simulation at rest
+    dithered,              ///< a dither beside an integral or a push, or above the kinetic friction
     bristles_compensated,  ///< a compensation that is fed back, over friction without true rest
     friction_term,         ///< a term beside the law
     not_converged

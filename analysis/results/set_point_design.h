@@ -13,7 +13,8 @@ enum class SetPointWay : std::uint8_t {
     dead_zone,              ///< the error counts only outside it
     push,                   ///< Coulomb effort towards the set point, while the joint stands
     push_without_integral,  ///< the same, k_i = 0
-    push_and_dead_zone
+    push_and_dead_zone,
+    dither_without_integral  ///< a vibration below the kinetic friction, k_i = 0
 };
 
 /// What a joint with one of the frictions that are reckoned with does.
@@ -28,8 +29,9 @@ struct SetPointChoice {
     bool holds = false;  ///< hunts with none of the frictions
     double k_i = missing, dead_zone = missing;
     double push = 0, push_speed = missing;  ///< in the units of the command
-    double low = missing, high = missing;   ///< between which the number that was chosen does not hunt
-    double rest_error = missing;            ///< largest over the frictions
+    double dither = 0, dither_frequency = missing;
+    double low = missing, high = missing;  ///< between which the number that was chosen does not hunt
+    double rest_error = missing;           ///< largest over the frictions
     std::vector<SetPointProof> proofs;
 };
 

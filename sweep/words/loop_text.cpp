@@ -39,6 +39,8 @@ std::string why_text(WhyNot why)
             return "the loop feeds nothing back through it";
         case WhyNot::reference_only:
             return "it acts on the reference alone and moves no root";
+        case WhyNot::fed_back:
+            return "it follows the motion itself, and the linear theory has no term for it: the simulation has";
         case WhyNot::unsupported:
             return "this loop is not computed with such friction";
     }

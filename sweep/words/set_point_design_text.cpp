@@ -15,6 +15,9 @@ std::string numbers_text(const SetPointChoice& c, Motion motion)
     if (c.push != 0)
         text += ", push of " + with_unit(c.push, Quantity::effort, motion) + " that fades over " +
                 with_unit(c.push_speed, Quantity::velocity, motion);
+    if (c.dither > 0)
+        text += ", dither of " + with_unit(c.dither, Quantity::effort, motion) + " at " +
+                with_unit(c.dither_frequency, Quantity::angular_frequency, motion);
     return text;
 }
 
@@ -28,6 +31,7 @@ std::string window_text(const SetPointChoice& c, Motion motion)
             return is_set(c.low) ? "dead zone from " + with_unit(c.low, Quantity::position, motion) : "none found";
         case SetPointWay::push:
         case SetPointWay::push_without_integral:
+        case SetPointWay::dither_without_integral:
             if (!(c.low < c.high))
                 return "none: the drop from static to kinetic friction, " + effort(c.low) +
                        ", is not below the static friction, " + effort(c.high);
@@ -53,8 +57,9 @@ std::string proof_text(const SetPointProof& p, Motion motion)
 
 std::string_view name_of(SetPointWay way)
 {
-    constexpr std::string_view names[] = {"as-described", "no-integral",           "dead-zone",
-                                          "push",         "push-without-integral", "push-and-dead-zone"};
+    constexpr std::string_view names[] = {
+        "as-described",           "no-integral", "dead-zone", "push", "push-without-integral", "push-and-dead-zone",
+        "dither-without-integral"};
     return names[static_cast<int>(way)];
 }
 
@@ -73,6 +78,8 @@ std::string way_text(SetPointWay way)
             return "Coulomb push towards the set point, without an integral";
         case SetPointWay::push_and_dead_zone:
             return "Coulomb push towards the set point and a dead zone";
+        case SetPointWay::dither_without_integral:
+            return "dither, without an integral";
     }
     return "";
 }
@@ -94,6 +101,9 @@ std::string set_point_design_text(const SetPointDesign& design, Motion motion)
                     (c.low > 0 ? ", below " + with_unit(c.low, Quantity::effort, motion) +
                                      " small slips would end further away than they began."
                                : ".");
+        if (c.way == SetPointWay::dither_without_integral)
+            text += " Above " + with_unit(c.high, Quantity::effort, motion) +
+                    ", the kinetic friction, the dither may keep the joint moving.";
     }
     if (design.k_i_assumed)
         text += " The joint has no k_{i}: a tenth of the largest with which the loop is stable was assumed.";

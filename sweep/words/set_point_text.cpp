@@ -33,6 +33,13 @@ std::string set_point_reason(SetPointReason reason)
         case SetPointReason::not_driven:
             return "the loop does not integrate, and the feed-forward from the velocity gives less than friction and "
                    "damping take";
+        case SetPointReason::dither_narrows:
+            return "the loop does not integrate: its dither is below the kinetic friction, so that all motion dies, "
+                   "and "
+                   "leaves the static friction less to hold the joint with";
+        case SetPointReason::dithered:
+            return "a dither is judged below the kinetic friction, in a loop without integral, push and bristles; play "
+                   "a set point with simulate --reference instead";
         case SetPointReason::bristles_compensated:
             return "a feed-forward from the error or the velocity is not simulated over bristles";
         case SetPointReason::loop_unstable:

@@ -334,7 +334,7 @@ Audit audit(std::vector<Case>& cases)
             Controller controller(c.joint);
             for (std::size_t k = 0; k < c.ticks.size(); ++k) {
                 controller.read(c.ticks.position[k], k == 0 ? c.ticks.step[0] : c.ticks.step[k - 1], 0);
-                controller.command(c.ticks.reference[k], c.ticks.reference_rate[k], c.ticks.added(k));
+                controller.command(c.ticks.reference[k], c.ticks.reference_rate[k], c.ticks.added(k), c.ticks.time[k]);
                 wanted = std::max(wanted, std::abs(controller.wanted()));
             }
         }

@@ -15,7 +15,7 @@ bool cascaded(const Control& c)
 
 /// Changes per unit at one tick, from what the controller sees and remembers.
 struct Tick {
-    double error, rate, rate_error, integral, error_integral, acceleration;
+    double error, rate, velocity, rate_error, integral, error_integral, acceleration;
 };
 
 std::array<double, linear_terms> changes(const Control& c, const Tick& t, bool integrates)
@@ -33,7 +33,9 @@ std::array<double, linear_terms> changes(const Control& c, const Tick& t, bool i
         d[k_v_term] = (c.k_v != 0 ? c.k_v : 1) * t.rate_error;
         d[k_i_term] = integrates ? c.k_i * t.integral : t.integral;
     }
-    d[coulomb_term] = std::tanh(t.rate / f.coulomb_speed);
+    FeedForward unit = f;
+    unit.coulomb = 1;
+    d[coulomb_term] = unit.push(t.rate, t.velocity, t.error);
     d[acceleration_term] = t.acceleration;
     d[velocity_term] = c.reference_velocity ? gains_of(c).k_v * t.rate : 0;
     return d;
@@ -69,11 +71,11 @@ void add_record(CommandTerms& terms, const Case& c, std::size_t record, double d
         controller.read(t.position[k], step, is_set(t.velocity[k]) ? t.velocity[k] : 0);
         if (believed && is_set(t.velocity[k])) controller.believe(t.velocity[k]);
         const double rate = t.reference_rate[k], before = k == 0 ? rate : t.reference_rate[k - 1];
-        controller.command(t.reference[k], rate, t.added(k));
+        controller.command(t.reference[k], rate, t.added(k), t.time[k]);
         const double error = t.reference[k] - t.position[k];
         Tick now;
         now.error = error - std::clamp(error, -dead_zone, dead_zone);
-        now.rate = rate;
+        now.rate = rate, now.velocity = controller.velocity();
         now.rate_error =
             (control.reference_velocity ? control.feed_forward.velocity * rate : 0) - controller.velocity();
         now.acceleration = (rate - before) / step;

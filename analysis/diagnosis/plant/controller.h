@@ -47,11 +47,13 @@ class Controller {
     /// Takes a logged estimate in place of the controller's own.
     void believe(double velocity) { loop_->state.velocity = velocity; }
     double velocity() const { return loop_->state.velocity; }
-    double integral() const { return loop_->state.integral; }
+    double integral() const { return loop_->integral(); }
     bool integrates() const { return loop_->integrates(); }
-    /// Once a tick. `added`: what the record says was added to the controller's own, a feed-forward.
-    double command(double reference, double reference_rate, double added = 0)
+    /// Once a tick, at this time of the record. `added`: what the record says was added to the controller's own, a
+    /// feed-forward.
+    double command(double reference, double reference_rate, double added, double time)
     {
+        loop_->set_time(time);
         return loop_->command(reference, reference_rate, step_, added);
     }
     /// The last command before its limit.

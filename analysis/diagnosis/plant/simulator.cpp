@@ -35,7 +35,7 @@ Trace closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t seed)
         controller.read(reading, k == 0 ? ticks.step[0] : ticks.step[k - 1], out.true_velocity[k]);
         out.position[k] = reading;
         out.velocity[k] = controller.velocity();
-        out.command[k] = controller.command(ticks.reference[k], ticks.reference_rate[k], ticks.added(k));
+        out.command[k] = controller.command(ticks.reference[k], ticks.reference_rate[k], ticks.added(k), ticks.time[k]);
         out.effort[k] = mechanics.effort_now()[0] + (seed != 0 ? sensor.effort_noise * noise() : 0);
         if (k + 1 < n) mechanics.advance();
     }
@@ -73,7 +73,7 @@ void follow_readings(Controller& controller, const Ticks& ticks, Take&& take)
                                       : (ticks.position[k] - ticks.position[k - 1]) / ticks.step[k - 1];
         controller.read(ticks.position[k], k == 0 ? ticks.step[0] : ticks.step[k - 1], exact);
         if (!logged_velocity.empty()) controller.believe(logged_velocity[k]);
-        take(k, controller.command(ticks.reference[k], ticks.reference_rate[k], ticks.added(k)));
+        take(k, controller.command(ticks.reference[k], ticks.reference_rate[k], ticks.added(k), ticks.time[k]));
     }
 }
 

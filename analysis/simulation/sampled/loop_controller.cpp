@@ -18,18 +18,22 @@ double LoopController::begin(double output, double velocity, double step)
     const auto& c = control_;
     last_rate_ = frame_ != 0 ? frame_ : velocity;
     state.velocity = state.before = velocity;
-    const double needed = output - ahead(0, last_rate_, step);
+    const auto& f = c.feed_forward;
+    const bool by_error = f.coulomb != 0 && f.coulomb_from == CoulombFrom::error;
+    const double push = by_error ? 0 : f.push(last_rate_, velocity, 0);
+    const double needed = output - ahead(0, last_rate_, step) - push;
     const double lost = rate_error(last_rate_);  // what steady sliding leaves of the velocity error
     double error = 0;
     if (c.structure == Structure::cascade && integrates()) {
         error = -lost / c.position_gain;
-        state.integral = needed / gain_of_integral_;
+        hold(needed / gain_of_integral_);
     } else if (integrates()) {
-        state.integral = (needed - gains_.k_v * lost) / gain_of_integral_;
+        hold((needed - gains_.k_v * lost) / gain_of_integral_);
     } else {
-        error = (needed - gains_.k_v * lost) / gains_.k_p;
+        error = error_that_gives(needed - gains_.k_v * lost);
+        if (!is_set(error)) return not_set;
     }
-    if (std::abs(gain_of_integral_ * state.integral) > c.integral_limit) return not_set;
+    if (std::abs(gain_of_integral_ * integral()) > c.integral_limit) return not_set;
     if (error != 0) error += std::copysign(c.dead_zone, error);
     state.reading = -error;
     state.output = output;
@@ -39,6 +43,13 @@ double LoopController::begin(double output, double velocity, double step)
     for (std::size_t i = 0; i < w.size(); ++i)  // where it was before, in a frame that may move at another velocity
         w[i] = state.reading + (frame_ - velocity) * step * static_cast<double>(w.size() - i);
     return state.reading;
+}
+
+/// Counts the integral from the first steady value that it is given.
+void LoopController::hold(double integral)
+{
+    if (!holds_) held_ = integral, holds_ = true;
+    state.integral = integral - held_;
 }
 
 void LoopController::read(double reading, double step, double exact)
@@ -65,6 +76,18 @@ void LoopController::read(double reading, double step, double exact)
     }
 }
 
+/// k_p and the push towards the set point together; NaN within the jump of that push, where no error gives it.
+double LoopController::error_that_gives(double output) const
+{
+    const auto& f = control_.feed_forward;
+    if (!f.fed_back() || f.coulomb_from != CoulombFrom::error) return output / gains_.k_p;
+    const double full = f.coulomb * (1 - std::abs(std::tanh(state.velocity / f.coulomb_speed)));
+    const double within = f.coulomb_width > 0 ? output / (gains_.k_p + full / f.coulomb_width) : infinity;
+    if (std::abs(within) <= f.coulomb_width) return within;
+    const double beyond = (output - std::copysign(full, output / gains_.k_p)) / gains_.k_p;
+    return beyond * output / gains_.k_p > 0 ? beyond : not_set;
+}
+
 double LoopController::rate_error(double rate) const
 {
     return (control_.reference_velocity ? control_.feed_forward.velocity * rate : 0) - state.velocity;
@@ -82,7 +105,6 @@ double LoopController::ahead(double reference, double rate, double step)
     double sum = 0;
     if (f.acceleration != 0 && is_set(last_rate_)) sum += f.acceleration * (rate - last_rate_) / step;
     last_rate_ = rate;
-    if (f.coulomb != 0) sum += f.coulomb * std::tanh(rate / f.coulomb_speed);
     if (f.gravity) sum += load_.gravity_amplitude * std::sin((reference + path_) / gear_ + load_.gravity_phase) / gear_;
     return sum;
 }
@@ -101,7 +123,7 @@ void LoopController::integrate(double input, double error, double step)
     if (c.anti_windup == AntiWindup::back_calculation)
         state.integral += step / c.tracking_time * cut_ / gain_of_integral_;
     const double most = c.integral_limit / std::abs(gain_of_integral_);
-    state.integral = std::clamp(state.integral, -most, most);
+    state.integral = std::clamp(state.integral, -most - held_, most - held_);
 }
 
 double LoopController::command(double reference, double rate, double step, double added)
@@ -117,13 +139,16 @@ double LoopController::command(double reference, double rate, double step, doubl
         if (integrates()) integrate(seen, error, step);
         output = c.k_p * seen + (c.k_v != 0 ? c.k_v * rate_error(rate) : 0);
     }
-    if (integrates()) output += gain_of_integral_ * state.integral;
-    output += ahead(reference, rate, step) + added;
+    if (integrates()) output += gain_of_integral_ * integral();
+    const double push = c.feed_forward.push(rate, state.velocity, seen);
+    const bool jumps = c.feed_forward.jumps();
+    output += ahead(reference, rate, step) + added + (jumps ? 0 : push);
     if (continuous()) {
         const double now = output;
         output += 0.5 * (now - state.output);
         state.output = now;
     }
+    output += c.dither.at(time_) + (jumps ? push : 0);  // what is known of this moment, or has no slope to go on by
     const double limited = std::clamp(output, -c.effort_limit, c.effort_limit);
     saturated_high_ = output > c.effort_limit, saturated_low_ = output < -c.effort_limit;
     wanted_ = output, cut_ = limited - output;

@@ -21,7 +21,9 @@ class LoopController {
     struct State {
         std::vector<double> window;  ///< the last readings, oldest first
         double velocity = 0, reading = 0;
-        double integral = 0;                       ///< of the error; of the velocity error in a cascade
+        /// Of the error, of the velocity error in a cascade; counted from what steady sliding holds, beside which small
+        /// changes would drown.
+        double integral = 0;
         double before = 0, output = 0, error = 0;  ///< continuous loop: velocity, output, error of the tick before
         bool fresh = true;                         ///< has read nothing yet
     };
@@ -41,27 +43,35 @@ class LoopController {
         state.reading += by;
         for (double& reading : state.window) reading += by;
     }
+    /// When the next command is computed; of a continuous loop the middle of the step.
+    void set_time(double t) { time_ = t; }
     /// The path of the frame, for what feeds the reference's own place forward.
     void set_path(double path) { path_ = path; }
 
     bool continuous() const { return !is_set(control_.period); }
     /// The true velocity, beside the encoder's readings.
     bool reads_velocity() const { return continuous() || control_.velocity_estimate.form == EstimateForm::exact; }
+    double integral() const { return held_ + state.integral; }
+    double integral_gain() const { return gain_of_integral_; }
     bool integrates() const { return gain_of_integral_ != 0; }
     /// The last command before its limit.
     double wanted() const { return wanted_; }
 
   private:
+    void hold(double integral);
     double ahead(double reference, double rate, double step);
     double outside_dead_zone(double error) const;
     double rate_error(double rate) const;
+    double error_that_gives(double output) const;
     void integrate(double input, double error, double step);
 
     const Control control_;
     const Load load_;
     const Gains gains_;
     double gain_of_integral_, frame_, gear_;
-    double path_ = 0, last_rate_ = not_set;
+    double held_ = 0;
+    bool holds_ = false;
+    double path_ = 0, time_ = 0, last_rate_ = not_set;
     bool saturated_high_ = false, saturated_low_ = false;
     double wanted_ = 0, cut_ = 0;  ///< output of the last tick before its limit; what was lost there
 };

@@ -22,9 +22,9 @@ std::vector<double> state_scale(const SampledLoop& loop, std::size_t size)
     const std::size_t taps = loop.taps();
     scale.insert(scale.end(), taps, reading);
     scale.push_back(speed);
-    const double effort = reading * loop.stiffness(), turn = reading / speed;
+    const double effort = reading * loop.stiffness();
     if (loop.continuous()) scale.push_back(speed), scale.push_back(effort);
-    if (loop.integrates()) scale.push_back(reading * turn);
+    if (loop.integrates()) scale.push_back(effort / std::abs(loop.integral_gain()));
     if (loop.integrates() && loop.continuous()) scale.push_back(reading);
     scale.resize(size, effort);
     return scale;

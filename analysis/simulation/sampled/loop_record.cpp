@@ -111,7 +111,7 @@ LoopRecord record_along(const Joint& joint, const ReferenceMotion& reference, st
         loop.begin_at_rest(start.position);
     else if (!loop.begin_sliding(start.position, start.velocity))
         return refused(Reason::no_steady_state, "the limit of the effort is below what steady sliding takes");
-    loop.set_clock(reference.time.front() - joint.sensor.delay);
+    loop.set_clock(reference.time.front(), reference.time.front() - joint.sensor.delay);
     LoopRecord record;
     const long ticks = std::lround(std::floor(span / T + same_time));
     const long late = loop.ticks_late();

@@ -35,6 +35,7 @@ std::complex<double> rate_of(const Joint& joint, double frame)
 
 bool has_unsteady_terms(const Joint& joint)
 {
+    if (joint.control.dither.amplitude > 0) return true;
     const Chain chain = chain_of(joint);
     for (int i = 0; i < chain.bodies; ++i)
         if (has_unsteady_terms(*chain.body[i].friction, joint.load)) return true;

@@ -17,6 +17,7 @@ constexpr double fixed_part = 0.25;  ///< of a tick: steps while small motions a
 constexpr double lifted = 0.1;       ///< of V_0: size at which a small disturbance that grows is taken up
 constexpr double near_rest_share = 1e-4;
 constexpr double far_pull = 3;           ///< of the spring, in V_0/|s|
+constexpr double faded = 1e-9;           ///< of a push: no more than this is left of it
 constexpr double neutral_growth = 1e-9;  ///< of |s|: neither growth nor decay
 
 constexpr std::string_view tired = "the motion was followed to the limit of turns";
@@ -24,6 +25,8 @@ constexpr std::string_view no_force =
     "the limit of the effort is below what steady sliding takes: there is no steady sliding";
 constexpr std::string_view place_and_time =
     "a force or friction that changes with position or time leaves no steady sliding to disturb";
+constexpr std::string_view pushed_back_and_forth =
+    "the push towards the set point jumps by more than steady sliding takes: the joint chatters about its reference";
 constexpr std::string_view play = "play in a transmission has no steady sliding to disturb";
 
 double total_play(const Joint& joint)
@@ -55,6 +58,21 @@ LoopVerdict refused(Reason reason, std::string_view why)
     return verdict;
 }
 
+/// Whether steady sliding lies in the jump of a push that follows the side of the error: always where an integral
+/// brings the error to nothing.
+bool chatters(const Joint& joint)
+{
+    const auto& f = joint.control.feed_forward;
+    if (!f.jumps()) return false;
+    LoopOptions smooth;
+    smooth.ideal_encoder = true;
+    const double frame = commanded_velocity(joint) / joint.sensor.position_scale;
+    SampledLoop loop(joint, frame, frame, LoopSide::joint, smooth);
+    const double left = std::abs(f.push(0, loop.reference_velocity(), 1));
+    if (loop.integrates()) return left > faded * std::abs(f.coulomb);
+    return !loop.begin_steadily() && loop.within_limits();
+}
+
 /// Why no motion about steady sliding exists, or none.
 std::optional<LoopVerdict> obstacle(const Joint& joint)
 {
@@ -67,6 +85,7 @@ std::optional<LoopVerdict> obstacle(const Joint& joint)
     if (has_unsteady_terms(joint)) return refused(Reason::unsupported, place_and_time);
     if (total_play(joint) > 0) return refused(Reason::unsupported, play);
     if (!(joint.control.k_p > 0)) return refused(Reason::diverges, {});
+    if (chatters(joint)) return refused(Reason::no_steady_state, pushed_back_and_forth);
     return {};
 }
 
@@ -85,7 +104,8 @@ bool has_real_loop(const Joint& joint)
     const auto& c = joint.control;
     const auto& a = joint.actuator;
     const auto& s = joint.sensor;
-    const bool nonlinear = c.dead_zone > 0 || c.feed_forward.coulomb != 0 || c.feed_forward.velocity != 1;
+    const bool nonlinear =
+        c.dead_zone > 0 || c.feed_forward.coulomb != 0 || c.feed_forward.velocity != 1 || c.dither.amplitude > 0;
     return loop_kind(joint) != LoopKind::ideal || nonlinear || c.structure == Structure::cascade ||
            c.effort_limit < infinity || a.limit < infinity || a.sag_effort < infinity || s.encoder_quantum > 0 ||
            s.position_noise > 0;
@@ -131,15 +151,19 @@ bool LoopInquiry::find_mode(const Joint& asked, double frame, GrowthBy by)
     verdict_.multiplier = mode_.multiplier;
     if (!mode_.known()) return refuse(Reason::not_converged, mode_.why);
     const double V0 = commanded_velocity(joint_);
-    verdict_.growth_rate = by == GrowthBy::motion ? measure_loop_growth(linear, mode_) : real_growth(joint_, V0, false);
     const auto s = mode_.rate();
+    if (by == GrowthBy::motion)
+        verdict_.growth_rate = measure_loop_growth(linear, mode_);
+    else  // the theory has no term for a push that is fed back
+        verdict_.growth_rate = joint_.control.feed_forward.fed_back() ? s.real() : real_growth(joint_, V0, false);
     const double measured = std::isfinite(verdict_.growth_rate) ? verdict_.growth_rate : s.real();
     if (!(std::abs(s) > 0) || std::abs(measured) < neutral_growth * std::abs(s)) return refuse(Reason::neutral, {});
     auto& options = follow_;
     options.turn_limit = question_.turn_limit;
     options.steady_attracts = measured < 0;
     options.decay = s.real();
-    options.turn = 2 * std::numbers::pi / std::abs(s);
+    // the slow mode of an integral does not turn, but the spring swings beside it
+    options.turn = 2 * std::numbers::pi / (winds_up_slowly() ? spring_rate(joint_) : std::abs(s));
     options.held = held_time(joint_, V0);
     options.uneven = joint_.sensor.encoder_quantum > 0 || joint_.sensor.position_noise > 0;
     return true;

@@ -7,8 +7,8 @@ constexpr double whole = 1e-9;  ///< of a tick: dead times nearer to a whole num
 
 constexpr double slowest = 1e-9;  ///< of V_0, for bodies that rest: their friction is that of the slowest sliding
 
-/// Ticks of a continuous loop: so many a radian of the fastest thing that the loop does, and a part of its filters; but
-/// of filters far beyond the loop no more than follows their lag, which is that of a hold.
+/// Ticks of a continuous loop: so many a radian of the fastest thing that the loop does, dither included, and a part of
+/// its filters; but of filters far beyond the loop no more than follows their lag, which is that of a hold.
 constexpr double ticks_per_radian = 40, filter_part = 0.05, most_for_filters = 8;
 
 /// Of a usual tick. A lag as short as this is a dead time of its length: to the loop they differ by half the square of
@@ -48,7 +48,8 @@ double tick_of(const Joint& given)
     double tick = usual;
     for (const double filter : {c.velocity_estimate.tau, joint.actuator.lag})
         if (filter > 0) tick = std::min(tick, filter_part * filter);
-    return std::max(tick, usual / most_for_filters);
+    tick = std::max(tick, usual / most_for_filters);
+    return c.dither.amplitude > 0 ? std::min(tick, 1 / (ticks_per_radian * c.dither.frequency)) : tick;
 }
 
 SampledLoop::SampledLoop(const Joint& joint, double frame, double speed, LoopSide side, const LoopOptions& options)
@@ -159,6 +160,7 @@ void SampledLoop::ask(double reference, double rate, double added)
     readings_.position = read();
     controller_.read(readings_.position, period_, exact);
     controller_.set_path(frame_reading_ * time());
+    controller_.set_time(clock_ + time() + (continuous() ? 0.5 * period_ : 0));
     std::copy(line_.begin() + 1, line_.end(), line_.begin());
     line_.back() = controller_.command(reference, rate, period_, added);
     motion.joint.arriving = line_.front();

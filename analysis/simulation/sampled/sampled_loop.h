@@ -62,9 +62,10 @@ class SampledLoop {
     std::vector<double> state() const;
     void set_state(const std::vector<double>& state);
 
-    /// What time it is for what depends on time.
-    void set_clock(double t)
+    /// What time the controller has, for its dither, and what time it is for what depends on time.
+    void set_clock(double controller, double t)
     {
+        clock_ = controller;
         if (motion.joint.has_clock()) motion.joint.clock(motion.y.data()) = t;
     }
 
@@ -78,6 +79,7 @@ class SampledLoop {
     bool continuous() const { return controller_.continuous(); }
     std::size_t taps() const { return controller_.state.window.size(); }
     bool integrates() const { return controller_.integrates(); }
+    double integral_gain() const { return controller_.integral_gain(); }
     double stiffness() const { return std::abs(joint_.control.k_p); }
     double steady_command() const { return steady_command_; }
     bool within_limits() const;
@@ -103,6 +105,7 @@ class SampledLoop {
     double reading_part_ = 0;  ///< of the tick by which readings are late beyond whole ones
     bool in_late_part_ = false;
     long ticks_ = 0;
+    double clock_ = 0;  ///< of the controller at its first tick
     double steady_command_ = missing;
     TickReadings readings_;
 };

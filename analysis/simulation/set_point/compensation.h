@@ -1,20 +1,18 @@
-// What a controller may add against dry friction at a set point.
+// The push against dry friction at a set point, in units of effort.
 #pragma once
+#include "analysis/joint/feed_forward.h"
 
 namespace stickslip {
 
-/// What a controller adds against dry friction while its reference stands still; control.feed_forward, which looks at
-/// the reference's velocity, is silent then. Of the measured velocity v: level · tanh(v/speed). Of the error e outside
-/// the dead zone: level · sat(e/width)(1 − |tanh(v/speed)|), a push towards the set point that fades once the joint
-/// moves, as in the arm of examples/08-hunting-arm.
+/// FeedForward::push of a controller whose reference stands still. The simulation from stop to stop needs its slopes,
+/// and takes the side of a jump from the motion.
 struct Compensation {
-    enum class From { nothing, velocity, error };
-    From from = From::nothing;
-    double level = 0;  ///< in the units of the command
+    CoulombFrom from = CoulombFrom::reference;
+    double level = 0;
     double speed = 1e-3, width = 0;
 
-    bool by_velocity() const { return from == From::velocity && level != 0; }
-    bool by_error() const { return from == From::error && level != 0; }
+    bool by_velocity() const { return from == CoulombFrom::velocity && level != 0; }
+    bool by_error() const { return from == CoulombFrom::error && level != 0; }
     bool acts() const { return by_velocity() || by_error(); }
     /// The whole level on one side of the set point, its opposite on the other.
     bool jumps() const { return by_error() && width == 0; }

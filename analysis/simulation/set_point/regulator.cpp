@@ -4,7 +4,7 @@
 
 namespace stickslip {
 
-Regulator regulator_of(const Joint& joint, const Compensation& compensation)
+Regulator regulator_of(const Joint& joint)
 {
     const auto& c = joint.control;
     const auto& a = joint.actuator;
@@ -28,8 +28,9 @@ Regulator regulator_of(const Joint& joint, const Compensation& compensation)
     r.effort_limit = std::min(std::abs(per_signal) * most_signal, a.limit);
     r.anti_windup = c.anti_windup;
     r.tracking_time = c.tracking_time;
-    r.compensation = compensation;
-    r.compensation.level *= per_signal;
+    const auto& push = c.feed_forward;
+    r.compensation = {push.coulomb_from, per_signal * push.coulomb, push.coulomb_speed, push.coulomb_width};
+    r.dither = std::abs(per_signal) * c.dither.amplitude;
     return r;
 }
 

@@ -17,6 +17,7 @@ struct Regulator {
     AntiWindup anti_windup = AntiWindup::none;
     double tracking_time = not_set;
     Compensation compensation;
+    double dither = 0;  ///< amplitude
 
     /// The error −x as the controller counts it.
     double error(double x) const { return std::abs(x) <= dead_zone ? 0 : std::copysign(dead_zone, x) - x; }
@@ -24,7 +25,7 @@ struct Regulator {
     bool linear() const
     {
         return dead_zone == 0 && integral_limit == infinity && integral_band == infinity && effort_limit == infinity &&
-               !compensation.acts();
+               !compensation.acts() && dither == 0;
     }
     /// What holds or moves the mass at rest beside the integral: k_p e and the push towards the set point.
     double push_at_rest(double x) const
@@ -45,7 +46,7 @@ struct Regulator {
 
 /// The joint's loop as a regulator. The motion is about the effort, so that the actuator's gain, a motor's constants
 /// and the limits on the way are in it; sampling, dead time, lag, sensor and reference are not.
-Regulator regulator_of(const Joint& joint, const Compensation& compensation = {});
+Regulator regulator_of(const Joint& joint);
 
 /// m v̇ = u(x, v, w) − drag v − f(v, θ), y = (x, v, w, θ_i), x from the set point.
 class RegulatorFlow final : public Flow {

@@ -138,10 +138,20 @@ SetPoint pushed_about(SetPointReason reason)
     return s;
 }
 
+/// See set_point.h; a push that is fed back beside it has no such energy.
+SetPoint under_dither(const Regulator& regulator, const DryFriction& dry)
+{
+    if (regulator.compensation.acts() || regulator.dither >= dry.coulomb) return undecided(SetPointReason::dithered);
+    const bool breaks = dry.breakaway <= regulator.effort_limit;
+    const double band = (dry.breakaway - regulator.dither) / regulator.k_p + regulator.dead_zone;
+    return rests(SetPointReason::dither_narrows, breaks ? band : infinity, SetPointMethod::closed_form);
+}
+
 SetPoint without_integral(const Joint& joint, const Regulator& regulator, const DryFriction& dry)
 {
     if (regulator.k_i < 0 || !(regulator.k_p > 0))
         return rests(SetPointReason::loop_unstable, missing, SetPointMethod::closed_form);
+    if (regulator.dither > 0) return under_dither(regulator, dry);
     const bool breaks = dry.breakaway <= regulator.effort_limit;
     const double band = breaks ? regulator.error_holding(dry.breakaway) + regulator.dead_zone : infinity;
     if (breaks && regulator.compensation.by_velocity())
@@ -155,7 +165,9 @@ SetPoint decided(const Joint& joint, const SetPointQuestion& question)
     if (joint.mechanism.model != Model::single_mass) return undecided(SetPointReason::several_bodies);
     const auto [friction, reason] = resting_friction(joint.friction);
     if (reason != SetPointReason::none) return undecided(reason);
-    const auto regulator = regulator_of(joint, question.compensation);
+    const auto regulator = regulator_of(joint);
+    if (regulator.dither > 0 && (friction.presliding > 0 || regulator.k_i > 0))
+        return undecided(SetPointReason::dithered);
     if (pushes_itself(joint, regulator, friction.dry)) return pushed_about(SetPointReason::push_breaks_friction);
     if (friction.presliding > 0 && regulator.compensation.acts())
         return undecided(SetPointReason::bristles_compensated);
@@ -206,7 +218,7 @@ SetPoint set_point(const Joint& joint, const SetPointQuestion& question)
     SetPoint s = decided(joint, question);
     const auto friction = resting_friction(joint.friction);
     if (friction.reason == SetPointReason::none) s.own_level = friction.friction.dry.breakaway;
-    if (question.compensation.acts()) s.compensation = regulator_of(joint, question.compensation).compensation.level;
+    if (const auto push = regulator_of(joint).compensation; push.acts()) s.compensation = push.level;
     s.not_used = left_out(joint);
     return s;
 }

@@ -2,7 +2,6 @@
 #pragma once
 #include "analysis/joint/joint.h"
 #include "analysis/results/set_point.h"
-#include "analysis/simulation/set_point/compensation.h"
 
 namespace stickslip {
 
@@ -10,15 +9,16 @@ namespace stickslip {
 bool integrates(const Joint& joint);
 
 struct SetPointQuestion {
-    Compensation compensation;  ///< beside the joint's own controller
     int starts_per_decade = 8;  ///< how densely the starts of slips are looked at where there is no closed form
 };
 
 /// Hunting at a set point: in closed form for Coulomb friction with a static level under nothing but gains; by events
 /// for a falling curve, a dead zone and limits; by following the motion for bristles (LuGre, Dahl). `yes`: a cycle of
 /// stops and slips exists that attracts its neighbours. Laws that creep at rest, delayed and linear ones, joints of
-/// several bodies and force loops are undecided, with the reason. control.feed_forward looks at the reference and is
-/// silent at a set point.
+/// several bodies and force loops are undecided, with the reason. A push of control.feed_forward that looks at the
+/// reference is silent at a set point, one that follows velocity or error acts. A dither of amplitude D below the
+/// kinetic friction F_c lets no motion last in a loop that does not integrate: d/dt(m v²/2 + k_p x²/2) <= −(F_c −
+/// D)|v|. It rests where F_s − D holds it.
 SetPoint set_point(const Joint& joint, const SetPointQuestion& question = {});
 
 }  // namespace stickslip

@@ -21,6 +21,8 @@ nlohmann::ordered_json set_point_design_json(const SetPointDesign& design, doubl
                                    {"control.dead_zone", json_number(c.dead_zone)},
                                    {"push", json_number(c.push)},
                                    {"push_speed", json_number(c.push_speed)},
+                                   {"dither", json_number(c.dither)},
+                                   {"dither_frequency", json_number(c.dither_frequency)},
                                    {"window", {json_number(c.low), json_number(c.high)}},
                                    {"rest_error", json_number(c.rest_error)},
                                    {"proofs", nlohmann::ordered_json::array()}};

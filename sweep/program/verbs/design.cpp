@@ -127,12 +127,13 @@ void add_design(CLI::App& app, Invocation& invocation)
     verb->add_option("-o,--output", options->directory, "write design.json, designed-joint.toml and report.html here");
     verb->add_option("--threads", options->threads, "0: all cores")->capture_default_str();
     verb->add_flag("--json", options->json, "print design.json instead of text");
-    auto* holds =
-        verb->add_flag("--set-point", options->holds,
-                       "instead: hold a set point without hunting, by k_i, dead zone and a push against dry friction");
+    auto* holds = verb->add_flag(
+        "--set-point", options->holds,
+        "instead: hold a set point without hunting, by k_i, dead zone, a push against dry friction and dither");
     auto& held = options->set_point;
-    verb->add_option("--over", held.over, "of a set point: control.k_i, control.dead_zone, push; default all")
-        ->check(CLI::IsMember({"control.k_i", "control.dead_zone", "push"}))
+    verb->add_option("--over", held.over,
+                     "of a set point: control.k_i, control.dead_zone, push, control.dither; default all")
+        ->check(CLI::IsMember({"control.k_i", "control.dead_zone", "push", "control.dither"}))
         ->needs(holds);
     verb->add_option("--friction-margin", held.friction_margin,
                      "of a set point: share by which static and kinetic friction may each be off")
@@ -162,7 +163,8 @@ void add_design(CLI::App& app, Invocation& invocation)
         auto& asked = options->set_point;
         asked.input = options->input, asked.directory = options->directory, asked.settings = options->settings;
         asked.threads = options->threads, asked.json = options->json;
-        invocation.exit_code = options->holds ? design_set_point_answer(asked) : design(*options, invocation);
+        invocation.exit_code =
+            options->holds ? design_set_point_answer(asked, invocation.command) : design(*options, invocation);
     });
 }
 

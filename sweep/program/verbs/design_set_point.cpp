@@ -10,10 +10,14 @@
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/whole_file.h"
 #include "sweep/files/toml/asked_axes.h"
+#include "sweep/files/toml/changed_lines.h"
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/terminal.h"
+#include "sweep/report/pages/set_point_design_report.h"
+#include "sweep/report/pages/write_report.h"
+#include "sweep/study/set_point_scan.h"
 #include "sweep/words/set_point_design_text.h"
 #include "sweep/words/verdict_text.h"
 
@@ -33,19 +37,13 @@ SetPointRequirements requirements_of(const SetPointOptions& options)
     r.over_k_i = asked("control.k_i");
     r.over_dead_zone = asked("control.dead_zone");
     r.over_push = asked("push");
+    r.over_dither = asked("control.dither");
     return r;
-}
-
-Joint designed(Joint joint, const SetPointChoice& c)
-{
-    joint.control.k_i = c.k_i;
-    joint.control.dead_zone = c.dead_zone;
-    return joint;
 }
 
 }  // namespace
 
-int design_set_point_answer(const SetPointOptions& options)
+int design_set_point_answer(const SetPointOptions& options, const std::string& command)
 {
     const auto joint = read_spec_or_joint(options.input, options.settings).design;
     const auto requirements = requirements_of(options);
@@ -65,10 +63,21 @@ int design_set_point_answer(const SetPointOptions& options)
     }
     const auto* best = design.best < 0 ? nullptr : &design.choices[static_cast<std::size_t>(design.best)];
     if (!options.directory.empty()) {
-        write_whole(std::filesystem::path(options.directory) / "set-point-design.json", json.dump(1) + "\n");
-        if (best)
-            write_whole(std::filesystem::path(options.directory) / "designed-joint.toml",
-                        joint_text(designed(joint, *best)));
+        const std::filesystem::path directory = options.directory;
+        write_whole(directory / "set-point-design.json", json.dump(1) + "\n");
+        std::vector<Snippet> snippets;
+        if (best) {
+            const auto text = joint_text(with_choice(joint, *best));
+            write_whole(directory / "designed-joint.toml", text);
+            snippets = {{"To put into the joint file", changed_lines(joint_text(joint), text), ""},
+                        {"The whole joint file with these numbers", text, "designed-joint.toml"}};
+        }
+        const auto scan = set_point_scan(joint, requirements, design, parallel_for_each);
+        const auto page = write_report(
+            set_point_design_report({command, joint, options.friction_margin, options.rest_error, design, scan},
+                                    std::move(snippets)),
+            options.directory);
+        if (!options.json) fmt::print("\nreport: {}\n", page.string());
     }
     return best && best->rest_error <= options.rest_error ? exit_done : exit_check_failed;
 }

@@ -16,6 +16,6 @@ struct SetPointOptions {
 };
 
 /// Prints, writes and returns the exit code. Throws BadInput.
-int design_set_point_answer(const SetPointOptions& options);
+int design_set_point_answer(const SetPointOptions& options, const std::string& command);
 
 }  // namespace stickslip

@@ -23,6 +23,13 @@ Joint held(double k_i, double breakaway, double coulomb = 1)
     return joint;
 }
 
+Joint pushed(Joint joint, const Compensation& c)
+{
+    auto& f = joint.control.feed_forward;
+    f.coulomb = c.level, f.coulomb_from = c.from, f.coulomb_speed = c.speed, f.coulomb_width = c.width;
+    return joint;
+}
+
 /// Where the first slip from −a ends, by the midpoint rule in equal steps: no events, no branches, no side.
 double slip_by_small_steps(const Joint& joint, const Compensation& c, double a, double dt)
 {
@@ -47,7 +54,7 @@ double slip_by_small_steps(const Joint& joint, const Compensation& c, double a, 
 
 bool hunts(const Joint& joint, const Compensation& c)
 {
-    return set_point(joint, {c}).hunting == Hunting::yes;
+    return set_point(pushed(joint, c)).hunting == Hunting::yes;
 }
 
 }  // namespace
@@ -56,11 +63,10 @@ TEST_CASE("a slip under a push ends where small equal steps end", "[set-point]")
 {
     const Joint joint = held(100, 1.5);
     for (const Compensation c :
-         {Compensation{Compensation::From::error, 0.8, 1e9, 0}, Compensation{Compensation::From::error, 0.8, 0.02, 0},
-          Compensation{Compensation::From::error, 0.8, 0.02, 1e-3},
-          Compensation{Compensation::From::velocity, 0.6, 0.02, 0}})
+         {Compensation{CoulombFrom::error, 0.8, 1e9, 0}, Compensation{CoulombFrom::error, 0.8, 0.02, 0},
+          Compensation{CoulombFrom::error, 0.8, 0.02, 1e-3}, Compensation{CoulombFrom::velocity, 0.6, 0.02, 0}})
         for (const double a : {2e-3, 2e-2}) {
-            const auto stop = StopToStop(regulator_of(joint, c), joint.friction).slip_from(a);
+            const auto stop = StopToStop(regulator_of(pushed(joint, c)), joint.friction).slip_from(a);
             REQUIRE(stop.end != Stop::End::failure);
             if (stop.end != Stop::End::stop || stop.turns > 0) continue;
             const double expected = slip_by_small_steps(joint, c, a, 1e-6);
@@ -74,8 +80,8 @@ TEST_CASE("short slips under a push shrink when it is more than the drop of fric
     const double drop = 0.5, a = 1e-9;
     const Joint joint = held(100, 1 + drop);
     for (const double S : {0.4, 0.55, 0.9, 1.4}) {
-        const Compensation c{Compensation::From::error, S, 1e9, 0};
-        const auto stop = StopToStop(regulator_of(joint, c), joint.friction).slip_from(a);
+        const Compensation c{CoulombFrom::error, S, 1e9, 0};
+        const auto stop = StopToStop(regulator_of(pushed(joint, c)), joint.friction).slip_from(a);
         CHECK(stop.x / a == Approx(drop / (2 * S - drop)).epsilon(1e-3));
     }
 }
@@ -86,8 +92,8 @@ TEST_CASE("a push between the drop and the static friction ends hunting, less do
     for (const double fade : {1e9, 0.05, 1e-3}) {
         const Joint joint = held(100, 1 + drop);
         CHECK(hunts(joint, {}));
-        CHECK(hunts(joint, {Compensation::From::error, 0.97 * drop, fade, 0}));
-        const auto calm = set_point(joint, {{Compensation::From::error, 1.03 * drop, fade, 0}, 16});
+        CHECK(hunts(joint, {CoulombFrom::error, 0.97 * drop, fade, 0}));
+        const auto calm = set_point(pushed(joint, {CoulombFrom::error, 1.03 * drop, fade, 0}), {16});
         CHECK(calm.hunting == Hunting::no);
         CHECK(calm.starts > 100);
         CHECK(calm.largest_ratio < 1);
@@ -101,10 +107,10 @@ TEST_CASE("a push above the static friction moves a joint whose loop is late", "
     const double breakaway = 1.5;
     Joint joint = held(0, breakaway);  // an integral may balance the push for as long as it takes to wind up
     joint.control.period = 1e-3;
-    const auto pushed = [&](double S) { return set_point(joint, {{Compensation::From::error, S, 1e9, 0}}); };
-    CHECK(pushed(0.99 * breakaway).hunting == Hunting::no);
-    CHECK(pushed(1.01 * breakaway).hunting == Hunting::yes);
-    CHECK(pushed(1.01 * breakaway).reason == SetPointReason::push_breaks_friction);
+    const auto by_error = [&](double S) { return set_point(pushed(joint, {CoulombFrom::error, S, 1e9, 0})); };
+    CHECK(by_error(0.99 * breakaway).hunting == Hunting::no);
+    CHECK(by_error(1.01 * breakaway).hunting == Hunting::yes);
+    CHECK(by_error(1.01 * breakaway).reason == SetPointReason::push_breaks_friction);
     // the same loop tick by tick, friction by small steps: still moving after a minute, or at rest for ever
     const auto moves = [&](double S) {
         const auto& k = joint.control;
@@ -137,7 +143,7 @@ TEST_CASE("feed-forward of the measured velocity drives a joint from F_c + F_s t
         const Joint joint = held(0, breakaway);
         const double zeta = joint.control.k_v / (2 * std::sqrt(joint.control.k_p));
         const double critical = 1 + breakaway * std::tanh(0.5 * pi * zeta / std::sqrt(1 - zeta * zeta));
-        const auto driven = [&](double S) { return set_point(joint, {{Compensation::From::velocity, S, 1e-7, 0}}); };
+        const auto driven = [&](double S) { return set_point(pushed(joint, {CoulombFrom::velocity, S, 1e-7, 0})); };
         CHECK(driven(0.999 * critical).hunting == Hunting::no);
         const auto cycle = driven(1.001 * critical);
         CHECK(cycle.hunting == Hunting::yes);

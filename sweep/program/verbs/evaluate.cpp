@@ -72,10 +72,13 @@ nlohmann::ordered_json forced_json(const AskedDisturbance& asked, const Disturbe
             {"final", motion.memory.position.back()}};
 }
 
-/// What it does at a set point: asked of a loop that integrates, and of one whose set point is all that is commanded.
+/// What it does at a set point: asked of a loop that integrates or has something against dry friction there, and of one
+/// whose set point is all that is commanded.
 std::optional<SetPoint> resting(const Joint& joint)
 {
-    if (!integrates(joint) && joint.control.V0 != 0) return std::nullopt;
+    const auto& c = joint.control;
+    const bool helped = c.feed_forward.fed_back() || c.dither.amplitude > 0;
+    if (!integrates(joint) && !helped && c.V0 != 0) return std::nullopt;
     return set_point(joint);
 }
 

@@ -57,6 +57,7 @@ constexpr Rule rules[] = {
     {"control.integral_band", nobody, Lost::integral},
     {"control.dead_zone", nobody, Lost::no_element},
     {"control.feed_forward", nobody, Lost::feed_forward},
+    {"control.dither", nobody, Lost::time_dependent},
     {"control.V0", everyone, Lost::no_element},  // a question of the maps, not of the joint
     {"control.force_rate", everyone, Lost::no_element},
     {"control.period", "r", Lost::sampling},

@@ -165,8 +165,15 @@ Reduction two_mass_to_single_mass(const Joint& joint)
         r.model = "Fig. 7a, ideal motor";
         r.neglected = {"the motor's inertia and friction",
                        "the compliance of the motor's own loop, k_{p} against k_{tr}"};
-        c.k_p = joint.mechanism.transmission.stiffness;
-        c.k_v = joint.mechanism.transmission.damping;
+        // the transmission is the loop now, which neither ticks nor comes late
+        Control spring;
+        spring.k_p = joint.mechanism.transmission.stiffness;
+        spring.k_v = joint.mechanism.transmission.damping;
+        spring.V0 = c.V0;
+        spring.contact_stiffness = c.contact_stiffness;
+        c = spring;
+        r.joint.actuator = {};
+        r.joint.sensor = {};
     } else {
         r.name = "ideal motor as a force source (Fig. 6 to 7b)";
         r.model = "Fig. 7b, ideal motor";

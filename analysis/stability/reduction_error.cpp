@@ -8,6 +8,7 @@
 #include "analysis/numerics/root.h"
 #include "analysis/stability/joint_crossings.h"
 #include "analysis/stability/joint_spectrum.h"
+#include "analysis/stability/real_loop.h"
 #include "analysis/stability/stable_gains.h"
 #include "analysis/stability/steady.h"
 #include "analysis/stability/verdict.h"
@@ -30,17 +31,33 @@ std::vector<double> sign_changes(Function&& f, double low, double high, int scan
     return found;
 }
 
+/// Of the loop that the joint has.
+StableGains windows(const Reduction& joint, double commanded)
+{
+    StableGains gains;
+    if (loop_kind(joint.joint) == LoopKind::ideal) {
+        const auto linear = linear_joint(joint, commanded);
+        auto search = crossings(linear);
+        gains.stable = stable_intervals(linear, search.crossings, search.searched_to);
+        gains.searched_to = search.searched_to;
+        return gains;
+    }
+    const double sliding = sliding_velocity(joint.joint, commanded);
+    if (const auto loop = real_loop(joint.joint, linear_joint(joint, sliding), sliding, TurnedGain::k_p))
+        return turned_gains(*loop);
+    return gains;
+}
+
 /// The ends of the stable set in k_p: exact where the spectrum's real parts drown in rounding, and faster than a scan.
 std::vector<double> gain_boundaries(const Reduction& joint, double low, double high)
 {
     std::vector<double> found;
     const auto steady = steady_sliding(joint.joint);
     if (steady.reason != Reason::none) return found;
-    const auto linear = linear_joint(joint, steady.velocity);
-    const auto search = crossings(linear);
-    for (const auto& stable : stable_intervals(linear, search.crossings, search.searched_to))
+    const auto gains = windows(joint, steady.velocity);
+    for (const auto& stable : gains.stable)
         for (const double end : {stable.low, stable.high})
-            if (end > low && end < high && end != search.searched_to) found.push_back(end);
+            if (end > low && end < high && end != gains.searched_to) found.push_back(end);
     return found;
 }
 
@@ -78,7 +95,10 @@ double growth_rate(const Reduction& reduced)
     if (reduced.joined.empty()) return growth_rate(reduced.joint);
     const auto steady = steady_sliding(reduced.joint);
     if (steady.reason != Reason::none) return missing;
-    return spectral_abscissa(linear_joint(reduced, steady.velocity));
+    if (loop_kind(reduced.joint) == LoopKind::ideal) return spectral_abscissa(linear_joint(reduced, steady.velocity));
+    const double sliding = sliding_velocity(reduced.joint, steady.velocity);
+    const auto loop = real_loop(reduced.joint, linear_joint(reduced, sliding), sliding, TurnedGain::all);
+    return loop ? growth(*loop) : missing;
 }
 
 ReductionError compare_reduction(const Joint& full, const std::function<Reduction(const Joint&)>& reduce,

@@ -105,7 +105,6 @@ TEST_CASE("dither below the kinetic friction lets all motion die, nearer than wi
     Joint joint = machine();
     joint.control.delay = 0, joint.control.velocity_estimate.tau = 0;
     joint.friction.law = KineticStatic{5, 7};
-    joint.control.period = not_set;
     for (const double amplitude : {0.0, 2.0, 4.0}) {
         joint.control.dither = {amplitude, 400};
         const auto s = set_point(joint);

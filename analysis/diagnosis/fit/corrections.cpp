@@ -1,6 +1,7 @@
 #include "analysis/diagnosis/fit/corrections.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace stickslip::gap {
@@ -73,6 +74,8 @@ Corrections::Corrections(const std::vector<Case>& cases, const Scales& scales, c
         number(Quantity::effort, Scale::effort, false, prior.coulomb * level, "change of the Coulomb level"),
         [](Joint& to, const double* p) { for_all_frictions(to, p[0], shift_coulomb); }, false);
     const double drag = std::max(viscous * scales.velocity / scales.effort, prior.least);
+    usual_effort_ = prior.widest * prior.small_term * level;
+    usual_drag_ = prior.widest * prior.viscous * drag;
     add(
         "viscous",
         number(Quantity::damping, Scale::damping, false, prior.viscous * drag, "change of the viscous slope"),
@@ -121,6 +124,22 @@ bool Corrections::same_number(const Effect& effect, const EffectForm& form) cons
     // a form with a name of its own changes something else, one of two masses, say; forms of gravity do not
     return (form.name.empty() || effect.name == "gravity") &&
            std::ranges::any_of(effects_, [&](const Effect& own) { return own.name == effect.name; });
+}
+
+bool Corrections::is_usual(const Candidate& causes, const Eigen::VectorXd& x, const Effect& cause) const
+{
+    constexpr std::array<std::string_view, 4> small_terms{"cogging", "position-dependent-friction",
+                                                          "asymmetric-friction", "friction-drift"};
+    if (std::ranges::count(small_terms, cause.name) == 0) return false;
+    Eigen::Index at = 0;
+    for (std::size_t i = 0; i < causes.effects.size(); ++i)
+        for (std::size_t k = 0; k < causes.count_of(*causes.forms[i]); ++k, ++at) {
+            if (causes.effects[i] != &cause) continue;
+            const auto& p = causes.parameter(static_cast<std::size_t>(at));
+            if (p.quantity == Quantity::effort && std::abs(x[at]) > usual_effort_) return false;
+            if (p.quantity == Quantity::damping && std::abs(x[at]) > usual_drag_) return false;
+        }
+    return true;
 }
 
 bool Corrections::is_one(const Candidate& causes, const Eigen::VectorXd& x) const

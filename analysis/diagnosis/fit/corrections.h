@@ -14,6 +14,7 @@ struct CorrectionPrior {
     double load;               ///< of the Coulomb level
     double gravity;            ///< of the documented amplitude
     double least;              ///< of the usual effort: a number that is documented as less counts as that
+    double small_term;         ///< of the Coulomb level: ripple, cogging, asymmetry and drift that nobody documents
     double widest;             ///< standard deviations at which the prior is cut off
 };
 
@@ -34,6 +35,8 @@ class Corrections {
     Corrected beside(const Candidate& causes) const;
     /// Whether this form of a cause changes a number that a correction changes.
     bool same_number(const Effect& effect, const EffectForm& form) const;
+    /// Whether a cause is one of the small terms that every machine has, and no larger than they are.
+    bool is_usual(const Candidate& causes, const Eigen::VectorXd& x, const Effect& cause) const;
     /// Whether one of the causes changes a number that a correction changes, and by no more than its prior allows: then
     /// it is that correction, held back by nothing.
     bool is_one(const Candidate& causes, const Eigen::VectorXd& x) const;
@@ -48,6 +51,7 @@ class Corrections {
     std::vector<double> sds_;     // of each one's number
     std::size_t records_;
     double weight_, widest_;
+    double usual_effort_ = 0, usual_drag_ = 0;  ///< largest small term, in units of a parameter's scale
 };
 
 }  // namespace stickslip::gap

@@ -12,11 +12,14 @@ namespace {
 constexpr std::size_t known_pairs = 3;           // of a search of their own, that are tried as two rungs
 constexpr std::size_t near = 3, dear_looks = 6;  // singles, best first
 
-/// Whether the second is better in every fold.
-bool in_every_fold(const FittedSet& without, const FittedSet& with)
+/// Whether the second is worse in no fold by so much that they are told apart there, nor by a good part of what it
+/// gains: a limit that one step alone reaches does nothing in the others.
+bool worse_in_no_fold(const FittedSet& without, const FittedSet& with, double margin)
 {
+    constexpr double good_part = 0.25;
+    const double most = std::max(margin, good_part * (without.misfit - with.misfit));
     for (std::size_t f = 0; f < HeldOutData::folds; ++f)
-        if (!(mean_log(with.left[f]) < mean_log(without.left[f])) && !with.left[f].empty()) return false;
+        if (!(mean_log(with.left[f]) < mean_log(without.left[f]) + most) && !with.left[f].empty()) return false;
     return true;
 }
 
@@ -24,8 +27,8 @@ bool in_every_fold(const FittedSet& without, const FittedSet& with)
 bool earns(const FittedSet& without, const FittedSet& with, const LadderRules& rules)
 {
     const double left = beyond_noise(without.all_left()), now = beyond_noise(with.all_left());
-    const double beyond = std::max(rules.worth_a_rung, margin_of(with, rules));
-    return in_every_fold(without, with) && without.misfit - with.misfit > beyond &&
+    const double margin = margin_of(with, rules), beyond = std::max(rules.worth_a_rung, margin);
+    return worse_in_no_fold(without, with, margin) && without.misfit - with.misfit > beyond &&
            left - now > rules.of_the_rest * left;
 }
 
@@ -213,13 +216,17 @@ Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t mo
         if (!at_start && only_noise && only_noise(set)) break;
         auto tried = at_start ? first_ : climber_->next(set);
         // what a search of pairs has found may be more than its parts
-        if (set.causes.effects.size() == 1 || (at_start && (tried.empty() || !earns(set, tried[0], rules_)))) {
+        // what comes nearest in most windows may take nothing of a gap that a few windows hold: then another one does
+        const auto earning = [&] {
+            return std::ranges::find_if(
+                tried, [&](const auto& t) { return t.plausible && !t.correction && earns(set, t, rules_); });
+        };
+        if (set.causes.effects.size() == 1 || (at_start && earning() == tried.end())) {
             for (auto& s : climber_->judged(known_sets(pairs, *fitter_, set))) tried.push_back(std::move(s));
             std::stable_sort(tried.begin(), tried.end(), best_first);
         }
-        const auto next =
-            std::find_if(tried.begin(), tried.end(), [](const auto& t) { return t.plausible && !t.correction; });
-        if (next == tried.end() || !earns(set, *next, rules_)) break;
+        const auto next = earning();
+        if (next == tried.end()) break;
         set = *next;
         settle(set);
         // exchange: a cause that only stood in for what came later goes, and makes room

@@ -102,11 +102,25 @@ struct Shape {
     std::vector<std::vector<double>> front;  ///< of every start: what stands before the parts of the force, which are 0
 
     bool remembers() const { return effect == &of_follower(); }
-    Candidate candidate(std::size_t records) const { return {{effect}, {&effect->forms[0]}, records}; }
+};
+
+/// A shape behind the corrections of the joint's own numbers, if there are any.
+struct Beside {
+    Candidate candidate;
+    std::size_t numbers = 0;  ///< of the corrections
+
+    Beside(const Shape& shape, std::size_t records, const Corrections* corrections)
+        : candidate{{shape.effect}, {&shape.effect->forms[0]}, records}
+    {
+        if (!corrections) return;
+        const Corrected corrected = corrections->beside(candidate);
+        candidate = corrected.candidate, numbers = corrected.numbers;
+    }
+    /// So many parameters of the shape keep their values.
     Kept kept(std::size_t first) const
     {
-        Kept k(effect->forms[0].parameters.size(), 0);
-        std::fill_n(k.begin(), first, 1);
+        Kept k(candidate.parameter_count(), 0);
+        std::fill_n(k.begin() + static_cast<std::ptrdiff_t>(numbers), first, 1);
         return k;
     }
 };
@@ -123,7 +137,7 @@ std::vector<Shape> shapes_of(const std::vector<Case>& cases)
 }  // namespace
 
 std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
-                                     const ParallelFor& parallel)
+                                     const ParallelFor& parallel, const Corrections* corrections)
 {
     const double omega = screening_level(nominal);
     // what follows the position remembers, and excerpts cut that off
@@ -140,20 +154,22 @@ std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scale
         for (const auto& front : shapes[s].front) starts.push_back({s, front, {}});
     parallel(starts.size(), [&](std::size_t i) {
         const Shape& shape = shapes[starts[i].shape];
-        const Candidate candidate = shape.candidate(cases.size());
+        const Beside beside(shape, cases.size(), corrections);
+        const Candidate& candidate = beside.candidate;
         const auto& front = starts[i].front;
         Eigen::VectorXd x = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(candidate.parameter_count()));
-        std::copy(front.begin(), front.end(), x.begin());
+        std::copy(front.begin(), front.end(), x.begin() + static_cast<std::ptrdiff_t>(beside.numbers));
         LevelFit& fit = starts[i].fit;
         // first the force alone: a play without a force shows nothing
-        fit = descend_block(part(shape), candidate, scales, x, omega, iterations, shape.kept(front.size()));
+        fit = descend_block(part(shape), candidate, scales, x, omega, iterations, beside.kept(front.size()));
         if (front.size() > shape.given)
-            fit = descend_block(part(shape), candidate, scales, fit.x, omega, iterations, shape.kept(shape.given));
+            fit = descend_block(part(shape), candidate, scales, fit.x, omega, iterations, beside.kept(shape.given));
     });
     std::vector<FreeFit> fits(shapes.size());
     parallel(shapes.size(), [&](std::size_t i) {
         const Shape& shape = shapes[i];
-        const Candidate candidate = shape.candidate(cases.size());
+        const Beside beside(shape, cases.size(), corrections);
+        const Candidate& candidate = beside.candidate;
         const Start* best = nullptr;
         for (const auto& s : starts)
             if (s.shape == i && (!best || s.fit.evaluation.objective < best->fit.evaluation.objective)) best = &s;
@@ -161,7 +177,7 @@ std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scale
         constexpr int few = 3;
         for (std::size_t l = 0; l < levels.size(); ++l) {
             const auto fit =
-                descend_block(part(shape), candidate, scales, a.x[l], levels[l], few, shape.kept(shape.given));
+                descend_block(part(shape), candidate, scales, a.x[l], levels[l], few, beside.kept(shape.given));
             const auto all = evaluate(cases, candidate, in_si(candidate, fit.x, scales), levels[l]);
             if (all.objective < a.evaluation[l].objective) a.x[l] = fit.x, a.evaluation[l] = all;
         }

@@ -3,6 +3,7 @@
 // catalogue, and to no joint file: where one explains the records clearly better than any cause, the cause is only the
 // nearest in shape, and is not named.
 #pragma once
+#include "analysis/diagnosis/fit/corrections.h"
 #include "analysis/diagnosis/search/attribute.h"
 
 #include <string_view>
@@ -14,9 +15,10 @@ struct FreeFit {
     Attribution fit;
 };
 
-/// One fit of each of the three shapes, at all levels; the best one first.
+/// One fit of each of the three shapes, at all levels, beside corrections of the joint's own numbers where they are
+/// given; the best one first.
 std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
-                                     const ParallelFor& parallel);
+                                     const ParallelFor& parallel, const Corrections* corrections = nullptr);
 
 /// Of mean log misfit: a better fit by less says nothing.
 inline constexpr double least_of_free_force = 0.004;

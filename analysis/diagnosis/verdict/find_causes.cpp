@@ -52,6 +52,21 @@ void hold_against_free_forces(const Prepared& p, const std::function<void(const 
     f.decision.ambiguous.clear();
 }
 
+/// The same for a ladder that leaves more than noise, with the corrections refitted beside those forces, too.
+void hold_ladder_against_free_forces(const Prepared& p, const std::function<void(const char*, double)>& progress,
+                                     const ParallelFor& parallel, Findings& f)
+{
+    JudgedLadder& j = f.judged;
+    if (!j.named || j.noise_left || j.noise_below || mean_log_misfit(j.winner.evaluation) < least_of_free_force) return;
+    progress("fitting forces without a name", 0.85);
+    f.free = fit_free_forces(p.cases, p.scales, p.nominal, parallel, j.ladder.corrections.get());
+    if (!clearly_better(f.free[0], j.winner)) return;
+    j.why_not = Note{.code = Note::Code::nearer_force,
+                     .names = names_of(j.ladder.last().causes),
+                     .signal = std::string(f.free[0].of)};
+    j.named = false;
+}
+
 /// What comes down to the noise with the document's numbers as they are is the answer, with a ladder of its own causes.
 void tell_accepted(const Prepared& p, const ParallelFor& parallel, Findings& f)
 {
@@ -66,10 +81,11 @@ void tell_accepted(const Prepared& p, const ParallelFor& parallel, Findings& f)
 void shorten_to_likely(const LadderSearch& search, const Prepared& p, const ParallelFor& parallel, JudgedLadder& j)
 {
     const auto unlikely = [&] {
-        return j.ladder.rungs.size() > 1 && j.chances.back() < policy::least_chance_of_further_rung;
+        return !j.noise_left && j.ladder.rungs.size() > 1 && j.chances.back() < policy::least_chance_of_further_rung;
     };
-    while (!j.noise_left && (small_against_corrections(j) || unlikely())) {
+    while (small_against_corrections(j) || unlikely()) {
         JudgedLadder shorter;
+        shorter.noise_below = j.noise_left || j.noise_below;
         shorter.ladder = std::move(j.ladder);
         search.shorten(shorter.ladder);
         judge(shorter, search.data(), p.scales, p.nominal, parallel);
@@ -107,7 +123,8 @@ void find_causes(Prepared& p, std::size_t pair_partners, const std::function<voi
         if (!f.judged.noise_left) {
             const Shares& s = f.judged.shares;
             const double left = s.rungs.empty() ? s.base : s.rungs[0];
-            if (left - s.explainable_to > policy::worth_a_search_of_pairs * s.base) {
+            const bool nothing_alone = s.rungs.empty() && !f.judged.only_corrections;
+            if (nothing_alone || left - s.explainable_to > policy::worth_a_search_of_pairs * s.base) {
                 progress("fitting pairs", 0.5);
                 fit_pair(p, pair_partners, parallel, f);
                 f.decision = decide(f.singles, f.pairs);
@@ -120,9 +137,9 @@ void find_causes(Prepared& p, std::size_t pair_partners, const std::function<voi
                 };
                 f.judged.ladder = search.climb(f.pairs, policy::ladder.most_rungs, only_noise);
                 judge(f.judged, search.data(), p.scales, p.nominal, parallel);
-                shorten_to_likely(search, p, parallel, f.judged);
             }
         }
+        if (!accepted(f.decision)) shorten_to_likely(search, p, parallel, f.judged);
     }
     if (accepted(f.decision) && !(f.by_ladder && f.judged.noise_left)) {
         f.by_ladder = false;
@@ -130,6 +147,7 @@ void find_causes(Prepared& p, std::size_t pair_partners, const std::function<voi
         f.judged = {};
         tell_accepted(p, parallel, f);
     }
+    if (f.by_ladder) hold_ladder_against_free_forces(p, progress, parallel, f);
     if (f.by_ladder) f.why_not = f.judged.why_not;
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 
 namespace stickslip::gap {
 namespace {
@@ -88,17 +89,37 @@ std::vector<double> chances_of(const JudgedLadder& j)
 
 namespace {
 
-/// Whether the last rung is a number of the document's own.
-bool corrects_the_document(const Ladder& ladder)
+/// Whether this holds for every cause of the last rung, by its place among all causes.
+bool every_last_cause(const Ladder& ladder, const std::function<bool(std::size_t)>& holds)
 {
-    if (!ladder.corrections) return false;
+    if (!ladder.corrections || ladder.rungs.empty()) return false;
     const Candidate& causes = ladder.rungs.back().causes;
     for (std::size_t i = 0; i < causes.effects.size(); ++i) {
         const bool below = ladder.rungs.size() > 1 &&
                            std::ranges::count(ladder.rungs[ladder.rungs.size() - 2].causes.effects, causes.effects[i]);
-        if (!below && !ladder.corrections->same_number(*causes.effects[i], *causes.forms[i])) return false;
+        if (!below && !holds(i)) return false;
     }
     return true;
+}
+
+/// Whether the last rung is a number of the document's own.
+bool corrects_the_document(const Ladder& ladder)
+{
+    const auto number = [&](std::size_t i) {
+        const Candidate& causes = ladder.rungs.back().causes;
+        return ladder.corrections->same_number(*causes.effects[i], *causes.forms[i]);
+    };
+    return every_last_cause(ladder, number);
+}
+
+/// Whether the last rung is a small term that every machine has.
+bool usual_of_machines(const Ladder& ladder)
+{
+    const auto usual = [&](std::size_t i) {
+        const FittedSet& last = ladder.rungs.back();
+        return ladder.corrections->is_usual(last.causes, last.of_causes(last.fit.x), *last.causes.effects[i]);
+    };
+    return every_last_cause(ladder, usual);
 }
 
 }  // namespace
@@ -106,11 +127,15 @@ bool corrects_the_document(const Ladder& ladder)
 bool small_against_corrections(const JudgedLadder& j)
 {
     const Shares& s = j.shares;
+    // what is needed to leave noise is there; small terms that every machine has are not what the gap comes from
+    if ((j.noise_left || j.noise_below) && !j.usual) return false;
     // a number of the document that needs no rung for what its uncertainty allows has one because it is further off
     // than documents are: corrections beside it that are held back by their own take on its part
-    if (j.noise_left || s.rungs.empty() || corrects_the_document(j.ladder)) return false;
+    if (s.rungs.empty() || corrects_the_document(j.ladder)) return false;
     const double above = s.rungs.size() > 1 ? s.rungs[s.rungs.size() - 2] : s.corrected;
-    return above - s.rungs.back() < policy::least_against_corrections * (s.documented - s.corrected);
+    // such a term is as little what the gap comes from beside another cause
+    const double others = s.documented - (j.usual ? above : s.corrected);
+    return above - s.rungs.back() < policy::least_against_corrections * others;
 }
 
 std::string_view signal_of(const Effect& effect)
@@ -185,6 +210,7 @@ void judge(JudgedLadder& j, const HeldOutData& data, const Scales& scales, const
         descend(data.cases(), j.winner.candidate, scales, last.fit.x, levels[ladder_level], 1).information;
     j.corrections = last.model.corrections;
     j.noise_left = j.winner.accepted && at_floor(data.cases(), j.winner, nominal, scales, parallel);
+    j.usual = usual_of_machines(ladder);
     if (ladder.rungs.empty()) {
         // nothing but the document's numbers: if they take most of what is explainable, that is the answer
         const double taken = j.shares.documented - j.shares.base;

@@ -24,6 +24,8 @@ struct JudgedLadder {
     Attribution winner;             ///< the last rung, or the corrections alone, at all levels; corrections come first
     std::size_t corrections = 0;    ///< effects at the head of the winner that are corrections
     bool noise_left = false;        ///< all that the winner leaves is noise
+    bool noise_below = false;       ///< or was, with rungs below the last that were taken away
+    bool usual = false;             ///< the last cause is a small term that every machine has
     bool named = false;             ///< causes are named
     bool only_corrections = false;  ///< the document's own numbers are all that is wrong
     std::optional<Note> why_not;    ///< where nothing is named

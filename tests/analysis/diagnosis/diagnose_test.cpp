@@ -234,3 +234,15 @@ TEST_CASE("a record in which nothing of the controller is as documented is suspe
     REQUIRE(k_p != names.end());
     CHECK(d.reasons[0].values.at(static_cast<std::size_t>(k_p - names.begin())) == Approx(1.083).epsilon(1e-3));
 }
+
+TEST_CASE("a load with hysteresis is no cause of the catalogue, also where the document is a few per cent off", "[gap]")
+{
+    Machine m;
+    m.inertia = 1.2 * 1.05, m.coulomb = 2 * 0.95;
+    m.amplitude = 10, m.bellows = 3, m.bellows_play = 0.12;
+    DiagnosisOptions options;
+    options.ensemble = 4;
+    const auto d = diagnose(nominal_joint(), records_of(m), in_order, options).diagnosis;
+    CHECK(d.verdict == Verdict::unknown);
+    CHECK(std::ranges::any_of(d.reasons, [](const Note& note) { return note.code == Note::Code::nearer_force; }));
+}

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <cmath>
 
 using namespace stickslip;
@@ -27,12 +28,16 @@ struct Search {
     std::unique_ptr<LadderSearch> search;
 
     Search(const Machine& m, std::initializer_list<const char*> causes, double dropped = 0)
+        : Search({m, m}, causes, dropped)
+    {
+    }
+    Search(const std::array<Machine, 2>& machines, std::initializer_list<const char*> causes, double dropped = 0)
     {
         std::vector<Note> notes;
         std::mt19937 random(7);
         std::uniform_real_distribution<double> uniform;
         for (unsigned seed : {1u, 2u}) {
-            Record r = test::record_of(m, seed, 5);
+            Record r = test::record_of(machines[seed - 1], seed, 5);
             for (std::size_t k = 1; k < r.position.size(); ++k)  // an encoder that now and then holds a reading
                 if (uniform(random) < dropped) r.position[k] = r.position[k - 1];
             cases.push_back(prepare(r, test::nominal_joint(), notes));
@@ -240,4 +245,32 @@ TEST_CASE("the climb ends where only noise is left", "[gap][ladder]")
     });
     CHECK(asked == 1);
     CHECK(ended.rungs.size() == 1);
+}
+
+TEST_CASE("a limit that single steps reach has a rung beside a cause that acts everywhere", "[gap][ladder]")
+{
+    Machine m;
+    m.one_way = 0.4, m.step = 0.03, m.limit = 12;
+    Machine later = m;
+    later.step_time = 0.8;  // in another fold
+    const Search search({m, later}, {"asymmetric-friction", "saturation"});
+    const auto ladder = search.search->climb({}, policy::ladder.most_rungs);
+    REQUIRE(ladder.rungs.size() == 2);
+    CHECK(beyond_noise(ladder.last().all_left()) < 1e-3 * beyond_noise(ladder.corrected.all_left()));
+}
+
+TEST_CASE("small terms that every machine has are not named beside a cause", "[gap][ladder]")
+{
+    Machine m;
+    m.inertia = 1.2 * 1.5, m.one_way = 0.06 * m.viscous;
+    const auto of = [](const Machine& machine) {
+        const Search search(machine, {"inertia", "asymmetric-friction"});
+        auto j = search.judged(search.search->climb({}, policy::ladder.most_rungs));
+        REQUIRE(j.ladder.rungs.size() == 2);
+        CHECK(j.noise_left);
+        return small_against_corrections(j);
+    };
+    CHECK(of(m));
+    m.one_way = 0.5 * m.viscous;  // no term of machines
+    CHECK_FALSE(of(m));
 }

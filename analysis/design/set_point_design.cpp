@@ -230,7 +230,8 @@ class SetPointSearch {
     SetPointChoice with_dead_zone(SetPointWay way, Joint joint) const
     {
         constexpr double widest = 30, narrower = 0.5, close = 1e-3;
-        constexpr int most = 40;
+        constexpr int most = 40, widenings = 8;
+        constexpr double wider = 1.1;
         double natural = 0;
         for (const auto& f : corners_) {
             Joint j = plain(k_i_);
@@ -259,6 +260,13 @@ class SetPointSearch {
         joint.control.dead_zone = reserve * wide;
         c = proven(way, joint);
         c.low = wide;
+        // a proof looks at more starts than the search, and may find a cycle that it passed by
+        for (int i = 0; i < widenings && !c.holds && joint.control.dead_zone < widest * natural; ++i) {
+            wide = joint.control.dead_zone;
+            joint.control.dead_zone = wider * wide;
+            c = proven(way, joint);
+            c.low = wide;
+        }
         return c;
     }
 

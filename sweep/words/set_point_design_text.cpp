@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "analysis/results/text.h"
 #include "sweep/words/set_point_text.h"
 
@@ -39,6 +41,12 @@ std::string window_text(const SetPointChoice& c, Motion motion)
         default:
             return "–";
     }
+}
+
+bool hunts_somewhere(const SetPointChoice& c)
+{
+    return std::any_of(c.proofs.begin(), c.proofs.end(),
+                       [](const SetPointProof& p) { return p.answer.hunting == Hunting::yes; });
 }
 
 /// Why none of the frictions makes it hunt: closed form, or what was followed.
@@ -117,9 +125,10 @@ std::vector<Table> set_point_design_tables(const SetPointDesign& design, Motion 
     ways.columns = {"way", "numbers", "may lie in", "hunts", "largest error at rest"};
     for (const auto& c : design.choices)
         ways.rows.push_back({way_text(c.way), is_set(c.k_i) ? numbers_text(c, motion) : "–", window_text(c, motion),
-                             c.holds            ? "no"
-                             : c.proofs.empty() ? "not to be had"
-                                                : "yes, or undecided",
+                             c.holds              ? "no"
+                             : c.proofs.empty()   ? "not to be had"
+                             : hunts_somewhere(c) ? "yes"
+                                                  : "undecided",
                              c.holds ? with_unit(c.rest_error, Quantity::position, motion) : "–"});
     std::vector<Table> tables{ways};
     if (design.best < 0) return tables;

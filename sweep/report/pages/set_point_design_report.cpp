@@ -60,14 +60,17 @@ Section push_section(const SetPointDesignAnswer& a)
                           with_unit(a.design.k_i_used, Quantity::integral_gain, motion) + ".";
     if (const auto* push = choice_of(a.design, SetPointWay::push); push && is_set(push->low)) {
         const auto effort = [&](double value) { return with_unit(value, Quantity::effort, motion); };
-        chart.x_marks.emplace_back("hunts", push->low);
-        chart.x_marks.emplace_back("over-compensated", push->high);
+        chart.x_marks.emplace_back("end of hunting", push->low);
+        chart.x_marks.emplace_back("over-compensation", push->high);
         reading += push->low < push->high
                        ? " With every friction reckoned with it settles from " + effort(push->low) + " to " +
                              effort(push->high) + "."
                        : " No push holds with every friction reckoned with: it takes more than " + effort(push->low) +
                              " to end hunting, and less than " + effort(push->high) + " not to move the joint.";
     }
+    reading +=
+        " A loop that acts at once stops at its set point under any push; one with ticks, dead time or lag passes it "
+        "each time, and an over-compensated joint goes to and fro.";
     auto figure = line_figure("push", std::move(chart), "Where the joint stops, against the push.", reading);
     return {"push-section", "How much push, and how much is too much", "", {std::move(figure)}, {}};
 }

@@ -15,7 +15,7 @@ using Kind = GapRegression::Kind;
 
 std::string floors(double gap)
 {
-    return plain_number(gap, 3) + " noise floors";
+    return plain_number(gap, 3) + " times the noise floor";
 }
 
 std::string unit_after(const std::string& unit)
@@ -136,11 +136,11 @@ std::string outcome_words(const DiagnosisFacts& facts)
         case Verdict::insufficient_data:
             return "too little data";
         case Verdict::unknown:
-            return "gap of " + floors(facts.overall.before) + " of unknown cause";
+            return "gap of unknown cause, " + floors(facts.overall.before);
         case Verdict::gap:
             break;
     }
-    return "gap of " + floors(facts.overall.before) + " by " + together(facts.causes);
+    return "gap by " + together(facts.causes) + ", " + floors(facts.overall.before);
 }
 
 std::string change_text(const NumberChange& c)
@@ -203,7 +203,7 @@ Table compared_gap_table(const DiagnosisComparison& c)
                 t.rows.push_back({is.signal, plain_number(was.before, 3), plain_number(is.before, 3),
                                   plain_number(was.floor, 3), plain_number(is.floor, 3), is.unit});
     t.rows.push_back({"all signals", plain_number(c.before.overall.before, 3), plain_number(c.after.overall.before, 3),
-                      "1", "1", "noise floors"});
+                      "1", "1", "× noise floor"});
     return t;
 }
 

@@ -122,7 +122,7 @@ Table gap_table(const Diagnosis& d)
         t.rows.push_back({g.signal, number(g.before), number(g.after), number(g.floor),
                           g.before > beyond_floor * g.floor ? whole_percent(g.explained) : "no gap here", g.unit});
     t.rows.push_back({"overall", number(d.overall.before), number(d.overall.after), number(d.overall.floor),
-                      ranged(d.overall.explained, d.overall.interval), "floors"});
+                      ranged(d.overall.explained, d.overall.interval), "× noise floor"});
     if (d.drive_force.corner > 0)
         t.rows.push_back(
             {fmt::format("drive force below {:.0f} Hz, the joint's own numbers refitted", d.drive_force.corner),

@@ -33,7 +33,7 @@ constexpr Sentence sentences[] = {
      "no command was logged; it is computed from the reference, the measured motion and the documented controller, so "
      "that the controller itself cannot be audited"},
     {Code::no_effort,
-     "no effort was measured: inertia, gain and torque constant are told apart by friction and load only"},
+     "no effort was measured: inertia, gain and torque constant can be distinguished by friction and load only"},
     {Code::holes,
      "{0:.0f} hole{s} in time, the first from {1:.6g} s to {2:.6g} s: what comes after a hole is a record of its own"},
     {Code::rows_missing, "rows are missing; what happened in them is simulated, not judged"},
@@ -110,11 +110,11 @@ constexpr Sentence sentences[] = {
      "{names} fits best, but leaves more than noise, and needs a number at its bound or ten times the usual: it is not "
      "named as the cause"},
     {Code::withdrawn_in_many_floors,
-     "{names} fits best, but leaves {0:.1f} floors of held-out data, and no document tells the noise: it is not named "
-     "as the cause"},
+     "{names} fits best, but leaves {0:.1f} times the noise floor on held-out data, and the joint file states no "
+     "sensor noise: it is not named as the cause"},
     {Code::far_as_a_whole,
      "predicted from row to row the nominal joint stays within the noise, but simulated as a whole it is {0:.1f} "
-     "floors away: these rows are too few or too far apart to say why"},
+     "times the noise floor away: these rows are too few or too far apart to say why"},
     {Code::interrupted_early, "interrupted while {name0}{before}: nothing was found yet"},
     {Code::interrupted_located,
      "interrupted while {name0}{before}: where the gap lies was found, what causes it was not; what was fitted until "

@@ -85,8 +85,11 @@ class SpecReader {
             complaints_.add(Place(root_.source()), "axes",
                             "is missing, allowed are one or more dotted paths of the joint, such as "
                             "\"control.k_p\" = { from = 1e4, to = 1e5, points = 31 }");
-        else if (const auto* table = table_at(root_, "axes", "", complaints_))
+        else if (const auto* table = table_at(root_, "axes", "", complaints_)) {
+            const auto before = complaints_.count();
             spec_.axes = read_axes(*table, spec_.joint, limits_, spec_.nonlinear.enabled, complaints_);
+            axes_refused_ = complaints_.count() > before;
+        }
         read_design();
         require_velocity();
         read_boundary();
@@ -190,10 +193,11 @@ class SpecReader {
         for (std::size_t i = 0; i < 2; ++i) {
             names[i] = list->get(i)->as_string()->get();
             if (std::find(paths.begin(), paths.end(), names[i]) != paths.end()) continue;
+            sound = false;
+            if (axes_refused_) continue;  // it may mean one of those
             complaints_.add(
                 Place(list->get(i)->source()), path,
                 "is \"" + names[i] + "\", allowed are the axes " + listed(paths) + did_you_mean(names[i], paths));
-            sound = false;
         }
         if (sound && names[0] == names[1]) {
             complaints_.add(Place(node.source()), path,
@@ -221,7 +225,7 @@ class SpecReader {
     const PlanLimits& limits_;
     Complaints& complaints_;
     Spec spec_;
-    bool joint_known_ = false;
+    bool joint_known_ = false, axes_refused_ = false;
 };
 
 }  // namespace

@@ -106,7 +106,7 @@ void print_ray(const LocatedRay& ray, Motion motion)
         fmt::print("  {:<14} {:<18.12g} {:<8} bracket {:.1e}  {}  {}, {} evaluations\n", name_of(ray.kind), p.value,
                    unit_of(ray.axis.quantity, motion), p.precision(), p.converged ? "located" : "coarse ",
                    name_of(p.method), p.evaluations);
-    fmt::print("  could be missed: {}\n", could_be_missed(ray));
+    fmt::print("  not excluded by this search: {}\n", could_be_missed(ray));
 }
 
 void print_curve(const FollowedBoundary& c)
@@ -118,7 +118,7 @@ void print_curve(const FollowedBoundary& c)
             fmt::print("  ({:.6g}, {:.6g}) … ({:.6g}, {:.6g}), {} points, ends: {}, {}\n", piece.points.front().x,
                        piece.points.front().y, piece.points.back().x, piece.points.back().y, piece.points.size(),
                        name_of(piece.first), name_of(piece.last));
-    fmt::print("  could be missed: {}\n", could_be_missed(c));
+    fmt::print("  not excluded by this search: {}\n", could_be_missed(c));
 }
 
 int locate(const BoundaryOptions& options, const Invocation& invocation)

@@ -52,7 +52,7 @@ void print(const gap::Power& power)
                        ? fmt::format("{:.3g} {}  ({})", e.least_size, e.unit == "1" ? "" : e.unit, e.parameter)
                        : "no size that is usual");
     for (const auto& [one, other] : power.inseparable)
-        fmt::print("  {} and {} cannot be told apart by it\n", one, other);
+        fmt::print("  {} and {} cannot be distinguished by it\n", one, other);
 }
 
 int run(const Options& options)

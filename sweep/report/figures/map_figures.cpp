@@ -165,8 +165,8 @@ Figure map_figure(Motion motion, const Slice& slice, const MapAnswer& answer)
         "friction depended on velocity alone. Hatched in gold: smooth, though velocity-only theory forbids it, " +
         needless + " of the chart as drawn; the opposite error covers " + missed +
         ". Both curves are located to a relative bracket of " + power_of_ten(answer.precision) +
-        ", not contoured from the grid; a closed piece smaller than 1/" + std::to_string(answer.mesh) +
-        " of an axis could be missed." + held_words(slice, motion);
+        ", not contoured from the grid; the search does not exclude a closed piece smaller than 1/" +
+        std::to_string(answer.mesh) + " of an axis." + held_words(slice, motion);
     if (std::any_of(map.curves.begin(), map.curves.end(),
                     [](const Curve& c) { return c.kind == Curve::Kind::ideal_loop; }))
         figure.caption +=

@@ -49,7 +49,8 @@ Table guard_table(const std::vector<FollowedBoundary>& curves)
 {
     Table table;
     table.title = "How each curve was followed";
-    table.columns = {"kind", "pieces", "points", "coarsest bracket", "evaluations", "ends", "what could be missed"};
+    table.columns = {
+        "kind", "pieces", "points", "coarsest bracket", "evaluations", "ends", "not excluded by this search"};
     for (const auto& c : curves) {
         std::string ends;
         for (const auto& piece : c.pieces) {

@@ -1,6 +1,7 @@
 #include "sweep/report/pages/design_report.h"
 
 #include "analysis/joint/parameters.h"
+#include "analysis/loop/loop_use.h"
 #include "analysis/results/text.h"
 #include "sweep/report/figures/map_figures.h"
 #include "sweep/words/nearest_text.h"
@@ -299,11 +300,13 @@ Report design_report(const DesignAnswer& a, std::vector<Snippet> snippets)
     if (!a.motion.time.empty()) report.sections.push_back(motion_section(a));
     Section choices{"choices", "Choices", "", {}, design_tables(a)};
     report.sections.push_back(std::move(choices));
-    report.not_checked = {
-        "The loop is taken as continuous: sampling and delay change the boundary when the sample time is not short.",
-        "Noise is white from sample to sample; the mechanism filters it linearly.",
-        "The range of gains is searched globally, then locally; an optimum narrower than the grid of the global search "
-        "could be missed."};
+    if (loop_kind(a.joint) == LoopKind::ideal)
+        report.not_checked.push_back(
+            "The joint file describes no sampling, dead time, filter or lag: a loop that has them allows other gains.");
+    report.not_checked.push_back("Noise is white from sample to sample; the mechanism filters it linearly.");
+    report.not_checked.push_back(
+        "The range of gains is searched globally, then locally: an optimum narrower than the grid of the global search "
+        "is not excluded.");
     report.provenance = {{"command", a.command}, {"pairs of gains judged", std::to_string(d.evaluations)}};
     return report;
 }

@@ -108,7 +108,7 @@ std::string held_out_text(const Diagnosis& d)
     if (judged_by_force(d))
         return fmt::format("held-out drive force that the model gets wrong, {:.3g} → {:.3g} {}", d.drive_force.before,
                            d.drive_force.after, d.drive_force.unit);
-    return fmt::format("held-out gap, {} → {} noise floors", floors(d.overall.before), floors(d.overall.after));
+    return fmt::format("held-out gap, {} → {} × the noise floor", floors(d.overall.before), floors(d.overall.after));
 }
 
 Headline how_much_card(const Diagnosis& d)
@@ -121,14 +121,14 @@ Headline how_much_card(const Diagnosis& d)
                 "how much: " + held_out_text(d)};
     if (d.verdict == Verdict::gap && adds_noise(d))
         return {
-            Tone::neutral, floors(d.overall.after) + " floors",
+            Tone::neutral, floors(d.overall.after) + " × noise floor",
             fmt::format("how much: the gap on held-out data; simulations with the cause differ by {} among themselves",
                         floors(d.overall.own_floor))};
     if (d.verdict == Verdict::gap)
         return {Tone::neutral, fmt::format("− {}", whole_percent(1 - d.overall.after / d.overall.before)),
                 "how much: " + held_out_text(d)};
-    return {Tone::neutral, floors(d.overall.before) + " floors",
-            "how much: the gap on held-out data; 1 is what noise alone makes"};
+    return {Tone::neutral, floors(d.overall.before) + " × noise floor",
+            "how much: the gap on held-out data; noise alone makes 1"};
 }
 
 Headline how_sure_card(const Diagnosis& d)
@@ -221,11 +221,11 @@ std::string diagnosis_sentence(const Diagnosis& d)
                     d.drive_force.before, d.drive_force.after, d.drive_force.unit);
             else if (d.overall.before > 0 && adds_noise(d))
                 text += fmt::format(
-                    ": it makes noise, and simulations with it differ by {} noise floors among themselves, "
+                    ": it makes noise, and simulations with it differ by {} times the noise floor among themselves, "
                     "the records from them by {}",
                     floors(d.overall.own_floor), floors(d.overall.after));
             else if (d.overall.before > 0)
-                text += fmt::format(": on held-out data it shrinks from {} to {} noise floors",
+                text += fmt::format(": on held-out data it shrinks from {} to {} times the noise floor",
                                     floors(d.overall.before), floors(d.overall.after));
             if (!d.ambiguous_with.empty()) text += "; these records cannot tell it from " + rivals_text(d);
             return text + ".";

@@ -167,7 +167,7 @@ std::vector<Headline> cards(const RobotAnswer& robot)
             worst = &joint;
     if (worst && worst->diagnosis.overall.before > 0)
         all.push_back({Tone::neutral, worst->name,
-                       fmt::format("has the largest gap: {} noise floors on held-out data",
+                       fmt::format("has the largest gap: {} × the noise floor on held-out data",
                                    in_floors(worst->diagnosis.overall.before))});
     return all;
 }
@@ -202,7 +202,7 @@ RobotPage robot_report(const RobotAnswer& robot, std::vector<std::pair<std::stri
     r.sections.push_back(std::move(causes));
     r.sections.push_back({"numbers",
                           "How large, and how sure",
-                          "Gaps are in noise floors on held-out data: 1 is what noise alone makes.",
+                          "Gaps are multiples of the noise floor on held-out data: noise alone makes 1.",
                           {},
                           {numbers_table(robot, linked, page.marks)}});
     r.sections.push_back(

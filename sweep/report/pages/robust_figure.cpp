@@ -107,7 +107,8 @@ Figure robust_figure(const MarginsAnswer& a)
         "Plain: every joint of the uncertainty slides. Gold hatching: the joint as described slides, the worst case "
         "does "
         "not. Both edges are located point by point, to " +
-        plain_number(a.robust->precision(), 2) + " relative. Could be missed: " + could_be_missed(*a.robust) + ".";
+        plain_number(a.robust->precision(), 2) +
+        " relative. Not excluded by this search: " + could_be_missed(*a.robust) + ".";
     figure.finding = map.title + ": " + map.statement;
     figure.picture = std::move(map);
     return figure;

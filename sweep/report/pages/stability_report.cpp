@@ -131,7 +131,7 @@ Report stability_report(const Spec& spec, const SweepSummary& summary, const Swe
     if (own.region == Region::bistable)
         report.alerts.push_back(
             {Tone::warning,
-             "The numbers above speak of small disturbances. A larger one ends in stick-slip in the "
+             "Margins and velocities are for small disturbances: a larger one ends in stick-slip in the "
              "whole dotted region of the map."});
     add_alerts(report, summary, drawn, slides && stable && near_boundary(margins));
 

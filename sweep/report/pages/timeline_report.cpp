@@ -74,7 +74,7 @@ Figure gap_figure(const Timeline& t)
 {
     DetailedChart chart;
     chart.title = "Gap over time";
-    chart.x_label = days_label(t), chart.y_label = "gap [noise floors]";
+    chart.x_label = days_label(t), chart.y_label = "gap per noise floor [1]";
     Line documented{"as documented", days_of(t), {}}, with{"with the named cause", days_of(t), {}, true};
     for (const auto& run : t.runs) {
         const auto& facts = run.facts;
@@ -156,8 +156,8 @@ Report comparison_report(const DiagnosisComparison& c, Provenance provenance)
     r.verdict = comparison_sentence(c);
     r.tone = tone_of(c.gap);
     r.headlines = {
-        {tone_of(c.before), floors(c.before.overall.before), "noise floors before: " + outcome_words(c.before)},
-        {tone_of(c.after), floors(c.after.overall.before), "noise floors now: " + outcome_words(c.after)}};
+        {tone_of(c.before), floors(c.before.overall.before), "× the noise floor before: " + outcome_words(c.before)},
+        {tone_of(c.after), floors(c.after.overall.before), "× the noise floor now: " + outcome_words(c.after)}};
     for (const auto& change : c.numbers)
         if (change.in_both() && change.of != FoundNumber::Of::correction) {
             r.headlines.push_back({change.moved(standard_errors_of_a_move) ? Tone::warning : Tone::neutral,
@@ -196,8 +196,8 @@ TimelinePage timeline_report(const Timeline& t, Provenance provenance)
     r.tone = tone_of(last);
     r.headlines = {
         {tone_of(t.runs.front().facts), floors(t.runs.front().facts.overall.before),
-         "noise floors in the first run: " + outcome_words(t.runs.front().facts)},
-        {tone_of(last), floors(last.overall.before), "noise floors in the last run: " + outcome_words(last)}};
+         "× the noise floor in the first run: " + outcome_words(t.runs.front().facts)},
+        {tone_of(last), floors(last.overall.before), "× the noise floor in the last run: " + outcome_words(last)}};
     Section runs{"runs", "Runs", "The date of a run leads to its own page, where it has one.", {gap_figure(t)}, {}};
     runs.tables.push_back(runs_table(t, page.marks["Runs"]));
     r.sections.push_back(std::move(runs));

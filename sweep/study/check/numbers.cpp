@@ -28,8 +28,14 @@ std::vector<ChangedNumber> changed_numbers(const std::map<std::string, double>& 
         else if (now->second != value)
             changed.push_back({path, value, now->second});
     }
+    // a key that the program which wrote the baseline did not know stands at its default, and nobody has set it
+    Joint untouched;
+    const auto is_default = [&](const std::string& path, double value) {
+        const double* number = find_parameter(untouched, path);
+        return number && *number == value;
+    };
     for (const auto& [path, value] : after)
-        if (!before.count(path)) changed.push_back({path, not_set, value});
+        if (!before.count(path) && !is_default(path, value)) changed.push_back({path, not_set, value});
     return changed;
 }
 

@@ -155,6 +155,11 @@ TEST_CASE("axes that are wrong")
     const std::string k_p = "\"control.k_p\" = ";
     CHECK(only_error(axis("\"control.kp\" = [1]")) ==
           "@2:1: axes.control.kp: is no number of this joint; did you mean \"control.k_p\"?");
+    // a chart may mean the axis that is misspelt, in its wrong or in its right spelling
+    for (const std::string chart : {"control.kp", "control.k_p"})
+        CHECK_THAT(only_error(axis("\"control.kp\" = [1]\n\"control.k_v\" = [1, 2]") + "[report]\ncharts = [[\"" +
+                              chart + "\", \"control.k_v\"]]\n"),
+                   StartsWith("@2:1: axes.control.kp: is no number"));
     CHECK_THAT(only_error(axis("\"control.kind\" = [1]")), StartsWith("@2:1: axes.control.kind: is no number"));
     CHECK_THAT(only_error(axis("\"friction.c0\" = [1]")), StartsWith("@2:1: axes.friction.c0: is no number"));
     CHECK_THAT(only_error(axis("\"friction.L.2\" = [1]")), StartsWith("@2:1: axes.friction.L.2: is no number"));

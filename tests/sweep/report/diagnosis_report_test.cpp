@@ -76,7 +76,7 @@ TEST_CASE("the first screen of a diagnosis says where, what, how much and how su
     }
     CHECK(ids.count("moved-boundary") == 1);
     CHECK(r.not_checked == std::vector<std::string>{"2 of 2 records: no effort was measured: inertia, gain and torque "
-                                                    "constant are told apart by friction and load only",
+                                                    "constant can be distinguished by friction and load only",
                                                     "b.csv: irregular sampling; every row is used at its own time"});
 }
 

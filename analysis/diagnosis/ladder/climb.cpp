@@ -75,6 +75,16 @@ class Climber {
         return sets;
     }
 
+    /// The best of those that could not be told from the first, each fitted anew to the lower floor that it has left.
+    FittedSet play_off(const std::vector<FittedSet>& near)
+    {
+        std::vector<Start> again;
+        for (const auto& set : near) again.push_back({set.causes, nullptr, nullptr, {}, 0, set.fit.x});
+        const auto sets = judged(again);
+        const auto best = std::ranges::find_if(sets, [](const auto& s) { return s.plausible && !s.correction; });
+        return best == sets.end() ? near[0] : *best;
+    }
+
     /// The set without one of its causes.
     FittedSet without(const FittedSet& set, std::size_t member) const
     {
@@ -100,8 +110,12 @@ class Climber {
             const bool same_size = in.size() == set.causes.effects.size() && in != set.causes.effects;
             const bool holds =
                 std::ranges::all_of(below.effects, [&](const auto* e) { return std::ranges::count(in, e) > 0; });
-            const bool again = std::ranges::any_of(others, [&](const auto& o) { return o.causes.effects == in; });
-            if (same_size && holds && !again && !other.correction) others.push_back(other);
+            if (!same_size || !holds || other.correction) continue;
+            const auto again = std::ranges::find_if(others, [&](const auto& o) { return o.causes.effects == in; });
+            if (again == others.end())
+                others.push_back(other);
+            else if (other.misfit < again->misfit)
+                *again = other;
         }
         std::stable_sort(others.begin(), others.end(),
                          [](const auto& a, const auto& b) { return a.misfit < b.misfit; });
@@ -227,8 +241,15 @@ Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t mo
         }
         const auto next = earning();
         if (next == tried.end()) break;
-        set = *next;
+        std::vector<FittedSet> near{*next};
+        for (const auto& t : tried)
+            if (&t != &*next && t.plausible && !t.correction &&
+                t.causes.effects.size() == next->causes.effects.size() &&
+                t.misfit < next->misfit + margin_of(*next, rules_))
+                near.push_back(t);
+        set = near[0];
         settle(set);
+        if (near.size() > 1) set = climber_->play_off(near);
         // exchange: a cause that only stood in for what came later goes, and makes room
         for (std::size_t i = 0; i < set.causes.effects.size() && set.causes.effects.size() > 1;) {
             FittedSet less = climber_->without(set, i);

@@ -274,3 +274,16 @@ TEST_CASE("small terms that every machine has are not named beside a cause", "[g
     m.one_way = 0.5 * m.viscous;  // no term of machines
     CHECK_FALSE(of(m));
 }
+
+TEST_CASE("what could not be told from a rung is fitted anew before it is", "[gap][ladder]")
+{
+    Machine m;
+    m.load = 1.2, m.inertia = 1.2 * 1.08, m.coulomb = 2 * 0.9;
+    // the same motion, but for a viscous part that is 0; what else is tried lets the first be fitted again
+    const Search search(m, {"constant-load", "asymmetric-friction", "viscous", "stribeck"});
+    const auto ladder = search.search->climb({}, policy::ladder.most_rungs);
+    REQUIRE(ladder.rungs.size() == 1);
+    REQUIRE(!ladder.rivals[0].empty());
+    const auto& rung = ladder.rungs[0];
+    CHECK(std::abs(ladder.rivals[0][0].misfit - rung.misfit) < margin_of(rung, policy::ladder));
+}

@@ -168,6 +168,15 @@ LoopEnd LoopFollower::measured(LoopEnd::Kind kind, std::size_t count) const
     return end;
 }
 
+/// A slow integral is on its way beside the cycle and gets there within the limit of turns: scaled, it would begin
+/// anew.
+bool LoopFollower::waits_for_integral(const LoopTurn& turn) const
+{
+    constexpr double folds = 20;  // until nothing is left of it
+    const double a_turn = options_.winds * turn.period();
+    return a_turn * static_cast<double>(block) < 1 && a_turn * options_.turn_limit > folds;
+}
+
 std::optional<LoopEnd> LoopFollower::decide()
 {
     const auto& last = turns_.back();
@@ -198,7 +207,8 @@ std::optional<LoopEnd> LoopFollower::decide()
         return end;
     }
     // what still shrinks from block to block gets there by itself, and sooner than a scaled motion
-    if (ratio > waits && std::abs(growth) < slow_growth && now.spread < 10 * std::abs(change) && !steady_.empty()) {
+    if (ratio > waits && !waits_for_integral(last) && std::abs(growth) < slow_growth &&
+        now.spread < 10 * std::abs(change) && !steady_.empty()) {
         const double at = std::log(now.amplitude);
         scale_motion(std::exp(creep_.next(at, growth) - at));
     }

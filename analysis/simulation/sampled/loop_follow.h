@@ -13,6 +13,7 @@ struct LoopFollowOptions {
     double turn = missing;         ///< s, of the slow mode: about how long a turn is
     double held = 0;               ///< s, that a cycle may stand still
     double decay = missing;        ///< 1/s, of small disturbances; negative where they decay
+    double winds = 0;              ///< 1/s, with which an integral finds its level while the joint cycles; 0: none
     bool uneven = false;           ///< encoder or noise: no motion repeats, turns are no measure
 };
 
@@ -72,6 +73,7 @@ class LoopFollower {
     bool decays_linearly() const;
     bool repeats_evenly() const;
     double last_growth() const;
+    bool waits_for_integral(const LoopTurn& turn) const;
     std::optional<LoopEnd> decide();
     void scale_motion(double by);
     LoopEnd measured(LoopEnd::Kind kind, std::size_t count) const;

@@ -162,6 +162,7 @@ bool LoopInquiry::find_mode(const Joint& asked, double frame, GrowthBy by)
     options.turn_limit = question_.turn_limit;
     options.steady_attracts = measured < 0;
     options.decay = s.real();
+    options.winds = std::abs(gains_of(joint_.control).k_i / gains_of(joint_.control).k_p);
     // the slow mode of an integral does not turn, but the spring swings beside it
     options.turn = 2 * std::numbers::pi / (winds_up_slowly() ? spring_rate(joint_) : std::abs(s));
     options.held = held_time(joint_, V0);

@@ -31,3 +31,21 @@ TEST_CASE("the slow mode of an integral is found beside what steady sliding hold
         CHECK(loop_verdict(joint, {}).growth_rate == Approx(growth_rate(joint)).epsilon(1e-2));
     }
 }
+
+TEST_CASE("a cycle beside a slow integral is waited for", "[sampled][integral]")
+{
+    // below its critical gain; what the integral adds to the cycle is of first order in k_i
+    Joint joint = example_joint(5e4, 10, 1e-3);
+    joint.control.period = 1e-3;
+    joint.control.velocity_estimate.form = EstimateForm::backward_difference;
+    const auto amplitude = [&](double k_i) {
+        joint.control.k_i = k_i;
+        const auto verdict = loop_verdict(joint, {});
+        REQUIRE(verdict.cycle.kind == LoopEnd::Kind::cycle);
+        return verdict.cycle.amplitude;
+    };
+    const double none = amplitude(0), half = amplitude(5e3), whole = amplitude(1e4);
+    CHECK(none == Approx(22.1829e-6).epsilon(1e-5));
+    CHECK((whole - none) / (half - none) == Approx(2).epsilon(0.02));
+    CHECK(whole == Approx(none).epsilon(0.03));
+}

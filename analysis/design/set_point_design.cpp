@@ -261,7 +261,7 @@ class SetPointSearch {
         c = proven(way, joint);
         c.low = wide;
         // a proof looks at more starts than the search, and may find a cycle that it passed by
-        for (int i = 0; i < widenings && !c.holds && joint.control.dead_zone < widest * natural; ++i) {
+        for (int i = 0; i < widenings && !c.holds; ++i) {
             wide = joint.control.dead_zone;
             joint.control.dead_zone = wider * wide;
             c = proven(way, joint);

@@ -122,6 +122,29 @@ std::string fitted_numbers(const Cause& cause, const std::string& effect)
     return text;
 }
 
+/// Where the numbers of an effect stand that is fitted as a sine and a cosine.
+constexpr std::pair<std::string_view, std::string_view> waves[] = {{"cogging", "load.cogging."},
+                                                                   {"gravity", "load.gravity_"},
+                                                                   {"periodic-disturbance", "load.disturbance."},
+                                                                   {"position-dependent-friction", "ripple."}};
+
+/// "amplitude 4 N, periods 100 1/m": as a joint file states a wave, not as it was fitted.
+std::string wave_numbers(const std::string& effect, Joint before, Joint after)
+{
+    const auto wave =
+        std::find_if(std::begin(waves), std::end(waves), [&](const auto& w) { return w.first == effect; });
+    if (wave == std::end(waves)) return "";
+    std::string text;
+    for (const auto& p : parameters(after)) {
+        const auto at = p.path.find(wave->second);
+        const double* was = find_parameter(before, p.path);
+        if (at == std::string::npos || (was && *was == *p.value) || p.path.ends_with("phase")) continue;
+        text += (text.empty() ? "" : ", ") + p.path.substr(at + wave->second.size()) + " " +
+                with_unit(*p.value, p.quantity, after.mechanism.motion, 4);
+    }
+    return text;
+}
+
 std::string one_text(const std::string& effect, const Cause& cause, const Joint& before, const Joint& after)
 {
     if (effect == "asymmetric-friction") return directions_text(cause, after);
@@ -129,6 +152,7 @@ std::string one_text(const std::string& effect, const Cause& cause, const Joint&
         std::find_if(std::begin(all_words), std::end(all_words), [&](const Words& w) { return w.effect == effect; });
     std::string text(words == std::end(all_words) ? std::string_view(effect) : words->sentence);
     std::string numbers = words == std::end(all_words) ? "" : moved_numbers(*words, before, after);
+    if (fitted(cause, effect + ".sine")) numbers = wave_numbers(effect, before, after);
     if (numbers.empty()) numbers = fitted_numbers(cause, effect);
     return text + (numbers.empty() ? "." : ": " + numbers + ".");
 }

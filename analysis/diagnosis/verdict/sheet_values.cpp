@@ -30,6 +30,11 @@ constexpr SheetNumber sheet[] = {
      [](Joint& j) { return is_single_mass(j) ? j.mechanism.inertia : j.mechanism.motor_inertia; }},
     {"constant-load", "constant load", Quantity::effort, [](Joint& j) { return j.load.constant; }},
     {"gravity", "gravity amplitude", Quantity::effort, [](Joint& j) { return j.load.gravity_amplitude; }},
+    {"cogging", "cogging amplitude", Quantity::effort, [](Joint& j) { return j.load.cogging.amplitude; }},
+    {"periodic-disturbance", "amplitude of the periodic force", Quantity::effort,
+     [](Joint& j) { return j.load.disturbance.amplitude; }},
+    {"position-dependent-friction", "amplitude over the position", Quantity::effort,
+     [](Joint& j) { return main_friction(j).ripple.amplitude; }},
 };
 
 /// Mean over the records, which may differ in numbers of their own.

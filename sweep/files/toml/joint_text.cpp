@@ -85,6 +85,7 @@ class Writer {
     {
         std::visit(
             [this](auto& l) {
+                law_ = l.info.name;
                 choices_ += "law = " + toml_string(l.info.name) + "\n";
                 std::decay_t<decltype(l)>::fields(l, *this);
             },
@@ -112,8 +113,8 @@ class Writer {
     std::string without(const Writer& by_default, const std::string& header) const
     {
         std::map<std::string, std::string> standard;
-        // another law or model has defaults of its own under the same keys
-        if (choices_ == by_default.choices_) standard.insert(by_default.lines_.begin(), by_default.lines_.end());
+        // another law has defaults of its own under the same keys
+        if (law_ == by_default.law_) standard.insert(by_default.lines_.begin(), by_default.lines_.end());
         std::string text = choices_;
         for (const auto& [key, value] : lines_)
             if (const auto found = standard.find(key); found == standard.end() || found->second != value) text += value;
@@ -122,7 +123,7 @@ class Writer {
 
     Motion motion_;
     std::string path_;
-    std::string choices_;
+    std::string choices_, law_;
     std::vector<std::pair<std::string, std::string>> lines_;
     std::string tables_;
 };

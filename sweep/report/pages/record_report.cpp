@@ -40,17 +40,41 @@ Figure position_figure(const FollowedReference& r, const std::vector<double>& er
                        "Position as the encoder reads it; below, how far it lies behind the reference.");
 }
 
-Figure effort_figure(const FollowedReference& r, Motion motion)
+/// What the controller commands, as the effort that the documented drive makes of it; a motor's voltage or current
+/// stays what it is.
+std::vector<double> commanded_effort(const FollowedReference& r, const Actuator& actuator)
 {
+    auto command = r.effort_command;
+    if (actuator.kind == ActuatorKind::effort)
+        for (double& u : command) u *= actuator.effort_gain;
+    return command;
+}
+
+Figure effort_figure(const FollowedReference& r, const Joint& joint)
+{
+    const Motion motion = joint.mechanism.motion;
+    const bool effort = joint.actuator.kind == ActuatorKind::effort;
+    const auto command = commanded_effort(r, joint.actuator);
     DetailedChart chart;
     chart.title = "Effort";
     chart.x_label = axis_label("time t", Quantity::time, motion);
-    chart.y_label = axis_label("effort", Quantity::effort, motion);
-    chart.lines = {{"command", r.time, r.effort_command, true}};
+    chart.y_label = effort ? axis_label("effort", Quantity::effort, motion) : "command [unit of the drive signal]";
+    chart.lines = {{"command", r.time, command, true}};
+    if (!effort) {
+        chart.title = "Command and effort";
+        chart.below_label = axis_label("effort", Quantity::effort, motion);
+        if (!r.effort_measured.empty()) chart.below = {{"measured", r.time, r.effort_measured}};
+        return line_figure(
+            "effort", std::move(chart), "The command reaches " + plain_number(largest(command)) + ".",
+            "What the controller sends to the motor, in the unit of its drive signal; below, what the drive "
+            "reports.");
+    }
     if (!r.effort_measured.empty()) chart.lines.push_back({"measured", r.time, r.effort_measured});
-    return line_figure("effort", std::move(chart),
-                       "The command reaches " + with_unit(largest(r.effort_command), Quantity::effort, motion) + ".",
-                       "What the controller commands, and what the drive reports.");
+    return line_figure(
+        "effort", std::move(chart),
+        "The command reaches " + with_unit(largest(command), Quantity::effort, motion) + ".",
+        "What the controller commands, times the effort per unit of the drive signal, and what the drive "
+        "reports.");
 }
 
 }  // namespace
@@ -68,7 +92,7 @@ Report record_report(const Joint& joint, const FollowedReference& r)
     if (!r.ends_early.empty())
         report.alerts.push_back({Headline::Tone::warning, "The motion ends early: " + r.ends_early + "."});
     Section section{"motion", "Motion", "", {position_figure(r, error, motion)}, {}};
-    if (!r.effort_command.empty()) section.figures.push_back(effort_figure(r, motion));
+    if (!r.effort_command.empty()) section.figures.push_back(effort_figure(r, joint));
     report.sections.push_back(std::move(section));
     report.not_checked = {"Other references, loads and noise: one motion is one example."};
     return report;

@@ -284,6 +284,16 @@ void keep_least(FollowedBoundary& boundary)
     boundary.pieces = std::move(kept);
 }
 
+/// A motion that takes long is followed by way of the caller's own parallel, so that the caller may end the search
+/// there.
+double as_one_task(const BoundaryRequest& request, const std::function<double()>& side)
+{
+    if (!request.parallel) return side();
+    double value = missing;
+    request.parallel(1, [&](std::size_t) { value = side(); });
+    return value;
+}
+
 }  // namespace
 
 double hunting_side(const Joint& joint)
@@ -320,9 +330,9 @@ double side_of(const Joint& joint, const BoundaryRequest& request)
         case BoundaryKind::v_min:
             return finite(instability(joint, Curve::Kind::state_variable));
         case BoundaryKind::outcome:
-            return outcome_side(joint, request.disturbance);
+            return as_one_task(request, [&] { return outcome_side(joint, request.disturbance); });
         case BoundaryKind::hunting:
-            return hunting_side(joint);
+            return as_one_task(request, [&] { return hunting_side(joint); });
         case BoundaryKind::fold:
             break;
     }

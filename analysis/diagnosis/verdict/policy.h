@@ -46,7 +46,7 @@ inline constexpr std::array physical_ranges{
 
 inline constexpr LadderRules ladder{
     .prior = correction_prior,
-    .most_rungs = 4,       // more causes than that no record of one joint has told apart
+    .most_rungs = 4,       // no record of one joint has distinguished more causes
     .first_look = 40,      // causes
     .finalists = 5,        // causes; in 33 of 37 imperfect cases the right one led all others even without corrections
     .worth_a_rung = 0.02,  // of held-out mean log square: a hundredth of the RMS

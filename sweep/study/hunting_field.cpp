@@ -14,11 +14,9 @@ constexpr int nodes_in_closed_form = 81, nodes_followed = 25;  ///< along each a
 HuntingField hunting_field(const Joint& design, Axis x, Axis y, const ParallelFor& parallel)
 {
     HuntingField field;
-    field.design = set_point(design);
-    const int nodes =
-        field.design.method == SetPointMethod::event_driven || field.design.method == SetPointMethod::presliding
-            ? nodes_followed
-            : nodes_in_closed_form;
+    const auto method = set_point(design).method;
+    const bool followed = method == SetPointMethod::event_driven || method == SetPointMethod::presliding;
+    const int nodes = followed ? nodes_followed : nodes_in_closed_form;
     x.values = spaced(x.values.front(), x.values.back(), nodes, x.log);
     y.values = spaced(y.values.front(), y.values.back(), nodes, y.log);
     field.places.resize(x.values.size() * y.values.size());

@@ -12,7 +12,6 @@ namespace stickslip {
 struct HuntingField {
     Axis x, y;
     std::vector<SetPoint> places;  ///< row-major: index = iy * x.values.size() + ix
-    SetPoint design;
     double design_x = missing, design_y = missing;
 };
 

@@ -12,12 +12,11 @@ namespace {
 constexpr std::size_t known_pairs = 3;           // of a search of their own, that are tried as two rungs
 constexpr std::size_t near = 3, dear_looks = 6;  // singles, best first
 
-/// Whether the second is worse in no fold by so much that they are told apart there, nor by a good part of what it
+/// Whether the second is worse in no fold by so much that they are distinguished there, nor by a good part of what it
 /// gains: a limit that one step alone reaches does nothing in the others.
-bool worse_in_no_fold(const FittedSet& without, const FittedSet& with, double margin)
+bool worse_in_no_fold(const FittedSet& without, const FittedSet& with, const LadderRules& rules)
 {
-    constexpr double good_part = 0.25;
-    const double most = std::max(margin, good_part * (without.misfit - with.misfit));
+    const double most = std::max(margin_of(with, rules), rules.lost_in_a_fold * (without.misfit - with.misfit));
     for (std::size_t f = 0; f < HeldOutData::folds; ++f)
         if (!(mean_log(with.left[f]) < mean_log(without.left[f]) + most) && !with.left[f].empty()) return false;
     return true;
@@ -27,8 +26,8 @@ bool worse_in_no_fold(const FittedSet& without, const FittedSet& with, double ma
 bool earns(const FittedSet& without, const FittedSet& with, const LadderRules& rules)
 {
     const double left = beyond_noise(without.all_left()), now = beyond_noise(with.all_left());
-    const double margin = margin_of(with, rules), beyond = std::max(rules.worth_a_rung, margin);
-    return worse_in_no_fold(without, with, margin) && without.misfit - with.misfit > beyond &&
+    const double beyond = std::max(rules.worth_a_rung, margin_of(with, rules));
+    return worse_in_no_fold(without, with, rules) && without.misfit - with.misfit > beyond &&
            left - now > rules.of_the_rest * left;
 }
 
@@ -76,13 +75,13 @@ class Climber {
     }
 
     /// The best of those that could not be told from the first, each fitted anew to the lower floor that it has left.
-    FittedSet play_off(const std::vector<FittedSet>& near)
+    FittedSet play_off(const std::vector<FittedSet>& rivals)
     {
         std::vector<Start> again;
-        for (const auto& set : near) again.push_back({set.causes, nullptr, nullptr, {}, 0, set.fit.x});
+        for (const auto& set : rivals) again.push_back({set.causes, nullptr, nullptr, {}, 0, set.fit.x});
         const auto sets = judged(again);
         const auto best = std::ranges::find_if(sets, [](const auto& s) { return s.plausible && !s.correction; });
-        return best == sets.end() ? near[0] : *best;
+        return best == sets.end() ? rivals[0] : *best;
     }
 
     /// The set without one of its causes.
@@ -229,27 +228,27 @@ Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t mo
         const bool at_start = set.causes.effects.empty();
         if (!at_start && only_noise && only_noise(set)) break;
         auto tried = at_start ? first_ : climber_->next(set);
-        // what a search of pairs has found may be more than its parts
         // what comes nearest in most windows may take nothing of a gap that a few windows hold: then another one does
         const auto earning = [&] {
             return std::ranges::find_if(
                 tried, [&](const auto& t) { return t.plausible && !t.correction && earns(set, t, rules_); });
         };
+        // what a search of pairs has found may be more than its parts
         if (set.causes.effects.size() == 1 || (at_start && earning() == tried.end())) {
             for (auto& s : climber_->judged(known_sets(pairs, *fitter_, set))) tried.push_back(std::move(s));
             std::stable_sort(tried.begin(), tried.end(), best_first);
         }
         const auto next = earning();
         if (next == tried.end()) break;
-        std::vector<FittedSet> near{*next};
+        std::vector<FittedSet> rivals{*next};
         for (const auto& t : tried)
             if (&t != &*next && t.plausible && !t.correction &&
                 t.causes.effects.size() == next->causes.effects.size() &&
                 t.misfit < next->misfit + margin_of(*next, rules_))
-                near.push_back(t);
-        set = near[0];
+                rivals.push_back(t);
+        set = rivals[0];
         settle(set);
-        if (near.size() > 1) set = climber_->play_off(near);
+        if (rivals.size() > 1) set = climber_->play_off(rivals);
         // exchange: a cause that only stood in for what came later goes, and makes room
         for (std::size_t i = 0; i < set.causes.effects.size() && set.causes.effects.size() > 1;) {
             FittedSet less = climber_->without(set, i);

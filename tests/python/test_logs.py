@@ -1,3 +1,4 @@
+import importlib.util
 import shutil
 
 import log_samples as sample
@@ -106,20 +107,26 @@ def test_damaged_logs_are_refused_in_words(tmp_path, make, name):
 
 
 def one_joint_files(folder):
-    """One joint's arrays in every format of arrays that can be written here."""
+    """One joint's arrays in every format of arrays that this Python can write."""
     import xarray
     one = {"t": sample.T, "position": sample.Q[:, 1], "velocity": sample.DQ[:, 1], "tau": sample.TAU[:, 1]}
     numpy.savez_compressed(folder / "run.npz", **one)
     rows = xarray.Dataset({"time": ("row", one["t"]), **{name: ("row", one[name]) for name in ("position", "velocity", "tau")}})
     rows.to_netcdf(folder / "four.nc")
-    h5py, io = pytest.importorskip("h5py"), pytest.importorskip("scipy.io")
-    rows.to_netcdf(folder / "classic.nc", format="NETCDF3_CLASSIC", engine="scipy")
-    with h5py.File(folder / "run.h5", "w") as file:
-        for name, values in one.items():
-            file.create_dataset(name, data=values)
-    io.savemat(folder / "five.mat", one)
-    (folder / "seven.mat").write_bytes(b"MATLAB 7.3 MAT-file".ljust(512) + (folder / "run.h5").read_bytes())
-    return [folder / name for name in ("run.npz", "four.nc", "classic.nc", "run.h5", "five.mat", "seven.mat")]
+    files = ["run.npz", "four.nc"]
+    if importlib.util.find_spec("scipy"):
+        import scipy.io
+        rows.to_netcdf(folder / "classic.nc", format="NETCDF3_CLASSIC", engine="scipy")
+        scipy.io.savemat(folder / "five.mat", one)
+        files += ["classic.nc", "five.mat"]
+    if importlib.util.find_spec("h5py"):
+        import h5py
+        with h5py.File(folder / "run.h5", "w") as file:
+            for name, values in one.items():
+                file.create_dataset(name, data=values)
+        (folder / "seven.mat").write_bytes(b"MATLAB 7.3 MAT-file".ljust(512) + (folder / "run.h5").read_bytes())
+        files += ["run.h5", "seven.mat"]
+    return [folder / name for name in files]
 
 
 def test_damaged_files_of_arrays_are_refused_in_words(tmp_path):
@@ -137,6 +144,30 @@ def test_damaged_files_of_arrays_are_refused_in_words(tmp_path):
                 assert k >= 30, f"{file.name}, cut to {len(data)} of {len(whole)} bytes, was read"
             except StickslipError as error:
                 assert file.name in str(error)
+
+
+def test_a_reader_that_dies_of_a_damaged_file_does_not_end_the_program(tmp_path):
+    io = pytest.importorskip("scipy.io")
+    file = tmp_path / "run.mat"
+    io.savemat(file, {"t": sample.T, "position": sample.Q[:, 1]})
+    data = bytearray(file.read_bytes())
+    data[176] ^= 0xff  # the kind of the first array's elements; SciPy 1.10 dies of it
+    file.write_bytes(bytes(data))
+    with pytest.raises(StickslipError, match="run.mat: is damaged"):
+        stickslip.read_log(file)
+
+
+def test_times_far_from_zero_ascend_or_are_refused(tmp_path):
+    def log(times):
+        numpy.savez(tmp_path / "run.npz", t=numpy.array(times), position=numpy.arange(len(times), dtype=float))
+        return tmp_path / "run.npz"
+    frame = stickslip.read_log(log([-1e20, 1.0, 2.0, 3.0]))  # three that are one, seen from the first
+    assert list(frame["time"]) == [0, 1e20]
+    assert any("time of the one before" in guess for guess in frame.attrs["guessed"])
+    with pytest.raises(StickslipError, match="its times reach from -1.7e[+]308 to 1.7e[+]308"):
+        stickslip.read_log(log([-1.7e308, 0.0, 1.7e308]))
+    with pytest.raises(StickslipError, match="no complete row"):
+        stickslip.read_log(log([numpy.inf, -numpy.inf]))
 
 
 def test_damaged_folders_of_sage(tmp_path):

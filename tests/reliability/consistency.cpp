@@ -1,7 +1,6 @@
 // Random joints of every law, model and control: does any linear answer contradict another? Usage:
-// reliability_consistency
-// --joints N [--from K] [--log FILE]. Joint K is drawn from its number alone; the log holds one line a thousand joints,
-// and a run that finds one goes on behind it.
+// reliability_consistency --joints N [--from K] [--log FILE], for the joints K … N − 1. A joint is drawn from its
+// number alone; the log holds one line a thousand joints, and a run that finds one goes on behind it.
 #include "tests/analysis/stability/random_joint.h"
 
 #include <cstdio>
@@ -31,6 +30,7 @@ int main(int argc, char** argv)
         while (before >> reached >> found) number = reached, faults = found;
     }
     std::map<std::string, std::uint64_t> kinds;
+    const std::uint64_t first = number;
     for (; number < joints; ++number) {
         std::string fault;
         try {
@@ -46,7 +46,8 @@ int main(int argc, char** argv)
         if (!log.empty() && (number + 1) % 1000 == 0)
             std::ofstream(log, std::ios::app) << number + 1 << ' ' << faults << std::endl;
     }
-    std::printf("linear answers compared: %llu joints, contradictions: %llu\n", static_cast<unsigned long long>(joints),
+    std::printf("linear answers compared: %llu joints, %llu of them in this run, contradictions: %llu\n",
+                static_cast<unsigned long long>(joints), static_cast<unsigned long long>(number - first),
                 static_cast<unsigned long long>(faults));
     for (const auto& [kind, count] : kinds)
         std::printf("  %s: %llu\n", kind.c_str(), static_cast<unsigned long long>(count));

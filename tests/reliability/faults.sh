@@ -1,10 +1,10 @@
 #!/bin/bash
 # Faults on the program as a user runs it: kill -9 at random instants, journals that are torn or have flipped bits, a disk that
 # fills up. Every sweep must end with the bytes of an undisturbed one. Prints figures.
-# Run: faults.sh STICKSLIP [KILLS] [SEED]
+# Run: faults.sh STICKSLIP [KILLS] [SEED] [TORN]. With TORN, a number of damaged journals, kills and damages are all that is tried.
 set -u
-program=$(realpath "$1") kills=${2:-50}
-RANDOM=${3:-20261121}
+program=$(realpath "$1") kills=${2:-50} torn=${4:-20}
+RANDOM=$((${3:-20261121} % 32768))
 work=$(mktemp -d)
 trap 'mountpoint -q "$work/disk" && umount "$work/disk"; rm -rf "$work"' EXIT
 spec=$(realpath "$(dirname "$0")/../../examples/05-cluster")/spec.toml
@@ -38,8 +38,8 @@ echo "kills survived: $survived (kill -9 at random instants; $((finished + 1)) s
 
 damaged=0 healed=0
 run torn >/dev/null
-while [ $damaged -lt 20 ]; do
-    journal=$(ls torn/journal/*.journal | shuf -n 1 --random-source=<(yes $damaged))
+while [ $damaged -lt "$torn" ]; do
+    journal=$(find torn/journal -name '*.journal' -size +0c | sort | shuf -n 1 --random-source=<(yes $RANDOM))
     size=$(stat -c %s "$journal")
     place=$(((RANDOM * 32768 + RANDOM) % size))
     if [ $((RANDOM % 2)) = 0 ]; then
@@ -54,6 +54,8 @@ while [ $damaged -lt 20 ]; do
     healed=$((healed + $(sed -n 's/.*"chunks_computed": \([0-9]*\).*/\1/p' torn/run.json)))
 done
 echo "torn records healed: $healed chunks computed again after $damaged damages, bytes equal each time"
+
+[ -n "${4:-}" ] && exit 0
 
 # two runs in one directory, another sweep, another kind of CPU: refused in words, and nothing is touched
 refused() {

@@ -18,7 +18,8 @@ check "points" "$build/tests/reliability/reliability_points" --points $((100000 
     "$here"/../fuzz/corpus/joint/*.toml
 check "consistency" "$build/tests/reliability/reliability_consistency" --joints $((10000 * scale)) --log "$build/consistency.log"
 check "hunting" "$build/tests/reliability/reliability_hunting" --loops $((1000 * scale))
-for target in joint spec record baseline journal plan; do
+for target in "$here"/../fuzz/corpus/*; do
+    target=$(basename "$target")
     check "inputs: $target" "$build/tests/fuzz/fuzz_$target" --inputs $((100000 * scale)) "$here/../fuzz/corpus/$target"
 done
 if [ -x "$mpi_program" ]; then

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any, Mapping
 
 from ..program import StickslipError
+from .apart import read_apart
 from .common import frame_of, joint_index
 
 _TIMES = ("t", "time", "timestamp", "timestamps", "Time", "T")
@@ -59,9 +60,8 @@ def read_mat(path: Path, joint: str | None = None, **options: Any):
             return read_hdf5(path, joint, **options)  # MATLAB 7.3 is HDF5
     if importlib.util.find_spec("scipy") is None:
         raise StickslipError(f"{path}: reading .mat needs scipy (Debian: python3-scipy)")
-    from scipy.io import loadmat
-
-    arrays = {name: value for name, value in loadmat(path, squeeze_me=True).items() if not name.startswith("__")}
+    arrays = read_apart("scipy.io:loadmat", path, squeeze_me=True)
+    arrays = {name: value for name, value in arrays.items() if not name.startswith("__")}
     flat: dict[str, Any] = {}
     for name, value in arrays.items():
         if value.dtype.names:  # a struct: its fields

@@ -36,20 +36,25 @@ def frame_of(source: Path | str, columns: dict[str, Any], guessed: Sequence[str]
         raise StickslipError(f"{source}: has no time")
     frame = pandas.DataFrame({name: numpy.asarray(values, dtype=float) for name, values in columns.items()})
     guessed = list(guessed)
-    complete = frame.dropna(axis=1, how="all").dropna()
+    finite = frame.replace([numpy.inf, -numpy.inf], numpy.nan)
+    complete = finite.drop(columns=[name for name in frame if name != "time" and finite[name].isna().all()]).dropna()
     if len(complete) < len(frame):
         guessed.append(f"{len(frame) - len(complete)} of {len(frame)} rows lack a value and were left out")
     if not complete["time"].is_monotonic_increasing:
         complete = complete.sort_values("time", kind="stable")
         guessed.append("rows were not in order of time and were sorted")
-    twice = complete["time"].duplicated()
+    if complete.empty:
+        raise StickslipError(f"{source}: has no complete row")
+    with numpy.errstate(over="ignore"):
+        from_zero = complete["time"] - complete["time"].iloc[0]
+    if not numpy.isfinite(from_zero).all():
+        raise StickslipError(f"{source}: its times reach from {complete['time'].iloc[0]:.3g} to {complete['time'].iloc[-1]:.3g}")
+    complete = complete.assign(time=from_zero)
+    twice = complete["time"].duplicated()  # of times from zero: far from it, two that differ may give one
     if bool(twice.any()):
         complete = complete[~twice]
         guessed.append(f"{int(twice.sum())} rows with the time of the one before were left out")
     complete = complete.reset_index(drop=True)
-    if complete.empty:
-        raise StickslipError(f"{source}: has no complete row")
-    complete["time"] -= complete["time"].iloc[0]
     complete.attrs["guessed"] = guessed
     return complete
 

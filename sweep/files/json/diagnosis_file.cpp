@@ -90,6 +90,8 @@ Json read_json(const std::filesystem::path& file)
         return Json::parse(in);
     } catch (const Json::parse_error& e) {
         throw BadInput(fmt::format("{}: is no complete JSON; reading stopped at byte {}", file.string(), e.byte));
+    } catch (const Json::out_of_range&) {
+        throw BadInput(file.string() + ": has a number beyond the largest that a double holds, 1.8e308");
     }
 }
 
@@ -103,9 +105,10 @@ DiagnosisFacts diagnosis_facts(const Json& json, const std::string& source)
         auto facts = facts_from(json);
         facts.source = source;
         return facts;
-    } catch (const Json::exception& e) {
-        throw BadInput(
-            fmt::format("{}: lacks a field of diagnosis.json, or has it in another form ({})", source, e.what()));
+    } catch (const Json::exception&) {  // the library's own words are for programmers
+        throw BadInput(source +
+                       ": lacks a field of diagnosis.json, or has it in another form; expected is what "
+                       "docs/schema/diagnosis.schema.json says");
     } catch (const std::invalid_argument& e) {
         throw BadInput(source + ": " + e.what());
     }

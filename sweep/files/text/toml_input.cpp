@@ -118,12 +118,13 @@ std::string read_text(const std::filesystem::path& file)
         throw BadInput(file.string() + ": is a folder, expected is a TOML file");
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw BadInput(file.string() + ": cannot be opened for reading");
-    std::string text(max_bytes + 1, '\0');
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    std::string text;
+    for (char block[1 << 16]; text.size() <= max_bytes && stream;) {
+        stream.read(block, sizeof block);
+        text.append(block, static_cast<std::size_t>(stream.gcount()));
+    }
     if (stream.bad()) throw BadInput(file.string() + ": cannot be read");
-    if (static_cast<std::uintmax_t>(stream.gcount()) > max_bytes)
-        throw BadInput(file.string() + ": is larger than 16 MiB, expected is a TOML file");
-    text.resize(static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > max_bytes) throw BadInput(file.string() + ": is larger than 16 MiB, expected is a TOML file");
     refuse_utf16(text, file.string());
     return text;
 }

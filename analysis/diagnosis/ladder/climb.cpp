@@ -84,20 +84,35 @@ class Climber {
         return best == sets.end() ? rivals[0] : *best;
     }
 
+    /// The set with one of its causes exchanged for another that was judged on the way, best first: what came nearest
+    /// beside others, or alone, need not be what belongs beside these.
+    std::vector<FittedSet> exchanged(const FittedSet& set)
+    {
+        constexpr std::size_t most = 3;  // go on after a first look
+        std::vector<FittedSet> less;
+        for (std::size_t i = 0; i < set.causes.effects.size(); ++i) less.push_back(unfitted_without(set, i));
+        std::vector<std::pair<Start, const FittedSet*>> looks;
+        for (const auto& below : less)
+            for (const auto& single : singles_) {
+                const Candidate& other = single.candidate;
+                if (two_mass_edit(other) || !worth_an_exchange(set, below, *other.effects[0])) continue;
+                looks.emplace_back(Start{below.causes, other.effects[0], other.forms[0], single.x}, &below);
+                looks.back().first.causes.records = other.records;
+            }
+        parallel_(looks.size(), [&](std::size_t i) { fitter_.look(looks[i].first, *looks[i].second); });
+        std::vector<Start> starts;
+        for (auto& [start, below] : looks)
+            if (start.x0.size() > 0) starts.push_back(std::move(start));
+        std::ranges::stable_sort(starts, {}, &Start::objective);
+        if (starts.size() > most) starts.resize(most);
+        return judged(starts);
+    }
+
     /// The set without one of its causes.
     FittedSet without(const FittedSet& set, std::size_t member) const
     {
-        Candidate causes;
-        causes.records = set.causes.records;
-        const Eigen::VectorXd own = set.of_causes(set.fit.x);
-        Eigen::VectorXd x;
-        Eigen::Index at = 0;
-        for (std::size_t i = 0; i < set.causes.effects.size(); ++i) {
-            const auto count = static_cast<Eigen::Index>(set.causes.count_of(*set.causes.forms[i]));
-            if (i != member) x = insert(causes, set.causes.effects[i], set.causes.forms[i], x, own.segment(at, count));
-            at += count;
-        }
-        return fitter_.fit(causes, fitter_.start(causes, set, x));
+        const FittedSet less = unfitted_without(set, member);
+        return fitter_.fit(less.causes, less.fit.x);
     }
 
     /// Other sets of as many causes as this one that hold all causes of the one below it, best first.
@@ -122,6 +137,32 @@ class Climber {
     }
 
   private:
+    /// The causes but one, with the numbers that they have in the set.
+    FittedSet unfitted_without(const FittedSet& set, std::size_t member) const
+    {
+        Candidate causes;
+        causes.records = set.causes.records;
+        const Eigen::VectorXd own = set.of_causes(set.fit.x);
+        Eigen::VectorXd x;
+        Eigen::Index at = 0;
+        for (std::size_t i = 0; i < set.causes.effects.size(); ++i) {
+            const auto count = static_cast<Eigen::Index>(set.causes.count_of(*set.causes.forms[i]));
+            if (i != member) x = insert(causes, set.causes.effects[i], set.causes.forms[i], x, own.segment(at, count));
+            at += count;
+        }
+        return fitter_.unfitted(causes, set, x);
+    }
+    /// Whether this cause was judged before, and not yet in the place of the one that the set has beside `below`.
+    bool worth_an_exchange(const FittedSet& set, const FittedSet& below, const Effect& other) const
+    {
+        if (std::ranges::count(set.causes.effects, &other) > 0) return false;
+        auto effects = below.causes.effects;
+        effects.insert(std::ranges::upper_bound(effects, &other), &other);
+        const auto holds = [&](const FittedSet& s) { return std::ranges::count(s.causes.effects, &other) > 0; };
+        const auto same = [&](const FittedSet& s) { return s.causes.effects == effects; };
+        return std::ranges::any_of(pool_, holds) && std::ranges::none_of(pool_, same);
+    }
+
     std::vector<FittedSet> pool_;  ///< all sets that were judged
     const std::vector<Attribution>& singles_;
     SetFitter& fitter_;
@@ -257,6 +298,13 @@ Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t mo
             else
                 set = std::move(less), i = 0;
         }
+        if (set.causes.effects.size() < 2) continue;
+        const auto others = climber_->exchanged(set);
+        const auto better = std::ranges::find_if(
+            others, [&](const auto& o) { return o.plausible && !o.correction && o.misfit < set.misfit; });
+        if (better == others.end()) continue;
+        settle(*better);
+        set = climber_->play_off({*better});
     }
     return finished(std::move(set));
 }

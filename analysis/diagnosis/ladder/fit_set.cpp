@@ -50,6 +50,15 @@ Eigen::VectorXd SetFitter::start(const Candidate& causes, const FittedSet& like,
     return Corrections::start(corrections_.beside(causes), like.model, like.fit.x, of_causes);
 }
 
+FittedSet SetFitter::unfitted(const Candidate& causes, const FittedSet& like, const Eigen::VectorXd& of_causes) const
+{
+    FittedSet set;
+    set.causes = causes;
+    set.model = corrections_.beside(causes);
+    set.fit.x = start(causes, like, of_causes);
+    return set;
+}
+
 void SetFitter::look(Start& s, const FittedSet& below) const
 {
     const Candidate added{{s.effect}, {s.form}, s.causes.records};

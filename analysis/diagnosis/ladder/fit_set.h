@@ -30,6 +30,8 @@ class SetFitter {
     void renew();
     /// Numbers of a set: corrections as in `like`, causes as given.
     Eigen::VectorXd start(const Candidate& causes, const FittedSet& like, const Eigen::VectorXd& of_causes) const;
+    /// A set with these numbers that nothing was fitted to.
+    FittedSet unfitted(const Candidate& causes, const FittedSet& like, const Eigen::VectorXd& of_causes) const;
     /// Adds the cause: a few steps on excerpts from the best of its starts, the others as in `below`.
     void look(Start& start, const FittedSet& below) const;
     /// To all rows alone.

@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/verdict/judge_ladder.h"
 #include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/verdict/experiment.h"
 #include "analysis/diagnosis/verdict/policy.h"
 #include "analysis/diagnosis/verdict/tell_ladder.h"
 #include "tests/analysis/diagnosis/small_machine.h"
@@ -257,6 +258,27 @@ TEST_CASE("a limit that single steps reach has a rung beside a cause that acts e
     const auto ladder = search.search->climb({}, policy::ladder.most_rungs);
     REQUIRE(ladder.rungs.size() == 2);
     CHECK(beyond_noise(ladder.last().all_left()) < 1e-3 * beyond_noise(ladder.corrected.all_left()));
+}
+
+TEST_CASE("a stand-in that came with a pair is exchanged for the cause that belongs beside the other", "[gap][ladder]")
+{
+    Machine m;
+    m.viscous = 10, m.load = 0.4;
+    const Search search(m, {"constant-load"});
+    Attribution pair;
+    for (const char* name : {"viscous", "asymmetric-friction"}) {
+        const Effect* e = effect_named(name);
+        pair.candidate.effects.push_back(e), pair.candidate.forms.push_back(&e->forms[0]);
+    }
+    pair.candidate.records = 2;
+    pair.x.fill(to_fit(pair.candidate, {0.1, 0.01, 0.01}));
+    const auto ladder = search.search->climb({pair}, 2);
+    REQUIRE(ladder.rungs.size() == 2);
+    CHECK(names_of(ladder.last().causes) == std::vector<std::string>{"viscous", "constant-load"});
+    // and the stand-in is a rival, which the chances count
+    CHECK(std::ranges::any_of(ladder.rivals[1], [](const FittedSet& s) {
+        return names_of(s.causes) == std::vector<std::string>{"viscous", "asymmetric-friction"};
+    }));
 }
 
 TEST_CASE("small terms that every machine has are not named beside a cause", "[gap][ladder]")

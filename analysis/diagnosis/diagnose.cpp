@@ -138,26 +138,40 @@ void tell_unexplained(const Findings& f, Diagnosis& d)
         {.code = Note::Code::free_force, .signal = std::string(f.free[0].of), .values = {f.free[0].fit.explained}});
 }
 
+/// With what the audit found, which belongs to every named set.
+std::vector<std::string> with_findings(const Prepared& p, const std::vector<std::string>& causes)
+{
+    std::vector<std::string> names;
+    for (const auto& f : p.audit.findings)
+        if (std::ranges::count(names, f.effect) == 0) names.push_back(f.effect);
+    for (const auto& name : causes)
+        if (std::ranges::count(names, name) == 0) names.push_back(name);
+    return names;
+}
+
 /// What it could be confused with, and the experiment that would tell.
 void tell_rivals(const Prepared& p, const Findings& f, const std::vector<Ranked>& ranked, const Attribution& winner,
                  Diagnosis& d)
 {
     if (f.by_ladder) {
         if (!f.judged.named) return;
-        const auto& rivals = f.judged.ladder.rivals[0];
-        for (const auto& rival : rivals)
-            if (rival.misfit - f.judged.ladder.rungs[0].misfit < margin_of(f.judged.ladder.rungs[0], policy::ladder))
-                d.ambiguous_with.push_back(names_of(rival.causes));
-        if (rivals.empty()) return;
-        const auto rival = at_all_levels(p.cases, p.scales, p.nominal, rivals[0]);
-        d.next_experiment = design_experiment(p.cases[0], p.scales, winner, rival);
+        const auto near = indistinguishable(f.judged);
+        for (const auto& rival : near)
+            if (const auto names = with_findings(p, rival.names); std::ranges::count(d.ambiguous_with, names) == 0)
+                d.ambiguous_with.push_back(names);
         // the refitted numbers are no part of what is told apart
+        const auto& others = f.judged.ladder.rivals[0];
+        if (near.empty() && others.empty()) return;
+        const auto rival = at_all_levels(p.cases, p.scales, p.nominal, near.empty() ? others[0] : *near.front().set);
+        d.next_experiment = design_experiment(p.cases[0], p.scales, winner, rival);
         if (!d.next_experiment.separates.empty())
             d.next_experiment.separates = {
-                {names_of(f.judged.ladder.rungs[0].causes)[0], names_of(rivals[0].causes)[0]}};
+                near.empty() ? std::pair{names_of(f.judged.ladder.rungs[0].causes)[0], names_of(others[0].causes)[0]}
+                             : near.front().separates};
         return;
     }
-    for (const auto* rival : f.decision.ambiguous) d.ambiguous_with.push_back(names_of(rival->candidate));
+    for (const auto* rival : f.decision.ambiguous)
+        d.ambiguous_with.push_back(with_findings(p, names_of(rival->candidate)));
     const Attribution* rival = !f.decision.ambiguous.empty() ? f.decision.ambiguous.front()
                                : ranked.size() > 1           ? ranked[1].attribution
                                                              : nullptr;
@@ -265,7 +279,7 @@ void find(const Joint& joint, const std::vector<Record>& records, const Parallel
     } catch (const Interrupted&) {
         d.effects.clear();
         // none is named: what a probability would be of is not known before all were looked at
-        findings.decision = decide(findings.singles, findings.pairs);
+        findings.decision = decide(findings.singles, findings.pairs, rows_of(prepared.cases));
         findings.decision.named = false;
         list_effects(prepared, rank(findings.singles, findings.pairs, findings.decision, rows_of(prepared.cases)), d);
         throw;

@@ -51,6 +51,7 @@ constexpr std::pair<Code, std::string_view> names[] = {
     {Code::nothing_earns, "nothing-earns"},
     {Code::takes_too_little, "takes-too-little"},
     {Code::nearer_force, "nearer-force"},
+    {Code::force_beside_numbers, "force-beside-numbers"},
     {Code::force_in_the_rest, "force-in-the-rest"},
     {Code::withdrawn_worse, "withdrawn-worse"},
     {Code::withdrawn_leaves_most, "withdrawn-leaves-most"},

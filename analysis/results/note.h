@@ -59,6 +59,7 @@ struct Note {
         nothing_earns,             ///< no cause takes a part of the gap on unseen data beside the corrections
         takes_too_little,          ///< names come nearest; values: what they take, what is explainable
         nearer_force,              ///< names come nearest, but a force of `signal` is clearly better
+        force_beside_numbers,      ///< numbers are off, but a force of `signal` takes `values` of the gap besides
         force_in_the_rest,         ///< names come nearest, but a force of `signal` explains what they leave
         withdrawn_worse,           ///< names fit best, but make held-out data worse
         withdrawn_leaves_most,     ///< names: of the gap on held-out data

@@ -99,6 +99,9 @@ constexpr Sentence sentences[] = {
     {Code::nearer_force,
      "{names} comes nearest, but {force} explains the records clearly better, and has the shape of no effect of the "
      "catalogue"},
+    {Code::force_beside_numbers,
+     "numbers of the document are off, but {force} takes {share0} of the gap beside their correction, and has the "
+     "shape of no effect of the catalogue"},
     {Code::force_in_the_rest,
      "{names} comes nearest, but a force that depends on the {signal} alone, in the shape of no effect of the "
      "catalogue, explains what it leaves"},

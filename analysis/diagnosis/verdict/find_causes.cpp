@@ -57,14 +57,11 @@ void hold_ladder_against_free_forces(const Prepared& p, const std::function<void
                                      const ParallelFor& parallel, Findings& f)
 {
     JudgedLadder& j = f.judged;
-    if (!j.named || j.noise_left || j.noise_below || mean_log_misfit(j.winner.evaluation) < least_of_free_force) return;
+    const bool only_noise = j.noise_left || j.noise_below;
+    if (!j.answers() || only_noise || mean_log_misfit(j.winner.evaluation) < least_of_free_force) return;
     progress("fitting forces without a name", 0.85);
     f.free = fit_free_forces(p.cases, p.scales, p.nominal, parallel, j.ladder.corrections.get());
-    if (!clearly_better(f.free[0], j.winner)) return;
-    j.why_not = Note{.code = Note::Code::nearer_force,
-                     .names = names_of(j.ladder.last().causes),
-                     .signal = std::string(f.free[0].of)};
-    j.named = false;
+    hold_against(j, f.free[0]);
 }
 
 /// What comes down to the noise with the document's numbers as they are is the answer, with a ladder of its own causes.
@@ -113,7 +110,7 @@ void find_causes(Prepared& p, std::size_t pair_partners, const std::function<voi
         f.pairs = fit_parts(p.cases, p.scales, p.nominal, f.singles, parallel);
         confirm(p.cases, f.pairs, p.nominal, p.scales, parallel);
     }
-    f.decision = decide(f.singles, f.pairs);
+    f.decision = decide(f.singles, f.pairs, rows_of(p.cases));
     if (!accepted(f.decision)) {
         progress("correcting the joint's own numbers", 0.4);
         LadderSearch search(p.cases, p.scales, f.singles, policy::ladder, parallel);
@@ -127,7 +124,7 @@ void find_causes(Prepared& p, std::size_t pair_partners, const std::function<voi
             if (nothing_alone || left - s.explainable_to > policy::worth_a_search_of_pairs * s.base) {
                 progress("fitting pairs", 0.5);
                 fit_pair(p, pair_partners, parallel, f);
-                f.decision = decide(f.singles, f.pairs);
+                f.decision = decide(f.singles, f.pairs, rows_of(p.cases));
             }
             if (!accepted(f.decision)) {
                 progress("climbing the ladder", 0.75);

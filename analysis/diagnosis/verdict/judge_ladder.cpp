@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <numeric>
 
 namespace stickslip::gap {
 namespace {
@@ -62,6 +63,22 @@ std::optional<Note> why_not(const JudgedLadder& j)
 
 }  // namespace
 
+std::vector<double> odds_of_rivals(const JudgedLadder& j, std::size_t i)
+{
+    const FittedSet& rung = j.ladder.rungs[i];
+    const auto& named = j.ladder.last().causes.effects;
+    const auto in_the_set = [&](const Effect* e) { return std::ranges::count(named, e) > 0; };
+    // what a lower rung leaves is no doubt once all is explained
+    const bool settled = j.noise_left && i + 1 < j.ladder.rungs.size();
+    std::vector<double> odds;
+    for (const auto& rival : j.ladder.rivals[i])
+        // another rung of this ladder is no rival
+        odds.push_back(settled || std::ranges::all_of(rival.causes.effects, in_the_set)
+                           ? 0
+                           : std::exp(std::min(0.0, rung.misfit - rival.misfit) / margin_of(rung, policy::ladder)));
+    return odds;
+}
+
 std::vector<double> chances_of(const JudgedLadder& j)
 {
     std::vector<double> chances;
@@ -70,16 +87,9 @@ std::vector<double> chances_of(const JudgedLadder& j)
     const double rest = j.shares.rungs.back() / std::max(1e-300, j.shares.base) / policy::nearest_in_shape;
     const double doubt =
         policy::doubt_of_noise + (j.noise_left ? 0 : policy::doubt_of_rest * std::clamp(rest, 0.0, 1.0) + left);
-    const auto& named = j.ladder.last().causes.effects;
-    const auto in_the_set = [&](const Effect* e) { return std::ranges::count(named, e) > 0; };
     for (std::size_t i = 0; i < j.ladder.rungs.size(); ++i) {
-        const FittedSet& rung = j.ladder.rungs[i];
-        double sum = 1;
-        for (const auto& rival : j.ladder.rivals[i])
-            // another rung of this ladder is no rival, and what a lower rung leaves is no doubt once all is explained
-            if (!std::ranges::all_of(rival.causes.effects, in_the_set) &&
-                !(j.noise_left && i + 1 < j.ladder.rungs.size()))
-                sum += std::exp(std::min(0.0, rung.misfit - rival.misfit) / margin_of(rung, policy::ladder));
+        const auto odds = odds_of_rivals(j, i);
+        const double sum = std::accumulate(odds.begin(), odds.end(), 1.0);
         // a rest speaks against the last cause that was found: the others take more than it does
         const bool last = i + 1 == j.ladder.rungs.size();
         chances.push_back(std::max(0.0, 1 - (last ? doubt : policy::doubt_of_noise)) / sum);
@@ -136,6 +146,21 @@ bool small_against_corrections(const JudgedLadder& j)
     // such a term is as little what the gap comes from beside another cause
     const double others = s.documented - (j.usual ? above : s.corrected);
     return above - s.rungs.back() < policy::least_against_corrections * others;
+}
+
+void hold_against(JudgedLadder& j, const FreeFit& force)
+{
+    if (!clearly_better(force, j.winner)) return;
+    if (j.only_corrections) {
+        const double more = force.fit.explained - j.winner.explained;
+        if (more < policy::least_against_corrections * j.winner.explained) return;
+        j.why_not = Note{.code = Note::Code::force_beside_numbers, .signal = std::string(force.of), .values = {more}};
+    } else {
+        j.why_not = Note{.code = Note::Code::nearer_force,
+                         .names = names_of(j.ladder.last().causes),
+                         .signal = std::string(force.of)};
+    }
+    j.named = j.only_corrections = false;
 }
 
 std::string_view signal_of(const Effect& effect)

@@ -2,6 +2,7 @@
 #pragma once
 #include "analysis/diagnosis/ladder/climb.h"
 #include "analysis/diagnosis/ladder/flexible.h"
+#include "analysis/diagnosis/search/free_force.h"
 #include "analysis/results/diagnosis.h"
 
 #include <optional>
@@ -38,11 +39,18 @@ struct JudgedLadder {
 void judge(JudgedLadder& judged, const HeldOutData& data, const Scales& scales, const Nominal& nominal,
            const ParallelFor& parallel);
 
+/// Odds of every rival of a rung against it, in the order of the ladder's; 0 of one that does not speak against it.
+std::vector<double> odds_of_rivals(const JudgedLadder& judged, std::size_t rung);
+
 /// How sure every rung is: against its rivals, and against what is left of the explainable.
 std::vector<double> chances_of(const JudgedLadder& judged);
 
 /// Whether the corrections take so much more of the gap than the last rung that it is not what the gap comes from.
 bool small_against_corrections(const JudgedLadder& judged);
+
+/// Takes the answer back where a force without a name explains the records clearly better. Beside corrections alone it
+/// has to take as much as a cause would, since small things that every machine has are no answer either.
+void hold_against(JudgedLadder& judged, const FreeFit& force);
 
 /// A fitted set at all levels.
 Attribution at_all_levels(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,

@@ -97,6 +97,12 @@ inline constexpr double least_chance_of_further_rung = 0.5;
 /// gap, and all but 4 % of what corrections of inertia and Coulomb friction left. The same part of what a finding about
 /// the controller takes lets causes in the mechanism stand with it first.
 inline constexpr double least_against_corrections = 0.25;
+/// Odds of a rival against the named cause from which on the records cannot tell the two apart: one margin, over which
+/// odds fall by e. Reason: what an answer calls indistinguishable must have its part of the probability. So
+/// `ambiguous_with` goes by the same odds as the probabilities do, and a cause beside such a rival has
+/// 1/(1 + 1/e) = 0.73 at most. Evidence: a cause at 0.985 "could not be told" from one with less than a thousandth
+/// of that, since the one number came from the likelihood of all rows and the other from scores that noise cuts off.
+inline constexpr double odds_of_indistinguishable = 0.368;  // 1/e
 /// A correction is told as what is wrong with the document where leaving it out costs so much of what all of them take.
 inline constexpr double worth_correcting = 0.05;
 

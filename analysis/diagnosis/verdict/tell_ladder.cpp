@@ -77,14 +77,30 @@ std::vector<std::string> that_matter(const Prepared& p, const JudgedLadder& j)
     return names.empty() ? furthest_off(j) : names;
 }
 
+/// The causes of a set in place of this rung that the rung below does not have.
+std::vector<std::string> added_by(const Ladder& ladder, std::size_t rung, const Candidate& causes)
+{
+    std::vector<std::string> names;
+    for (const auto* e : causes.effects)
+        if (rung == 0 || std::ranges::count(ladder.rungs[rung - 1].causes.effects, e) == 0) names.emplace_back(e->name);
+    return names;
+}
+
+/// All causes of the ladder, with those of a rival in place of its rung.
+std::vector<std::string> with_the_others(const Ladder& ladder, std::size_t rung, const Candidate& rival)
+{
+    auto names = names_of(rival);
+    for (const auto* e : ladder.last().causes.effects)
+        if (std::ranges::count(ladder.rungs[rung].causes.effects, e) == 0 && std::ranges::count(rival.effects, e) == 0)
+            names.emplace_back(e->name);
+    return names;
+}
+
 LadderRung rung_of(const JudgedLadder& j, const Cause& whole, std::size_t i)
 {
     const FittedSet& set = j.ladder.rungs[i];
     LadderRung rung;
-    // the cause that the rung below does not have
-    for (const auto* e : set.causes.effects)
-        if (i == 0 || std::ranges::count(j.ladder.rungs[i - 1].causes.effects, e) == 0)
-            rung.names.emplace_back(e->name);
+    rung.names = added_by(j.ladder, i, set.causes);
     const bool worse = j.shares.corrected >= j.shares.documented;
     const auto above = i > 0   ? j.ladder.rungs[i - 1].all_left()
                        : worse ? j.ladder.documented
@@ -94,13 +110,8 @@ LadderRung rung_of(const JudgedLadder& j, const Cause& whole, std::size_t i)
     for (const auto& parameter : whole.parameters)
         for (const auto& name : rung.names)
             if (parameter.name.starts_with(name + ".")) rung.parameters.push_back(parameter);
-    for (const auto& rival : j.ladder.rivals[i]) {
-        if (rival.misfit - set.misfit > margin_of(set, policy::ladder)) continue;
-        std::vector<std::string> names;
-        for (const auto* e : rival.causes.effects)
-            if (i == 0 || std::ranges::count(j.ladder.rungs[i - 1].causes.effects, e) == 0) names.emplace_back(e->name);
-        rung.ambiguous_with.push_back(std::move(names));
-    }
+    for (const auto& rival : indistinguishable(j))
+        if (rival.rung == i) rung.ambiguous_with.push_back(added_by(j.ladder, i, rival.set->causes));
     rung.probability = j.chances[i];
     return rung;
 }
@@ -114,6 +125,25 @@ std::vector<std::string> signals_in(const Flexible& flexible)
 }
 
 }  // namespace
+
+std::vector<RungRival> indistinguishable(const JudgedLadder& j)
+{
+    std::vector<RungRival> rivals;
+    for (std::size_t i = 0; i < j.ladder.rungs.size(); ++i) {
+        const auto odds = odds_of_rivals(j, i);
+        const auto own = added_by(j.ladder, i, j.ladder.rungs[i].causes);
+        for (std::size_t r = 0; r < odds.size(); ++r) {
+            const FittedSet& set = j.ladder.rivals[i][r];
+            if (odds[r] < policy::odds_of_indistinguishable) continue;
+            rivals.push_back({i,
+                              &set,
+                              odds[r],
+                              with_the_others(j.ladder, i, set.causes),
+                              {own[0], added_by(j.ladder, i, set.causes)[0]}});
+        }
+    }
+    return rivals;
+}
 
 void tell_ladder(const Prepared& p, const Findings& f, double audited, Diagnosis& d)
 {
@@ -186,24 +216,28 @@ std::vector<Cause> causes_of(const Prepared& p, const JudgedLadder& j)
         first.heldout_gain_interval.high = std::max(first.heldout_gain_interval.high, in_fold);
     }
     causes.push_back(std::move(first));
-    const FittedSet& rung = j.ladder.rungs[0];
-    for (const auto& rival : j.ladder.rivals[0]) {
+    const auto add = [&](const FittedSet& rival, std::vector<std::string> names, double probability) {
         Cause c;
-        c.names = names_of(rival.causes);
+        c.names = std::move(names);
         c.plausible = rival.plausible;
         c.heldout_gain = gain(rival);
         c.misfit = rival.misfit;
-        c.probability = (j.named ? 1 : believed_unnamed) * j.chances[0] *
-                        std::exp(std::min(0.0, rung.misfit - rival.misfit) / margin_of(rung, policy::ladder));
+        c.probability = (j.named ? 1 : believed_unnamed) * probability;
         std::size_t i = 0;
         const auto si = in_si(rival.causes, rival.of_causes(rival.fit.x), p.scales);
         for (std::size_t n = 0; n < rival.causes.effects.size(); ++n)
             for (std::size_t k = 0; k < rival.causes.count_of(*rival.causes.forms[n]); ++k, ++i)
                 c.parameters.push_back(
-                    {c.names[n] + "." + std::string(rival.causes.parameter(i).name), si[i], not_set,
+                    {std::string(rival.causes.effects[n]->name) + "." + std::string(rival.causes.parameter(i).name),
+                     si[i], not_set,
                      std::string(unit_of(rival.causes.parameter(i).quantity, p.documented[0].mechanism.motion))});
         causes.push_back(std::move(c));
-    }
+    };
+    const auto odds = odds_of_rivals(j, 0);
+    for (std::size_t r = 0; r < odds.size(); ++r)
+        add(j.ladder.rivals[0][r], names_of(j.ladder.rivals[0][r].causes), j.chances[0] * odds[r]);
+    for (const auto& rival : indistinguishable(j))
+        if (rival.rung > 0) add(*rival.set, rival.names, all * rival.odds);
     return causes;
 }
 

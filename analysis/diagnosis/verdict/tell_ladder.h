@@ -13,6 +13,18 @@ void tell_ladder(const Prepared& prepared, const Findings& findings, double audi
 /// The ladder's causes and their rivals, best first.
 std::vector<Cause> causes_of(const Prepared& prepared, const JudgedLadder& judged);
 
+/// A rival that these records cannot tell from one of the ladder's rungs.
+struct RungRival {
+    std::size_t rung = 0;
+    const FittedSet* set = nullptr;
+    double odds = 0;
+    std::vector<std::string> names;                 ///< all named causes, with the rival's in place of the rung's
+    std::pair<std::string, std::string> separates;  ///< the rung's cause and the rival's
+};
+
+/// Of all rungs, in their order.
+std::vector<RungRival> indistinguishable(const JudgedLadder& judged);
+
 /// Puts what the controller's regression is sure of, the first rung of the ladder, among the effects by itself: first,
 /// unless causes in the mechanism are likely and take a good part beside it. Where those leave only noise, a small part
 /// is no doubt about the controller.

@@ -2,6 +2,7 @@
 
 #include "analysis/diagnosis/fit/moment.h"
 #include "analysis/diagnosis/search/search.h"
+#include "analysis/diagnosis/verdict/policy.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +13,7 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double margin = 0.02;  // of score: rivals this close cannot be told apart
+constexpr double margin = 0.02;  // of score: among causes this close the likelihood decides
 // From evidence to probabilities. Innovations of a true joint would be white, every row a reading of its own; so many
 // rows count as one, which the nine nearest ties in two draws of sealed cases bear out. Far above the floor margins are
 // model error, and grow with the best score itself.
@@ -74,11 +75,20 @@ double worst_at(const Attribution& a, std::size_t level)
     return worst;
 }
 
-/// How much of a rival's misfit may be a lost step, with what is below this least mean square counted as such. Where
-/// anything but noise is left, all of it counts.
-double by_chance(const Attribution& winner, const Attribution& rival, double least)
+/// How much of a rival's misfit may be a lost step. Where anything but noise is left, all of it counts.
+double by_chance(const Attribution& winner, const Attribution& rival)
 {
-    return winner.accepted && rival.accepted ? hangs_on_a_moment(winner.evaluation, rival.evaluation, least) : 0;
+    return winner.accepted && rival.accepted ? hangs_on_a_moment(winner.evaluation, rival.evaluation, exact_square) : 0;
+}
+
+/// Of a rival against the winner: the likelihood of their innovations over so many rows, less for needless parameters.
+double odds_against(const Attribution& winner, const Attribution& rival, double rows)
+{
+    const double width = std::max(2 * rows_per_reading / rows, relative_temperature * winner.score);
+    const auto parameters = [](const Attribution& a) { return static_cast<double>(a.candidate.parameter_count()); };
+    const double needless = std::max(0.0, parameters(rival) - parameters(winner));
+    const double worse = rival.evidence - winner.evidence - by_chance(winner, rival);
+    return std::exp(-std::max(0.0, worse) / width) * std::pow(needless_parameter, -needless);
 }
 
 }  // namespace
@@ -150,7 +160,7 @@ void confirm(const std::vector<Case>& cases, std::vector<Attribution>& ranked, c
     put_likeliest_first(ranked);
 }
 
-Decision decide(const std::vector<Attribution>& singles, const std::vector<Attribution>& pairs)
+Decision decide(const std::vector<Attribution>& singles, const std::vector<Attribution>& pairs, double rows)
 {
     Decision d;
     const std::vector<Attribution>* from = nullptr;
@@ -184,7 +194,7 @@ Decision decide(const std::vector<Attribution>& singles, const std::vector<Attri
     if (d.named)
         for (const auto& rival : *from)
             if (&rival != d.winner && rival.refined &&
-                rival.score - by_chance(*d.winner, rival, noise_square) < d.winner->score + margin)
+                odds_against(*d.winner, rival, rows) >= policy::odds_of_indistinguishable)
                 d.ambiguous.push_back(&rival);
     return d;
 }
@@ -204,15 +214,9 @@ std::vector<Ranked> rank(const std::vector<Attribution>& singles, const std::vec
     });
     if (all.empty()) return all;
     const Attribution& first = *all.front().attribution;
-    const double width = std::max(2 * rows_per_reading / rows, relative_temperature * first.score);
     double sum = 0;
-    const auto parameters = [](const Ranked& r) {
-        return static_cast<double>(r.attribution->candidate.parameter_count());
-    };
     for (auto& r : all) {
-        const double needless = std::max(0.0, parameters(r) - parameters(all.front()));
-        const double worse = r.attribution->evidence - first.evidence - by_chance(first, *r.attribution, exact_square);
-        r.probability = std::exp(-std::max(0.0, worse) / width) * std::pow(needless_parameter, -needless);
+        r.probability = odds_against(first, *r.attribution, rows);
         sum += r.probability;
     }
     std::stable_sort(all.begin() + 1, all.end(),

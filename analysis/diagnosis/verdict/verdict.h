@@ -28,15 +28,16 @@ struct Decision {
     double best_explained = 0;
 };
 
-/// The named cause, if any, and what this excitation cannot tell from it. Pairs count only where no single is accepted.
-Decision decide(const std::vector<Attribution>& singles, const std::vector<Attribution>& pairs);
+/// The named cause, if any, and what this excitation, of so many rows, cannot tell from it. Pairs count only where no
+/// single is accepted.
+Decision decide(const std::vector<Attribution>& singles, const std::vector<Attribution>& pairs, double rows);
 
 struct Ranked {
     const Attribution* attribution = nullptr;
     double probability = 0;
 };
 
-/// Everything fitted, the named one first, then the most probable: by the likelihood of `rows` rows in all records;
+/// Everything fitted, the named one first, then the most probable: by the same odds, of `rows` rows in all records;
 /// what is left for "none of these" grows with the winner's misfit.
 std::vector<Ranked> rank(const std::vector<Attribution>& singles, const std::vector<Attribution>& pairs,
                          const Decision& decision, double rows);

@@ -50,12 +50,24 @@ std::string rivals_text(const Diagnosis& d)
     return text;
 }
 
+/// The named cause, then those that the records cannot distinguish from it; one name where only its law is open.
+std::vector<std::string> one_of(const Diagnosis& d)
+{
+    std::vector<std::string> causes{together(d.effects[0].names)};
+    for (const auto& names : d.ambiguous_with)
+        if (names != d.effects[0].names) causes.push_back(together(names));
+    return causes;
+}
+
 Headline what_card(const Diagnosis& d)
 {
     if (d.verdict == Verdict::no_gap) return {Tone::good, "nothing", "what: the nominal joint is enough"};
     if (d.interrupted) return {Tone::neutral, "not known", "what: the search was interrupted; nothing is ruled out"};
     if (d.verdict == Verdict::unknown || d.effects.empty())
         return {Tone::bad, "none of the catalogue", "what: no named effect explains the gap"};
+    if (const auto causes = one_of(d); causes.size() > 1)
+        return {Tone::warning, fmt::format("one of {}", fmt::join(causes, ", ")),
+                "what: these data cannot distinguish them; the numbers above are those of the first"};
     return {Tone::warning, together(d.effects[0].names),
             "what: the most probable cause, by its name in the catalogue; its numbers stand above"};
 }
@@ -213,7 +225,11 @@ std::string diagnosis_sentence(const Diagnosis& d)
 {
     switch (d.verdict) {
         case Verdict::gap: {
-            std::string text = fmt::format("The gap comes from {}", together(d.effects[0].names));
+            const auto causes = one_of(d);
+            std::string text = causes.size() > 1
+                                   ? fmt::format("The gap comes from one of {}, which these records cannot distinguish",
+                                                 fmt::join(causes, ", "))
+                                   : fmt::format("The gap comes from {}", causes[0]);
             if (judged_by_force(d))
                 text += fmt::format(
                     ": on held-out data the drive force that the model gets wrong shrinks from {:.3g} "
@@ -227,7 +243,8 @@ std::string diagnosis_sentence(const Diagnosis& d)
             else if (d.overall.before > 0)
                 text += fmt::format(": on held-out data it shrinks from {} to {} times the noise floor",
                                     floors(d.overall.before), floors(d.overall.after));
-            if (!d.ambiguous_with.empty()) text += "; these records cannot tell it from " + rivals_text(d);
+            if (causes.size() == 1 && !d.ambiguous_with.empty())
+                text += "; these records cannot tell it from " + rivals_text(d);
             return text + ".";
         }
         case Verdict::no_gap:

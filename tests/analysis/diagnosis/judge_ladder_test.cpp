@@ -132,6 +132,56 @@ TEST_CASE("the rest speaks against the last cause that was found, not against th
     CHECK(chances[1] == Approx(1 - policy::doubt_of_noise - policy::doubt_of_rest));
 }
 
+TEST_CASE("rivals of every rung are told as whole sets, and none that the chances do not count", "[gap][ladder]")
+{
+    auto j = ladder_of_one({0.5, 3}, 3, false);
+    REQUIRE(indistinguishable(j).size() == 1);
+    CHECK(indistinguishable(j)[0].odds == Approx(std::exp(-0.5)));
+    j.ladder.rungs.push_back(rung({"stribeck", "constant-load"}, 0.05, 3));
+    const double margin = margin_of(j.ladder.rungs[1], policy::ladder);
+    j.ladder.rivals.push_back({rung({"stribeck", "sensor-offset"}, 0.05 + 0.2 * margin, 3)});
+    j.ladder.rivals[0].push_back(rung({"constant-load"}, 0.1, 3));  // another rung
+    j.shares.rungs = {0.4, 0.12}, j.shares.explainable_to = 0.12;
+    const auto near = indistinguishable(j);
+    REQUIRE(near.size() == 2);
+    CHECK(near[0].names == std::vector<std::string>{"presliding", "constant-load"});
+    CHECK(near[1].names == std::vector<std::string>{"stribeck", "sensor-offset"});
+    CHECK(near[1].separates == std::pair<std::string, std::string>{"constant-load", "sensor-offset"});
+    for (const auto& chance : chances_of(j)) CHECK(chance < 1 / (1 + policy::odds_of_indistinguishable));
+    // where only noise is left, what stood beside a lower rung is no doubt
+    j.noise_left = true;
+    REQUIRE(indistinguishable(j).size() == 1);
+    CHECK(indistinguishable(j)[0].rung == 1);
+    CHECK(chances_of(j)[0] == Approx(1 - policy::doubt_of_noise));
+}
+
+TEST_CASE("corrections alone are held against free forces, which have to take as much as a cause would",
+          "[gap][ladder]")
+{
+    JudgedLadder j;
+    j.only_corrections = true;
+    j.winner.explained = 0.6;
+    for (auto& e : j.winner.evaluation) e.records = {{5, 1}};
+    const auto force = [](double explained, double misfit) {
+        FreeFit f{"position", {}};
+        f.fit.explained = explained;
+        for (auto& e : f.fit.evaluation) e.records = {{misfit, 1}};
+        return f;
+    };
+    const auto answers = [&](const FreeFit& f) {
+        JudgedLadder held = j;
+        hold_against(held, f);
+        CHECK(held.answers() != held.why_not.has_value());
+        return held.answers();
+    };
+    CHECK_FALSE(answers(force(0.97, 1.3)));
+    CHECK(answers(force(0.7, 1.3)));  // a sixth of what the corrections take: every machine has such things
+    CHECK(answers(force(0.97, 4.5)));
+    j.only_corrections = false, j.named = true;  // a rung has taken as much
+    j.ladder.rungs.push_back(rung({"gravity"}, 0.1, 5));
+    CHECK_FALSE(answers(force(0.7, 1.3)));
+}
+
 TEST_CASE("a cause that takes little beside the corrections is not what the gap comes from", "[gap][ladder]")
 {
     auto j = ladder_of_one({}, 3, false);

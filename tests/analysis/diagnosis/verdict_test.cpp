@@ -11,6 +11,8 @@ using namespace stickslip::gap;
 
 namespace {
 
+constexpr double rows = 3e4;  // of all records
+
 Attribution found(std::initializer_list<const char*> names, double score, double explained, bool accepted)
 {
     Attribution a;
@@ -37,12 +39,12 @@ TEST_CASE("two free functions of position are named only when nothing is left", 
 {
     const std::vector<Attribution> singles{found({"gravity"}, 1.8, 0.65, false)};
     std::vector<Attribution> pairs{found({"gravity", "cogging"}, 0.08, 0.999, false)};
-    CHECK_FALSE(decide(singles, pairs).named);
-    CHECK(decide(singles, pairs).best_explained == 0.65);
+    CHECK_FALSE(decide(singles, pairs, rows).named);
+    CHECK(decide(singles, pairs, rows).best_explained == 0.65);
     pairs[0].accepted = true;
-    CHECK(decide(singles, pairs).named);
+    CHECK(decide(singles, pairs, rows).named);
     // a shape and a slope cannot bend into anything
-    CHECK(decide(singles, {found({"viscous", "cogging"}, 0.08, 0.999, false)}).named);
+    CHECK(decide(singles, {found({"viscous", "cogging"}, 0.08, 0.999, false)}, rows).named);
 }
 
 TEST_CASE("a pair that leaves nothing wins over a single that leaves little, one that leaves much does not", "[gap]")
@@ -50,7 +52,7 @@ TEST_CASE("a pair that leaves nothing wins over a single that leaves little, one
     const std::vector<Attribution> singles{found({"frictional-memory"}, 0.19, 0.975, false)};
     const auto with = [&](double score, bool accepted) {
         const std::vector<Attribution> pairs{found({"viscous", "frictional-memory"}, score, 0.99, accepted)};
-        return decide(singles, pairs).winner->candidate.effects.size();
+        return decide(singles, pairs, rows).winner->candidate.effects.size();
     };
     CHECK(with(0.01, true) == 2);
     CHECK(with(0.15, true) == 1);
@@ -62,7 +64,7 @@ TEST_CASE("a partner beside play is named where it takes away most of what the p
     const auto named = [](double single, double pair, const char* alone = "backlash") -> std::size_t {
         const std::vector<Attribution> singles{found({alone}, 1.6, single, false)};
         const std::vector<Attribution> pairs{found({"viscous", "backlash"}, 0.7, pair, false)};
-        const auto d = decide(singles, pairs);
+        const auto d = decide(singles, pairs, rows);
         return d.named ? d.winner->candidate.effects.size() : 0;
     };
     CHECK(named(0.85, 0.97) == 2);
@@ -77,24 +79,23 @@ TEST_CASE("probabilities fall with the misfit, with a needless parameter and whe
     std::vector<Attribution> singles{found({"constant-load"}, 0.010, 1, true),
                                      found({"asymmetric-friction"}, 0.010, 1, true),
                                      found({"viscous"}, 0.4, 0.6, false)};
-    constexpr double rows = 3e4;
-    const auto ranked = rank(singles, {}, decide(singles, {}), rows);
+    const auto ranked = rank(singles, {}, decide(singles, {}, rows), rows);
     CHECK(ranked[0].probability / ranked[1].probability == Approx(30));  // one parameter more, and nothing gained
     CHECK(ranked[2].probability < 1e-6);
     CHECK(ranked[0].probability + ranked[1].probability + ranked[2].probability == Approx(0.985));
     singles[0].accepted = false, singles[0].explained = 0.98;
-    const double with_a_rest = rank(singles, {}, decide(singles, {}), rows)[0].probability;
+    const double with_a_rest = rank(singles, {}, decide(singles, {}, rows), rows)[0].probability;
     CHECK(with_a_rest < 0.85);
     singles[0].explained = 0.975;  // what is left is lost one to one
-    CHECK(rank(singles, {}, decide(singles, {}), rows)[0].probability / with_a_rest == Approx(0.825 / 0.83));
+    CHECK(rank(singles, {}, decide(singles, {}, rows), rows)[0].probability / with_a_rest == Approx(0.825 / 0.83));
 }
 
 TEST_CASE("the odds between causes at the noise are those of a likelihood, and grow with the rows", "[gap]")
 {
     std::vector<Attribution> singles{found({"delay"}, 0.003, 1, true), found({"actuator-lag"}, 0.003, 1, true)};
     singles[0].evidence = -0.101, singles[1].evidence = -0.100;  // both below a floor that is too high
-    const auto odds = [&](double rows) {
-        const auto ranked = rank(singles, {}, decide(singles, {}), rows);
+    const auto odds = [&](double n) {
+        const auto ranked = rank(singles, {}, decide(singles, {}, n), n);
         return ranked[0].probability / ranked[1].probability;
     };
     // Gaussian innovations of unknown variance: ln L = -n/2 ln(mean square), here with one reading in 15 rows
@@ -103,6 +104,27 @@ TEST_CASE("the odds between causes at the noise are those of a likelihood, and g
     // far above the floor margins are model error, whatever the rows
     for (auto& s : singles) s.score = 0.5;
     CHECK(odds(1e6) < 2);
+}
+
+TEST_CASE("what cannot be told from the named cause has its part of the probability", "[gap]")
+{
+    // scores that the floor hides; the likelihood of all rows is what distinguishes
+    std::vector<Attribution> singles{found({"asymmetric-friction"}, 0.006, 1, true),
+                                     found({"constant-load"}, 0.010, 1, true)};
+    const auto answer = [&](double worse) {
+        singles[0].evidence = -0.1, singles[1].evidence = -0.1 + worse;
+        const auto d = decide(singles, {}, rows);
+        return std::pair{d.ambiguous.size(), rank(singles, {}, d, rows)[0].probability};
+    };
+    const auto [none, sure] = answer(0.05);
+    CHECK(none == 0);
+    CHECK(sure == Approx(0.985));
+    for (double worse = 0; worse < 0.02; worse += 0.0003) {
+        const auto [rivals, probability] = answer(worse);
+        INFO(worse);
+        CHECK((rivals == 0) == (probability > 0.985 / (1 + std::exp(-1)) + 1e-4));
+    }
+    CHECK(answer(0).first == 1);
 }
 
 TEST_CASE("of causes that come down to the noise the likelier comes first, though the floor hides the difference",
@@ -124,7 +146,6 @@ TEST_CASE("a step lost in one moment does not decide between causes that are ali
 {
     std::vector<Attribution> singles{found({"coulomb-level"}, 0.02, 1, true), found({"viscous"}, 0.12, 1, true)};
     constexpr std::size_t blocks = 100, at = 40;
-    constexpr double rows = 1e4;
     const auto odds = [&](double everywhere, double in_one_moment) {
         for (auto& a : singles)
             for (auto& level : a.evaluation) level.records.assign(1, {1, 1, std::vector<double>(blocks, 1.0), {}});
@@ -135,14 +156,14 @@ TEST_CASE("a step lost in one moment does not decide between causes that are ali
         for (double x : slow) mean += x / blocks;
         // three levels of one record, and its effort at the fastest
         singles[1].evidence = 0.02 + std::log(mean) / 4;
-        const auto ranked = rank(singles, {}, decide(singles, {}), rows);
+        const auto ranked = rank(singles, {}, decide(singles, {}, rows), rows);
         return ranked[0].probability / ranked[1].probability;
     };
     CHECK(odds(1, 100) == Approx(1));
-    CHECK(decide(singles, {}).ambiguous.size() == 1);
+    CHECK(decide(singles, {}, rows).ambiguous.size() == 1);
     // the same misfit all over the record tells them apart: half of log 3 for each of its fifteenths of rows
     CHECK(odds(3, 0) == Approx(std::exp(rows / 15 / 2 * std::log(3.0) / 4)).epsilon(1e-3));
-    CHECK(decide(singles, {}).ambiguous.empty());
+    CHECK(decide(singles, {}, rows).ambiguous.empty());
     // seconds of which a record has but a few are no moments
     for (auto& a : singles)
         for (auto& level : a.evaluation) level.records[0].position_blocks.assign(20, 1.0);

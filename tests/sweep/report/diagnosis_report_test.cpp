@@ -57,6 +57,21 @@ Diagnosis named()
 
 }  // namespace
 
+TEST_CASE("causes that the records cannot distinguish are all named in the first sentence", "[report]")
+{
+    Diagnosis d = named();
+    d.effects[0].names = {"saturation", "constant-load"};
+    CHECK_THAT(diagnosis_sentence(d), Contains("The gap comes from saturation with constant-load: on"));
+    d.ambiguous_with = {{"saturation", "sensor-offset"}};
+    CHECK_THAT(diagnosis_sentence(d),
+               Contains("The gap comes from one of saturation with constant-load, saturation with sensor-offset, "
+                        "which these records cannot distinguish: on"));
+    d = named();
+    d.ambiguous_with = {{"frictional-memory"}};  // the same cause
+    CHECK_THAT(diagnosis_sentence(d), Contains("The gap comes from frictional-memory: on"));
+    CHECK_THAT(diagnosis_sentence(d), Contains("cannot tell it from frictional-memory by another law"));
+}
+
 TEST_CASE("the first screen of a diagnosis says where, what, how much and how sure", "[report]")
 {
     const auto r = diagnosis_report(named(), joint_with(slip_law(1e-5)), joint_with(slip_law(2e-5)), {});

@@ -245,6 +245,7 @@ DiagnosisResult with_one_rung(DiagnosisResult result)
     if (d.verdict != Verdict::gap || d.effects.empty()) return result;
     d.ladder.push_back({d.effects[0].names, std::clamp(d.overall.explained, 0.0, 1.0), d.overall.interval,
                         d.effects[0].parameters, d.ambiguous_with, d.effects[0].probability});
+    d.ceiling.share = not_set;  // the flexible model is one of joints
     return result;
 }
 

@@ -53,8 +53,10 @@ class Report(unittest.TestCase):
         stickslip("boundary", "examples/03-bistable-strip/spec.toml", "--kind", "linear", "fold", "--over",
                   "control.k_p", "control.k_v", "-o", cls.out / "boundary")
         stickslip("design", "examples/04-design/spec.toml", "-o", cls.out / "design")
+        stickslip("evaluate", "examples/01-reference-joint/spec.toml", "--set", "control.period=1e-3", "--set", "control.delay=1e-3",
+                  "--set", 'control.velocity_estimate.form="backward-difference"', "-o", cls.out / "loop")
         cls.diagnose()
-        names = ("linear", "nonlinear", "motion", "comparison", "boundary", "design", "gap")
+        names = ("loop", "linear", "nonlinear", "motion", "comparison", "boundary", "design", "gap")
         cls.pages = {name: cls.out / name / "report.html" for name in names}
         cls.pages["robot"] = cls.out / "robot/robot.html"
         cls.results = netCDF4.Dataset(cls.out / "linear/results.nc")

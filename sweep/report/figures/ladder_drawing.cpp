@@ -1,5 +1,6 @@
 #include "sweep/report/figures/ladder_drawing.h"
 
+#include "analysis/base/field.h"
 #include "sweep/words/diagnosis_tables.h"
 
 #include <algorithm>
@@ -36,7 +37,9 @@ class Waterfall {
     {
         const double x = at(1 - share);
         for (double y = 4; y < y_; y += 6) line(x, y, x, std::min(y + 3, y_));
-        drawing.labels.push_back({x + 4, y_ + 14, "not explainable left of here", LineDrawing::Anchor::left});
+        const bool near_right_end = share < 0.5;
+        drawing.labels.push_back({near_right_end ? x - 4 : x + 4, y_ + 14, "not explainable left of here",
+                                  near_right_end ? LineDrawing::Anchor::right : LineDrawing::Anchor::left});
         y_ += 20;
     }
     void finish() { drawing.height = y_ + 6; }
@@ -65,15 +68,20 @@ Figure ladder_figure(const Diagnosis& d)
     for (const auto& rung : d.ladder) step(together(rung.names), rung.share, rung.interval);
     w.step("what remains", left_over, 0, {});
     finding += " and " + whole_percent(left_over) + " remain.";
-    w.ceiling(d.ceiling.share);
+    if (is_set(d.ceiling.share)) w.ceiling(d.ceiling.share);
     w.finish();
     std::string depends;
     for (const auto& signal : d.remainder.structure) depends += (depends.empty() ? "" : ", ") + signal;
-    return {"ladder", w.drawing,
-            "Shares of the squares beyond the noise on data that no fit has seen; whiskers are 95 % intervals. "
-            "Inertia, friction and load are corrected within their uncertainty on both sides of every comparison." +
-                (depends.empty() ? std::string() : " What remains still depends on: " + depends + "."),
-            finding};
+    const auto has_ends = [](const LadderRung& r) { return is_set(r.interval.low) && is_set(r.interval.high); };
+    std::string caption = "Shares of the squares beyond the noise on data that no fit has seen";
+    caption += std::ranges::any_of(d.ladder, has_ends) ? "; whiskers are 95 % intervals." : ".";
+    // a rig has no numbers of its own to correct, and no flexible model to hold a cause against
+    if (is_set(d.ceiling.share))
+        caption +=
+            " Inertia, friction and load are corrected within their uncertainty on both sides of every "
+            "comparison.";
+    if (!depends.empty()) caption += " What remains still depends on: " + depends + ".";
+    return {"ladder", w.drawing, caption, finding};
 }
 
 }  // namespace stickslip

@@ -37,11 +37,16 @@ void add_headlines(const SetPointDesignAnswer& a, Report& report)
                                        ? "; allowed: " + with_unit(a.rest_error, Quantity::position, motion)
                                        : std::string()));
     add(Tone::neutral, best->k_i, Quantity::integral_gain, "integral gain k_{i}");
-    if (best->dead_zone > 0) add(Tone::neutral, best->dead_zone, Quantity::position, "dead zone of the error");
+    // what the ends of the window are ends of depends on the way: with a push and a dead zone it is the dead zone
+    const bool push_alone = !(best->dead_zone > 0);
+    if (best->dead_zone > 0)
+        add(Tone::neutral, best->dead_zone, Quantity::position,
+            "dead zone of the error; at least " + with_unit(best->low, Quantity::position, motion));
     if (best->push != 0)
         add(Tone::neutral, best->push, Quantity::effort,
-            "push towards the set point; may lie from " + with_unit(best->low, Quantity::effort, motion) + " to " +
-                with_unit(best->high, Quantity::effort, motion));
+            push_alone ? "push towards the set point; may lie from " + with_unit(best->low, Quantity::effort, motion) +
+                             " to " + with_unit(best->high, Quantity::effort, motion)
+                       : "push towards the set point");
     if (best->dither > 0)
         add(Tone::neutral, best->dither, Quantity::effort,
             "amplitude of the dither; below " + with_unit(best->high, Quantity::effort, motion));

@@ -2,6 +2,7 @@
 #include "sweep/words/diagnosis_text.h"
 
 #include "sweep/files/json/diagnosis_json.h"
+#include "sweep/report/figures/ladder_drawing.h"
 #include "sweep/report/figures/moved_boundary.h"
 #include "sweep/report/figures/where_drawing.h"
 #include "sweep/words/cause_text.h"
@@ -109,6 +110,30 @@ TEST_CASE("the share that a cause explains is that of its own rungs", "[report]"
     CHECK(shown(d) == "60 %");
     d.effects[0].names = {"frictional-memory", "gravity"};
     CHECK(shown(d) == "80 %");
+}
+
+TEST_CASE("the waterfall marks what can be explained, and says nothing of it where that is not known", "[report]")
+{
+    Diagnosis d = named();
+    d.ladder = {{{"frictional-memory"}, 0.81}};
+    const auto mark = [&] {
+        const Figure figure = ladder_figure(d);
+        const auto& drawing = std::get<LineDrawing>(figure.picture);
+        const auto found = std::ranges::find(drawing.labels, "not explainable left of here", &LineDrawing::Label::text);
+        return found == drawing.labels.end() ? std::optional<LineDrawing::Label>() : *found;
+    };
+    constexpr double text_width = 190;  // of the words, in the units of the drawing
+    for (const double share : {0.02, 0.3, 0.6, 1.0}) {
+        d.ceiling.share = share;
+        const auto label = mark();
+        REQUIRE(label);
+        const bool leftwards = label->anchor == LineDrawing::Anchor::right;
+        CHECK((leftwards ? label->x - text_width : label->x) > 0);
+        CHECK((leftwards ? label->x : label->x + text_width) < 760);
+    }
+    d.ceiling.share = not_set;  // of a rig
+    CHECK_FALSE(mark());
+    CHECK_THAT(ladder_figure(d).caption, !Contains("corrected") && !Contains("whiskers"));
 }
 
 TEST_CASE("a diagnosis whose cause makes held-out data worse is not written", "[report]")

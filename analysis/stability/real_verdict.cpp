@@ -58,6 +58,7 @@ PointResult real_point(const Joint& joint, double commanded)
     }
     point.spectral_abscissa = growth(*loop);
     if (!std::isfinite(point.spectral_abscissa)) {
+        point.spectral_abscissa = missing;
         point.reason = Reason::not_finite;
         return point;
     }
@@ -94,6 +95,7 @@ LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
     }
     memory.spectral_abscissa = growth(*all);
     if (!std::isfinite(memory.spectral_abscissa)) {
+        memory.spectral_abscissa = missing;
         verdict.steady.reason = Reason::not_finite;
         return verdict;
     }

@@ -2,6 +2,7 @@
 // missing number without a reason. Usage: reliability_points [--points N] [--nonlinear N] [--seed S] JOINT... The
 // joints given are templates: every number of them is drawn anew within its range.
 #include "analysis/joint/parameters.h"
+#include "analysis/loop/loop_use.h"
 #include "analysis/results/text.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/toml/joint_file.h"
@@ -43,8 +44,10 @@ Joint drawn(const Joint& pattern, std::mt19937_64& random)
 }
 
 /// What a row promises and does not keep, in words; empty where it keeps all.
-std::string fault_of(const PointResult& row, bool nonlinear)
+std::string fault_of(const Joint& joint, const PointResult& row, bool nonlinear)
 {
+    // maps of a real loop leave out the least velocity gain: each would be a search of its own
+    const bool tells_k_v = loop_kind(joint) == LoopKind::ideal;
     for (const Column& column : columns())
         if (column.number && (nonlinear || !column.nonlinear) && std::isinf(row.*column.number))
             return std::string(column.name) + " is infinite";
@@ -52,7 +55,8 @@ std::string fault_of(const PointResult& row, bool nonlinear)
         if (row.region == Region::undecided) return "undecided without a reason";
         if (std::isnan(row.spectral_abscissa)) return "no spectral abscissa and no reason";
         // no velocity gain may be enough for a joint of several bodies, but then the present one is not either
-        if (std::isnan(row.k_v_min) && row.velocity_only_stable == 1) return "stable, yet no velocity gain is enough";
+        if (tells_k_v && std::isnan(row.k_v_min) && row.velocity_only_stable == 1)
+            return "stable, yet no velocity gain is enough";
     }
     if (!nonlinear) return {};
     const bool open = row.outcome == Outcome::undecided || row.outcome == Outcome::solver_failure;
@@ -77,7 +81,7 @@ void check_point(const std::string& name, const Joint& joint, bool nonlinear, Co
     try {
         PointCursor cursor(joint, {});
         evaluator(spec)(cursor, {&row, 1});
-        fault = fault_of(row, nonlinear);
+        fault = fault_of(joint, row, nonlinear);
     } catch (const std::exception& e) {
         fault = std::string("exception: ") + e.what();
     }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
 
 namespace stickslip {
@@ -31,6 +32,25 @@ std::vector<double> state_scale(const SampledLoop& loop, std::size_t size)
 }
 
 using Vector = std::vector<double>;
+
+/// Friction states that answer nothing while the joint slides on: an element that slips at its yield force. Below it
+/// the element is back in the time of a yield, above it is nothing, so that a displacement of it is no small motion
+/// about steady sliding.
+std::vector<bool> at_yield(const SampledLoop& loop)
+{
+    const auto& joint = loop.motion.joint;
+    const auto size = static_cast<std::size_t>(joint.size());
+    std::vector<double> J(size * size);
+    joint.jacobian(loop.motion.y.data(), J.data());
+    std::vector<bool> held(size, false);
+    for (int body = 0; body < joint.bodies(); ++body)
+        for (int k = 0; k < joint.states(body); ++k) {
+            const auto row = J.begin() + static_cast<std::ptrdiff_t>(size) * (joint.first_state(body) + k);
+            held[static_cast<std::size_t>(joint.first_state(body) + k)] =
+                std::all_of(row, row + static_cast<std::ptrdiff_t>(size), [](double x) { return x == 0; });
+        }
+    return held;
+}
 
 Vector after_tick(SampledLoop& loop, const Vector& state)
 {
@@ -65,14 +85,18 @@ LoopMode loop_mode(SampledLoop& loop)
         return mode;
     }
     const auto scale = state_scale(loop, n);
-    Eigen::MatrixXd M(n, n);
+    auto held = at_yield(loop);
+    held.resize(n, false);
+    Eigen::MatrixXd M = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
     for (std::size_t j = 0; j < n; ++j) {
+        if (held[j]) continue;
         Vector up = mode.steady, down = mode.steady;
         up[j] += difference * scale[j], down[j] -= difference * scale[j];
         const double change = (up[j] - down[j]) / scale[j];
         const Vector a = after_tick(loop, up), b = after_tick(loop, down);
         for (std::size_t i = 0; i < n; ++i)
-            M(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = (a[i] - b[i]) / scale[i] / change;
+            if (!held[i])
+                M(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = (a[i] - b[i]) / scale[i] / change;
     }
     loop.set_state(mode.steady);
     if (!M.allFinite()) {

@@ -18,6 +18,7 @@ constexpr double lifted = 0.1;       ///< of V_0: size at which a small disturba
 constexpr double near_rest_share = 1e-4;
 constexpr double far_pull = 3;           ///< of the spring, in V_0/|s|
 constexpr double faded = 1e-9;           ///< of a push: no more than this is left of it
+constexpr double most_ticks_late = 1e6;  ///< of a dead time
 constexpr double neutral_growth = 1e-9;  ///< of |s|: neither growth nor decay
 
 constexpr std::string_view tired = "the motion was followed to the limit of turns";
@@ -85,6 +86,8 @@ std::optional<LoopVerdict> obstacle(const Joint& joint)
     if (has_unsteady_terms(joint)) return refused(Reason::unsupported, place_and_time);
     if (total_play(joint) > 0) return refused(Reason::unsupported, play);
     if (!(joint.control.k_p > 0)) return refused(Reason::diverges, {});
+    if (const double tick = tick_of(joint); !(tick > 0) || !(joint.dead_time() < most_ticks_late * tick))
+        return refused(Reason::not_finite, no_time_step);
     if (chatters(joint)) return refused(Reason::no_steady_state, pushed_back_and_forth);
     return {};
 }

@@ -66,6 +66,8 @@ SampledLoop::SampledLoop(const Joint& joint, double frame, double speed, LoopSid
         part = late - ticks > whole ? late - ticks : 0;
         return ticks;
     };
+    if (!(period_ > 0) || !std::isfinite(joint_.dead_time() / period_))
+        throw std::domain_error(std::string(no_time_step));
     const double ticks = in_ticks(joint_.dead_time(), late_part_);
     ticks_late_ = static_cast<long>(in_ticks(joint.sensor.delay, reading_part_));
     // with a part of a tick of dead time the command before the oldest one still holds when a tick begins

@@ -5,6 +5,7 @@
 #include "analysis/simulation/sampled/driven_motion.h"
 #include "analysis/simulation/sampled/loop_controller.h"
 
+#include <string_view>
 #include <vector>
 
 namespace stickslip {
@@ -19,6 +20,9 @@ struct LoopOptions {
 
 /// The period of the loop; of a continuous one, ticks short enough beside all that it does.
 double tick_of(const Joint& joint);
+/// Why some joints cannot be simulated: a joint of extreme numbers.
+inline constexpr std::string_view no_time_step =
+    "the fastest rate of the joint leaves no time step that the simulation can take";
 
 /// What one tick read and asked for. Where readings come late, the loop lives at the moment that is read: all dead time
 /// lies behind the command, and the effort beside a reading is that of `ticks_late()` ticks later.

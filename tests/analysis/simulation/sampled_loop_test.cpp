@@ -4,6 +4,7 @@
 
 #include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/simulation/sampled/loop_verdict.h"
+#include "analysis/stability/real_loop.h"
 
 #include <Eigen/Dense>
 #include <unsupported/Eigen/MatrixFunctions>
@@ -114,6 +115,35 @@ TEST_CASE("sampled loop: small motions grow at the rate of the multipliers", "[s
             CHECK(verdict.growth_rate == Approx(told).epsilon(1e-5));
             CHECK(std::log(std::abs(verdict.multiplier)) / verdict.tick == Approx(told).epsilon(1e-5));
         }
+}
+
+TEST_CASE("sampled loop: elements of friction that slip at their yield force take no part in small motions",
+          "[sampled]")
+{
+    MaxwellSlip law;
+    law.elements.push_back({29419, 0.368});
+    law.elements.push_back({326, 0.19});
+    law.viscous = 0.95;
+    Joint joint = sampled_joint(1e4);
+    joint.mechanism.inertia = 0.5, joint.control.k_v = 20, joint.control.V0 = 0.0144;
+    joint.friction.law = law;
+    const auto sampled = loop_verdict(joint, {});
+    CHECK(sampled.growth_rate == Approx(real_growth(joint, 0.0144, false)).epsilon(1e-5));
+    CHECK(sampled.region == LoopRegion::stable);
+    joint.control.period = not_set, joint.control.velocity_estimate = {}, joint.actuator.effort_gain = 2;
+    const auto amplified = loop_verdict(joint, {});  // −(2 k_v + viscous)/2m
+    CHECK(amplified.growth_rate == Approx(-40.95).epsilon(1e-3));
+    CHECK(amplified.region == LoopRegion::stable);
+}
+
+TEST_CASE("sampled loop: a joint whose rates leave no time step is refused in words", "[sampled]")
+{
+    Joint joint = sampled_joint(1e300);
+    joint.control.period = not_set, joint.control.velocity_estimate = {}, joint.actuator.effort_gain = 2;
+    joint.mechanism.inertia = 1e-300;
+    const auto verdict = loop_verdict(joint, {});
+    CHECK(verdict.reason == Reason::not_finite);
+    CHECK(verdict.explanation == "the fastest rate of the joint leaves no time step that the simulation can take");
 }
 
 TEST_CASE("sampled loop: cycles are those of another integrator", "[sampled]")

@@ -10,7 +10,9 @@
 
 #include <fmt/format.h>
 
+#include <unistd.h>
 #include <cerrno>
+
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -129,6 +131,26 @@ int exit_after_failure(const CLI::App& app, const std::vector<std::string>& word
 
 }  // namespace
 
+namespace {
+
+/// For verbs of seconds, which do not ask whether somebody wants them to stop.
+void leave_at_once(int)
+{
+    constexpr std::string_view told = "interrupted before the answer was complete\n";
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, told.data(), told.size());
+    ::_exit(exit_interrupted);
+}
+
+void leave_on_interrupts()
+{
+    struct sigaction action {};
+    action.sa_handler = leave_at_once;
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+}
+
+}  // namespace
+
 void catch_interrupts(Invocation& invocation)
 {
     interrupt_flag = &invocation.interrupted;
@@ -141,6 +163,7 @@ void catch_interrupts(Invocation& invocation)
 
 int run_program(int argc, char** argv, Cluster* cluster)
 {
+    leave_on_interrupts();
     Invocation invocation;
     invocation.cluster = cluster;
     invocation.command = "stickslip";

@@ -162,3 +162,12 @@ TEST_CASE("an axis that the maps leave out is named before it is swept", "[progr
     CHECK_THAT(still.output, Contains("note: sensor.effort_noise"));
     CHECK_THAT(still.output, !Contains("note: control.k_p"));
 }
+
+TEST_CASE("Ctrl-C ends a verb of seconds at once, in words and with code 3", "[program]")
+{
+    // it waits for its joint on a standard input that stays open
+    const auto run =
+        program::shell(std::string("sleep 3 | timeout --preserve-status -s INT 0.5 '") + STICKSLIP + "' evaluate -");
+    CHECK(run.exit_code == 3);
+    CHECK(run.output == "interrupted before the answer was complete\n");
+}

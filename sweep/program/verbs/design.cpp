@@ -158,13 +158,13 @@ void add_design(CLI::App& app, Invocation& invocation)
         "margin=0.2\n"
         "  stickslip design examples/08-hunting-arm/joint.toml --set-point --friction-margin 0.05\n"
         "Exit codes: 0 feasible, 1 no gains meet the requirements (the answer says what would be feasible), 2 bad "
-        "input, 4 no verdict.");
+        "input, 3 interrupted, 4 no verdict.");
     verb->callback([options, &invocation] {
         auto& asked = options->set_point;
         asked.input = options->input, asked.directory = options->directory, asked.settings = options->settings;
         asked.threads = options->threads, asked.json = options->json;
         invocation.exit_code =
-            options->holds ? design_set_point_answer(asked, invocation.command) : design(*options, invocation);
+            options->holds ? design_set_point_answer(asked, invocation) : design(*options, invocation);
     });
 }
 

@@ -14,6 +14,7 @@
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/parallel.h"
+#include "sweep/program/verbs/stoppable.h"
 #include "sweep/program/verbs/terminal.h"
 #include "sweep/report/pages/set_point_design_report.h"
 #include "sweep/report/pages/write_report.h"
@@ -43,7 +44,7 @@ SetPointRequirements requirements_of(const SetPointOptions& options)
 
 }  // namespace
 
-int design_set_point_answer(const SetPointOptions& options, const std::string& command)
+int design_set_point_answer(const SetPointOptions& options, Invocation& invocation)
 {
     const auto joint = read_spec_or_joint(options.input, options.settings).design;
     const auto requirements = requirements_of(options);
@@ -72,12 +73,19 @@ int design_set_point_answer(const SetPointOptions& options, const std::string& c
             snippets = {{"To put into the joint file", changed_lines(joint_text(joint), text), ""},
                         {"The whole joint file with these numbers", text, "designed-joint.toml"}};
         }
-        const auto scan = set_point_scan(joint, requirements, design, parallel_for_each);
-        const auto page = write_report(
-            set_point_design_report({command, joint, options.friction_margin, options.rest_error, design, scan},
-                                    std::move(snippets)),
-            options.directory);
-        if (!options.json) fmt::print("\nreport: {}\n", page.string());
+        catch_interrupts(invocation);  // from here on there is something to keep
+        try {
+            const auto scan = set_point_scan(joint, requirements, design,
+                                             until_interrupted(invocation.interrupted, parallel_for_each));
+            const auto page = write_report(set_point_design_report({invocation.command, joint, options.friction_margin,
+                                                                    options.rest_error, design, scan},
+                                                                   std::move(snippets)),
+                                           options.directory);
+            if (!options.json) fmt::print("\nreport: {}\n", page.string());
+        } catch (const Stopped&) {
+            fmt::print(stderr, "interrupted: the design is written, its page is not\n");
+            return exit_interrupted;
+        }
     }
     return best && best->rest_error <= options.rest_error ? exit_done : exit_check_failed;
 }

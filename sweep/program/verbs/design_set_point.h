@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "analysis/base/field.h"
+#include "sweep/program/verbs/verbs.h"
 
 namespace stickslip {
 
@@ -16,6 +17,6 @@ struct SetPointOptions {
 };
 
 /// Prints, writes and returns the exit code. Throws BadInput.
-int design_set_point_answer(const SetPointOptions& options, const std::string& command);
+int design_set_point_answer(const SetPointOptions& options, Invocation& invocation);
 
 }  // namespace stickslip

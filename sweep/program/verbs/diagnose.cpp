@@ -101,6 +101,20 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
     return exit_code_of(d, false);
 }
 
+void print_answer(const JointDiagnosis& found, const GatheredRecords& given)
+{
+    const Diagnosis& d = found.diagnosis;
+    fmt::print("{}\n", diagnosis_sentence(d));
+    for (const auto& reason : d.reasons) fmt::print("  {}\n", note_text(reason));
+    if (!found.contradicted)
+        for (const auto& warning : given.warnings) fmt::print("  {}\n", note_text(warning));
+    for (const auto& cause : d.effects)
+        fmt::print("  {:<44} probability {:.3f}  misfit {:.4g}\n", fmt::format("{}", fmt::join(cause.names, " + ")),
+                   cause.probability, cause.misfit);
+    if (!d.effects.empty())
+        for (const auto& value : d.effects[0].values) fmt::print("  {:<44} {}\n", value.name, value_text(value));
+}
+
 int diagnose(const Options& options, const Invocation& invocation)
 {
     if (options.all_joints || is_robot(options.joint)) {
@@ -130,20 +144,13 @@ int diagnose(const Options& options, const Invocation& invocation)
         return diagnose_joint(joint, given, invocation, line);
     }();
     const Diagnosis& d = found.diagnosis;
-    const auto json = write_joint_diagnosis(found, directory, invocation.command, !options.no_report);
-    if (options.json) {
-        fmt::print("{}", json);
-        return exit_code_of(d, found.contradicted);
-    }
-    fmt::print("{}\n", diagnosis_sentence(d));
-    for (const auto& reason : d.reasons) fmt::print("  {}\n", note_text(reason));
-    if (!found.contradicted)
-        for (const auto& warning : given.warnings) fmt::print("  {}\n", note_text(warning));
-    for (const auto& cause : d.effects)
-        fmt::print("  {:<44} probability {:.3f}  misfit {:.4g}\n", fmt::format("{}", fmt::join(cause.names, " + ")),
-                   cause.probability, cause.misfit);
-    if (!d.effects.empty())
-        for (const auto& value : d.effects[0].values) fmt::print("  {:<44} {}\n", value.name, value_text(value));
+    // printed before it is written: a disk that has filled up meanwhile does not take the answer along
+    if (options.json)
+        fmt::print("{}", joint_diagnosis_json(found));
+    else
+        print_answer(found, given);
+    write_joint_diagnosis(found, directory, invocation.command, !options.no_report);
+    if (options.json) return exit_code_of(d, found.contradicted);
     fmt::print("diagnosis: {}\n", (directory / "diagnosis.json").string());
     if (!options.no_report) fmt::print("report:    {}\n", (directory / "report.html").string());
     return exit_code_of(d, found.contradicted);

@@ -10,6 +10,7 @@
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/parallel.h"
+#include "sweep/program/verbs/stoppable.h"
 #include "sweep/report/pages/diagnosis_report.h"
 #include "sweep/report/pages/write_linked_report.h"
 #include "sweep/words/loop_text.h"
@@ -37,17 +38,6 @@ bool needs_every_value(const std::string& signal)
     for (const char* other : {"temperature", "torque_enable", "link_position", "normal_load"})
         if (signal == other) return false;
     return true;
-}
-
-/// The same tasks, until somebody asks to stop: those not yet begun are then left out, and Interrupted is thrown.
-ParallelFor until_interrupted(const std::atomic<bool>& interrupted, ParallelFor run)
-{
-    return [&interrupted, run = std::move(run)](std::size_t n, const std::function<void(std::size_t)>& task) {
-        run(n, [&](std::size_t i) {
-            if (!interrupted) task(i);
-        });
-        if (interrupted) throw gap::Interrupted();
-    };
 }
 
 /// The joint with everything that was found in it, as the program reads joints; empty where nothing was named.
@@ -128,9 +118,9 @@ JointDiagnosis diagnose_joint(const Joint& joint, const GatheredRecords& given, 
             tell(about + stage, done);
         };
         try {
-            auto result =
-                gap::diagnose(joint, given.records,
-                              until_interrupted(invocation.interrupted, line.counted(parallel_for_each)), settings);
+            auto result = gap::diagnose(
+                joint, given.records,
+                until_interrupted<gap::Interrupted>(invocation.interrupted, line.counted(parallel_for_each)), settings);
             d = std::move(result.diagnosis);
             found.after = result.after;
         } catch (const std::invalid_argument& e) {
@@ -142,13 +132,17 @@ JointDiagnosis diagnose_joint(const Joint& joint, const GatheredRecords& given, 
     return found;
 }
 
-std::string write_joint_diagnosis(const JointDiagnosis& found, const std::filesystem::path& directory,
-                                  const std::string& command, bool page, const JointOfRobot& of)
+std::string joint_diagnosis_json(const JointDiagnosis& found)
+{
+    return diagnosis_json(found.diagnosis, found.before, found.after).dump(2) + "\n";
+}
+
+void write_joint_diagnosis(const JointDiagnosis& found, const std::filesystem::path& directory,
+                           const std::string& command, bool page, const JointOfRobot& of)
 {
     const auto& [d, before, after, contradicted, rig] = found;
     remove_earlier(directory);
-    const auto json = diagnosis_json(d, before, after).dump(2) + "\n";
-    write_whole(directory / "diagnosis.json", json);
+    write_whole(directory / "diagnosis.json", joint_diagnosis_json(found));
     const auto corrected = corrected_joint(d, before, after);
     if (!corrected.empty()) write_whole(directory / "corrected-joint.toml", corrected);
     if (!d.next_experiment.reference.empty()) write_experiment(directory / "next-experiment.csv", d.next_experiment);
@@ -158,7 +152,6 @@ std::string write_joint_diagnosis(const JointDiagnosis& found, const std::filesy
         if (!of.name.empty()) report.title = "Sim-to-real gap of " + of.name;
         write_linked_report(report, directory, {}, {of.robot, of.page});
     }
-    return json;
 }
 
 }  // namespace stickslip

@@ -39,10 +39,13 @@ struct JointOfRobot {
     std::string page;  ///< of the robot, from the joint's folder
 };
 
+/// diagnosis.json as text.
+std::string joint_diagnosis_json(const JointDiagnosis& found);
+
 /// diagnosis.json, corrected-joint.toml, next-experiment.csv and, where asked for, the page; what an earlier answer
-/// left there goes. Returns diagnosis.json as text.
-std::string write_joint_diagnosis(const JointDiagnosis& found, const std::filesystem::path& directory,
-                                  const std::string& command, bool page, const JointOfRobot& of = {});
+/// left there goes.
+void write_joint_diagnosis(const JointDiagnosis& found, const std::filesystem::path& directory,
+                           const std::string& command, bool page, const JointOfRobot& of = {});
 
 /// What the caller of `diagnose` is told: INTERFACE.
 int exit_code_of(const Diagnosis& d, bool contradicted);

@@ -24,6 +24,7 @@ Effect asymmetric_friction()
             main_friction(j).asymmetry.viscous += p[1];
         };
         f.seeds = {{0, 0}};
+        f.same_motion = {"constant-load"};
         e.forms.push_back(f);
     }
     return e;

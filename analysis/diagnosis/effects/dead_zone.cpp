@@ -21,6 +21,17 @@ Effect dead_zone()
         f.applies = [](const Joint& j) { return j.control.dead_zone > 0; };
         e.forms.push_back(f);
     }
+    {
+        EffectForm f;
+        f.name = "undocumented";
+        f.parameters = {
+            {"zone", Quantity::position, Scale::position, true, 1e-4, 0.5, 0.02, "half the zone"},
+        };
+        f.apply = [](Joint& j, const double* p) { j.control.dead_zone = p[0]; };
+        f.seeds = {{0.003}, {0.01}, {0.03}};
+        f.applies = [](const Joint& j) { return !(j.control.dead_zone > 0); };
+        e.forms.push_back(f);
+    }
     return e;
 }
 

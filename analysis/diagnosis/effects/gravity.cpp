@@ -32,6 +32,7 @@ Effect gravity()
             add_wave(j.load.gravity_amplitude, j.load.gravity_phase, p[0], p[1]);
         };
         f.seeds = {{0, 0}};
+        f.same_motion = {"sensor-offset"};
         e.forms.push_back(f);
     }
     return e;

@@ -96,6 +96,9 @@ struct EffectForm {
     /// Two forms that have its parameters between them, in this order, and with them come near it: what looks like this
     /// form alone may be those two.
     std::vector<FormName> parts{};
+    /// Effects whose motion is the very same as one that this form makes with fewer parameters, and that joints do
+    /// have: friction whose level alone differs by direction, a base that is tilted.
+    std::vector<std::string_view> same_motion{};
     int apart = -1;  ///< parameter of which every seeded value gets a descent of its own; −1: none
 };
 

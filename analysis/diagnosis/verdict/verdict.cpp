@@ -81,14 +81,31 @@ double by_chance(const Attribution& winner, const Attribution& rival)
     return winner.accepted && rival.accepted ? hangs_on_a_moment(winner.evaluation, rival.evaluation, exact_square) : 0;
 }
 
+/// Parameters that the rival has and does not need where the winner does as well. None where the rival makes the
+/// winner's very motion without them: then they tell nothing.
+double needless_parameters(const Attribution& winner, const Attribution& rival)
+{
+    const Candidate &one = winner.candidate, &other = rival.candidate;
+    const auto parameters = [](const Candidate& c) { return static_cast<double>(c.parameter_count()); };
+    const auto only_in = [](const Candidate& c, const Candidate& not_in) {
+        std::vector<std::size_t> members;
+        for (std::size_t i = 0; i < c.effects.size(); ++i)
+            if (std::ranges::count(not_in.effects, c.effects[i]) == 0) members.push_back(i);
+        return members;
+    };
+    const auto own = only_in(one, other), others = only_in(other, one);
+    if (own.size() == 1 && others.size() == 1 &&
+        std::ranges::count(other.forms[others[0]]->same_motion, one.effects[own[0]]->name) > 0)
+        return 0;
+    return std::max(0.0, parameters(other) - parameters(one));
+}
+
 /// Of a rival against the winner: the likelihood of their innovations over so many rows, less for needless parameters.
 double odds_against(const Attribution& winner, const Attribution& rival, double rows)
 {
     const double width = std::max(2 * rows_per_reading / rows, relative_temperature * winner.score);
-    const auto parameters = [](const Attribution& a) { return static_cast<double>(a.candidate.parameter_count()); };
-    const double needless = std::max(0.0, parameters(rival) - parameters(winner));
     const double worse = rival.evidence - winner.evidence - by_chance(winner, rival);
-    return std::exp(-std::max(0.0, worse) / width) * std::pow(needless_parameter, -needless);
+    return std::exp(-std::max(0.0, worse) / width) * std::pow(needless_parameter, -needless_parameters(winner, rival));
 }
 
 }  // namespace

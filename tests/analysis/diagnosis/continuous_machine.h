@@ -74,7 +74,11 @@ class ContinuousMachine {
             if (k > 0) estimate += T / (c.velocity_estimate.tau + T) * ((y - last) / T - estimate);
             last = y;
             readings.push_back(y);
-            const double u = c.k_p * (reference(k * T) - y) + c.k_v * (rate(k * T) - estimate);
+            const double error = reference(k * T) - y;
+            const double counted = error > c.dead_zone    ? error - c.dead_zone
+                                   : error < -c.dead_zone ? error + c.dead_zone
+                                                          : 0;
+            const double u = c.k_p * counted + c.k_v * (rate(k * T) - estimate);
             commands.push_back(std::clamp(u, -c.effort_limit, c.effort_limit));
             // the command that arrives changes once a tick, part of a tick after it, with dead time
             const int whole = static_cast<int>(std::floor(c.delay / T + 1e-9));

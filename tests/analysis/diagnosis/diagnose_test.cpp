@@ -246,3 +246,17 @@ TEST_CASE("a load with hysteresis is no cause of the catalogue, also where the d
     CHECK(d.verdict == Verdict::unknown);
     CHECK(std::ranges::any_of(d.reasons, [](const Note& note) { return note.code == Note::Code::nearer_force; }));
 }
+
+TEST_CASE("a dead zone that no document tells is found without a logged command, with its size", "[gap]")
+{
+    Machine m;
+    m.dead_zone = 8e-4;
+    auto records = records_of(m);
+    for (auto& r : records) r.effort_command.clear();
+    DiagnosisOptions options;
+    options.ensemble = 4;
+    const auto d = diagnose(nominal_joint(), records, in_order, options).diagnosis;
+    REQUIRE(d.verdict == Verdict::gap);
+    REQUIRE(d.effects[0].names == std::vector<std::string>{"dead-zone"});
+    CHECK(d.effects[0].parameters[0].value == Approx(m.dead_zone).epsilon(0.02));
+}

@@ -24,6 +24,7 @@ struct Machine {
     double step = 0;              ///< m: by this much the reference jumps at step_time
     double step_time = 2;         ///< s
     double command_limit = 1e9;   ///< N, of the controller
+    double dead_zone = 0;         ///< m: by this much less of a position error counts
     double gravity = 0;           ///< N, times the sine of the position
     double one_way = 0;           ///< part of the viscous slope that changes its sign with the direction
 };
@@ -66,7 +67,9 @@ inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
         if (k > 0) estimate += period / (m.tau + period) * ((y - last) / period - estimate);
         last = y;
         const double rate = (reference(t + 1e-5) - reference(std::max(0.0, t - 1e-5))) / (t > 0 ? 2e-5 : 1e-5);
-        double u = m.k_p * (reference(t) - y) + m.k_v * (rate - estimate);
+        const double error = reference(t) - y;
+        const double counted = std::copysign(std::max(0.0, std::abs(error) - m.dead_zone), error);
+        double u = m.k_p * counted + m.k_v * (rate - estimate);
         if (m.command_step > 0) u = m.command_step * std::round(u / m.command_step);
         u = std::clamp(u, -m.command_limit, m.command_limit);
         r.time.push_back(t);

@@ -76,7 +76,7 @@ TEST_CASE("a partner beside play is named where it takes away most of what the p
 
 TEST_CASE("probabilities fall with the misfit, with a needless parameter and where something is left", "[gap]")
 {
-    std::vector<Attribution> singles{found({"constant-load"}, 0.010, 1, true),
+    std::vector<Attribution> singles{found({"coulomb-level"}, 0.010, 1, true),
                                      found({"asymmetric-friction"}, 0.010, 1, true),
                                      found({"viscous"}, 0.4, 0.6, false)};
     const auto ranked = rank(singles, {}, decide(singles, {}, rows), rows);
@@ -125,6 +125,20 @@ TEST_CASE("what cannot be told from the named cause has its part of the probabil
         CHECK((rivals == 0) == (probability > 0.985 / (1 + std::exp(-1)) + 1e-4));
     }
     CHECK(answer(0).first == 1);
+}
+
+TEST_CASE("causes of the very same motion are told together, whatever their parameters", "[gap]")
+{
+    // friction whose level alone differs by direction is a constant load, and has a slope that it does not need
+    const auto answer = [](const char* one, const char* other) {
+        std::vector<Attribution> singles{found({one}, 0.010, 1, true), found({other}, 0.010, 1, true)};
+        singles[1].candidate.forms[0] = &singles[1].candidate.effects[0]->forms.back();
+        const auto d = decide(singles, {}, rows);
+        return std::pair{d.ambiguous.size(), rank(singles, {}, d, rows)[0].probability};
+    };
+    CHECK(answer("constant-load", "asymmetric-friction") == std::pair<std::size_t, double>{1, 0.985 / 2});
+    CHECK(answer("sensor-offset", "gravity") == std::pair<std::size_t, double>{1, 0.985 / 2});
+    CHECK(answer("viscous", "asymmetric-friction").first == 0);
 }
 
 TEST_CASE("of causes that come down to the noise the likelier comes first, though the floor hides the difference",

@@ -4,7 +4,7 @@ and functions that are longer than a reader likes.
 
 Checks that arrows between floors go down only, that no folders include each other in a circle (a pair is the smallest
 circle), that the headers of heavy libraries stay behind ours, that a header which says "Internal to FOLDER" is included
-from there only, and that programs outside see public headers only.
+from there only, that programs outside see public headers only, and that a function of more than 60 lines says why.
 """
 import re
 import sys
@@ -84,46 +84,52 @@ def internal_complaints():
 
 
 LONGEST_FILE, LONGEST_FUNCTION = 250, 60
-# Why a function is longer, by file and first word of its name's line; what stands here is read before it is extended.
-LONG_FOR_A_REASON = {
-    "analysis/boundary/kinds/fold.cpp locate_folds": "one walk along an axis whose steps share their bracket",
-    "analysis/boundary/trace/tracer.cpp walk": "one step after the other of a trace: predict, correct, judge, adapt",
-    "analysis/diagnosis/audit/audit.cpp audit": "the audit's checks in the order in which each relies on those before",
-    "analysis/diagnosis/effects/compliance.cpp compliance": "a declaration: the forms of one effect, each with its range",
-    "analysis/diagnosis/effects/frictional_memory.cpp frictional_memory": "a declaration, as compliance",
-    "analysis/diagnosis/fit/fit.cpp descend_block": "Levenberg-Marquardt over blocks: one loop whose state all of it needs",
-    "analysis/loop/sampled_loop.cpp sampled_loop": "the discrete loop assembled block by block, as the figure shows it",
-    "analysis/simulation/attractor/follower.cpp run": "one motion until it is judged: the order of its tests is the method",
-    "analysis/simulation/attractor/nonlinear.cpp judge": "the outcomes, each tried where those before did not decide",
-    "analysis/simulation/solvers/motion.cpp run": "one turn: integrate, find the event, change the regime",
-    "analysis/stability/delayed_response.cpp delayed_response": "the method of steps, with its history as local state",
-    "sweep/report/pages/compare_report.cpp compare_report": "a page from top to bottom: its sections in their order",
-    "sweep/report/pages/design_report.cpp design_report": "a page from top to bottom: its sections in their order",
-    "sweep/report/pages/diagnosis_report.cpp diagnosis_report": "a page from top to bottom: its sections in their order",
-    "sweep/report/pages/outcome_report.cpp outcome_report": "a page from top to bottom: its sections in their order",
-    "sweep/report/pages/stability_report.cpp stability_report": "a page from top to bottom: its sections in their order",
-    "sweep/report/pages/trajectory_report.cpp trajectory_report": "a page from top to bottom: its sections in their order",
-}
+# A function that is longer says why in the comment above it.
+IN_ONE_PIECE = re.compile(r"// In one piece: (.+)\.$")
+
+
+def functions(lines):
+    """Name, lines from brace to brace, and the reason to stay whole. A body opens and closes with a brace of its own line."""
+    at = 0
+    while at < len(lines):
+        opens = re.fullmatch(r"( *)\{", lines[at])
+        start = at
+        while start > 0 and lines[start - 1].strip():
+            start -= 1
+        head = " ".join(line.strip() for line in lines[start:at] if not line.lstrip().startswith("//"))
+        named = re.search(r"(\w+|operator\S+)\(.*\)(?: const| override| noexcept)*(?: : .*)?$", head)
+        if opens and named:
+            end = next((i for i in range(at, len(lines)) if lines[i] == opens.group(1) + "}"), at)
+            why = next((found.group(1) for line in lines[start:at] if (found := IN_ONE_PIECE.search(line))), "")
+            yield head[:head.find("(")].split(" ")[-1], end - at + 1, why
+            at = end
+        at += 1
 
 
 def sizes():
-    """Files and functions beyond the limits, the longest first. A body opens and closes with a brace of its own line."""
+    """Files and functions beyond the limits."""
     for path in files():
         lines = (SOURCE / path).read_text(encoding="utf-8").split("\n")
         if len(lines) - 1 > LONGEST_FILE:
             yield len(lines) - 1, f"{path}"
-        at = 0
-        while at < len(lines):
-            opens = re.fullmatch(r"( *)\{", lines[at])
-            head = " ".join(lines[max(0, at - 4):at])
-            named = re.findall(r"(\w+)\([^;{}]*\)(?: const| override| noexcept)*(?: : .*)?$", head)
-            if opens and named:
-                end = next((i for i in range(at, len(lines)) if lines[i] == opens.group(1) + "}"), at)
-                if end - at + 1 > LONGEST_FUNCTION:
-                    reason = LONG_FOR_A_REASON.get(f"{path} {named[0]}", "no reason given")
-                    yield end - at + 1, f"{path} {named[0]}(): {reason}"
-                at = end
-            at += 1
+        for name, count, why in functions(lines):
+            if count > LONGEST_FUNCTION:
+                yield count, f"{path} {name}(): {why or 'no reason given'}"
+
+
+def size_complaints():
+    for path in files():
+        text = (SOURCE / path).read_text(encoding="utf-8")
+        reasons = 0
+        for name, count, why in functions(text.split("\n")):
+            reasons += bool(why)
+            if count > LONGEST_FUNCTION and not why:
+                yield (f"{path}: {name}() has {count} lines; part it where a part has a name, or say above it "
+                       f"\"// In one piece: WHY.\"")
+            if count <= LONGEST_FUNCTION and why:
+                yield f"{path}: {name}() has {count} lines and needs no reason to stay in one piece"
+        if text.count("// In one piece:") != reasons:
+            yield f"{path}: a reason to stay in one piece stands above no function"
 
 
 def files():
@@ -192,6 +198,7 @@ def main():
         wrong += [f"    {text}" for (a, b), text in sorted(because.items()) if a in members and b in members]
     wrong += internal_complaints()
     wrong += public_complaints()
+    wrong += size_complaints()
     for line in wrong:
         print(line)
     print(f"{sum(counted.values())} files in {len(counted)} folders, {sum(map(len, arrows.values()))} arrows, {len(wrong)} complaints")

@@ -240,6 +240,41 @@ GainRange gain_range(const Joint& joint, const Requirements& r)
     return range;
 }
 
+namespace {
+
+/// Feasible gains from the margin that the least cost has by itself up to the largest, each margin demanded in turn.
+void add_front(Judge& judge, const Requirements& r, const Place& best, const Place& own, double largest,
+               const ParallelFor& parallel, GainDesign& design)
+{
+    const double free = judged_at(judge, Search(judge, log_cost, 0).run({best}, true)).margin;
+    const double least = std::clamp(std::isnan(free) ? 0 : free, 1e-3 * largest, largest);
+    std::vector<GainChoice> front(static_cast<std::size_t>(r.front_points));
+    std::vector<int> counts(front.size());
+    if (largest > 0)
+        parallel(front.size(), [&](std::size_t i) {
+            const double margin =
+                least + (largest - least) * static_cast<double>(i) / (static_cast<double>(front.size()) - 1);
+            Judge own_judge = judge.with_margin(margin);
+            const auto at = Search(own_judge, log_cost).run({best, own}, false);
+            const auto choice = judged_at(own_judge, at);
+            if (worst_of(own_judge.violations(choice)) <= 1e-3) front[i] = choice;
+            counts[i] = own_judge.evaluations();
+        });
+    for (std::size_t i = 0; i < front.size(); ++i) {
+        if (is_set(front[i].cost)) design.front.push_back(front[i]);
+        design.evaluations += counts[i];
+    }
+    keep_undominated(design.front, [&](const GainChoice& quiet, const GainChoice& far) {
+        Judge own_judge = judge.with_margin(quiet.margin);
+        const auto at = Search(own_judge, log_cost).run({own_judge.place_of(far.k_p, far.k_v)}, false);
+        const auto choice = judged_at(own_judge, at);
+        design.evaluations += own_judge.evaluations();
+        return worst_of(own_judge.violations(choice)) <= 1e-3 ? choice : quiet;
+    });
+}
+
+}  // namespace
+
 GainDesign design_gains(const Joint& joint, const Requirements& r, const ParallelFor& parallel)
 {
     check_sense(joint, r);
@@ -268,33 +303,8 @@ GainDesign design_gains(const Joint& joint, const Requirements& r, const Paralle
     }
     design.evaluations = judge.evaluations();
 
-    // the front: from the margin that the least cost has by itself, each margin demanded in turn up to the largest
     const double largest = design.demands[0].others_met ? most_of_margin * design.demands[0].attainable : 0;
-    const double free = judged_at(judge, Search(judge, log_cost, 0).run({best}, true)).margin;
-    const double least = std::clamp(std::isnan(free) ? 0 : free, 1e-3 * largest, largest);
-    std::vector<GainChoice> front(static_cast<std::size_t>(r.front_points));
-    std::vector<int> counts(front.size());
-    if (largest > 0)
-        parallel(front.size(), [&](std::size_t i) {
-            const double margin =
-                least + (largest - least) * static_cast<double>(i) / (static_cast<double>(front.size()) - 1);
-            Judge own_judge = judge.with_margin(margin);
-            const auto at = Search(own_judge, log_cost).run({best, own}, false);
-            const auto choice = judged_at(own_judge, at);
-            if (worst_of(own_judge.violations(choice)) <= 1e-3) front[i] = choice;
-            counts[i] = own_judge.evaluations();
-        });
-    for (std::size_t i = 0; i < front.size(); ++i) {
-        if (is_set(front[i].cost)) design.front.push_back(front[i]);
-        design.evaluations += counts[i];
-    }
-    keep_undominated(design.front, [&](const GainChoice& quiet, const GainChoice& far) {
-        Judge own_judge = judge.with_margin(quiet.margin);
-        const auto at = Search(own_judge, log_cost).run({own_judge.place_of(far.k_p, far.k_v)}, false);
-        const auto choice = judged_at(own_judge, at);
-        design.evaluations += own_judge.evaluations();
-        return worst_of(own_judge.violations(choice)) <= 1e-3 ? choice : quiet;
-    });
+    add_front(judge, r, best, own, largest, parallel, design);
 
     Judge simple(joint, r, Curve::Kind::velocity_only);
     const auto thought = Search(simple, log_cost).run({own}, true);

@@ -56,59 +56,62 @@ Eigen::VectorXcd eigenvalues_of(Eigen::MatrixXd matrix)
     return matrix.eigenvalues();
 }
 
-/// How many roots lie right of Re s = σ: those of A and the turns of 1 + L. Nothing where a root lies on the line. The
-/// imaginary axis is left by an arc around the integrators at s = 0, several of which rounding moves to either side; no
-/// root of 1 + L lies within the arc where |L| is large on it.
-std::optional<int> roots_right_of(const LateLoop& loop, const Opened& open, double gain, double sigma)
-{
-    constexpr double far = 1e-3, small = 0.5, most_turned = 0.3, most_bent = 0.1;
-    constexpr double integrators = 1e-5, around = 1e-4, large = 10;
-    int right = 0;
-    double size = 0;
-    const auto poles = eigenvalues_of(loop.A);
-    for (const Complex& s : poles) size = std::max(size, std::abs(s));
-    bool integrates = false;
-    for (const Complex& s : poles) {
-        const bool beside = sigma == 0 && std::abs(s) < integrators * size;
-        integrates |= beside;
-        right += !beside && s.real() > sigma;
+/// The line Re s = σ upwards from the real axis, around integrators by an arc, and the loop along it.
+class Line {
+  public:
+    Line(const LateLoop& loop, const Opened& open, double gain, double sigma, double radius)
+        : open_(open), gain_(gain), sigma_(sigma), radius_(radius), grown_(std::exp(-sigma * loop.delay))
+    {
     }
-    const double radius = integrates ? around * size : 0, arc = radius * pi / 2;
-    const double grown = std::exp(-sigma * loop.delay);
+
     struct Look {
         Complex prompt, closed;  // L without dead time, 1 + L
     };
-    const auto at = [&](double way) {
-        const Complex s = way < arc ? std::polar(radius, way / radius) : Complex(sigma, radius + way - arc);
-        const auto r = open.prompt(s);
-        const Complex L = gain * r.first - r.second;
-        return Look{L, 1.0 + L * open.late(s)};
+    double arc() const { return radius_ * pi / 2; }
+    Look at(double way) const
+    {
+        const Complex s = way < arc() ? std::polar(radius_, way / radius_) : Complex(sigma_, radius_ + way - arc());
+        const auto r = open_.prompt(s);
+        const Complex L = gain_ * r.first - r.second;
+        return Look{L, 1.0 + L * open_.late(s)};
+    }
+    double size(const Look& look) const { return std::abs(look.prompt) * grown_; }
+
+  private:
+    const Opened& open_;
+    double gain_, sigma_, radius_, grown_;
+};
+
+/// By how much 1 + L turns from the start of the line to where L has died out; nothing where a root lies on the line or
+/// in the arc around integrators, within which |L| has to be large.
+std::optional<double> turning(const Line& line, double size, double delay, bool integrates)
+{
+    constexpr double far = 1e-3, small = 0.5, most_turned = 0.3, most_bent = 0.1, large = 10;
+    const auto is_small = [&](const Line::Look& look) { return line.size(look) < small; };
+    const auto is_far = [&](double omega) { return line.size(line.at(omega)) < far; };
+    const auto smooth = [&](Complex a, Complex b, Complex c) {
+        const double first = std::arg(b / a), second = std::arg(c / b);
+        return std::abs(first) < most_turned && std::abs(second) < most_turned && std::abs(first - second) < most_bent;
     };
-    const auto is_small = [&](const Look& look) { return std::abs(look.prompt) * grown < small; };
-    const auto is_far = [&](double omega) { return std::abs(at(omega).prompt) * grown < far; };
     double end = 10 * size + 1;
     while (!is_far(end) || !is_far(1.7 * end))
         if ((end *= 2) > 1e12 * (1 + size)) return std::nullopt;
-    const double widest = loop.delay > 0 ? most_turned / loop.delay : end;
+    const double widest = delay > 0 ? most_turned / delay : end;
     double turned = 0, omega = 0, step = 1e-5 * end;
-    Look here = at(0);
-    if (integrates && !(std::abs(here.prompt) > large && std::abs(at(arc).prompt) > large)) return std::nullopt;
+    Line::Look here = line.at(0);
+    if (integrates && !(std::abs(here.prompt) > large && std::abs(line.at(line.arc()).prompt) > large))
+        return std::nullopt;
     constexpr int most = 400'000;
     for (int used = 0; omega < end; ++used) {
         if (used > most || !std::isfinite(std::abs(here.closed))) return std::nullopt;
-        const auto smooth = [&](Complex a, Complex b, Complex c) {
-            const double first = std::arg(b / a), second = std::arg(c / b);
-            return std::abs(first) < most_turned && std::abs(second) < most_turned &&
-                   std::abs(first - second) < most_bent;
-        };
         double next = std::min(end, omega + step);
-        Look middle = at(0.5 * (omega + next)), there = at(next);
+        Line::Look middle = line.at(0.5 * (omega + next)), there = line.at(next);
         // |L| < 1 keeps 1 + L right of the axis however fast dead time turns L
         const bool quiet =
             is_small(here) && is_small(middle) && is_small(there) && smooth(here.prompt, middle.prompt, there.prompt);
         if (!quiet && next - omega > widest) {
             next = omega + widest;
-            middle = at(0.5 * (omega + next)), there = at(next);
+            middle = line.at(0.5 * (omega + next)), there = line.at(next);
         }
         if (quiet) {
             turned += std::arg(there.closed) - std::arg(here.closed);
@@ -122,8 +125,29 @@ std::optional<int> roots_right_of(const LateLoop& loop, const Opened& open, doub
         step = 1.6 * (next - omega);
         omega = next, here = there;
     }
-    turned -= std::arg(here.closed);
-    return right - static_cast<int>(std::lround(turned / pi));
+    return turned - std::arg(here.closed);
+}
+
+/// How many roots lie right of Re s = σ: those of A and the turns of 1 + L. Nothing where a root lies on the line. The
+/// imaginary axis is left by an arc around the integrators at s = 0, several of which rounding moves to either side; no
+/// root of 1 + L lies within the arc where |L| is large on it.
+std::optional<int> roots_right_of(const LateLoop& loop, const Opened& open, double gain, double sigma)
+{
+    constexpr double integrators = 1e-5, around = 1e-4;
+    int right = 0;
+    double size = 0;
+    const auto poles = eigenvalues_of(loop.A);
+    for (const Complex& s : poles) size = std::max(size, std::abs(s));
+    bool integrates = false;
+    for (const Complex& s : poles) {
+        const bool beside = sigma == 0 && std::abs(s) < integrators * size;
+        integrates |= beside;
+        right += !beside && s.real() > sigma;
+    }
+    const Line line(loop, open, gain, sigma, integrates ? around * size : 0);
+    const auto turned = turning(line, size, loop.delay, integrates);
+    if (!turned) return std::nullopt;
+    return right - static_cast<int>(std::lround(*turned / pi));
 }
 
 }  // namespace

@@ -74,6 +74,7 @@ MatrixXd integral_of_exponential(const MatrixXd& given, double h)
     return h * (units.asDiagonal() * sum * units.cwiseInverse().asDiagonal());
 }
 
+// In one piece: the discrete loop assembled block by block, as the figure shows it.
 DiscreteLoop sampled_loop(const LoopPlant& plant, const LoopTiming& t, const LoopGains& base, const LoopGains& turned)
 {
     constexpr double whole = 1e-12;  // of a tick: what rounding of delay/period is

@@ -147,6 +147,7 @@ std::vector<double> kinks(const std::vector<LateTerm>& terms, double end)
 
 }  // namespace
 
+// In one piece: the method of steps, with its history as local state.
 ForcedResponse delayed_response(const LinearJoint& j, const SampledForce& force)
 {
     const auto system = late_system(j);

@@ -31,6 +31,7 @@ Axis held_axis(const Joint& joint, const Axis& axis)
 
 }  // namespace
 
+// In one piece: one walk along an axis whose steps share their bracket.
 LocatedRay locate_folds(const Joint& joint, const Axis& axis, const BoundaryRequest& request)
 {
     LocatedRay ray;

@@ -257,6 +257,7 @@ bool Tracer::travelled(const Walk& w, UnitPoint p, double near)
     return false;
 }
 
+// In one piece: one step after the other of a trace: predict, correct, judge, adapt.
 Tracer::Walk Tracer::walk(const Located& start, Exit heading)
 {
     Walk w;

@@ -232,6 +232,7 @@ double command_step(const Ticks& ticks)
     return grid_of(logged);
 }
 
+// In one piece: the audit's checks in the order in which each relies on those before.
 Audit audit(std::vector<Case>& cases)
 {
     Audit result;

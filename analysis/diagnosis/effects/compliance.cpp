@@ -2,6 +2,7 @@
 
 namespace stickslip::gap {
 
+// In one piece: a declaration: the forms of one effect, each with its range.
 Effect compliance()
 {
     Effect e;

@@ -15,6 +15,7 @@ void remember(Joint& joint, const double* p, MemoryForm form)
 
 }  // namespace
 
+// In one piece: a declaration: the forms of one effect, each with its range.
 Effect frictional_memory()
 {
     Effect e;

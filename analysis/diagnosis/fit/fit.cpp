@@ -114,6 +114,7 @@ LevelFit descend(const std::vector<Case>& cases, const Candidate& candidate, con
     return descend_block(cases, candidate, scales, std::move(x), omega, iterations, {});
 }
 
+// In one piece: Levenberg-Marquardt over blocks: one loop whose state all of it needs.
 LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales,
                        Eigen::VectorXd x, double omega, int iterations, const Kept& kept)
 {

@@ -6,12 +6,54 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace stickslip::gap {
 namespace {
 
 constexpr int closed_loop_runs = 4;
 constexpr double slack = 1.25;  // of the mean square, for what so few runs do not know of their spread
+
+/// A simulated run through the log and back onto the clock: between the rows of a slow log nothing is known of it
+/// either. What is known of the surroundings is known of it, too, tick by tick.
+Ticks logged_again(const Trace& trace, const Ticks& t, const Joint& joint)
+{
+    Record log;
+    log.name = t.name;
+    for (std::size_t k = 0; k < t.size(); ++k) {
+        if (!t.logged[k]) continue;
+        log.time.push_back(t.time[k]);
+        if (!t.reference_rebuilt) {
+            log.reference_position.push_back(t.reference[k]);
+            log.reference_velocity.push_back(t.reference_rate[k]);
+        }
+        log.position.push_back(trace.position[k]);
+        if (is_set(t.velocity[k])) log.velocity.push_back(trace.velocity[k]);
+        if (is_set(t.command[k])) log.effort_command.push_back(trace.command[k]);
+        if (is_set(t.effort[k])) log.effort_measured.push_back(trace.effort[k]);
+        if (is_set(t.supply[k])) log.supply_voltage.push_back(t.supply[k]);
+        log.torque_enable.push_back(t.enabled[k]);
+    }
+    log.at_rest_at_start = t.at_rest;
+    Ticks again = on_clock(log, joint);
+    again.feed_forward = t.feed_forward, again.load = t.load, again.inertia = t.inertia;
+    return again;
+}
+
+using Misfits = std::array<Misfit, levels.size()>;
+
+/// The misfits of one noisy run of a joint to its own prediction.
+Misfits misfits_of_run(Case c, std::uint64_t seed)
+{
+    const bool without_reference = c.ticks.reference_rebuilt;
+    c.ticks = logged_again(closed_loop(flatten(c.joint), c.ticks, seed), c.ticks, c.joint);
+    if (without_reference) rebuild_reference(c, c.joint.control.effort_limit);
+    std::vector<Case> one{std::move(c)};
+    settle_jumps(one, {}, {});
+    Misfits misfits;
+    for (std::size_t l = 0; l < levels.size(); ++l) misfits[l] = evaluate(one, {}, {}, levels[l]).records[0];
+    return misfits;
+}
 
 }  // namespace
 
@@ -26,50 +68,18 @@ NoiseSpread spread_of(const std::vector<Case>& cases, const Candidate& candidate
     for (const auto& c : cases)
         if (!c.ticks.has_reference) return spread;
     spread.simulated = true;
-    struct Run {
-        std::array<Misfit, levels.size()> misfit;
-    };
     const std::size_t n = static_cast<std::size_t>(runs);
-    std::vector<Run> all(cases.size() * n);
+    std::vector<Misfits> all(cases.size() * n);
     parallel(all.size(), [&](std::size_t task) {
         Case c = cases[task / n];
         c.joint = edited(c.joint, candidate, si, c.number);
-        const Trace trace = closed_loop(flatten(c.joint), c.ticks, 101 + task);
-        // through the log and back: between the rows of a slow log nothing is known of a simulated run either
-        const Ticks& t = c.ticks;
-        Record log;
-        log.name = t.name;
-        for (std::size_t k = 0; k < t.size(); ++k) {
-            if (!t.logged[k]) continue;
-            log.time.push_back(t.time[k]);
-            if (!t.reference_rebuilt) {
-                log.reference_position.push_back(t.reference[k]);
-                log.reference_velocity.push_back(t.reference_rate[k]);
-            }
-            log.position.push_back(trace.position[k]);
-            if (is_set(t.velocity[k])) log.velocity.push_back(trace.velocity[k]);
-            if (is_set(t.command[k])) log.effort_command.push_back(trace.command[k]);
-            if (is_set(t.effort[k])) log.effort_measured.push_back(trace.effort[k]);
-            if (is_set(t.supply[k])) log.supply_voltage.push_back(t.supply[k]);
-            log.torque_enable.push_back(t.enabled[k]);
-        }
-        log.at_rest_at_start = t.at_rest;
-        Ticks again = on_clock(log, c.joint);
-        // what is known of the surroundings is known of a simulated run, too, tick by tick
-        again.feed_forward = t.feed_forward, again.load = t.load, again.inertia = t.inertia;
-        const bool without_reference = t.reference_rebuilt;
-        c.ticks = std::move(again);
-        if (without_reference) rebuild_reference(c, c.joint.control.effort_limit);
-        std::vector<Case> one{std::move(c)};
-        settle_jumps(one, {}, {});
-        for (std::size_t l = 0; l < levels.size(); ++l)
-            all[task].misfit[l] = evaluate(one, {}, {}, levels[l]).records[0];
+        all[task] = misfits_of_run(std::move(c), 101 + task);
     });
     for (std::size_t i = 0; i < cases.size(); ++i)
         for (std::size_t l = 0; l < levels.size(); ++l) {
             Misfit sum{0, 0}, square{0, 0};
             for (std::size_t r = 0; r < n; ++r) {
-                const auto& m = all[i * n + r].misfit[l];
+                const auto& m = all[i * n + r][l];
                 sum.position += m.position, sum.effort += m.effort;
                 square.position += m.position * m.position, square.effort += m.effort * m.effort;
             }
@@ -102,66 +112,90 @@ CommandUnit command_unit(const Joint& joint)
     return {1, joint.actuator.signal == DriveSignal::duty ? "1" : "V"};
 }
 
-std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, double from, double to, Trace* first)
+namespace {
+
+using Inside = std::function<bool(std::size_t tick)>;
+
+/// Without a reference the loop cannot be simulated: what a slow observer leaves of position and effort.
+std::vector<SignalSquares> predicted_squares(const Case& c, const Joint& joint, const Inside& inside)
 {
+    constexpr double slow = 12;  // rad/s
     const Plant plant = flatten(joint);
     const Ticks& t = c.ticks;
-    const std::string position_unit(unit_of(Quantity::position, joint.mechanism.motion));
-    const std::string effort_unit(unit_of(Quantity::effort, joint.mechanism.motion));
-    std::vector<SignalSquares> squares;
-    const auto inside = [&](std::size_t k) { return t.logged[k] && t.time[k] >= from && t.time[k] < to; };
-    if (!t.has_reference) {
-        constexpr double slow = 12;  // rad/s
-        Innovation innovation;
-        predict(plant, t, known_command(plant, t), slow, innovation);
-        SignalSquares position{"position (predicted)", position_unit}, effort{"effort_measured", effort_unit};
-        double n = 0;
-        for (std::size_t k = 0; k < t.size(); ++k)
-            if (inside(k)) {
-                position.difference += innovation.position[k] * innovation.position[k];
-                if (c.effort_sigma > 0) effort.difference += innovation.effort[k] * innovation.effort[k];
-                n += 1;
-            }
-        position.difference /= std::max(n, 1.0);
-        position.floor = c.sigma * c.sigma * noise_amplification(slow, c.row_step);
-        effort.difference /= std::max(n, 1.0);
-        effort.floor = std::pow(effort_floor(c, slow), 2);
-        position.rows = effort.rows = n;
-        squares.push_back(position);
-        if (c.effort_sigma > 0) squares.push_back(effort);
-        return squares;
-    }
-    std::vector<Trace> traces;
-    for (int r = 0; r < runs; ++r) traces.push_back(closed_loop(plant, t, static_cast<std::uint64_t>(1 + r)));
-    const CommandUnit command = command_unit(c.joint);
-    const auto add = [&](const char* name, const std::string& unit, const std::vector<double>& measured,
-                         std::vector<double> Trace::*column, double factor = 1) {
-        SignalSquares s{name, unit};
-        double n = 0;
-        for (std::size_t k = 0; k < t.size(); ++k) {
-            if (!inside(k) || !is_set(measured[k])) continue;
-            // while the drive is off nothing came of the command, and nothing can be learnt of it
-            if (column == &Trace::command && !t.enabled[k]) continue;
-            double mean = 0, square = 0;
-            for (const auto& trace : traces) {
-                const double x = (trace.*column)[k];
-                mean += x / runs;
-                square += x * x / runs;
-                s.difference += (measured[k] - x) * (measured[k] - x) / runs;
-            }
-            // two independent runs differ by twice the variance
-            s.floor += 2 * std::max(0.0, square - mean * mean) * runs / (runs - 1.0);
+    Innovation innovation;
+    predict(plant, t, known_command(plant, t), slow, innovation);
+    SignalSquares position{"position (predicted)", std::string(unit_of(Quantity::position, joint.mechanism.motion))};
+    SignalSquares effort{"effort_measured", std::string(unit_of(Quantity::effort, joint.mechanism.motion))};
+    double n = 0;
+    for (std::size_t k = 0; k < t.size(); ++k)
+        if (inside(k)) {
+            position.difference += innovation.position[k] * innovation.position[k];
+            if (c.effort_sigma > 0) effort.difference += innovation.effort[k] * innovation.effort[k];
             n += 1;
         }
-        if (n == 0) return;
-        s.difference *= factor * factor / n;
-        s.floor *= factor * factor / n;
-        s.rows = n;
-        squares.push_back(s);
+    position.difference /= std::max(n, 1.0);
+    position.floor = c.sigma * c.sigma * noise_amplification(slow, c.row_step);
+    effort.difference /= std::max(n, 1.0);
+    effort.floor = std::pow(effort_floor(c, slow), 2);
+    position.rows = effort.rows = n;
+    std::vector<SignalSquares> squares{position};
+    if (c.effort_sigma > 0) squares.push_back(effort);
+    return squares;
+}
+
+/// A signal against the same of noisy runs; `rows` 0 where it was not logged.
+SignalSquares simulated_squares(const Case& c, const std::vector<double>& measured, const std::vector<Trace>& traces,
+                                std::vector<double> Trace::*column, const Inside& inside)
+{
+    const Ticks& t = c.ticks;
+    const int runs = static_cast<int>(traces.size());
+    SignalSquares s;
+    double n = 0;
+    for (std::size_t k = 0; k < t.size(); ++k) {
+        if (!inside(k) || !is_set(measured[k])) continue;
+        // while the drive is off nothing came of the command, and nothing can be learnt of it
+        if (column == &Trace::command && !t.enabled[k]) continue;
+        double mean = 0, square = 0;
+        for (const auto& trace : traces) {
+            const double x = (trace.*column)[k];
+            mean += x / runs;
+            square += x * x / runs;
+            s.difference += (measured[k] - x) * (measured[k] - x) / runs;
+        }
+        // two independent runs differ by twice the variance
+        s.floor += 2 * std::max(0.0, square - mean * mean) * runs / (runs - 1.0);
+        n += 1;
+    }
+    s.rows = n;
+    return s;
+}
+
+}  // namespace
+
+std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, double from, double to, Trace* first)
+{
+    const Ticks& t = c.ticks;
+    const Inside inside = [&](std::size_t k) { return t.logged[k] && t.time[k] >= from && t.time[k] < to; };
+    if (!t.has_reference) return predicted_squares(c, joint, inside);
+    const Plant plant = flatten(joint);
+    std::vector<Trace> traces;
+    for (int r = 0; r < runs; ++r) traces.push_back(closed_loop(plant, t, static_cast<std::uint64_t>(1 + r)));
+    std::vector<SignalSquares> squares;
+    const auto add = [&](const char* name, std::string unit, const std::vector<double>& measured,
+                         std::vector<double> Trace::*column, double factor = 1) {
+        SignalSquares s = simulated_squares(c, measured, traces, column, inside);
+        if (s.rows == 0) return;
+        s.signal = name, s.unit = std::move(unit);
+        s.difference *= factor * factor / s.rows;
+        s.floor *= factor * factor / s.rows;
+        squares.push_back(std::move(s));
     };
-    add("position", position_unit, t.position, &Trace::position);
+    const Motion motion = joint.mechanism.motion;
+    const CommandUnit command = command_unit(c.joint);
+    add("position", std::string(unit_of(Quantity::position, motion)), t.position, &Trace::position);
     add("effort_command", command.unit, t.command, &Trace::command, command.factor);
-    if (c.effort_sigma > 0) add("effort_measured", effort_unit, t.effort, &Trace::effort);
+    if (c.effort_sigma > 0)
+        add("effort_measured", std::string(unit_of(Quantity::effort, motion)), t.effort, &Trace::effort);
     // the noise of a reading is there, simulated or not, and k_p passes it on; it is that of the sensor in question:
     // the steps of a coarser encoder are a gap
     const double sigma = reading_sigma(joint.sensor, span_of(t.position));

@@ -109,33 +109,29 @@ std::vector<Case> without(const std::vector<Case>& cases, const Fold& fold)
     return rest;
 }
 
-HeldOut hold_out(const std::vector<Case>& cases, const std::vector<Joint>& documented, const Scales& scales,
-                 const Attribution& found, int runs, const ParallelFor& parallel)
-{
-    const auto folds = folds_for(cases, scales, found);
-    std::vector<FoldResult> results(folds.size());
-    parallel(folds.size(), [&](std::size_t i) {
-        const Case& c = cases[folds[i].record];
-        Joint after = c.joint;
-        if (found.candidate.parameter_count() > 0) {
-            constexpr int few = 5;
-            const auto rest = without(cases, folds[i]);
-            bool rough = false;
-            for (const auto* f : found.candidate.forms) rough = rough || f->rough;
-            // the start is near: a long first step would only lose it where these records say little
-            constexpr double first_step = 0.03;
-            constexpr int evaluations = 40;
-            const auto refit = rough ? search_rough(rest, found.candidate, scales, found.x[level], levels[level],
-                                                    evaluations, first_step)
-                                     : descend(rest, found.candidate, scales, found.x[level], levels[level], few);
-            after = edited(after, found.candidate, in_si(found.candidate, refit.x, scales), c.number);
-        }
-        results[i].before =
-            compare(c, documented[folds[i].record], runs, folds[i].from, folds[i].to, &results[i].trace_before);
-        results[i].after = compare(c, after, runs, folds[i].from, folds[i].to, &results[i].trace_after);
-    });
+namespace {
 
-    // per signal, summed over folds
+/// The joint of a fold after the cause is fitted to everything but the fold.
+Joint refitted(const std::vector<Case>& cases, const Fold& fold, const Scales& scales, const Attribution& found)
+{
+    const Case& c = cases[fold.record];
+    if (found.candidate.parameter_count() == 0) return c.joint;
+    constexpr int few = 5;
+    const auto rest = without(cases, fold);
+    bool rough = false;
+    for (const auto* f : found.candidate.forms) rough = rough || f->rough;
+    // the start is near: a long first step would only lose it where these records say little
+    constexpr double first_step = 0.03;
+    constexpr int evaluations = 40;
+    const auto refit =
+        rough ? search_rough(rest, found.candidate, scales, found.x[level], levels[level], evaluations, first_step)
+              : descend(rest, found.candidate, scales, found.x[level], levels[level], few);
+    return edited(c.joint, found.candidate, in_si(found.candidate, refit.x, scales), c.number);
+}
+
+/// The gap of every signal over all folds, and the interval of the folds one by one.
+void add_gaps(const std::vector<FoldResult>& results, HeldOut& held)
+{
     std::map<std::string, Squares> all;
     std::map<std::string, double> rows;
     std::map<std::string, std::string> units;
@@ -154,7 +150,6 @@ HeldOut hold_out(const std::vector<Case>& cases, const std::vector<Joint>& docum
         const double before = overall(own, 0), after = overall(own, 1);
         if (before > 0) gains.push_back(1 - after / before), parts.push_back(explained_part(before, after, 1));
     }
-    HeldOut held;
     for (auto& [signal, s] : all) {
         const double n = rows[signal];
         for (double& x : s) x /= n;
@@ -166,42 +161,65 @@ HeldOut hold_out(const std::vector<Case>& cases, const std::vector<Joint>& docum
     held.overall.own_floor = overall(all, 3);
     held.overall.explained = explained_part(held.overall.before, held.overall.after, 1);
     held.gain = held.overall.before > 0 ? 1 - held.overall.after / held.overall.before : 0;
-    if (!gains.empty()) {
-        held.gain_interval = {*std::min_element(gains.begin(), gains.end()),
-                              *std::max_element(gains.begin(), gains.end())};
-        held.overall.interval = {*std::min_element(parts.begin(), parts.end()),
-                                 *std::max_element(parts.begin(), parts.end())};
+    if (gains.empty()) return;
+    held.gain_interval = {*std::min_element(gains.begin(), gains.end()), *std::max_element(gains.begin(), gains.end())};
+    held.overall.interval = {*std::min_element(parts.begin(), parts.end()),
+                             *std::max_element(parts.begin(), parts.end())};
+}
+
+/// A record and its runs before and after, thinned to what a chart can show.
+DiagnosedTrace trace_of(const Case& shown, const Trace& before, const Trace& after)
+{
+    const Ticks& t = shown.ticks;
+    DiagnosedTrace trace;
+    trace.file = t.name;
+    const CommandUnit command = command_unit(shown.joint);
+    trace.effort_name = t.has_effort ? "measured effort" : "command";
+    trace.effort_unit =
+        t.has_effort ? std::string(unit_of(Quantity::effort, shown.joint.mechanism.motion)) : command.unit;
+    constexpr std::size_t most = 4000;  // points a chart can show
+    const std::size_t stride = std::max<std::size_t>(1, t.size() / most);
+    for (std::size_t k = 0; k < t.size(); k += stride) {
+        trace.time.push_back(t.time[k]);
+        trace.measured.push_back(t.position[k]);
+        trace.before.push_back(before.position[k]);
+        trace.after.push_back(after.position[k]);
+        if (t.has_effort) {
+            trace.effort_measured.push_back(t.effort[k]);
+            trace.effort_before.push_back(before.effort[k]);
+            trace.effort_after.push_back(after.effort[k]);
+        } else if (t.source == CommandSource::logged) {
+            trace.effort_measured.push_back(command.factor * t.command[k]);
+            trace.effort_before.push_back(command.factor * before.command[k]);
+            trace.effort_after.push_back(command.factor * after.command[k]);
+        }
     }
+    return trace;
+}
+
+}  // namespace
+
+HeldOut hold_out(const std::vector<Case>& cases, const std::vector<Joint>& documented, const Scales& scales,
+                 const Attribution& found, int runs, const ParallelFor& parallel)
+{
+    const auto folds = folds_for(cases, scales, found);
+    std::vector<FoldResult> results(folds.size());
+    parallel(folds.size(), [&](std::size_t i) {
+        const Fold& fold = folds[i];
+        const Case& c = cases[fold.record];
+        const Joint after = refitted(cases, fold, scales, found);
+        FoldResult& r = results[i];
+        r.before = compare(c, documented[fold.record], runs, fold.from, fold.to, &r.trace_before);
+        r.after = compare(c, after, runs, fold.from, fold.to, &r.trace_after);
+    });
+    HeldOut held;
+    add_gaps(results, held);
     for (std::size_t i = 0; i < folds.size(); ++i) {
         if ((i > 0 && folds[i].record == folds[i - 1].record) || results[i].trace_before.position.empty()) continue;
         const Case& shown = cases[folds[i].record];
-        const Ticks& t = shown.ticks;
         if (cases.size() > 1 && folds[i].from > -infinity)
-            held.notes.push_back({Note::Code::cause_almost_alone, t.name});
-        DiagnosedTrace trace;
-        trace.file = t.name;
-        const CommandUnit command = command_unit(shown.joint);
-        trace.effort_name = t.has_effort ? "measured effort" : "command";
-        trace.effort_unit =
-            t.has_effort ? std::string(unit_of(Quantity::effort, shown.joint.mechanism.motion)) : command.unit;
-        constexpr std::size_t most = 4000;  // points a chart can show
-        const std::size_t stride = std::max<std::size_t>(1, t.size() / most);
-        for (std::size_t k = 0; k < t.size(); k += stride) {
-            trace.time.push_back(t.time[k]);
-            trace.measured.push_back(t.position[k]);
-            trace.before.push_back(results[i].trace_before.position[k]);
-            trace.after.push_back(results[i].trace_after.position[k]);
-            if (t.has_effort) {
-                trace.effort_measured.push_back(t.effort[k]);
-                trace.effort_before.push_back(results[i].trace_before.effort[k]);
-                trace.effort_after.push_back(results[i].trace_after.effort[k]);
-            } else if (t.source == CommandSource::logged) {
-                trace.effort_measured.push_back(command.factor * t.command[k]);
-                trace.effort_before.push_back(command.factor * results[i].trace_before.command[k]);
-                trace.effort_after.push_back(command.factor * results[i].trace_after.command[k]);
-            }
-        }
-        held.traces.push_back(std::move(trace));
+            held.notes.push_back({Note::Code::cause_almost_alone, shown.ticks.name});
+        held.traces.push_back(trace_of(shown, results[i].trace_before, results[i].trace_after));
     }
     return held;
 }

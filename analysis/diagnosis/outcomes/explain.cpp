@@ -98,6 +98,59 @@ void decide(OutcomeAnswer& a)
     if (d.verdict == Verdict::no_gap || d.verdict == Verdict::unknown) d.ambiguous_with.clear();
 }
 
+/// Fits every rival and judges the documented law, by distances to stick-slip first, the likely ones by their motion.
+void fit_laws(OutcomeAnswer& a, const Joint& nominal, std::span<const RivalLaw> rivals, const ParallelFor& parallel,
+              const std::function<void(const std::string&, double)>& progress)
+{
+    a.laws.resize(rivals.size());
+    if (progress) progress("fitting friction laws", 0.1);
+    const auto fit_at = [&](std::size_t i) -> LawFit& { return i == rivals.size() ? a.nominal : a.laws[i]; };
+    parallel(rivals.size() + 1, [&](std::size_t i) {
+        fit_at(i) = i == rivals.size() ? judge_nominal_law(a.outcomes, nominal) : fit_law(a.outcomes, rivals[i]);
+    });
+    if (progress) progress("following motions from rest", 0.7);
+    double likeliest = -infinity;
+    for (const auto& f : a.laws) likeliest = std::max(likeliest, f.held_out);
+    parallel(rivals.size() + 1, [&](std::size_t i) {
+        constexpr double hopeless = 20;
+        LawFit& fit = fit_at(i);
+        if (&fit == &a.nominal || fit.held_out > likeliest - hopeless) confirm_by_motion(a.outcomes, fit);
+    });
+    double amplitudes = 0;
+    for (const auto& f : a.laws) amplitudes = std::min(amplitudes, f.amplitude_held_out);
+    for (auto& f : a.laws)
+        if (!f.followed) f.amplitude_held_out = amplitudes;
+}
+
+/// Posteriors of the laws, the likeliest first. "None of these" guesses the share of stick-slip, and every amplitude to
+/// be the middle one.
+void rank_laws(OutcomeAnswer& a, std::size_t stuck)
+{
+    double best = -infinity, sum = 0;
+    for (const auto& f : a.laws) best = std::max(best, f.total());
+    const auto rows = static_cast<double>(a.outcomes.size());
+    const double share = static_cast<double>(stuck) / rows;
+    const double guess =
+        rows * (share * std::log(share) + (1 - share) * std::log(1 - share)) + guessed_amplitudes(a.outcomes);
+    sum = std::exp(std::min(0.0, guess - best));
+    for (const auto& f : a.laws) sum += std::exp(f.total() - best);
+    for (auto& f : a.laws) f.posterior = std::exp(f.total() - best) / sum;
+    std::stable_sort(a.laws.begin(), a.laws.end(), [](const auto& x, const auto& y) { return x.total() > y.total(); });
+}
+
+/// What to measure next, between the winner and the likeliest law of another effect.
+void propose_next(OutcomeAnswer& a)
+{
+    Diagnosis& d = a.diagnosis;
+    const LawFit& winner = a.laws.front();
+    const auto rival = std::find_if(a.laws.begin() + 1, a.laws.end(),
+                                    [&](const auto& f) { return f.rival->effect != winner.rival->effect; });
+    if (rival == a.laws.end() || d.verdict == Verdict::no_gap) return;
+    a.next = next_of(a, winner, *rival);
+    if (!a.next.settings.empty())
+        d.next_experiment.separates.push_back({std::string(winner.rival->effect), std::string(rival->rival->effect)});
+}
+
 }  // namespace
 
 OutcomeAnswer explain(const Joint& nominal, const OutcomeTable& table, const ParallelFor& parallel,
@@ -123,36 +176,9 @@ OutcomeAnswer explain(const Joint& nominal, const OutcomeTable& table, const Par
                                         static_cast<double>(fewest_rows), static_cast<double>(fewest_of_either)}});
         return a;
     }
-    a.laws.resize(rivals.size());
-    if (progress) progress("fitting friction laws", 0.1);
-    const auto fit_at = [&](std::size_t i) -> LawFit& { return i == rivals.size() ? a.nominal : a.laws[i]; };
-    parallel(rivals.size() + 1, [&](std::size_t i) {
-        fit_at(i) = i == rivals.size() ? judge_nominal_law(a.outcomes, nominal) : fit_law(a.outcomes, rivals[i]);
-    });
-    if (progress) progress("following motions from rest", 0.7);
-    double likeliest = -infinity;
-    for (const auto& f : a.laws) likeliest = std::max(likeliest, f.held_out);
-    parallel(rivals.size() + 1, [&](std::size_t i) {
-        constexpr double hopeless = 20;
-        LawFit& fit = fit_at(i);
-        if (&fit == &a.nominal || fit.held_out > likeliest - hopeless) confirm_by_motion(a.outcomes, fit);
-    });
-    double amplitudes = 0;
-    for (const auto& f : a.laws) amplitudes = std::min(amplitudes, f.amplitude_held_out);
-    for (auto& f : a.laws)
-        if (!f.followed) f.amplitude_held_out = amplitudes;
+    fit_laws(a, nominal, rivals, parallel, progress);
     if (progress) progress("ranking", 0.95);
-    double best = -infinity, sum = 0;
-    for (const auto& f : a.laws) best = std::max(best, f.total());
-    // "none of these" guesses the share of stick-slip, and every amplitude to be the middle one
-    const double share = static_cast<double>(stuck) / static_cast<double>(table.rows.size());
-    const double guess =
-        static_cast<double>(table.rows.size()) * (share * std::log(share) + (1 - share) * std::log(1 - share)) +
-        guessed_amplitudes(a.outcomes);
-    sum = std::exp(std::min(0.0, guess - best));
-    for (const auto& f : a.laws) sum += std::exp(f.total() - best);
-    for (auto& f : a.laws) f.posterior = std::exp(f.total() - best) / sum;
-    std::stable_sort(a.laws.begin(), a.laws.end(), [](const auto& x, const auto& y) { return x.total() > y.total(); });
+    rank_laws(a, stuck);
     decide(a);
     const auto best_of = [&](bool memory) {
         const auto found =
@@ -169,14 +195,7 @@ OutcomeAnswer explain(const Joint& nominal, const OutcomeTable& table, const Par
             d.notes.push_back(
                 {.code = Note::Code::beyond_linear, .values = {static_cast<double>(winner.beyond_linear)}});
     }
-    const auto rival = std::find_if(a.laws.begin() + 1, a.laws.end(),
-                                    [&](const auto& f) { return f.rival->effect != winner.rival->effect; });
-    if (rival != a.laws.end() && d.verdict != Verdict::no_gap) {
-        a.next = next_of(a, winner, *rival);
-        if (!a.next.settings.empty())
-            d.next_experiment.separates.push_back(
-                {std::string(winner.rival->effect), std::string(rival->rival->effect)});
-    }
+    propose_next(a);
     if (progress) progress("done", 1);
     return a;
 }

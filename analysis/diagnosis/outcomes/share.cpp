@@ -67,6 +67,64 @@ Cause cause_of(const OutcomeAnswer& a, const LawFit& fit, const LawFit* other_ki
     return c;
 }
 
+namespace {
+
+constexpr double amplitude_floor = 0.15;  ///< of the logarithm of an amplitude
+
+/// RMS of the logarithms by which a law misses the amplitudes of the rows; not set where it gives none.
+double amplitude_error(const Outcomes& o, const LawFit& f)
+{
+    double sum = 0, count = 0;
+    for (std::size_t i = 0; i < o.size(); ++i)
+        if (f.amplitude[i] > 0) {
+            const double e = std::log(f.amplitude[i] / o.table.rows[i].amplitude);
+            sum += e * e, count += 1;
+        }
+    return count > 0 ? std::sqrt(sum / count) : not_set;
+}
+
+/// Where along setting k the documented law is wrong: in thirds of the values that the rows have.
+void add_thirds_of(std::size_t k, const OutcomeAnswer& a, double floor, std::vector<Share>& regimes)
+{
+    const auto& o = a.outcomes;
+    std::set<double> values;
+    for (const auto& row : o.table.rows) values.insert(row.settings[k]);
+    if (values.size() < 3) return;
+    const std::vector<double> sorted(values.begin(), values.end());
+    const double low = sorted[sorted.size() / 3], high = sorted[2 * sorted.size() / 3];
+    const std::string key = o.table.paths[k].substr(o.table.paths[k].rfind('.') + 1);
+    const auto part_of = [&](double v) { return v < low ? 0 : v < high ? 1 : 2; };
+    const char* names[] = {"low ", "middle ", "high "};
+    for (int part = 0; part < 3; ++part) {
+        const auto share = [&](const std::vector<std::size_t>& rows) {
+            double here = 0, all = 0;
+            for (std::size_t i : rows) {
+                const double c = row_cost(o, a.nominal, i);
+                all += c;
+                if (part_of(o.table.rows[i].settings[k]) == part) here += c;
+            }
+            return here / all;
+        };
+        std::vector<std::size_t> all(o.size());
+        double wrong = 0, count = 0;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            all[i] = i;
+            if (part_of(o.table.rows[i].settings[k]) != part) continue;
+            wrong += row_wrong(o, a.nominal, i), count += 1;
+        }
+        regimes.push_back({names[part] + key, share(all), bootstrap(o.size(), share), count > 0 ? wrong / count : 0,
+                           floor, "share of its rows"});
+    }
+}
+
+double explained(double before, double after, double least)
+{
+    const double whole = before * before - least * least;
+    return whole > 0 ? (before * before - after * after) / whole : 0.0;
+}
+
+}  // namespace
+
 void locate(OutcomeAnswer& a)
 {
     const auto& o = a.outcomes;
@@ -76,59 +134,18 @@ void locate(OutcomeAnswer& a)
     double outcome_cost = -a.nominal.held_out, amplitude_cost = -a.nominal.amplitude_held_out;
     const double both = outcome_cost + amplitude_cost;
     d.signals.push_back({"outcome", outcome_cost / both, {}, a.nominal.misjudged / n, floor, "share of rows"});
-    const auto squares = [&](const LawFit& f) {
-        double sum = 0, count = 0;
-        for (std::size_t i = 0; i < o.size(); ++i)
-            if (f.amplitude[i] > 0) {
-                const double e = std::log(f.amplitude[i] / o.table.rows[i].amplitude);
-                sum += e * e, count += 1;
-            }
-        return count > 0 ? std::sqrt(sum / count) : not_set;
-    };
-    const double amplitude_before = squares(a.nominal);
+    const double amplitude_before = amplitude_error(o, a.nominal);
     if (amplitude_cost > 0)
-        d.signals.push_back({"amplitude", amplitude_cost / both, {}, amplitude_before, 0.15, "of its logarithm"});
-    for (std::size_t k = 0; k < o.table.paths.size(); ++k) {
-        std::set<double> values;
-        for (const auto& row : o.table.rows) values.insert(row.settings[k]);
-        if (values.size() < 3) continue;
-        const std::vector<double> sorted(values.begin(), values.end());
-        const double low = sorted[sorted.size() / 3], high = sorted[2 * sorted.size() / 3];
-        const std::string key = o.table.paths[k].substr(o.table.paths[k].rfind('.') + 1);
-        const auto part_of = [&](double v) { return v < low ? 0 : v < high ? 1 : 2; };
-        const char* names[] = {"low ", "middle ", "high "};
-        for (int part = 0; part < 3; ++part) {
-            const auto share = [&](const std::vector<std::size_t>& rows) {
-                double here = 0, all = 0;
-                for (std::size_t i : rows) {
-                    const double c = row_cost(o, a.nominal, i);
-                    all += c;
-                    if (part_of(o.table.rows[i].settings[k]) == part) here += c;
-                }
-                return here / all;
-            };
-            std::vector<std::size_t> all(o.size());
-            double wrong = 0, count = 0;
-            for (std::size_t i = 0; i < all.size(); ++i) {
-                all[i] = i;
-                if (part_of(o.table.rows[i].settings[k]) != part) continue;
-                wrong += row_wrong(o, a.nominal, i), count += 1;
-            }
-            d.regimes.push_back({names[part] + key, share(all), bootstrap(o.size(), share),
-                                 count > 0 ? wrong / count : 0, floor, "share of its rows"});
-        }
-    }
+        d.signals.push_back(
+            {"amplitude", amplitude_cost / both, {}, amplitude_before, amplitude_floor, "of its logarithm"});
+    for (std::size_t k = 0; k < o.table.paths.size(); ++k) add_thirds_of(k, a, floor, d.regimes);
     const LawFit& winner = d.verdict == Verdict::gap ? a.laws.front() : a.nominal;
-    const auto explained = [&](double before, double after, double least) {
-        const double whole = before * before - least * least;
-        return whole > 0 ? (before * before - after * after) / whole : 0.0;
-    };
     const double before = a.nominal.misjudged / n, after = winner.misjudged / n;
     d.gap.push_back({"outcome", "share of rows", before, after, floor, explained(before, after, floor)});
     if (std::isfinite(amplitude_before)) {
-        const double left = squares(winner);
-        d.gap.push_back({"amplitude", "RMS of its logarithm", amplitude_before, left, 0.15,
-                         explained(amplitude_before, left, 0.15)});
+        const double left = amplitude_error(o, winner);
+        d.gap.push_back({"amplitude", "RMS of its logarithm", amplitude_before, left, amplitude_floor,
+                         explained(amplitude_before, left, amplitude_floor)});
     }
     d.overall = {before / floor, after / floor, 1, explained(before, after, floor), {}};
     d.overall.interval = bootstrap(o.size(), [&](const std::vector<std::size_t>& rows) {

@@ -246,51 +246,35 @@ std::vector<double> at_every_tick(const std::vector<double>& rows, int per_row, 
     return all;
 }
 
-}  // namespace
-
-Ticks on_clock(const Record& record, const Joint& joint)
+/// How many ticks of the loop a row stands for: 1 where its period does not divide the step of the log.
+int ticks_per_row(double step, double period)
 {
-    Ticks t;
-    t.name = record.name;
-    const double step = median_step(record.time);
-    t.regular = equal_steps(record.time, step);
-    const auto stride = t.regular ? std::vector<std::size_t>() : strides(record.time, step);
-    t.lost = !stride.empty();
-    std::vector<std::uint8_t> logged_rows;
-    const Record filled = t.lost ? with_lost_rows(record, stride, logged_rows) : Record{};
-    const Record& r = t.lost ? filled : record;
-    if (is_set(joint.control.period) && (t.regular || t.lost)) {
-        const double fold = step / joint.control.period;
-        if (fold > 1.5 && std::abs(fold - std::round(fold)) < 0.02 && fold < most_ticks_per_row)
-            t.ticks_per_row = static_cast<int>(std::round(fold));
-    }
-    const int m = t.ticks_per_row;
-    const std::size_t rows = r.rows(), n = rows == 0 ? 0 : (rows - 1) * m + 1;
-    t.has_velocity = !r.velocity.empty();
-    t.has_effort = !r.effort_measured.empty();
-    t.has_reference = !r.reference_position.empty();
-    t.at_rest = r.at_rest_at_start.value_or(true);
-    const std::vector<double>& commanded = r.effort_command.empty() ? r.drive : r.effort_command;
-    t.source = !commanded.empty() ? CommandSource::logged
-               : t.has_reference  ? CommandSource::reconstructed
-                                  : CommandSource::none;
+    const double fold = step / period;
+    return fold > 1.5 && std::abs(fold - std::round(fold)) < 0.02 && fold < most_ticks_per_row
+               ? static_cast<int>(std::round(fold))
+               : 1;
+}
+
+void reserve_ticks(Ticks& t, std::size_t n, double step, double supply)
+{
     t.time.resize(n);
-    t.step.assign(n, step / m);
+    t.step.assign(n, step / t.ticks_per_row);
     t.reference.assign(n, not_set);
     t.reference_rate.assign(n, not_set);
     t.position.resize(n);
     t.velocity.assign(n, not_set);
     t.command.assign(n, not_set);
     t.effort.assign(n, not_set);
-    t.supply.assign(n, joint.actuator.supply_voltage);
+    t.supply.assign(n, supply);
     t.enabled.assign(n, 1);
     t.logged.assign(n, 0);
-    t.feed_forward = at_every_tick(r.feed_forward, m, n);
-    t.load = at_every_tick(r.load_effort, m, n);
-    t.inertia = at_every_tick(r.inertia, m, n);
-    const Mechanism& body = joint.mechanism;
-    const double documented = body.model == Model::single_mass ? body.inertia : body.link_inertia;
-    for (double& inertia : t.inertia) inertia /= documented;
+}
+
+/// Rows at their ticks, and between them what is known of motion, reference and supply. `logged` has an entry a row.
+void fill_from_rows(const Record& r, const std::vector<double>& commanded, const std::vector<std::uint8_t>& logged,
+                    Ticks& t)
+{
+    const int m = t.ticks_per_row;
     std::vector<std::size_t> jump_rows;
     if (t.has_reference) jump_rows = jumps_of(r.reference_position);
     const auto near_jump = [&](std::size_t row) {
@@ -298,10 +282,10 @@ Ticks on_clock(const Record& record, const Joint& joint)
                            [&](std::size_t j) { return j + 1 >= row && row + 1 >= j; });
     };
     for (std::size_t row : jump_rows) t.jumps.push_back(row * static_cast<std::size_t>(m));
-    for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t k = 0; k < t.size(); ++k) {
         const std::size_t row = k / m, rest = k % m;
         if (rest == 0) {
-            t.logged[k] = t.lost ? logged_rows[row] : 1;
+            t.logged[k] = t.lost ? logged[row] : 1;
             t.time[k] = r.time[row];
             t.position[k] = r.position[row];
             t.reference[k] = at_or(r.reference_position, row, not_set);
@@ -319,7 +303,42 @@ Ticks on_clock(const Record& record, const Joint& joint)
         if (!r.supply_voltage.empty()) t.supply[k] = r.supply_voltage[row];
         if (!r.torque_enable.empty()) t.enabled[k] = r.torque_enable[row] > 0.5;
     }
-    for (std::size_t k = 0; k + 1 < n; ++k) t.step[k] = t.time[k + 1] - t.time[k];
+    for (std::size_t k = 0; k + 1 < t.size(); ++k) t.step[k] = t.time[k + 1] - t.time[k];
+}
+
+}  // namespace
+
+Ticks on_clock(const Record& record, const Joint& joint)
+{
+    Ticks t;
+    t.name = record.name;
+    const double step = median_step(record.time);
+    t.regular = equal_steps(record.time, step);
+    const auto stride = t.regular ? std::vector<std::size_t>() : strides(record.time, step);
+    t.lost = !stride.empty();
+    std::vector<std::uint8_t> logged_rows;
+    const Record filled = t.lost ? with_lost_rows(record, stride, logged_rows) : Record{};
+    const Record& r = t.lost ? filled : record;
+    if (is_set(joint.control.period) && (t.regular || t.lost))
+        t.ticks_per_row = ticks_per_row(step, joint.control.period);
+    const int m = t.ticks_per_row;
+    const std::size_t rows = r.rows(), n = rows == 0 ? 0 : (rows - 1) * m + 1;
+    t.has_velocity = !r.velocity.empty();
+    t.has_effort = !r.effort_measured.empty();
+    t.has_reference = !r.reference_position.empty();
+    t.at_rest = r.at_rest_at_start.value_or(true);
+    const std::vector<double>& commanded = r.effort_command.empty() ? r.drive : r.effort_command;
+    t.source = !commanded.empty() ? CommandSource::logged
+               : t.has_reference  ? CommandSource::reconstructed
+                                  : CommandSource::none;
+    reserve_ticks(t, n, step, joint.actuator.supply_voltage);
+    t.feed_forward = at_every_tick(r.feed_forward, m, n);
+    t.load = at_every_tick(r.load_effort, m, n);
+    t.inertia = at_every_tick(r.inertia, m, n);
+    const Mechanism& body = joint.mechanism;
+    const double documented = body.model == Model::single_mass ? body.inertia : body.link_inertia;
+    for (double& inertia : t.inertia) inertia /= documented;
+    fill_from_rows(r, commanded, logged_rows, t);
     if (m == 2 && !t.lost && t.has_velocity && joint.control.velocity_estimate.form != EstimateForm::exact &&
         joint.control.velocity_estimate.average == 1)
         rebuild_halves(t, joint);

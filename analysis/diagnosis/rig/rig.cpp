@@ -155,6 +155,30 @@ DiagnosedTrace trace_of(const Rig& rig, const std::string& name, RigLaw law, con
     return trace;
 }
 
+/// What the mean level leaves of the rig's friction, what the best law leaves, and the noise.
+void add_gap(const Rig& rig, double before, double after, double noise, Diagnosis& d)
+{
+    const std::string unit(unit_of(Quantity::effort, d.motion));
+    const double whole = before * before - noise * noise;
+    d.gap.push_back(
+        {"friction", unit, before, after, noise, whole > 0 ? (before * before - after * after) / whole : 0});
+    d.overall = {before / noise, after / noise, 1, d.gap[0].explained};
+    d.usual_speed = rig.speed;
+    Share share{"motion", 1};
+    share.rms = before, share.floor = noise, share.unit = unit;
+    d.signals.push_back(share);
+    if (d.verdict == Verdict::gap) d.remainder.share = std::clamp(1 - d.gap[0].explained, 0.0, 1.0);
+}
+
+/// A law with memory becomes that of the joint, where it weakens as a joint's does.
+void take_memory(const Rig& rig, RigLaw law, const RigNumbers& p, Joint& joint)
+{
+    if ((law != RigLaw::slip && law != RigLaw::ageing) || !(p[2] >= 0)) return;
+    Memory& m = main_friction(joint).memory;
+    m.A = p[1], m.B = p[2], m.L = p[3], m.V_star = rig.speed;
+    m.form = law == RigLaw::ageing ? MemoryForm::ageing : MemoryForm::slip;
+}
+
 }  // namespace
 
 bool is_rig(const Record& r)
@@ -196,32 +220,16 @@ DiagnosisResult diagnose_rig(const Joint& joint, const Record& record, const Par
     const double before = std::sqrt(entries[0].held), after = std::sqrt(entries[order[0]].held);
     const bool gap = order[0] != 0 && after < (1 - worth) * before;
     d.verdict = gap ? Verdict::gap : before < quiet * noise ? Verdict::no_gap : Verdict::unknown;
-    const std::string unit(unit_of(Quantity::effort, d.motion));
-    const double whole = before * before - noise * noise;
-    d.gap.push_back(
-        {"friction", unit, before, after, noise, whole > 0 ? (before * before - after * after) / whole : 0});
-    d.overall = {before / noise, after / noise, 1, d.gap[0].explained};
-    d.usual_speed = rig.speed;
-    Share share{"motion", 1};
-    share.rms = before, share.floor = noise, share.unit = unit;
-    d.signals.push_back(share);
+    add_gap(rig, before, after, noise, d);
     if (gap) {
         name_causes(rig, entries, order, noise, d);
-        d.remainder.share = std::clamp(1 - d.gap[0].explained, 0.0, 1.0);
         const std::size_t rival = order[1] == 0 ? order[2] : order[1];
         d.next_experiment = design_rig_experiment(rig, noise, best.law, entries[order[0]].fit.p, rivals[rival].law,
                                                   entries[rival].fit.p);
         if (!d.next_experiment.description.empty())
             d.next_experiment.separates = {
                 {described(best, entries[order[0]]), described(rivals[rival], entries[rival])}};
-        const RigNumbers& p = entries[order[0]].fit.p;
-        const bool slips = best.law == RigLaw::slip || best.law == RigLaw::ageing;
-        // the memory of a joint weakens
-        if (slips && p[2] >= 0) {
-            Memory& m = main_friction(result.after).memory;
-            m.A = p[1], m.B = p[2], m.L = p[3], m.V_star = rig.speed;
-            m.form = best.law == RigLaw::ageing ? MemoryForm::ageing : MemoryForm::slip;
-        }
+        take_memory(rig, best.law, entries[order[0]].fit.p, result.after);
     } else if (d.verdict == Verdict::no_gap) {
         d.reasons.push_back({Note::Code::rig_level_suffices});
     } else {

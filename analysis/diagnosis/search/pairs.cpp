@@ -110,101 +110,161 @@ std::vector<Attribution> other_forms(const std::vector<Attribution>& singles, st
     return others;
 }
 
-}  // namespace
+/// Pairs of singles: looked at on excerpts, the likely ones improved, the best refined on the whole records.
+class PairSearch {
+  public:
+    PairSearch(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
+               const std::vector<Attribution>& singles, std::size_t partners, const ParallelFor& parallel)
+        : cases_(cases),
+          scales_(scales),
+          nominal_(nominal),
+          singles_(singles),
+          partners_(partners),
+          parallel_(parallel),
+          omega_(screening_level(nominal)),
+          brief_(excerpts(cases, omega_, brief_ticks, coarse)),
+          whole_(uncut(cases, coarse)),
+          forms_(other_forms(singles, partners, brief_, cases.size(), scales, omega_, parallel))
+    {
+    }
 
-std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
-                                   const std::vector<Attribution>& singles, std::size_t partners,
-                                   const ParallelFor& parallel)
+    std::vector<Attribution> run();
+
+  private:
+    const std::vector<Case>& part(const Pair& p) const { return needs_history(p.both) ? whole_ : brief_; }
+    void add(std::vector<Pair>& to, const Attribution& a, const Attribution& b) const;
+    void add_other_forms(std::vector<Pair>& simple, std::vector<Pair>& divided) const;
+    void add_partners(std::vector<Pair>& simple, std::vector<Pair>& divided) const;
+    std::vector<Pair> beside_members_of(const Attribution& pair) const;
+    Attribution improved(Pair& p) const;
+    void screen(std::vector<Pair>& some, std::size_t finalists);
+
+    const std::vector<Case>& cases_;
+    const Scales& scales_;
+    const Nominal& nominal_;
+    const std::vector<Attribution>& singles_;
+    std::size_t partners_;
+    const ParallelFor& parallel_;
+    double omega_;
+    std::vector<Case> brief_, whole_;
+    std::vector<Attribution> forms_;
+    std::vector<Attribution> pairs_;  ///< what the screening found, best first
+};
+
+void PairSearch::add(std::vector<Pair>& to, const Attribution& a, const Attribution& b) const
 {
-    const double omega = screening_level(nominal);
-    const auto brief = excerpts(cases, omega, brief_ticks, coarse), whole = uncut(cases, coarse);
-    const auto part = [&](const Pair& p) -> const std::vector<Case>& { return needs_history(p.both) ? whole : brief; };
-    const auto forms = other_forms(singles, partners, brief, cases.size(), scales, omega, parallel);
-    std::vector<Pair> simple, divided;
-    const auto add = [&](std::vector<Pair>& to, const Attribution& a, const Attribution& b) {
-        to.push_back(pair_of(a, b, cases.size(), omega));
-        // with known masses the slope towards the right play is longer over a longer horizon, while what sticks and
-        // slips beside it shows over a short one
-        if (needs_history(to.back().both) && omega > levels[1]) to.push_back(pair_of(a, b, cases.size(), levels[1]));
-    };
-    for (const auto& form : forms) {
+    to.push_back(pair_of(a, b, cases_.size(), omega_));
+    // with known masses the slope towards the right backlash is longer over a longer horizon, while what sticks and
+    // slips beside it shows over a short one
+    if (needs_history(to.back().both) && omega_ > levels[1]) to.push_back(pair_of(a, b, cases_.size(), levels[1]));
+}
+
+void PairSearch::add_other_forms(std::vector<Pair>& simple, std::vector<Pair>& divided) const
+{
+    for (const auto& form : forms_) {
         bool behind = true;  // of the effect in its best form
-        for (const auto& single : singles) {
+        for (const auto& single : singles_) {
             if (single.candidate.effects == form.candidate.effects) {
                 behind = false;
                 continue;
             }
-            const bool best = form.candidate.effects == singles[0].candidate.effects;
+            const bool best = form.candidate.effects == singles_[0].candidate.effects;
             if (two_mass_edit(single.candidate))
                 add(divided, behind ? single : form, behind ? form : single);
             else if (best)
                 add(simple, form, single);
         }
     }
-    for (std::size_t i = 0; i < std::min(partners, singles.size()); ++i)
-        for (std::size_t j = i + 1; j < singles.size(); ++j) {
-            const bool a = two_mass_edit(singles[i].candidate), b = two_mass_edit(singles[j].candidate);
+}
+
+void PairSearch::add_partners(std::vector<Pair>& simple, std::vector<Pair>& divided) const
+{
+    for (std::size_t i = 0; i < std::min(partners_, singles_.size()); ++i)
+        for (std::size_t j = i + 1; j < singles_.size(); ++j) {
+            const bool a = two_mass_edit(singles_[i].candidate), b = two_mass_edit(singles_[j].candidate);
             // divided masses cost ten times as much: they look for a partner only where they are best
             if ((a && b) || (i > 0 && a)) continue;
-            add(a || b ? divided : simple, singles[i], singles[j]);
+            add(a || b ? divided : simple, singles_[i], singles_[j]);
         }
-    // alone, an effect that another one hides may rank low; the best pair tells that it is there
-    const auto beside_members_of = [&](const Attribution& pair) {
-        std::vector<Pair> further;
-        for (std::size_t i = partners; i < singles.size(); ++i) {
-            if (std::ranges::count(pair.candidate.effects, singles[i].candidate.effects[0]) == 0) continue;
-            for (std::size_t j = partners; j < singles.size(); ++j)
-                if (j != i && !two_mass_edit(singles[i].candidate) && !two_mass_edit(singles[j].candidate))
-                    add(further, singles[std::min(i, j)], singles[std::max(i, j)]);
-        }
-        return further;
-    };
-    std::vector<Attribution> pairs;
-    const auto screen = [&](std::vector<Pair>& some, std::size_t finalists) {
-        parallel(some.size(), [&](std::size_t i) { look_at(some[i], part(some[i]), scales); });
-        std::stable_sort(some.begin(), some.end(), [](const Pair& a, const Pair& b) {
-            return a.fit.evaluation.objective < b.fit.evaluation.objective;
-        });
-        std::map<std::pair<double, bool>, std::size_t> taken;  // objectives compare on one level of one kind of data
-        std::erase_if(some, [&](const Pair& p) { return ++taken[{p.omega, needs_history(p.both)}] > finalists; });
-        std::vector<Attribution> found(some.size());
-        parallel(some.size(), [&](std::size_t i) {
-            Pair& p = some[i];
-            const int looked = p.fit.evaluations;
-            p.fit = improve(part(p), p.both, scales, p.fit.x, p.omega, full_effort);
-            p.fit.evaluations += looked;
-            found[i] = as_screened(cases, scales, nominal, p.both, p.fit);
-            if (!jagged(p.both)) return;
-            // excerpts may mislead a play; what both came to alone, refined on more, may be nearer
-            for (std::size_t l = 0; l < levels.size(); ++l) {
-                if (l > 0 && p.a->x[l] == p.a->x[l - 1] && p.b->x[l] == p.b->x[l - 1]) continue;
-                LevelFit alone;
-                alone.x = join(p, p.a->x[l], p.b->x[l]);
-                auto as_alone = as_screened(cases, scales, nominal, p.both, alone);
-                as_alone.evaluations += found[i].evaluations;
-                if (better(as_alone, found[i])) found[i] = std::move(as_alone);
-            }
-        });
-        pairs.insert(pairs.end(), found.begin(), found.end());
-        std::stable_sort(pairs.begin(), pairs.end(), better);
-        refine_best(cases, scales, nominal, pairs, refined_pairs, parallel);
-    };
+}
+
+/// Alone, an effect that another one hides may rank low; the best pair shows that it is there.
+std::vector<Pair> PairSearch::beside_members_of(const Attribution& pair) const
+{
+    std::vector<Pair> further;
+    for (std::size_t i = partners_; i < singles_.size(); ++i) {
+        if (std::ranges::count(pair.candidate.effects, singles_[i].candidate.effects[0]) == 0) continue;
+        for (std::size_t j = partners_; j < singles_.size(); ++j)
+            if (j != i && !two_mass_edit(singles_[i].candidate) && !two_mass_edit(singles_[j].candidate))
+                add(further, singles_[std::min(i, j)], singles_[std::max(i, j)]);
+    }
+    return further;
+}
+
+Attribution PairSearch::improved(Pair& p) const
+{
+    const int looked = p.fit.evaluations;
+    p.fit = improve(part(p), p.both, scales_, p.fit.x, p.omega, full_effort);
+    p.fit.evaluations += looked;
+    Attribution found = as_screened(cases_, scales_, nominal_, p.both, p.fit);
+    if (!jagged(p.both)) return found;
+    // excerpts may mislead a backlash; what both came to alone, refined on more, may be nearer
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+        if (l > 0 && p.a->x[l] == p.a->x[l - 1] && p.b->x[l] == p.b->x[l - 1]) continue;
+        LevelFit alone;
+        alone.x = join(p, p.a->x[l], p.b->x[l]);
+        auto as_alone = as_screened(cases_, scales_, nominal_, p.both, alone);
+        as_alone.evaluations += found.evaluations;
+        if (better(as_alone, found)) found = std::move(as_alone);
+    }
+    return found;
+}
+
+void PairSearch::screen(std::vector<Pair>& some, std::size_t finalists)
+{
+    parallel_(some.size(), [&](std::size_t i) { look_at(some[i], part(some[i]), scales_); });
+    std::stable_sort(some.begin(), some.end(), [](const Pair& a, const Pair& b) {
+        return a.fit.evaluation.objective < b.fit.evaluation.objective;
+    });
+    std::map<std::pair<double, bool>, std::size_t> taken;  // objectives compare on one level of one kind of data
+    std::erase_if(some, [&](const Pair& p) { return ++taken[{p.omega, needs_history(p.both)}] > finalists; });
+    std::vector<Attribution> found(some.size());
+    parallel_(some.size(), [&](std::size_t i) { found[i] = improved(some[i]); });
+    pairs_.insert(pairs_.end(), found.begin(), found.end());
+    std::stable_sort(pairs_.begin(), pairs_.end(), better);
+    refine_best(cases_, scales_, nominal_, pairs_, refined_pairs, parallel_);
+}
+
+std::vector<Attribution> PairSearch::run()
+{
+    std::vector<Pair> simple, divided;
+    add_other_forms(simple, divided);
+    add_partners(simple, divided);
     screen(simple, simple_finalists);
-    if (!pairs.empty()) {
-        auto further = beside_members_of(pairs[0]);
+    if (!pairs_.empty()) {
+        auto further = beside_members_of(pairs_[0]);
         screen(further, simple_finalists);
     }
-    if (!divided.empty() && (pairs.empty() || !pairs[0].accepted)) {
+    if (!divided.empty() && (pairs_.empty() || !pairs_[0].accepted)) {
         screen(divided, divided_finalists);
-        if (pairs[0].score > clear_score) polish_best(cases, scales, nominal, pairs, polished_pairs, parallel);
+        if (pairs_[0].score > clear_score) polish_best(cases_, scales_, nominal_, pairs_, polished_pairs, parallel_);
     }
     // of every pair its best form: the others are no rivals
     std::vector<Attribution> best;
-    for (auto& p : pairs)
+    for (auto& p : pairs_)
         if (std::none_of(best.begin(), best.end(),
                          [&](const auto& b) { return b.candidate.effects == p.candidate.effects; }))
             best.push_back(std::move(p));
     return best;
+}
+
+}  // namespace
+
+std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
+                                   const std::vector<Attribution>& singles, std::size_t partners,
+                                   const ParallelFor& parallel)
+{
+    return PairSearch(cases, scales, nominal, singles, partners, parallel).run();
 }
 
 }  // namespace stickslip::gap

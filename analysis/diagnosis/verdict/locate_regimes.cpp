@@ -112,95 +112,149 @@ std::array<double, bands.size()> floors_of_bands(double step)
     return sums;
 }
 
+/// Ranges over all records of a diagnosis, in thirds of which a reading lies.
+struct Surroundings {
+    Range travel, heat;
+    bool heated = false;
+};
+
+Surroundings surroundings_of(const std::vector<Case>& cases)
+{
+    constexpr double felt = 1;  // °C: less says nothing of temperature
+    Surroundings s;
+    for (const auto& c : cases) {
+        for (double q : c.ticks.position) s.travel.take(q);
+        for (double x : c.temperature) s.heat.take(x);
+    }
+    s.heated = s.heat.high - s.heat.low > felt;
+    return s;
+}
+
+/// One record as its joint predicts it, and what counts there as fast, hard, heavy and at the limit.
+struct Predicted {
+    Predicted(const Case& c, const Surroundings& around) : c(c), around(around)
+    {
+        const Plant plant = flatten(c.joint);
+        const Ticks& t = c.ticks;
+        command = known_command(plant, t);
+        predict(plant, t, command, omega, innovation);
+        fast = part_of(innovation.velocity, 0.95);
+        accelerations.assign(t.size(), 0);
+        for (std::size_t k = 5; k + 5 < t.size(); ++k)
+            accelerations[k] = std::abs(innovation.velocity[k + 5] - innovation.velocity[k - 5]);
+        hard = part_of(accelerations, 0.9);
+        heaviest = part_of(carried(), 0.95);
+        double largest = 0;
+        for (double u : command) largest = std::max(largest, std::abs(u));
+        limit = std::min({plant.control.effort_limit, plant.actuator.limit / std::abs(plant.actuator.effort_gain),
+                          1.0001 * largest});
+        duration.take(t.time.front()), duration.take(t.time.back());
+    }
+
+    const std::vector<double>& carried() const
+    {
+        return c.ticks.has_effort ? c.ticks.effort : innovation.predicted_effort;
+    }
+    bool moves(std::size_t k) const { return std::abs(innovation.velocity[k]) > 0.005 * fast; }
+    /// The regimes of tick k, which comes so long after the last reversal [s].
+    std::array<bool, regimes> regimes_at(std::size_t k, double since_reversal) const
+    {
+        constexpr double after_reversal = 0.1;  // s
+        const Ticks& t = c.ticks;
+        const double v = innovation.velocity[k], speed = std::abs(v);
+        std::array<bool, regimes> in{};
+        in[speed < 0.005 * fast ? stuck : speed < 0.2 * fast ? low_speed : sliding] = true;
+        in[reversal] = since_reversal < after_reversal;
+        in[positive] = moves(k) && v > 0, in[negative] = moves(k) && v < 0;
+        in[high_acceleration] = accelerations[k] > hard;
+        in[saturated] = std::abs(command[k]) >= 0.999 * limit;
+        in[low_positions + static_cast<std::size_t>(around.travel.third(t.position[k]))] = true;
+        in[light_load] = std::abs(carried()[k]) < heaviest / 3;
+        in[heavy_load] = std::abs(carried()[k]) > 2 * heaviest / 3;
+        const int third = duration.third(t.time[k]);
+        in[early] = third == 0, in[late] = third == 2;
+        if (around.heated && k < c.temperature.size() && std::isfinite(c.temperature[k])) {
+            const int level = around.heat.third(c.temperature[k]);
+            in[cold] = level == 0, in[warm] = level == 2;
+        }
+        return in;
+    }
+
+    const Case& c;
+    const Surroundings& around;
+    Innovation innovation;
+    std::vector<double> command, accelerations;
+    double fast = 0, hard = 0, heaviest = 0, limit = infinity;
+    Range duration;
+};
+
+/// Squares of prediction errors, in blocks of time and over all: of each regime, and of each band.
+struct Sums {
+    std::vector<Block> blocks;
+    std::vector<double> squares, counts;
+
+    explicit Sums(std::size_t parts) : squares(parts, 0), counts(parts, 0) {}
+};
+
+void add_record(const Predicted& p, Sums& of_regimes, Sums& of_bands)
+{
+    const Case& c = p.c;
+    const Ticks& t = c.ticks;
+    const double floor = c.sigma * c.sigma * noise_amplification(omega, c.row_step);
+    const auto floors = floors_of_bands(c.row_step);
+    Bands split(c.row_step);
+    Block block(regimes, 0), band_block(bands.size(), 0);
+    const auto close_blocks = [&] {
+        of_regimes.blocks.push_back(block), of_bands.blocks.push_back(band_block);
+        block.assign(regimes, 0), band_block.assign(bands.size(), 0);
+    };
+    double started = t.size() ? t.time[0] : 0, reversed = -infinity, sign = 0;
+    for (std::size_t k = 0; k < t.size(); ++k) {
+        const double v = p.innovation.velocity[k];
+        if (p.moves(k) && v * sign < 0) reversed = t.time[k];
+        if (p.moves(k)) sign = v;
+        if (!t.logged[k]) continue;
+        if (t.time[k] - started > block_seconds) {
+            close_blocks();
+            started = t.time[k];
+        }
+        const auto in = p.regimes_at(k, t.time[k] - reversed);
+        const double error = p.innovation.position[k], excess = error * error / floor - 1;
+        for (std::size_t i = 0; i < regimes; ++i)
+            if (in[i]) block[i] += excess, of_regimes.squares[i] += excess + 1, of_regimes.counts[i] += 1;
+        const auto parts = split(error);
+        for (std::size_t b = 0; b < bands.size(); ++b) {
+            const double square = parts[b] * parts[b], noise = c.sigma * c.sigma * floors[b];
+            band_block[b] += (square - noise) / floor;
+            of_bands.squares[b] += square / noise, of_bands.counts[b] += 1;
+        }
+    }
+    close_blocks();
+}
+
+std::vector<Share> shares_of(const Sums& sums, const char* const* names, std::size_t exclusive)
+{
+    std::vector<Share> shares(sums.squares.size());
+    add_shares(shares, sums.blocks, exclusive);
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        shares[i].name = names[i], shares[i].unit = "floors";
+        shares[i].rms = sums.counts[i] > 0 ? std::sqrt(sums.squares[i] / sums.counts[i]) : 0;
+        shares[i].floor = 1;
+    }
+    return shares;
+}
+
 }  // namespace
 
 std::vector<Share> locate_regimes(const std::vector<Case>& cases)
 {
-    std::vector<double> squares(regimes, 0), counts(regimes, 0), band_squares(bands.size(), 0),
-        band_counts(bands.size(), 0);
-    std::vector<Block> blocks, band_blocks;
-    Range travel, heat;
-    for (const auto& c : cases) {
-        for (double q : c.ticks.position) travel.take(q);
-        for (double x : c.temperature) heat.take(x);
-    }
-    constexpr double felt = 1;  // °C: less tells nothing of temperature
-    const bool heated = heat.high - heat.low > felt;
-    for (const auto& c : cases) {
-        const Plant plant = flatten(c.joint);
-        const Ticks& t = c.ticks;
-        const auto command = known_command(plant, t);
-        Innovation innovation;
-        predict(plant, t, command, omega, innovation);
-        const double fast = part_of(innovation.velocity, 0.95);
-        std::vector<double> accelerations(t.size(), 0);
-        for (std::size_t k = 5; k + 5 < t.size(); ++k)
-            accelerations[k] = std::abs(innovation.velocity[k + 5] - innovation.velocity[k - 5]);
-        const double hard = part_of(accelerations, 0.9);
-        const auto& carried = t.has_effort ? t.effort : innovation.predicted_effort;
-        const double heaviest = part_of(carried, 0.95);
-        double largest = 0;
-        for (double u : command) largest = std::max(largest, std::abs(u));
-        const double limit = std::min({plant.control.effort_limit,
-                                       plant.actuator.limit / std::abs(plant.actuator.effort_gain), 1.0001 * largest});
-        const double floor = c.sigma * c.sigma * noise_amplification(omega, c.row_step);
-        const auto floors = floors_of_bands(c.row_step);
-        Bands split(c.row_step);
-        Block block(regimes, 0), band_block(bands.size(), 0);
-        Range duration;
-        duration.take(t.time.front()), duration.take(t.time.back());
-        double started = t.size() ? t.time[0] : 0, reversed = -infinity, sign = 0;
-        for (std::size_t k = 0; k < t.size(); ++k) {
-            const double v = innovation.velocity[k], speed = std::abs(v);
-            const bool moves = speed > 0.005 * fast;
-            if (moves && v * sign < 0) reversed = t.time[k];
-            if (moves) sign = v;
-            if (!t.logged[k]) continue;
-            if (t.time[k] - started > block_seconds) {
-                blocks.push_back(block), band_blocks.push_back(band_block);
-                block.assign(regimes, 0), band_block.assign(bands.size(), 0);
-                started = t.time[k];
-            }
-            constexpr double after_reversal = 0.1;  // s
-            std::array<bool, regimes> in{};
-            in[speed < 0.005 * fast ? stuck : speed < 0.2 * fast ? low_speed : sliding] = true;
-            in[reversal] = t.time[k] - reversed < after_reversal;
-            in[positive] = moves && v > 0, in[negative] = moves && v < 0;
-            in[high_acceleration] = accelerations[k] > hard;
-            in[saturated] = std::abs(command[k]) >= 0.999 * limit;
-            in[low_positions + static_cast<std::size_t>(travel.third(t.position[k]))] = true;
-            in[light_load] = std::abs(carried[k]) < heaviest / 3;
-            in[heavy_load] = std::abs(carried[k]) > 2 * heaviest / 3;
-            const int third = duration.third(t.time[k]);
-            in[early] = third == 0, in[late] = third == 2;
-            if (heated && k < c.temperature.size() && std::isfinite(c.temperature[k])) {
-                const int level = heat.third(c.temperature[k]);
-                in[cold] = level == 0, in[warm] = level == 2;
-            }
-            const double excess = innovation.position[k] * innovation.position[k] / floor - 1;
-            for (std::size_t i = 0; i < regimes; ++i)
-                if (in[i]) block[i] += excess, squares[i] += excess + 1, counts[i] += 1;
-            const auto parts = split(innovation.position[k]);
-            for (std::size_t b = 0; b < bands.size(); ++b) {
-                const double square = parts[b] * parts[b], noise = c.sigma * c.sigma * floors[b];
-                band_block[b] += (square - noise) / floor;
-                band_squares[b] += square / noise, band_counts[b] += 1;
-            }
-        }
-        blocks.push_back(block), band_blocks.push_back(band_block);
-    }
-    std::vector<Share> shares(regimes), of_bands(bands.size());
-    add_shares(shares, blocks, exclusive);
-    add_shares(of_bands, band_blocks, bands.size());
-    const auto describe = [](Share& s, const char* name, double square, double count) {
-        s.name = name, s.unit = "floors";
-        s.rms = count > 0 ? std::sqrt(square / count) : 0;
-        s.floor = 1;
-    };
-    for (std::size_t i = 0; i < regimes; ++i) describe(shares[i], names[i], squares[i], counts[i]);
-    for (std::size_t b = 0; b < bands.size(); ++b) describe(of_bands[b], bands[b], band_squares[b], band_counts[b]);
-    if (!heated) shares.resize(cold);
-    shares.insert(shares.end(), of_bands.begin(), of_bands.end());
+    const Surroundings around = surroundings_of(cases);
+    Sums of_regimes(regimes), of_bands(bands.size());
+    for (const auto& c : cases) add_record(Predicted(c, around), of_regimes, of_bands);
+    auto shares = shares_of(of_regimes, names.data(), exclusive);
+    if (!around.heated) shares.resize(cold);
+    const auto by_band = shares_of(of_bands, bands.data(), bands.size());
+    shares.insert(shares.end(), by_band.begin(), by_band.end());
     return shares;
 }
 

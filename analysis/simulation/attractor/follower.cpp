@@ -177,6 +177,7 @@ bool Follower::repeats()
     return true;
 }
 
+// In one piece: one motion until it is judged: the order of its tests is the method.
 Attractor Follower::run(const FlowVector& y)
 {
     using Kind = Attractor::Kind;

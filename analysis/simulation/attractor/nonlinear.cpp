@@ -118,6 +118,7 @@ void leave_open(Reason reason, NonlinearVerdict& verdict)
 }
 
 /// The verdict on equations of motion that exist.
+// In one piece: the outcomes, each tried where those before did not decide.
 template <class AnyFlow>
 void judge(const Joint& joint, const AnyFlow& flow, const NonlinearOptions& options, NonlinearVerdict& verdict)
 {

@@ -75,33 +75,9 @@ bool needs_motion(const Joint& joint)
     return false;
 }
 
-}  // namespace
-
-LoopRecord record_along(const Joint& joint, const ReferenceMotion& reference, std::uint64_t seed, double rtol)
+/// Why the joint does not start along the reference; `Reason::none` with the loop at its start.
+LoopRecord started(const Joint& joint, const ReferenceMotion& reference, const Told::Now& start, SampledLoop& loop)
 {
-    if (const auto why = why_not_driven(joint); !why.empty()) return refused(Reason::unsupported, why);
-    if (reference.time.size() < 2) return refused(Reason::unsupported, "a reference needs at least two rows");
-    LoopOptions options;
-    options.seed = seed;
-    options.motion.rtol = rtol;
-    const bool sampled = is_set(joint.control.period);
-    int each = 1;
-    if (!sampled) {
-        each = ticks_a_row(joint, reference);
-        if (each == 0)
-            return refused(Reason::unsupported,
-                           "the rows of the reference are not evenly spaced: a continuous loop is logged at them. Set "
-                           "control.period, or space them evenly");
-        options.tick =
-            (reference.time.back() - reference.time.front()) / static_cast<double>(reference.time.size() - 1) / each;
-    }
-    const double fastest = fastest_of(reference), V0 = joint.control.V0;
-    const double speed = fastest > 0 ? fastest : is_set(V0) && V0 != 0 ? std::abs(V0) : 1e-3;
-    SampledLoop loop(joint, 0, speed / joint.sensor.position_scale, LoopSide::motor, options);
-    const double T = loop.period(), span = reference.time.back() - reference.time.front();
-    if (span / T > most_rows) return refused(Reason::unsupported, "the reference has more than 20 million ticks");
-    Told told(reference, T);
-    const auto start = told.at(reference.time.front());
     const bool slides = needs_motion(joint);
     if (slides && !(start.velocity > 0))
         return refused(Reason::law_needs_motion,
@@ -112,7 +88,13 @@ LoopRecord record_along(const Joint& joint, const ReferenceMotion& reference, st
     else if (!loop.begin_sliding(start.position, start.velocity))
         return refused(Reason::no_steady_state, "the limit of the effort is below what steady sliding takes");
     loop.set_clock(reference.time.front(), reference.time.front() - joint.sensor.delay);
-    LoopRecord record;
+    return {};
+}
+
+/// Tick by tick; of a continuous loop each so many ticks are a row. A measured effort comes `ticks_late` after its row.
+void log_along(const ReferenceMotion& reference, Told& told, SampledLoop& loop, int each, LoopRecord& record)
+{
+    const double T = loop.period(), span = reference.time.back() - reference.time.front();
     const long ticks = std::lround(std::floor(span / T + same_time));
     const long late = loop.ticks_late();
     for (long k = 0; k <= ticks + late; ++k) {
@@ -141,6 +123,35 @@ LoopRecord record_along(const Joint& joint, const ReferenceMotion& reference, st
                          &record.velocity, &record.effort_command})
         column->resize(rows);
     if (!reference.feed_forward.empty()) record.feed_forward.resize(rows);
+}
+
+}  // namespace
+
+LoopRecord record_along(const Joint& joint, const ReferenceMotion& reference, std::uint64_t seed, double rtol)
+{
+    if (const auto why = why_not_driven(joint); !why.empty()) return refused(Reason::unsupported, why);
+    if (reference.time.size() < 2) return refused(Reason::unsupported, "a reference needs at least two rows");
+    const double span = reference.time.back() - reference.time.front();
+    LoopOptions options;
+    options.seed = seed;
+    options.motion.rtol = rtol;
+    int each = 1;
+    if (!is_set(joint.control.period)) {
+        each = ticks_a_row(joint, reference);
+        if (each == 0)
+            return refused(Reason::unsupported,
+                           "the rows of the reference are not evenly spaced: a continuous loop is logged at them. Set "
+                           "control.period, or space them evenly");
+        options.tick = span / static_cast<double>(reference.time.size() - 1) / each;
+    }
+    const double fastest = fastest_of(reference), V0 = joint.control.V0;
+    const double speed = fastest > 0 ? fastest : is_set(V0) && V0 != 0 ? std::abs(V0) : 1e-3;
+    SampledLoop loop(joint, 0, speed / joint.sensor.position_scale, LoopSide::motor, options);
+    if (span / loop.period() > most_rows)
+        return refused(Reason::unsupported, "the reference has more than 20 million ticks");
+    Told told(reference, loop.period());
+    LoopRecord record = started(joint, reference, told.at(reference.time.front()), loop);
+    if (record.reason == Reason::none) log_along(reference, told, loop, each, record);
     return record;
 }
 

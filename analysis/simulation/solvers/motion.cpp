@@ -235,6 +235,7 @@ Turn SlidingMotion::turn(double t_end, const std::function<bool(const FlowVector
     return run(t_end, settled);
 }
 
+// In one piece: one turn: integrate, find the event, change the regime.
 Turn SlidingMotion::run(double t_end, const std::function<bool(const FlowVector&)>& settled)
 {
     Turn turn;

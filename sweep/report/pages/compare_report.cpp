@@ -158,6 +158,7 @@ bool same_grid(const ComparedRun& before, const ComparedRun& after)
            });
 }
 
+// In one piece: a page from top to bottom: its sections in their order.
 Report compare_report(const ComparedRun& before, const ComparedRun& after)
 {
     const Joint a = design_joint(before.spec), b = design_joint(after.spec);

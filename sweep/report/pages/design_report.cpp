@@ -224,6 +224,7 @@ Section motion_section(const DesignAnswer& a)
 
 }  // namespace
 
+// In one piece: a page from top to bottom: its sections in their order.
 Report design_report(const DesignAnswer& a, std::vector<Snippet> snippets)
 {
     const Units u{a.joint.mechanism.motion};

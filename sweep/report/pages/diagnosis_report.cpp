@@ -284,6 +284,7 @@ Diagnosis in_units_of_the_record(Diagnosis d)
 
 }  // namespace
 
+// In one piece: a page from top to bottom: its sections in their order.
 Report diagnosis_report(const Diagnosis& diagnosis, const Joint& before, const Joint& after,
                         std::vector<std::pair<std::string, std::string>> provenance, std::vector<Snippet> snippets,
                         bool rig)

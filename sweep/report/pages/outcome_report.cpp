@@ -73,6 +73,7 @@ std::string next_outcome_text(const OutcomeAnswer& a)
                        one, a.next.one, two, a.next.two);
 }
 
+// In one piece: a page from top to bottom: its sections in their order.
 Report outcome_report(const OutcomeAnswer& a, const Joint& nominal,
                       std::vector<std::pair<std::string, std::string>> provenance)
 {

@@ -93,6 +93,7 @@ std::vector<std::string> not_checked(const Spec& spec)
 
 }  // namespace
 
+// In one piece: a page from top to bottom: its sections in their order.
 Report stability_report(const Spec& spec, const SweepSummary& summary, const SweepAnswer& answer)
 {
     const Joint joint = design_joint(spec);

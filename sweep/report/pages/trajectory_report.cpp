@@ -161,6 +161,7 @@ Section surroundings_section(const SimulatedSurroundings& surroundings, const st
 
 }  // namespace
 
+// In one piece: a page from top to bottom: its sections in their order.
 Report trajectory_report(const Joint& joint, const Trajectory& t, const NonlinearVerdict& verdict,
                          const SimulatedSurroundings& surroundings, const std::vector<double>& control_force)
 {

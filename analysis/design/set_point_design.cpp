@@ -170,7 +170,7 @@ class SetPointSearch {
         c.way = way;
         c.k_i = joint.control.k_i;
         c.dead_zone = joint.control.dead_zone;
-        if (const auto& f = joint.control.feed_forward; f.fed_back() && f.coulomb_from == CoulombFrom::error)
+        if (const auto& f = joint.control.feed_forward; f.by_error())
             c.push = f.coulomb, c.push_speed = f.coulomb_speed;
         if (const auto& d = joint.control.dither; d.amplitude > 0)
             c.dither = d.amplitude, c.dither_frequency = d.frequency;

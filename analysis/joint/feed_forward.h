@@ -31,15 +31,36 @@ struct FeedForward {
     double push(double rate, double v, double e) const
     {
         if (coulomb == 0) return 0;
-        if (coulomb_from != CoulombFrom::error)
-            return coulomb * std::tanh((coulomb_from == CoulombFrom::reference ? rate : v) / coulomb_speed);
-        const double side = e == 0 ? 0 : std::abs(e) < coulomb_width ? e / coulomb_width : std::copysign(1.0, e);
-        return coulomb * side * (1 - std::abs(std::tanh(v / coulomb_speed)));
+        if (coulomb_from == CoulombFrom::error) return coulomb * side(e) * fade(v, v < 0 ? -1 : 1).value;
+        return coulomb * direction(coulomb_from == CoulombFrom::reference ? rate : v).value;
     }
+    /// A share of the push and its slope by the velocity.
+    struct Share {
+        double value = 0, slope = 0;
+    };
+    /// tanh(v/coulomb_speed)
+    Share direction(double v) const
+    {
+        const double share = std::tanh(v / coulomb_speed);
+        return {share, (1 - share * share) / coulomb_speed};
+    }
+    /// 1 − |tanh(v/coulomb_speed)| of a motion forward (1) or backward (−1), so that it has a slope at rest.
+    Share fade(double v, double forward) const
+    {
+        const Share share = direction(v);
+        return {1 - forward * share.value, -forward * share.slope};
+    }
+    /// sat(e/coulomb_width), 0 at e = 0
+    double side(double e) const
+    {
+        return e == 0 ? 0 : std::abs(e) < coulomb_width ? e / coulomb_width : std::copysign(1.0, e);
+    }
+    bool by_velocity() const { return coulomb != 0 && coulomb_from == CoulombFrom::velocity; }
+    bool by_error() const { return coulomb != 0 && coulomb_from == CoulombFrom::error; }
     /// The push follows the motion, which closes a loop of its own.
-    bool fed_back() const { return coulomb != 0 && coulomb_from != CoulombFrom::reference; }
+    bool fed_back() const { return by_velocity() || by_error(); }
     /// The whole push on one side of the set point, its opposite on the other.
-    bool jumps() const { return coulomb != 0 && coulomb_from == CoulombFrom::error && coulomb_width == 0; }
+    bool jumps() const { return by_error() && coulomb_width == 0; }
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)

@@ -37,9 +37,9 @@ bool push_is_felt(const Joint& joint)
 {
     const auto& f = joint.control.feed_forward;
     const auto [k_p, k_v, k_i] = gains_of(joint.control);
-    const double share = std::tanh(joint.control.V0 / f.coulomb_speed);
-    const double damping = std::abs(f.coulomb) * (1 - share * share) / f.coulomb_speed;
-    const double left = std::abs(f.coulomb) * (1 - std::abs(share));
+    const double V0 = joint.control.V0;
+    const double damping = std::abs(f.coulomb) * f.direction(V0).slope;
+    const double left = std::abs(f.coulomb) * f.fade(V0, V0 < 0 ? -1 : 1).value;
     const bool felt = !(damping < nothing_beside * std::abs(k_v));
     if (f.coulomb_from == CoulombFrom::velocity) return felt;
     return felt || !(left < nothing_beside * std::abs(k_p) * f.coulomb_width);

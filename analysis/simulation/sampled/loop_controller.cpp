@@ -19,8 +19,7 @@ double LoopController::begin(double output, double velocity, double step)
     last_rate_ = frame_ != 0 ? frame_ : velocity;
     state.velocity = state.before = velocity;
     const auto& f = c.feed_forward;
-    const bool by_error = f.coulomb != 0 && f.coulomb_from == CoulombFrom::error;
-    const double push = by_error ? 0 : f.push(last_rate_, velocity, 0);
+    const double push = f.by_error() ? 0 : f.push(last_rate_, velocity, 0);
     const double needed = output - ahead(0, last_rate_, step) - push;
     const double lost = rate_error(last_rate_);  // what steady sliding leaves of the velocity error
     double error = 0;
@@ -80,8 +79,8 @@ void LoopController::read(double reading, double step, double exact)
 double LoopController::error_that_gives(double output) const
 {
     const auto& f = control_.feed_forward;
-    if (!f.fed_back() || f.coulomb_from != CoulombFrom::error) return output / gains_.k_p;
-    const double full = f.coulomb * (1 - std::abs(std::tanh(state.velocity / f.coulomb_speed)));
+    if (!f.by_error()) return output / gains_.k_p;
+    const double full = f.coulomb * f.fade(state.velocity, state.velocity < 0 ? -1 : 1).value;
     const double within = f.coulomb_width > 0 ? output / (gains_.k_p + full / f.coulomb_width) : infinity;
     if (std::abs(within) <= f.coulomb_width) return within;
     const double beyond = (output - std::copysign(full, output / gains_.k_p)) / gains_.k_p;

@@ -28,8 +28,8 @@ Regulator regulator_of(const Joint& joint)
     r.effort_limit = std::min(std::abs(per_signal) * most_signal, a.limit);
     r.anti_windup = c.anti_windup;
     r.tracking_time = c.tracking_time;
-    const auto& push = c.feed_forward;
-    r.compensation = {push.coulomb_from, per_signal * push.coulomb, push.coulomb_speed, push.coulomb_width};
+    r.push = c.feed_forward;
+    r.push.coulomb *= per_signal;
     r.dither = std::abs(per_signal) * c.dither.amplitude;
     return r;
 }
@@ -57,26 +57,27 @@ RegulatorFlow::Linearised RegulatorFlow::output(const FlowVector& y, double* ask
 {
     const auto& r = regulator_;
     const bool dead = std::abs(y[0]) <= r.dead_zone;
-    const auto added = compensation(y);
+    const auto added = pushed(y);
     const double u = r.k_p * r.error(y[0]) - r.k_v * y[1] + y[2] + added.value;
     if (asked) *asked = u;
     if (std::abs(u) > r.effort_limit) return {std::copysign(r.effort_limit, u), 0, 0, 0};
     return {u, (dead ? 0 : -r.k_p) + added.by_x, -r.k_v + added.by_v, 1};
 }
 
-RegulatorFlow::Linearised RegulatorFlow::compensation(const FlowVector& y) const
+RegulatorFlow::Linearised RegulatorFlow::pushed(const FlowVector& y) const
 {
-    const auto& c = regulator_.compensation;
-    if (!c.acts()) return {};
-    const double share = std::tanh(y[1] / c.speed), slope = (1 - share * share) / c.speed;
-    if (c.by_velocity()) return {c.level * share, 0, c.level * slope, 0};
+    const auto& push = regulator_.push;
+    const double level = push.coulomb, width = push.coulomb_width;
+    if (!push.fed_back()) return {};
+    if (push.by_velocity()) {
+        const auto share = push.direction(y[1]);
+        return {level * share.value, 0, level * share.slope, 0};
+    }
     const double e = regulator_.error(y[0]);
-    const bool within = std::abs(e) < c.width;
-    const double where = c.width == 0 ? side : within ? e / c.width : std::copysign(1.0, e);
-    // fades on the branch on which the mass moves, so that it has a slope at rest
-    const double forward = branch == Branch::forward ? 1 : -1;
-    return {c.level * where * (1 - forward * share), within && e != 0 ? -c.level / c.width * (1 - forward * share) : 0,
-            -c.level * where * forward * slope, 0};
+    const double where = push.jumps() ? side : push.side(e);
+    const auto left = push.fade(y[1], branch == Branch::forward ? 1 : -1);
+    return {level * where * left.value, std::abs(e) < width && e != 0 ? -level / width * left.value : 0,
+            level * where * left.slope, 0};
 }
 
 /// ẇ. With `clamp` the integral waits while the output is at its limit, with `conditional` only while the error would
@@ -95,7 +96,7 @@ RegulatorFlow::Linearised RegulatorFlow::winding(const FlowVector& y) const
     if (excess != 0 && waits) rate = {};
     if (excess != 0 && r.anti_windup == AntiWindup::back_calculation) {
         rate.value -= excess / r.tracking_time;
-        const auto added = compensation(y);
+        const auto added = pushed(y);
         rate.by_x += ((e == 0 ? 0 : r.k_p) - added.by_x) / r.tracking_time;
         rate.by_v += (r.k_v - added.by_v) / r.tracking_time;
         rate.by_w -= 1 / r.tracking_time;

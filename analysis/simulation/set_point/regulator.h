@@ -2,7 +2,6 @@
 #pragma once
 #include "analysis/joint/joint.h"
 #include "analysis/simulation/flows/flow.h"
-#include "analysis/simulation/set_point/compensation.h"
 
 namespace stickslip {
 
@@ -16,7 +15,7 @@ struct Regulator {
     double dead_zone = 0, integral_limit = infinity, integral_band = infinity, effort_limit = infinity;
     AntiWindup anti_windup = AntiWindup::none;
     double tracking_time = not_set;
-    Compensation compensation;
+    FeedForward push;   ///< against dry friction, its level in effort on the mechanism; the rest acts on no set point
     double dither = 0;  ///< amplitude
 
     /// The error −x as the controller counts it.
@@ -25,22 +24,21 @@ struct Regulator {
     bool linear() const
     {
         return dead_zone == 0 && integral_limit == infinity && integral_band == infinity && effort_limit == infinity &&
-               !compensation.acts() && dither == 0;
+               !push.fed_back() && dither == 0;
     }
     /// What holds or moves the mass at rest beside the integral: k_p e and the push towards the set point.
     double push_at_rest(double x) const
     {
-        const double e = error(x), w = compensation.width;
-        if (!compensation.by_error() || e == 0) return k_p * e;
-        return k_p * e + compensation.level * (std::abs(e) < w ? e / w : std::copysign(1.0, e));
+        const double e = error(x);
+        return push.by_error() ? k_p * e + push.coulomb * push.side(e) : k_p * e;
     }
     /// The error outside the dead zone up to which that holds no more than a force.
     double error_holding(double force) const
     {
         if (!(force > 0)) return 0;
-        if (!compensation.by_error()) return force / k_p;
-        const double w = compensation.width, within = w > 0 ? force / (k_p + compensation.level / w) : infinity;
-        return within <= w ? within : std::max(w, (force - compensation.level) / k_p);
+        if (!push.by_error()) return force / k_p;
+        const double w = push.coulomb_width, within = w > 0 ? force / (k_p + push.coulomb / w) : infinity;
+        return within <= w ? within : std::max(w, (force - push.coulomb) / k_p);
     }
 };
 
@@ -55,7 +53,7 @@ class RegulatorFlow final : public Flow {
     RegulatorFlow(const Regulator& regulator, const Friction& friction, double position, double speed);
 
     Branch branch = Branch::forward;  ///< of a friction that is set-valued at rest
-    double side = 1;                  ///< of the error, where a compensation jumps with it: 1, 0 in the dead zone, −1
+    double side = 1;                  ///< of the error, where a push jumps with it: 1, 0 in the dead zone, −1
 
     int size() const override { return 3 + states_; }
     FlowVector steady() const override { return FlowVector::Zero(size()); }
@@ -85,7 +83,7 @@ class RegulatorFlow final : public Flow {
         double value = 0, by_x = 0, by_v = 0, by_w = 0;
     };
     Linearised output(const FlowVector& y, double* asked = nullptr) const;
-    Linearised compensation(const FlowVector& y) const;
+    Linearised pushed(const FlowVector& y) const;
     Linearised winding(const FlowVector& y) const;
     FrictionResponse response(const FlowVector& y) const;
 

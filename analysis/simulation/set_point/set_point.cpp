@@ -125,8 +125,8 @@ bool late(const Joint& joint)
 /// that point each time: I. Boiko, Discontinuous Control Systems, 2009. An exact loop comes to rest there.
 bool pushes_itself(const Joint& joint, const Regulator& regulator, const DryFriction& dry)
 {
-    const auto& c = regulator.compensation;
-    return c.jumps() && c.level > dry.breakaway && regulator.dead_zone == 0 && late(joint);
+    const auto& push = regulator.push;
+    return push.jumps() && push.coulomb > dry.breakaway && regulator.dead_zone == 0 && late(joint);
 }
 
 SetPoint pushed_about(SetPointReason reason)
@@ -141,7 +141,7 @@ SetPoint pushed_about(SetPointReason reason)
 /// See set_point.h; a push that is fed back beside it has no such energy.
 SetPoint under_dither(const Regulator& regulator, const DryFriction& dry)
 {
-    if (regulator.compensation.acts() || regulator.dither >= dry.coulomb) return undecided(SetPointReason::dithered);
+    if (regulator.push.fed_back() || regulator.dither >= dry.coulomb) return undecided(SetPointReason::dithered);
     const bool breaks = dry.breakaway <= regulator.effort_limit;
     const double band = (dry.breakaway - regulator.dither) / regulator.k_p + regulator.dead_zone;
     return rests(SetPointReason::dither_narrows, breaks ? band : infinity, SetPointMethod::closed_form);
@@ -154,7 +154,7 @@ SetPoint without_integral(const Joint& joint, const Regulator& regulator, const 
     if (regulator.dither > 0) return under_dither(regulator, dry);
     const bool breaks = dry.breakaway <= regulator.effort_limit;
     const double band = breaks ? regulator.error_holding(dry.breakaway) + regulator.dead_zone : infinity;
-    if (breaks && regulator.compensation.by_velocity())
+    if (breaks && regulator.push.by_velocity())
         return hunting_without_integral(StopToStop(regulator, joint.friction), band);
     return rests(SetPointReason::no_integral_action, band, SetPointMethod::closed_form);
 }
@@ -169,8 +169,7 @@ SetPoint decided(const Joint& joint, const SetPointQuestion& question)
     if (regulator.dither > 0 && (friction.presliding > 0 || regulator.k_i > 0))
         return undecided(SetPointReason::dithered);
     if (pushes_itself(joint, regulator, friction.dry)) return pushed_about(SetPointReason::push_breaks_friction);
-    if (friction.presliding > 0 && regulator.compensation.acts())
-        return undecided(SetPointReason::bristles_compensated);
+    if (friction.presliding > 0 && regulator.push.fed_back()) return undecided(SetPointReason::bristles_compensated);
     if (!(regulator.k_i > 0)) return without_integral(joint, regulator, friction.dry);
     const PidMass mass{regulator.inertia, regulator.k_v + regulator.drag + friction.viscous, regulator.k_p,
                        regulator.k_i};
@@ -218,7 +217,7 @@ SetPoint set_point(const Joint& joint, const SetPointQuestion& question)
     SetPoint s = decided(joint, question);
     const auto friction = resting_friction(joint.friction);
     if (friction.reason == SetPointReason::none) s.own_level = friction.friction.dry.breakaway;
-    if (const auto push = regulator_of(joint).compensation; push.acts()) s.compensation = push.level;
+    if (const auto push = regulator_of(joint).push; push.fed_back()) s.compensation = push.coulomb;
     s.not_used = left_out(joint);
     return s;
 }

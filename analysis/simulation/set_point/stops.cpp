@@ -47,12 +47,12 @@ Events events_of(const RegulatorFlow& flow)
         const auto& r = flow.regulator();
         double asked = 0;
         flow.effort(y, &asked);
-        const auto& c = r.compensation;
-        const bool left = zone > 0 || c.jumps(), whole = c.by_error() && c.width > 0;
+        const auto& push = r.push;
+        const bool left = zone > 0 || push.jumps(), whole = push.by_error() && push.coulomb_width > 0;
         values[rests] = flow.speed_measure(y);
         values[dead_zone_left] = left ? y[0] + zone : 1;
         values[dead_zone_right] = zone > 0 ? y[0] - zone : 1;
-        values[push_whole] = whole ? std::abs(y[0]) - zone - c.width : 1;
+        values[push_whole] = whole ? std::abs(y[0]) - zone - push.coulomb_width : 1;
         values[at_limit] = limit < infinity ? std::abs(asked) - limit : 1;
     };
     return events;
@@ -104,8 +104,8 @@ StopToStop::StopToStop(const Regulator& regulator, const Friction& friction)
 {
     const double fast = 1e6 * std::min(falling_speed(friction), 1.0);
     slowest_ = slowest_time(regulator, respond(friction, fast, {}).by_velocity);
-    const auto& c = regulator.compensation;
-    speed_limit_ = std::min(falling_speed(friction), c.acts() ? c.speed : infinity);
+    const auto& push = regulator.push;
+    speed_limit_ = std::min(falling_speed(friction), push.fed_back() ? push.coulomb_speed : infinity);
 }
 
 double StopToStop::breakaway_integral(double x) const
@@ -178,7 +178,7 @@ Stop StopToStop::follow(double a, double w, bool to_first_rest) const
         if (still || report.end == StepEnd::time) return stop.end = Stop::End::settled, stop;
         if (report.end != StepEnd::event) continue;
         if (report.event != rests) {
-            if (!regulator_.compensation.jumps() || report.event > dead_zone_right) continue;
+            if (!regulator_.push.jumps() || report.event > dead_zone_right) continue;
             flow.side = side_beyond(regulator_, y);
             y[0] = report.event == dead_zone_left ? -regulator_.dead_zone : regulator_.dead_zone;
             solver->start(flow, now, y, events);

@@ -23,26 +23,32 @@ Joint held(double k_i, double breakaway, double coulomb = 1)
     return joint;
 }
 
-Joint pushed(Joint joint, const Compensation& c)
+FeedForward push(CoulombFrom from, double level, double speed, double width)
 {
-    auto& f = joint.control.feed_forward;
-    f.coulomb = c.level, f.coulomb_from = c.from, f.coulomb_speed = c.speed, f.coulomb_width = c.width;
+    FeedForward f;
+    f.coulomb_from = from, f.coulomb = level, f.coulomb_speed = speed, f.coulomb_width = width;
+    return f;
+}
+
+Joint pushed(Joint joint, const FeedForward& added)
+{
+    joint.control.feed_forward = added;
     return joint;
 }
 
 /// Where the first slip from −a ends, by the midpoint rule in equal steps: no events, no branches, no side.
-double slip_by_small_steps(const Joint& joint, const Compensation& c, double a, double dt)
+double slip_by_small_steps(const Joint& joint, const FeedForward& c, double a, double dt)
 {
     const auto& law = std::get<KineticStatic>(joint.friction.law);
     const auto& k = joint.control;
     const auto share = [&](double x, double v) {
-        if (c.by_velocity()) return std::tanh(v / c.speed);
-        const double e = -x, side = e > c.width ? 1 : e < -c.width ? -1 : c.width > 0 ? e / c.width : 0;
-        return side * (1 - std::tanh(std::abs(v) / c.speed));
+        if (c.by_velocity()) return std::tanh(v / c.coulomb_speed);
+        const double e = -x, side = e > c.coulomb_width ? 1 : e < -c.coulomb_width ? -1 : c.coulomb_width > 0 ? e / c.coulomb_width : 0;
+        return side * (1 - std::tanh(std::abs(v) / c.coulomb_speed));
     };
-    double x = -a, v = 0, w = law.breakaway - k.k_p * a - (c.by_error() ? c.level * share(-a, 0) : 0);
+    double x = -a, v = 0, w = law.breakaway - k.k_p * a - (c.by_error() ? c.coulomb * share(-a, 0) : 0);
     const auto pull = [&](double X, double V, double W) {
-        return (-k.k_p * X - k.k_v * V + W + c.level * share(X, V) - law.kinetic) / joint.mechanism.inertia;
+        return (-k.k_p * X - k.k_v * V + W + c.coulomb * share(X, V) - law.kinetic) / joint.mechanism.inertia;
     };
     for (long i = 0; i < 100'000'000; ++i) {
         const double X = x + 0.5 * dt * v, V = v + 0.5 * dt * pull(x, v, w), W = w - 0.5 * dt * k.k_i * x;
@@ -52,7 +58,7 @@ double slip_by_small_steps(const Joint& joint, const Compensation& c, double a, 
     return missing;
 }
 
-bool hunts(const Joint& joint, const Compensation& c)
+bool hunts(const Joint& joint, const FeedForward& c)
 {
     return set_point(pushed(joint, c)).hunting == Hunting::yes;
 }
@@ -62,9 +68,9 @@ bool hunts(const Joint& joint, const Compensation& c)
 TEST_CASE("a slip under a push ends where small equal steps end", "[set-point]")
 {
     const Joint joint = held(100, 1.5);
-    for (const Compensation c :
-         {Compensation{CoulombFrom::error, 0.8, 1e9, 0}, Compensation{CoulombFrom::error, 0.8, 0.02, 0},
-          Compensation{CoulombFrom::error, 0.8, 0.02, 1e-3}, Compensation{CoulombFrom::velocity, 0.6, 0.02, 0}})
+    for (const FeedForward& c :
+         {push(CoulombFrom::error, 0.8, 1e9, 0), push(CoulombFrom::error, 0.8, 0.02, 0),
+          push(CoulombFrom::error, 0.8, 0.02, 1e-3), push(CoulombFrom::velocity, 0.6, 0.02, 0)})
         for (const double a : {2e-3, 2e-2}) {
             const auto stop = StopToStop(regulator_of(pushed(joint, c)), joint.friction).slip_from(a);
             REQUIRE(stop.end != Stop::End::failure);
@@ -80,7 +86,7 @@ TEST_CASE("short slips under a push shrink when it is more than the drop of fric
     const double drop = 0.5, a = 1e-9;
     const Joint joint = held(100, 1 + drop);
     for (const double S : {0.4, 0.55, 0.9, 1.4}) {
-        const Compensation c{CoulombFrom::error, S, 1e9, 0};
+        const FeedForward c = push(CoulombFrom::error, S, 1e9, 0);
         const auto stop = StopToStop(regulator_of(pushed(joint, c)), joint.friction).slip_from(a);
         CHECK(stop.x / a == Approx(drop / (2 * S - drop)).epsilon(1e-3));
     }
@@ -92,8 +98,8 @@ TEST_CASE("a push between the drop and the static friction ends hunting, less do
     for (const double fade : {1e9, 0.05, 1e-3}) {
         const Joint joint = held(100, 1 + drop);
         CHECK(hunts(joint, {}));
-        CHECK(hunts(joint, {CoulombFrom::error, 0.97 * drop, fade, 0}));
-        const auto calm = set_point(pushed(joint, {CoulombFrom::error, 1.03 * drop, fade, 0}), {16});
+        CHECK(hunts(joint, push(CoulombFrom::error, 0.97 * drop, fade, 0)));
+        const auto calm = set_point(pushed(joint, push(CoulombFrom::error, 1.03 * drop, fade, 0)), {16});
         CHECK(calm.hunting == Hunting::no);
         CHECK(calm.starts > 100);
         CHECK(calm.largest_ratio < 1);
@@ -107,7 +113,7 @@ TEST_CASE("a push above the static friction moves a joint whose loop is late", "
     const double breakaway = 1.5;
     Joint joint = held(0, breakaway);  // an integral may balance the push for as long as it takes to wind up
     joint.control.period = 1e-3;
-    const auto by_error = [&](double S) { return set_point(pushed(joint, {CoulombFrom::error, S, 1e9, 0})); };
+    const auto by_error = [&](double S) { return set_point(pushed(joint, push(CoulombFrom::error, S, 1e9, 0))); };
     CHECK(by_error(0.99 * breakaway).hunting == Hunting::no);
     CHECK(by_error(1.01 * breakaway).hunting == Hunting::yes);
     CHECK(by_error(1.01 * breakaway).reason == SetPointReason::push_breaks_friction);
@@ -143,7 +149,7 @@ TEST_CASE("feed-forward of the measured velocity drives a joint from F_c + F_s t
         const Joint joint = held(0, breakaway);
         const double zeta = joint.control.k_v / (2 * std::sqrt(joint.control.k_p));
         const double critical = 1 + breakaway * std::tanh(0.5 * pi * zeta / std::sqrt(1 - zeta * zeta));
-        const auto driven = [&](double S) { return set_point(pushed(joint, {CoulombFrom::velocity, S, 1e-7, 0})); };
+        const auto driven = [&](double S) { return set_point(pushed(joint, push(CoulombFrom::velocity, S, 1e-7, 0))); };
         CHECK(driven(0.999 * critical).hunting == Hunting::no);
         const auto cycle = driven(1.001 * critical);
         CHECK(cycle.hunting == Hunting::yes);

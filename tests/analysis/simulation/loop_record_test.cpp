@@ -1,43 +1,13 @@
 // Records of a simulated loop: against the recursion of the interface written out here, and true sticking.
 #include <catch2/catch.hpp>
 
-#include "analysis/simulation/sampled/loop_record.h"
+#include "tests/analysis/simulation/sampled_joint.h"
 
 using namespace stickslip;
 
-namespace {
-
-Joint machine()
-{
-    Joint joint;
-    joint.mechanism.inertia = 2;
-    joint.control.k_p = 4000, joint.control.k_v = 120, joint.control.period = 1e-3;
-    joint.control.delay = 2e-3;
-    joint.control.velocity_estimate.form = EstimateForm::backward_difference;
-    joint.control.velocity_estimate.tau = 3e-3;
-    CoulombViscous law;
-    law.coulomb = 5, law.viscous = 10;
-    joint.friction.law = law;
-    return joint;
-}
-
-ReferenceMotion swing(double seconds, double tick)
-{
-    ReferenceMotion r;
-    for (int k = 0; k * tick <= seconds; ++k) {
-        const double t = k * tick, w = 6;
-        r.time.push_back(t);
-        r.position.push_back(0.05 * (1 - std::cos(w * t)));
-        r.velocity.push_back(0.05 * w * std::sin(w * t));
-    }
-    return r;
-}
-
-}  // namespace
-
 TEST_CASE("loop record: the motion of coulomb friction, step by small step")
 {
-    const Joint joint = machine();
+    const Joint joint = sampled_joint();
     const auto reference = swing(2, 1e-3);
     const auto record = record_along(joint, reference, 0);
     REQUIRE(record.reason == Reason::none);
@@ -65,7 +35,7 @@ TEST_CASE("loop record: the motion of coulomb friction, step by small step")
 
 TEST_CASE("loop record: a late reading shows where the joint was, beside the effort of now")
 {
-    Joint joint = machine();
+    Joint joint = sampled_joint();
     joint.control.delay = 1e-3;
     joint.sensor.delay = 2.6e-3;
     joint.actuator.lag = 2e-3;
@@ -100,7 +70,7 @@ TEST_CASE("loop record: a late reading shows where the joint was, beside the eff
 
 TEST_CASE("loop record: a set point under static friction is held, not crept away from")
 {
-    Joint joint = machine();
+    Joint joint = sampled_joint();
     KineticStatic law;
     law.kinetic = 4, law.breakaway = 6;
     joint.friction.law = law;
@@ -114,7 +84,7 @@ TEST_CASE("loop record: a set point under static friction is held, not crept awa
 
 TEST_CASE("loop record: noise is that of its seed")
 {
-    Joint joint = machine();
+    Joint joint = sampled_joint();
     joint.sensor.position_noise = 1e-5, joint.sensor.encoder_quantum = 1e-5;
     const auto reference = swing(0.5, 1e-3);
     const auto a = record_along(joint, reference, 3), b = record_along(joint, reference, 3),
@@ -126,7 +96,7 @@ TEST_CASE("loop record: noise is that of its seed")
 
 TEST_CASE("loop record: what cannot be followed is said")
 {
-    Joint joint = machine();
+    Joint joint = sampled_joint();
     RateAndState law;
     law.f0 = 5, law.A = 1, law.V_star = 1e-3;
     law.B.push_back(1.5), law.L.push_back(1e-5);
@@ -134,7 +104,7 @@ TEST_CASE("loop record: what cannot be followed is said")
     const auto record = record_along(joint, swing(0.5, 1e-3), 0);
     CHECK(record.time.empty());
     CHECK(record.reason == Reason::law_needs_motion);
-    joint = machine();
+    joint = sampled_joint();
     joint.control.period = not_set;
     CHECK(record_along(joint, {{0, 0.1, 0.3}, {0, 1, 2}, {}, {}}, 0).reason == Reason::unsupported);
 }

@@ -3,38 +3,14 @@
 #include <catch2/catch.hpp>
 
 #include "analysis/loop/loop_use.h"
-#include "analysis/simulation/sampled/loop_record.h"
 #include "analysis/simulation/sampled/loop_trajectory.h"
 #include "analysis/simulation/sampled/loop_verdict.h"
 #include "analysis/simulation/set_point/set_point.h"
+#include "tests/analysis/simulation/sampled_joint.h"
 
 using namespace stickslip;
 
 namespace {
-
-Joint machine()
-{
-    Joint joint;
-    joint.mechanism.inertia = 2;
-    joint.control.k_p = 4000, joint.control.k_v = 120, joint.control.period = 1e-3;
-    joint.control.delay = 2e-3;
-    joint.control.velocity_estimate.form = EstimateForm::backward_difference;
-    joint.control.velocity_estimate.tau = 3e-3;
-    joint.friction.law = CoulombViscous{5, 10};
-    return joint;
-}
-
-ReferenceMotion along(double seconds, double tick, double amplitude)
-{
-    ReferenceMotion r;
-    const double w = 6;
-    for (int k = 0; k * tick <= seconds; ++k) {
-        r.time.push_back(0.25 + k * tick);
-        r.position.push_back(amplitude * (1 - std::cos(w * k * tick)));
-        r.velocity.push_back(amplitude * w * std::sin(w * k * tick));
-    }
-    return r;
-}
 
 double pushed(const Control& c, double rate, double v, double e)
 {
@@ -87,10 +63,10 @@ LoopRecord released(const Joint& joint, double distance, double seconds)
 
 TEST_CASE("a push of reference, velocity or error, and dither: step by small step", "[push]")
 {
-    const auto reference = along(1.5, 1e-3, 0.05);
+    const auto reference = swing(1.5, 1e-3, 0.25);
     for (const auto from : {CoulombFrom::reference, CoulombFrom::velocity, CoulombFrom::error})
         for (const double dither : {0.0, 8.0}) {
-            Joint joint = machine();
+            Joint joint = sampled_joint();
             auto& f = joint.control.feed_forward;
             f.coulomb = 3, f.coulomb_from = from, f.coulomb_speed = 0.05, f.coulomb_width = 1e-3;
             joint.control.dither = {dither, 300};
@@ -102,7 +78,7 @@ TEST_CASE("a push of reference, velocity or error, and dither: step by small ste
 
 TEST_CASE("dither below the kinetic friction lets all motion die, nearer than without it", "[push][set-point]")
 {
-    Joint joint = machine();
+    Joint joint = sampled_joint();
     joint.control.delay = 0, joint.control.velocity_estimate.tau = 0;
     joint.friction.law = KineticStatic{5, 7};
     for (const double amplitude : {0.0, 2.0, 4.0}) {
@@ -133,7 +109,7 @@ TEST_CASE("dither below the kinetic friction lets all motion die, nearer than wi
 
 TEST_CASE("pushes that are fed back and dither are said to be left out of the linear theory", "[push]")
 {
-    Joint joint = machine();
+    Joint joint = sampled_joint();
     joint.control.V0 = 0.02;
     const auto left_out = [&](const char* key) -> std::optional<UnusedTerm> {
         for (const auto& term : loop_use(joint).not_used)
@@ -158,7 +134,7 @@ TEST_CASE("pushes that are fed back and dither are said to be left out of the li
 TEST_CASE("a push of the measured velocity is a negative damping of its slope", "[push]")
 {
     // about V_0 the loop with the push is the loop with k_v less by its slope: same growth
-    Joint joint = machine();
+    Joint joint = sampled_joint();
     joint.control.V0 = 0.02;
     joint.friction.law = Stribeck{};
     auto& law = std::get<Stribeck>(joint.friction.law);
@@ -170,12 +146,12 @@ TEST_CASE("a push of the measured velocity is a negative damping of its slope", 
     plain.control.k_v -= 3 * (1 - share * share) / 0.05;
     const auto pushed = loop_verdict(joint, {}), less = loop_verdict(plain, {});
     CHECK(pushed.growth_rate == Approx(less.growth_rate).epsilon(1e-4));
-    CHECK(pushed.growth_rate != Approx(loop_verdict(machine(), {}).growth_rate).epsilon(1e-2));
+    CHECK(pushed.growth_rate != Approx(loop_verdict(sampled_joint(), {}).growth_rate).epsilon(1e-2));
 }
 
 TEST_CASE("a push that jumps by more than sliding takes leaves no steady sliding", "[push]")
 {
-    Joint joint = machine();
+    Joint joint = sampled_joint();
     joint.control.V0 = 1e-4;
     auto& f = joint.control.feed_forward;
     f.coulomb = 8, f.coulomb_from = CoulombFrom::error, f.coulomb_speed = 1;

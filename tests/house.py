@@ -27,9 +27,9 @@ HEAVY = re.compile(r"sundials|cvode|nvector|nlopt")
 # answers in sweep/study may, for the structs; the test report_links holds the program part against what it links.
 COMPUTES = re.compile(r"analysis/(boundary|simulation|design|diagnosis|numerics)/|tbb/")
 COMPUTES_STILL = {  # this list only shrinks; its headers show structs that still live beside the solvers
-    "sweep/report/figures": {"beyond_curves.cpp", "compare_maps.cpp", "curve_margins.cpp", "curve_margins.h",
+    "sweep/report/figures": {"compare_maps.cpp", "curve_margins.cpp",
                              "outcome_map.cpp", "outcome_map.h"},
-    "sweep/report/pages": {"boundary_report.h", "compare_report.cpp", "design_report.h", "ending.h",
+    "sweep/report/pages": {"compare_report.cpp", "design_report.h", "ending.h",
                            "figures_friction.cpp", "figures_numbers.cpp", "margins_report.h", "outcome_report.cpp",
                            "outcome_report.h", "outcome_tables.h", "robust_figure.cpp", "trajectory_report.h",
                            "write_report.cpp"},

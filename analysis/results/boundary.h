@@ -1,6 +1,7 @@
 // Where a stability boundary lies: located points with their brackets, followed curves with what could be missed, and
 // margins of a design.
 #pragma once
+#include "analysis/results/point.h"
 #include "analysis/results/stability_map.h"
 
 #include <optional>
@@ -92,7 +93,8 @@ struct LocatedRay {
     std::vector<BoundaryPoint> points;
     int nodes = 0;      ///< of the scan
     int undecided = 0;  ///< of them without a verdict
-    int climbed = 0;    ///< extrema between nodes that were searched for a pair of boundaries
+    Reason reason = Reason::none;  ///< why the first node has none, where no node has one
+    int climbed = 0;               ///< extrema between nodes that were searched for a pair of boundaries
     int evaluations = 0;
     double stable_share = 0;   ///< of the scanned nodes: tells all stable from none where there is no boundary
     double neutral_share = 0;  ///< of the scanned nodes: a root on the imaginary axis

@@ -1,7 +1,9 @@
 // Everything that one question about boundaries was answered with.
 #pragma once
-#include "analysis/boundary/kinds/boundary.h"
+#include "analysis/joint/joint.h"
+#include "analysis/results/boundary.h"
 #include "analysis/results/set_point.h"
+#include "sweep/study/hunting_field.h"
 
 #include <optional>
 #include <string>
@@ -9,11 +11,20 @@
 
 namespace stickslip {
 
+/// Curves that share their axes, and what the joint does under them.
+struct BoundaryChart {
+    std::vector<FollowedBoundary> curves;
+    std::optional<StabilityMap> sliding = {};  ///< where not all of them are of hunting
+    std::optional<HuntingField> at_rest = {};  ///< where one of them is
+};
+
 struct BoundaryAnswer {
     std::string title, command;
     Joint design;
+    Region region = Region::undecided;  ///< of the design; bistable where a ray or a chart says so
     std::vector<LocatedRay> rays;
     std::vector<FollowedBoundary> curves;
+    std::vector<BoundaryChart> charts = {};  ///< of the curves; none where somebody asked to stop before
     std::string outcome_means;               ///< "position of 0.0001 m", mark-up, where outcomes were asked for
     std::optional<SetPoint> set_point = {};  ///< of the design, where boundaries of hunting were asked for
 };

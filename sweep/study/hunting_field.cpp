@@ -1,7 +1,7 @@
 #include "sweep/study/hunting_field.h"
 
-#include "analysis/joint/parameters.h"
 #include "analysis/simulation/set_point/set_point.h"
+#include "sweep/study/maps.h"
 #include "sweep/study/samples.h"
 
 namespace stickslip {
@@ -22,14 +22,13 @@ HuntingField hunting_field(const Joint& design, Axis x, Axis y, const ParallelFo
     field.places.resize(x.values.size() * y.values.size());
     parallel(y.values.size(), [&](std::size_t j) {
         Joint joint = design;
-        double &u = *find_parameter(joint, x.path), &v = *find_parameter(joint, y.path);
+        double &u = number_at(joint, x.path), &v = number_at(joint, y.path);
         for (std::size_t i = 0; i < x.values.size(); ++i) {
             u = x.values[i], v = y.values[j];
             field.places[j * x.values.size() + i] = set_point(joint);
         }
     });
-    Joint joint = design;
-    field.design_x = *find_parameter(joint, x.path), field.design_y = *find_parameter(joint, y.path);
+    field.design = place_over(design, x, y);
     field.x = std::move(x), field.y = std::move(y);
     return field;
 }

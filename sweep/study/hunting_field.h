@@ -12,7 +12,7 @@ namespace stickslip {
 struct HuntingField {
     Axis x, y;
     std::vector<SetPoint> places;  ///< row-major: index = iy * x.values.size() + ix
-    double design_x = missing, design_y = missing;
+    DesignPoint design;            ///< where it lies; what it does there is an answer of its own
 };
 
 /// The answer at a set point on a grid over the ranges of both axes, finer where it has a closed form.

@@ -14,11 +14,6 @@ namespace {
 
 constexpr int map_mesh = 96, layer_mesh = 32;  ///< lines along each axis on which boundaries are looked for
 
-bool within(const Axis& axis, double value)
-{
-    return value >= axis.values.front() && value <= axis.values.back();
-}
-
 /// The axis without its values, as held parameters carry it.
 Held held_at(Axis axis, double value)
 {
@@ -28,13 +23,9 @@ Held held_at(Axis axis, double value)
 
 }  // namespace
 
-DesignPoint design_point(const Joint& given, const Slice& slice)
+DesignPoint design_point(const Joint& design, const Slice& slice)
 {
-    Joint design = given;
-    DesignPoint point;
-    point.x = number_at(design, slice.x.path);
-    point.y = number_at(design, slice.y.path);
-    point.inside = within(slice.x, point.x) && within(slice.y, point.y);
+    DesignPoint point = place_over(design, slice.x, slice.y);
     const auto row = linear_point(joint_at(design, slice.held));
     point.region = row.region;
     point.spectral_abscissa = row.spectral_abscissa;

@@ -24,6 +24,11 @@ std::vector<double> node_lengths(const Axis& axis)
     return lengths;
 }
 
+bool within(const Axis& axis, double value)
+{
+    return value >= axis.values.front() && value <= axis.values.back();
+}
+
 }  // namespace
 
 double& number_at(Joint& joint, const std::string& path)
@@ -45,6 +50,15 @@ Joint joint_at(Joint joint, const std::vector<Held>& held)
 {
     for (const auto& h : held) number_at(joint, h.axis.path) = h.value;
     return joint;
+}
+
+DesignPoint place_over(Joint design, const Axis& x, const Axis& y)
+{
+    DesignPoint point;
+    point.x = number_at(design, x.path);
+    point.y = number_at(design, y.path);
+    point.inside = within(x, point.x) && within(y, point.y);
+    return point;
 }
 
 std::vector<double> area_shares(const Axis& x, const Axis& y)

@@ -44,6 +44,9 @@ double& number_at(Joint& joint, const std::string& path);
 /// The joint with each held parameter at its value. Throws std::invalid_argument for a path that it lacks.
 Joint joint_at(Joint joint, const std::vector<Held>& held);
 
+/// Where a design lies over two axes, and whether inside the chart; its region is left open.
+DesignPoint place_over(Joint design, const Axis& x, const Axis& y);
+
 /// The share of a chart that each node stands for, axes as drawn; sums to 1. Row-major like a slice.
 std::vector<double> area_shares(const Axis& x, const Axis& y);
 

@@ -1,8 +1,6 @@
 #include "sweep/words/boundary_text.h"
 
-#include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
-#include "analysis/stability/verdict.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
@@ -88,15 +86,10 @@ std::string ray_text(const Joint& design, const LocatedRay& ray)
     const auto motion = design.mechanism.motion;
     const std::string range = with_unit(ray.axis.values.front(), ray.axis.quantity, motion) + " … " +
                               with_unit(ray.axis.values.back(), ray.axis.quantity, motion);
-    if (ray.undecided == ray.nodes) {
-        Joint first = design;
-        *find_parameter(first, ray.axis.path) = ray.axis.values.front();
-        // of a set point the answer for the design says why
-        const auto reason = ray.kind == BoundaryKind::hunting ? Reason::none : linear_verdict(first).steady.reason;
+    if (ray.undecided == ray.nodes)
         return "No verdict along " + ray.axis.symbol + ": the joint cannot be judged at any of the " +
                std::to_string(ray.nodes) + " points of the scan" +
-               (reason == Reason::none ? "." : ". At the first: " + reason_text(reason) + ".");
-    }
+               (ray.reason == Reason::none ? "." : ". At the first: " + reason_text(ray.reason) + ".");
     if (ray.points.empty())
         return "No " + kind + " along " + ray.axis.symbol + " within " + range + throughout(ray) + "." +
                outside_text(ray, motion);

@@ -2,7 +2,7 @@
 """A page is drawn from answers: the program that composes it holds no solver. Run: report_links.py PROGRAM
 
 Static libraries give a program the objects that it needs and no others: one call of a solver anywhere behind the pages
-of a sweep or of a joint would bring its symbols in.
+of a sweep, of a joint or of boundaries would bring its symbols in.
 """
 import re
 import subprocess
@@ -10,7 +10,7 @@ import sys
 
 SOLVERS = re.compile(
     r"linear_verdict|linear_point|linear_study|stable_velocities|compare_theories|spectrum\(|root_locus\(|locate_|"
-    r"follow_bound|margin_along|nearest_boundary\(stickslip::Joint|nonlinear_verdict|simulate\(|steady_sliding|"
+    r"follow_bound|set_point\(|stability_under|hunting_field|margin_along|nearest_boundary\(stickslip::Joint|nonlinear_verdict|simulate\(|steady_sliding|"
     r"critical|CVode|nlopt|tbb::")
 
 symbols = subprocess.run(["nm", "-C", sys.argv[1]], check=True, capture_output=True, text=True).stdout.splitlines()

@@ -339,6 +339,18 @@ double side_of(const Joint& joint, const BoundaryRequest& request)
     return missing;
 }
 
+namespace {
+
+/// Of a set point the answer for the design says why.
+Reason reason_of_no_verdict(Joint joint, const LocatedRay& ray)
+{
+    if (ray.undecided < ray.nodes || ray.kind == BoundaryKind::hunting) return Reason::none;
+    number_at(joint, ray.axis.path) = ray.axis.values.front();
+    return linear_verdict(joint).steady.reason;
+}
+
+}  // namespace
+
 LocatedRay locate_boundaries(const Joint& given, const Axis& axis, const BoundaryRequest& asked)
 {
     auto request = completed(asked);
@@ -346,8 +358,9 @@ LocatedRay locate_boundaries(const Joint& given, const Axis& axis, const Boundar
     const Joint joint = prepared(given, request.kind);
     Joint probe = joint;
     number_at(probe, axis.path);
-    if (request.kind == BoundaryKind::fold) return locate_folds(joint, axis, request);
-    auto ray = Ray(joint, axis, request).run();
+    auto ray =
+        request.kind == BoundaryKind::fold ? locate_folds(joint, axis, request) : Ray(joint, axis, request).run();
+    ray.reason = reason_of_no_verdict(given, ray);
     if (request.kind == BoundaryKind::v_min) {
         auto& points = ray.points;
         std::erase_if(points, [](const BoundaryPoint& p) { return !stable_beyond(p.value, p.direction); });

@@ -2,6 +2,7 @@
 #include "analysis/boundary/kinds/outside.h"
 #include "analysis/loop/loop_use.h"
 #include "analysis/simulation/set_point/set_point.h"
+#include "analysis/stability/verdict.h"
 #include "sweep/files/json/boundary_json.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/whole_file.h"
@@ -12,6 +13,7 @@
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/boundary_report.h"
 #include "sweep/report/pages/write_report.h"
+#include "sweep/study/boundary_charts.h"
 #include "sweep/words/boundary_text.h"
 #include "sweep/words/verdict_text.h"
 
@@ -52,11 +54,12 @@ void answer_one(BoundaryAnswer& answer, BoundaryRequest request, const std::vect
         return;
     }
     auto ray = locate_boundaries(answer.design, axes[0], request);
+    if (beyond_ray(answer.design, ray)) answer.region = Region::bistable;
     if (ray.points.empty() && ray.undecided < ray.nodes) ray.outside = nearest_outside(answer.design, ray, request);
     answer.rays.push_back(std::move(ray));
 }
 
-/// Returns how many questions were answered before somebody asked to stop.
+/// Returns how many questions were answered before somebody asked to stop. What lies under the curves comes last.
 std::size_t answer_all(BoundaryAnswer& answer, const std::vector<BoundaryQuestion>& questions,
                        const Invocation& invocation)
 {
@@ -67,9 +70,14 @@ std::size_t answer_all(BoundaryAnswer& answer, const std::vector<BoundaryQuestio
             answer_one(answer, request, axes, invocation);
             ++answered;
         }
+        answer.charts = boundary_charts(answer.design, answer.curves, stoppable(invocation, parallel_for_each));
+        for (const auto& chart : answer.charts)
+            if (chart.sliding && chart.sliding->design.region == Region::bistable) answer.region = Region::bistable;
     } catch (const Stopped&) {
         fmt::print(stderr, "interrupted: {} of {} boundaries were located{}\n", answered, questions.size(),
-                   answered > 0 ? " and are kept; the others are left out" : "; nothing was written");
+                   answered == questions.size() ? " and are kept; the regions under their curves are left out"
+                   : answered > 0               ? " and are kept; the others are left out"
+                                                : "; nothing was written");
     }
     return answered;
 }
@@ -137,11 +145,12 @@ int locate(const BoundaryOptions& options, const Invocation& invocation)
     for (const auto& question : questions)
         if (question.request.kind == BoundaryKind::hunting) answer.set_point = set_point(answer.design);
     const auto start = std::chrono::steady_clock::now();
+    answer.region = linear_point(answer.design).region;
     const std::size_t answered = answer_all(answer, questions, invocation);
     if (answered == 0 && !questions.empty()) return exit_interrupted;
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
 
-    const auto report = boundary_report(answer, parallel_for_each);
+    const auto report = boundary_report(answer);
     auto json = boundary_json(answer);
     json["answer"] = plain_text(report.verdict);
     fmt::print("{}\n", options.json ? json.dump(2) : plain_text(report.verdict));
@@ -161,7 +170,8 @@ int locate(const BoundaryOptions& options, const Invocation& invocation)
             fmt::print("outcomes follow a disturbance: {}\n", plain_text(answer.outcome_means));
         fmt::print("{} points, {} evaluations, {:.2f} s\n", tally.points, tally.evaluations, wall.count());
     }
-    if (answered < questions.size()) return exit_interrupted;
+    const bool bare = answer.charts.empty() && !answer.curves.empty();
+    if (answered < questions.size() || bare) return exit_interrupted;
     return tally.coarse || tally.undecided ? exit_undecided : exit_done;
 }
 

@@ -3,8 +3,8 @@
 #include "analysis/boundary/trace/chart.h"
 #include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
-#include "analysis/stability/verdict.h"
 #include "sweep/report/figures/map_figures.h"
+#include "sweep/study/beyond_curves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,27 +63,6 @@ double meeting(const FollowedBoundary& c, const Joint& given, bool along_x)
     return along.log ? std::exp(found) : found;
 }
 
-const BoundaryPoint* nearest_point(const LocatedRay& ray, double own)
-{
-    const UnitAxis unit(ray.axis);
-    const auto away = [&](const BoundaryPoint& p) { return std::abs(unit.unit(p.value) - unit.unit(own)); };
-    const auto nearest = std::min_element(ray.points.begin(), ray.points.end(),
-                                          [&](const auto& a, const auto& b) { return away(a) < away(b); });
-    return nearest == ray.points.end() ? nullptr : &*nearest;
-}
-
-/// Whether small disturbances decay all the way from one value of a parameter to another.
-bool stable_between(Joint joint, const Axis& axis, double from, double to)
-{
-    constexpr int samples = 33;
-    double& number = *find_parameter(joint, axis.path);
-    for (int i = 0; i < samples; ++i) {
-        number = from + (to - from) * i / samples;
-        if (!(linear_point(joint).spectral_abscissa < 0)) return false;
-    }
-    return true;
-}
-
 }  // namespace
 
 std::vector<Headline> meeting_headlines(const Joint& design, const std::vector<LocatedRay>& rays,
@@ -112,20 +91,6 @@ std::vector<Headline> meeting_headlines(const Joint& design, const std::vector<L
             add(axis, c.kind, *find_parameter(joint, axis.path), meeting(c, joint, along_x));
         }
     return list;
-}
-
-bool beyond_rays(const Joint& design, const std::vector<LocatedRay>& rays)
-{
-    Joint joint = design;
-    for (const auto& ray : rays) {
-        if (ray.kind != BoundaryKind::fold && ray.kind != BoundaryKind::outcome) continue;
-        const double own = *find_parameter(joint, ray.axis.path);
-        const auto* p = nearest_point(ray, own);
-        if (!p || p->direction == 0) continue;
-        const bool cycles = (own > p->value) == (p->direction > 0);
-        if (cycles && stable_between(joint, ray.axis, own, p->value)) return true;
-    }
-    return false;
 }
 
 std::string meeting_text(const Joint& design, const std::vector<FollowedBoundary>& curves)

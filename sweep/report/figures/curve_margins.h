@@ -1,6 +1,7 @@
 // What followed curves say of the design point, and how sharply each of their points is located.
 #pragma once
-#include "analysis/boundary/kinds/boundary.h"
+#include "analysis/joint/joint.h"
+#include "analysis/results/boundary.h"
 #include "analysis/results/report.h"
 
 #include <string>
@@ -12,9 +13,6 @@ namespace stickslip {
 /// curve between its neighbouring points.
 std::vector<Headline> meeting_headlines(const Joint& design, const std::vector<LocatedRay>& rays,
                                         const std::vector<FollowedBoundary>& curves);
-
-/// Whether the design is stable and lies on that side of a fold or an outcome boundary on a ray where cycles are.
-bool beyond_rays(const Joint& design, const std::vector<LocatedRay>& rays);
 
 /// "Through the design along k_{p}: linear boundary with memory at 19.45 kN/m, fold of limit cycles at 24.85 kN/m."
 std::string meeting_text(const Joint& design, const std::vector<FollowedBoundary>& curves);

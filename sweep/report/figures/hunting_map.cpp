@@ -34,9 +34,7 @@ FieldMap map_over(const HuntingField& field, const std::vector<FollowedBoundary>
         map.lines.push_back({"boundary of hunting, located", drawn.x, drawn.y, false, drawn.kind});
     }
     map.has_design = true;
-    map.design.x = field.design_x, map.design.y = field.design_y;
-    map.design.inside = field.design_x >= field.x.values.front() && field.design_x <= field.x.values.back() &&
-                        field.design_y >= field.y.values.front() && field.design_y <= field.y.values.back();
+    map.design = field.design;
     return map;
 }
 

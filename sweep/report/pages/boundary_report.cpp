@@ -1,15 +1,10 @@
 #include "sweep/report/pages/boundary_report.h"
 
-#include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
-#include "analysis/stability/verdict.h"
-#include "sweep/files/toml/spec_file.h"
-#include "sweep/report/figures/beyond_curves.h"
 #include "sweep/report/figures/curve_margins.h"
 #include "sweep/report/figures/hunting_map.h"
 #include "sweep/report/figures/map_figures.h"
-#include "sweep/study/hunting_field.h"
-#include "sweep/study/samples.h"
+#include "sweep/study/beyond_curves.h"
 #include "sweep/words/set_point_text.h"
 
 #include <fmt/format.h>
@@ -21,7 +16,6 @@ namespace stickslip {
 namespace {
 
 using Tone = Headline::Tone;
-constexpr int map_nodes = 81;
 
 std::string scientific(double value)
 {
@@ -66,11 +60,6 @@ Table guard_table(const std::vector<FollowedBoundary>& curves)
     return table;
 }
 
-bool same_axes(const FollowedBoundary& a, const FollowedBoundary& b)
-{
-    return a.x.path == b.x.path && a.y.path == b.y.path && a.x.values == b.x.values && a.y.values == b.y.values;
-}
-
 Figure curve_figure(StabilityMap map, const std::vector<FollowedBoundary>& curves, const std::string& outcome_means)
 {
     const auto& first = curves.front();
@@ -100,25 +89,14 @@ Figure curve_figure(StabilityMap map, const std::vector<FollowedBoundary>& curve
     return figure;
 }
 
-/// The map under all curves of one pair of axes, with what lies between linear and nonlinear ones.
-StabilityMap marked_map(const Joint& design, const std::vector<FollowedBoundary>& curves, const ParallelFor& parallel)
+/// The map under all curves of one chart.
+StabilityMap marked_map(const BoundaryChart& chart)
 {
-    auto map = map_under(design, curves.front().x, curves.front().y, parallel);
-    mark_bistable(map, curves);
-    for (const auto& c : curves)
+    auto map = *chart.sliding;
+    map.title = "Boundaries of sliding over (" + map.x.symbol + ", " + map.y.symbol + ")";
+    for (const auto& c : chart.curves)
         if (!c.pieces.empty()) map.curves.push_back(curve_with_brackets(c));
     return map;
-}
-
-/// Curves that share their axes stand together.
-std::vector<std::vector<FollowedBoundary>> charts_of(const std::vector<FollowedBoundary>& curves)
-{
-    std::vector<std::vector<FollowedBoundary>> charts;
-    for (const auto& c : curves) {
-        if (charts.empty() || !same_axes(charts.back().front(), c)) charts.emplace_back();
-        charts.back().push_back(c);
-    }
-    return charts;
 }
 
 bool is_hunting(BoundaryKind kind)
@@ -126,25 +104,18 @@ bool is_hunting(BoundaryKind kind)
     return kind == BoundaryKind::hunting;
 }
 
-/// What one chart's curves show: sliding under all of them, and what a set point does under those of hunting.
-void add_charts(Section& section, Region& region, const BoundaryAnswer& answer,
-                const std::vector<FollowedBoundary>& together, const ParallelFor& parallel)
+void add_figures(Section& section, const BoundaryAnswer& answer, const BoundaryChart& chart)
 {
     const auto motion = answer.design.mechanism.motion;
-    std::vector<FollowedBoundary> hunting;
-    for (const auto& c : together)
-        if (is_hunting(c.kind)) hunting.push_back(c);
-    if (hunting.size() < together.size()) {
-        auto map = marked_map(answer.design, together, parallel);
-        if (map.design.region == Region::bistable) region = Region::bistable;
-        section.figures.push_back(curve_figure(std::move(map), together, answer.outcome_means));
-    }
-    if (!hunting.empty()) {
-        const auto& first = hunting.front();
-        for (auto& figure : hunting_figures(hunting_field(answer.design, first.x, first.y, parallel), hunting, motion))
+    if (chart.sliding) section.figures.push_back(curve_figure(marked_map(chart), chart.curves, answer.outcome_means));
+    if (chart.at_rest) {
+        std::vector<FollowedBoundary> hunting;
+        for (const auto& c : chart.curves)
+            if (is_hunting(c.kind)) hunting.push_back(c);
+        for (auto& figure : hunting_figures(*chart.at_rest, hunting, motion))
             section.figures.push_back(std::move(figure));
     }
-    if (auto sharp = precision_figure(together, motion); !std::get<LineChart>(sharp.picture).lines.empty())
+    if (auto sharp = precision_figure(chart.curves, motion); !std::get<LineChart>(sharp.picture).lines.empty())
         section.figures.push_back(std::move(sharp));
 }
 
@@ -173,44 +144,7 @@ void warn_of_lost_pieces(Report& report, const FollowedBoundary& c)
 
 }  // namespace
 
-StabilityMap map_under(const Joint& design, Axis x, Axis y, const ParallelFor& parallel)
-{
-    x.values = spaced(x.values.front(), x.values.back(), map_nodes, x.log);
-    y.values = spaced(y.values.front(), y.values.back(), map_nodes, y.log);
-    StabilityMap map;
-    map.motion = design.mechanism.motion;
-    map.title = "Boundaries of sliding over (" + x.symbol + ", " + y.symbol + ")";
-    map.abscissa.resize(x.values.size() * y.values.size());
-    map.region.resize(map.abscissa.size());
-    parallel(y.values.size(), [&](std::size_t j) {
-        Joint joint = design;
-        double &u = *find_parameter(joint, x.path), &v = *find_parameter(joint, y.path);
-        for (std::size_t i = 0; i < x.values.size(); ++i) {
-            u = x.values[i], v = y.values[j];
-            const auto row = linear_point(joint);
-            map.abscissa[j * x.values.size() + i] = row.spectral_abscissa;
-            map.region[j * x.values.size() + i] = row.region;
-        }
-    });
-    const auto shares = area_shares(x, y);
-    for (std::size_t i = 0; i < shares.size(); ++i) {
-        if (map.region[i] == Region::memory_only || map.region[i] == Region::velocity_only)
-            map.disagreement += shares[i];
-        if (map.region[i] == Region::undecided) map.undecided += shares[i];
-    }
-    Joint joint = design;
-    const auto row = linear_point(design);
-    map.design.x = *find_parameter(joint, x.path), map.design.y = *find_parameter(joint, y.path);
-    map.design.inside = map.design.x >= x.values.front() && map.design.x <= x.values.back() &&
-                        map.design.y >= y.values.front() && map.design.y <= y.values.back();
-    map.design.region = row.region;
-    map.design.spectral_abscissa = row.spectral_abscissa;
-    map.has_design = true;
-    map.x = std::move(x), map.y = std::move(y);
-    return map;
-}
-
-Report boundary_report(const BoundaryAnswer& answer, const ParallelFor& parallel)
+Report boundary_report(const BoundaryAnswer& answer)
 {
     const auto& design = answer.design;
     const bool set_points_only = asks_of_set_points_only(answer);
@@ -221,10 +155,10 @@ Report boundary_report(const BoundaryAnswer& answer, const ParallelFor& parallel
     report.subtitle = "boundaries, located";
     if (!answer.outcome_means.empty()) report.subtitle += " · outcomes follow a disturbance: " + answer.outcome_means;
     Section curves{"curves", "Curves", "", {}, {}};
-    Region region = linear_point(design).region;
-    if (beyond_rays(design, answer.rays)) region = Region::bistable;
-    for (const auto& together : charts_of(answer.curves)) add_charts(curves, region, answer, together, parallel);
-    if (!set_points_only) report.tone = design_tone(region), report.verdict = design_words(region);
+    for (const auto& chart : answer.charts) add_figures(curves, answer, chart);
+    if (!answer.curves.empty() && answer.charts.empty())
+        report.alerts.push_back({Tone::warning, "Interrupted before the regions under the curves were computed."});
+    if (!set_points_only) report.tone = design_tone(answer.region), report.verdict = design_words(answer.region);
     if (answer.set_point) {
         if (set_points_only) report.tone = set_point_tone(*answer.set_point);
         report.verdict += (set_points_only ? "" : " ") + set_point_text(*answer.set_point, design.mechanism.motion);

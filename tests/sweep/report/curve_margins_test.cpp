@@ -1,5 +1,6 @@
 // What located points and curves say of the design, and how their brackets are drawn.
 #include "sweep/report/figures/curve_margins.h"
+#include "sweep/study/boundary_charts.h"
 
 #include "tests/analysis/simulation/joints.h"
 
@@ -74,12 +75,12 @@ TEST_CASE("a ray tells how far each boundary is and on which side of it the desi
     CHECK(
         cards[1].meaning ==
         "from the design to the fold of limit cycles, where stick-slip cycles appear or vanish: 22 kN/m to 24.85 kN/m");
-    CHECK(beyond_rays(design, {linear, fold}));
+    CHECK(beyond_ray(design, fold));
     // cycles on the other side
-    CHECK_FALSE(beyond_rays(design, {ray(BoundaryKind::fold, 24849, 1)}));
-    CHECK_FALSE(beyond_rays(example_joint(2.6e4, 47.5, 1e-2), {fold}));
+    CHECK_FALSE(beyond_ray(design, ray(BoundaryKind::fold, 24849, 1)));
+    CHECK_FALSE(beyond_ray(example_joint(2.6e4, 47.5, 1e-2), fold));
     // where sliding is unstable, or turns unstable on the way, nothing coexists with it
-    CHECK_FALSE(beyond_rays(example_joint(1.8e4, 47.5, 1e-2), {fold}));
-    CHECK_FALSE(beyond_rays(design, {ray(BoundaryKind::outcome, 1.5e4, 1)}));
-    CHECK_FALSE(beyond_rays(design, {linear}));
+    CHECK_FALSE(beyond_ray(example_joint(1.8e4, 47.5, 1e-2), fold));
+    CHECK_FALSE(beyond_ray(design, ray(BoundaryKind::outcome, 1.5e4, 1)));
+    CHECK_FALSE(beyond_ray(design, linear));
 }

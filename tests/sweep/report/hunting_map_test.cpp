@@ -6,10 +6,16 @@
 #include "analysis/simulation/set_point/set_point.h"
 #include "sweep/report/figures/hunting_map.h"
 #include "sweep/report/pages/boundary_report.h"
+#include "sweep/study/boundary_charts.h"
 
 using namespace stickslip;
 
 namespace {
+
+void one_by_one(std::size_t n, const std::function<void(std::size_t)>& task)
+{
+    for (std::size_t i = 0; i < n; ++i) task(i);
+}
 
 BoundaryAnswer hunting_answer()
 {
@@ -27,12 +33,8 @@ BoundaryAnswer hunting_answer()
     answer.curves.push_back(
         follow_boundaries(joint, axis("control.k_p", 10, 1e4), axis("control.k_i", 10, 1e5), request));
     answer.set_point = set_point(joint);
+    answer.charts = boundary_charts(joint, answer.curves, one_by_one);
     return answer;
-}
-
-void one_by_one(std::size_t n, const std::function<void(std::size_t)>& task)
-{
-    for (std::size_t i = 0; i < n; ++i) task(i);
 }
 
 }  // namespace
@@ -40,7 +42,7 @@ void one_by_one(std::size_t n, const std::function<void(std::size_t)>& task)
 TEST_CASE("a chart of hunting shows where the joint hunts and where the loop diverges", "[report][set-point]")
 {
     const auto answer = hunting_answer();
-    const auto report = boundary_report(answer, one_by_one);
+    const auto report = boundary_report(answer);
     CHECK(report.verdict.find("Hunts at a set point") == 0);
     CHECK(report.tone == Headline::Tone::bad);
     REQUIRE(report.sections.front().figures.size() >= 2);

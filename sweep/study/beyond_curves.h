@@ -15,6 +15,9 @@ namespace stickslip {
 /// map's `disagreement` is that of its new regions.
 void mark_bistable(StabilityMap& map, const std::vector<FollowedBoundary>& curves);
 
+/// The located point of a ray that lies nearest to a value, along the axis as drawn; null where there is none.
+const BoundaryPoint* nearest_point(const LocatedRay& ray, double value);
+
 /// The share of a map's area, axes as drawn, that has a region.
 double share_of_area(const StabilityMap& map, Region region);
 

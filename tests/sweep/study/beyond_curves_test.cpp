@@ -1,10 +1,10 @@
 // Which part of a chart is bistable, told from located curves and checked by simulation.
-#include "sweep/report/figures/beyond_curves.h"
+#include "sweep/study/beyond_curves.h"
 
 #include "analysis/boundary/kinds/boundary.h"
 #include "analysis/joint/parameters.h"
 #include "analysis/simulation/attractor/nonlinear.h"
-#include "sweep/report/pages/boundary_report.h"
+#include "sweep/study/boundary_charts.h"
 #include "tests/analysis/simulation/joints.h"
 
 #include <catch2/catch.hpp>
@@ -103,7 +103,7 @@ TEST_CASE("the strip between linear boundary and fold is bistable where simulati
     request.kind = BoundaryKind::fold;
     const auto fold =
         follow_boundaries(joint, axis("control.k_p", 5e3, 5e4, true), axis("control.k_v", 44, 52), request);
-    auto map = map_under(joint, fold.x, fold.y, in_order);
+    auto map = stability_under(joint, fold.x, fold.y, in_order);
     mark_bistable(map, {fold});
     CHECK(map.design.region == Region::bistable);
     constexpr unsigned seed = 7;

@@ -1,4 +1,4 @@
-#include "sweep/report/figures/beyond_curves.h"
+#include "sweep/study/beyond_curves.h"
 
 #include "analysis/boundary/trace/chart.h"
 #include "sweep/study/maps.h"
@@ -156,6 +156,15 @@ void mark_bistable(StabilityMap& map, const std::vector<FollowedBoundary>& curve
     for (const auto node : bistable) map.region[node] = Region::bistable;
     if (design && linearly_stable(map.design.region)) map.design.region = Region::bistable;
     map.disagreement = share_of_area(map, Region::memory_only) + share_of_area(map, Region::velocity_only);
+}
+
+const BoundaryPoint* nearest_point(const LocatedRay& ray, double value)
+{
+    const UnitAxis unit(ray.axis);
+    const auto away = [&](const BoundaryPoint& p) { return std::abs(unit.unit(p.value) - unit.unit(value)); };
+    const auto nearest = std::min_element(ray.points.begin(), ray.points.end(),
+                                          [&](const auto& a, const auto& b) { return away(a) < away(b); });
+    return nearest == ray.points.end() ? nullptr : &*nearest;
 }
 
 double share_of_area(const StabilityMap& map, Region region)

@@ -178,7 +178,7 @@ void check_sense(const Joint& joint, const Requirements& r)
 {
     const auto refuse = [](const std::string& text) { throw std::invalid_argument(text); };
     if (!(r.noise.position > 0) && !(r.noise.velocity > 0))
-        refuse("position_noise: neither it nor velocity_noise is set, and without noise every gain is as quiet as any");
+        refuse("position_noise: neither it nor velocity_noise is set, and without noise every gain is equally good");
     if (!(r.noise.period > 0)) refuse("sample_time: is not set; noise of samples needs the time between them");
     if (joint.control.structure == Structure::cascade)
         refuse(
@@ -191,7 +191,7 @@ void check_sense(const Joint& joint, const Requirements& r)
             if (std::abs(asked - has) <= close * std::abs(has)) return;
             std::ostringstream text;
             text << name << ": is " << asked << ", but " << key << " of the loop that reads the sensor is " << has
-                 << "; needed are equal ones, or no " << name;
+                 << "; expected equal ones, or no " << name;
             refuse(text.str());
         };
         same("sample_time", r.noise.period, "control.period", c.period);
@@ -202,7 +202,7 @@ void check_sense(const Joint& joint, const Requirements& r)
     const auto ends = [](const char* name, double low, double high, bool stated) {
         std::ostringstream text;
         text << name << "_from: is " << low << ", " << name << "_to is " << high
-             << (stated ? "" : " (not stated, from the joint's own gains)") << "; needed is a start below the end";
+             << (stated ? "" : " (not stated, from the joint's own gains)") << "; expected a start below the end";
         return text.str();
     };
     if (!(range.k_p.low > 0 && range.k_p.low < range.k_p.high))

@@ -28,7 +28,7 @@ Friction scaled(Friction friction, double kinetic, double breakaway)
         law->c2 = std::max(0.0, at_rest - law->c0);
     } else {
         throw std::invalid_argument(
-            "friction.law: a design of a set point varies kinetic and static friction, allowed are coulomb-viscous, "
+            "friction.law: a design of a set point varies kinetic and static friction, expected coulomb-viscous, "
             "kinetic-static and stribeck");
     }
     return friction;
@@ -281,17 +281,17 @@ void check_set_point_joint(const Joint& joint, const SetPointRequirements& asked
 {
     const auto refuse = [](const char* text) { throw std::invalid_argument(text); };
     if (joint.mechanism.model != Model::single_mass)
-        refuse("joint.model: a design of a set point is of one mass, allowed is \"single-mass\"");
+        refuse("joint.model: a design of a set point is of one mass, expected \"single-mass\"");
     if (joint.control.kind == ControlKind::force)
-        refuse("control.kind: a force loop has no position set point, allowed is \"position\"");
+        refuse("control.kind: a force loop has no position set point, expected \"position\"");
     if (joint.control.structure == Structure::cascade)
         refuse(
             "control.structure: a design of a set point turns k_i, a cascade has none alone; describe it by its sum of "
             "gains with control.structure = \"pid\"");
-    if (!(joint.control.k_p > 0)) refuse("control.k_p: a set point needs a position gain, allowed are numbers > 0");
+    if (!(joint.control.k_p > 0)) refuse("control.k_p: a set point needs a position gain, expected numbers > 0");
     if (!(asked.friction_margin >= 0 && asked.friction_margin < 1))
-        refuse("friction_margin: allowed are shares from 0 to below 1");
-    if (is_set(asked.k_i) && !(asked.k_i > 0)) refuse("k_i: allowed are numbers > 0");
+        refuse("friction_margin: expected shares from 0 to below 1");
+    if (is_set(asked.k_i) && !(asked.k_i > 0)) refuse("k_i: expected numbers > 0");
 }
 
 }  // namespace

@@ -159,7 +159,7 @@ void tell_rivals(const Prepared& p, const Findings& f, const std::vector<Ranked>
         for (const auto& rival : near)
             if (const auto names = with_findings(p, rival.names); std::ranges::count(d.ambiguous_with, names) == 0)
                 d.ambiguous_with.push_back(names);
-        // the refitted numbers are no part of what is told apart
+        // the refitted numbers are no part of what is distinguished
         const auto& others = f.judged.ladder.rivals[0];
         if (near.empty() && others.empty()) return;
         const auto rival = at_all_levels(p.cases, p.scales, p.nominal, near.empty() ? others[0] : *near.front().set);
@@ -295,10 +295,10 @@ void tell_interrupted(const std::string& stage, const Joint& joint, DiagnosisRes
                                                "auditing the controller",
                                                "measuring the floor",
                                                "fitting single effects",
-                                               "correcting the joint's own numbers",
+                                               "correcting the nuisance parameters of the joint",
                                                "fitting pairs",
                                                "climbing the ladder",
-                                               "fitting forces without a name",
+                                               "fitting unmodelled forces",
                                                "predicting held-out data"};
     Diagnosis& d = result.diagnosis;
     d.interrupted = true;

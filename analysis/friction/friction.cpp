@@ -143,7 +143,7 @@ std::string Friction::problem() const
 {
     const bool static_law = static_parts(law, 1).has_value();
     const std::string given =
-        " needs a static law (coulomb-viscous, kinetic-static or stribeck), given is " + std::string(info(law).name);
+        " needs a static law (coulomb-viscous, kinetic-static or stribeck), got " + std::string(info(law).name);
     if (has_bristle() && !static_law) return "bristle" + given;
     if (has_lag() && !static_law) return "memory.lag" + given;
     if (stickslip::states(*this) > max_states)

@@ -38,7 +38,7 @@ struct RateStateParameters {
     std::string problem() const
     {
         return B.size == L.size ? ""
-                                : "B and L need one value a state each, given are " + std::to_string(B.size) + " and " +
+                                : "B and L need one value a state each, got " + std::to_string(B.size) + " and " +
                                       std::to_string(L.size);
     }
 

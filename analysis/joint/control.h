@@ -98,7 +98,7 @@ struct Control {
         visit.number({"delay", Quantity::time, not_negative, Need::optional, "dead time behind the command"},
                      self.delay);
         visit.table("velocity_estimate", "how the loop estimates velocity", self.velocity_estimate);
-        visit.table("feed_forward", "what the controller adds for the motion it is told to make", self.feed_forward);
+        visit.table("feed_forward", "what the controller adds for the commanded motion", self.feed_forward);
         visit.table("dither", "a vibration that the controller adds to its output", self.dither);
     }
 
@@ -106,18 +106,18 @@ struct Control {
     std::string problem() const
     {
         if (is_set(velocity_integral_gain) && is_set(velocity_reset_time))
-            return "velocity_integral_gain and velocity_reset_time say the same thing, allowed is one of them";
+            return "velocity_integral_gain and velocity_reset_time say the same thing, expected one of them";
         const bool integrates = k_i != 0 || is_set(velocity_integral_gain) || is_set(velocity_reset_time);
         if (anti_windup == AntiWindup::back_calculation && integrates && !is_set(tracking_time))
             return "anti_windup = \"back-calculation\" needs tracking_time";
         if (!is_set(period)) return "";
         const bool damps = structure == Structure::cascade || k_v != 0;
         if (damps && velocity_estimate.form == EstimateForm::unstated)
-            return "period is set and the loop feeds velocity back, but velocity_estimate.form is missing, allowed are "
+            return "period is set and the loop feeds velocity back, but velocity_estimate.form is missing, expected "
                    "\"backward-difference\", \"exact\"";
-        if (delay > most_dead_ticks * period) return "delay is more than 1000 periods, allowed are at most 1000";
+        if (delay > most_dead_ticks * period) return "delay is more than 1000 periods, expected at most 1000";
         if (dither.amplitude > 0 && !(dither.frequency * period < std::numbers::pi))
-            return "dither.frequency is not below half the sampling rate, allowed are less than pi/period";
+            return "dither.frequency is not below half the sampling rate, expected less than pi/period";
         return "";
     }
 

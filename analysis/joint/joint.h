@@ -67,14 +67,14 @@ struct Joint {
     std::string problem() const
     {
         if (is_set(control.period) && sensor.delay > 0 && dead_time() > most_dead_ticks * control.period)
-            return "sensor.delay and control.delay are more than 1000 periods, allowed are at most 1000";
+            return "sensor.delay and control.delay are more than 1000 periods, expected at most 1000";
         const bool single = mechanism.model == Model::single_mass;
         if (normal.from_load != 0 && single)
             return "normal.from_load is of the effort that a transmission carries, and a single mass has none; "
                    "friction.load_coefficient is of the effort of the loop";
         if (normal.from_load != 0 && normal.alpha != 0)
             return "normal.alpha and normal.from_load: a state that follows the transmitted effort is not computed, "
-                   "allowed is one of them";
+                   "expected one of them";
         double carried = 0;
         for (const auto& n : neighbour) carried += n.coupling * n.coupling / n.inertia;
         return carried < (single ? mechanism.inertia : mechanism.link_inertia) || neighbour.size == 0

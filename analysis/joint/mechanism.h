@@ -27,8 +27,9 @@ struct Transmission {
         visit.number(
             {"ratio", Quantity::number, positive, Need::optional, "reduction N: motor motion per joint motion"},
             self.ratio);
-        visit.number({"backlash", Quantity::position, not_negative, Need::optional, "total play at the joint side"},
-                     self.backlash);
+        visit.number(
+            {"backlash", Quantity::position, not_negative, Need::optional, "total clearance at the joint side"},
+            self.backlash);
     }
 };
 

@@ -180,7 +180,7 @@ std::vector<Problem> check(const Joint& given)
         if (!is_set(*p.value)) {
             if (p.need == Need::required) problems.push_back({p.path, "is missing: " + p.help});
         } else if (!p.range.holds(*p.value) && !(p.need == Need::optional && *p.value == infinity)) {
-            problems.push_back({p.path, "is " + number_text(*p.value) + ", allowed is " + describe(p.range)});
+            problems.push_back({p.path, "is " + number_text(*p.value) + ", expected " + describe(p.range)});
         }
     }
     return problems;

@@ -149,11 +149,11 @@ void leave_surroundings(Collector& c, const Joint& joint)
                 noticed(joint, joint.friction.ripple.amplitude * joint.friction.ripple.periods));
         c.leave(joint.friction.drift.change != 0, "friction.drift", WhyNot::time, false);
     }
-    c.leave(m.model == Model::two_mass && m.transmission.backlash > 0, "joint.transmission.backlash", WhyNot::play,
+    c.leave(m.model == Model::two_mass && m.transmission.backlash > 0, "joint.transmission.backlash", WhyNot::backlash,
             true);
     const bool chain = m.model == Model::three_mass || m.model == Model::lever;
-    c.leave(chain && m.motor_transmission.backlash > 0, "joint.motor_transmission.backlash", WhyNot::play, true);
-    c.leave(chain && m.transmission_link.backlash > 0, "joint.transmission_link.backlash", WhyNot::play, true);
+    c.leave(chain && m.motor_transmission.backlash > 0, "joint.motor_transmission.backlash", WhyNot::backlash, true);
+    c.leave(chain && m.transmission_link.backlash > 0, "joint.transmission_link.backlash", WhyNot::backlash, true);
 }
 
 }  // namespace

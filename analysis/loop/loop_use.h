@@ -1,6 +1,8 @@
 // Which loop a verdict is about, and what of the joint's description it could not use.
 #pragma once
+#include <iterator>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/joint/joint.h"
@@ -17,13 +19,22 @@ enum class WhyNot {
     rounding,        ///< encoder steps and noise: sliding holds only up to a jitter
     place,           ///< locked to position: steady sliding has no one linear system
     time,            ///< locked to time: it forces the joint and moves no root
-    play,            ///< backlash: closed while the load has one sign, open it has no linear system
+    backlash,        ///< closed while the load has one sign, open it has no linear system
     needs_period,    ///< of a sampled estimate, in a loop without a period
     no_feedback,     ///< the loop feeds nothing back that it could act on
     reference_only,  ///< it acts on the reference alone and moves no root
     fed_back,        ///< a push that follows the motion itself, of which the linear theory has no term
     unsupported      ///< this loop has no evaluation with such friction
 };
+
+/// As JSON calls it.
+constexpr std::string_view name_of(WhyNot why)
+{
+    constexpr std::string_view names[] = {"small-signal", "rounding",    "place",          "time",     "backlash",
+                                          "needs-period", "no-feedback", "reference-only", "fed-back", "unsupported"};
+    static_assert(std::size(names) == static_cast<std::size_t>(WhyNot::unsupported) + 1);
+    return names[static_cast<std::size_t>(why)];
+}
 
 struct UnusedTerm {
     std::string key;

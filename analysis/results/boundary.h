@@ -1,5 +1,5 @@
-// Where a stability boundary lies: located points with their brackets, followed curves with what could be missed, and
-// margins of a design.
+// Where a stability boundary lies: located points with their brackets, followed curves with what their search does not
+// exclude, and margins of a design.
 #pragma once
 #include "analysis/results/point.h"
 #include "analysis/results/stability_map.h"
@@ -91,8 +91,8 @@ struct LocatedRay {
     BoundaryKind kind = BoundaryKind::state_variable;
     Axis axis;  ///< values: only the ends
     std::vector<BoundaryPoint> points;
-    int nodes = 0;      ///< of the scan
-    int undecided = 0;  ///< of them without a verdict
+    int nodes = 0;                 ///< of the scan
+    int undecided = 0;             ///< of them without a verdict
     Reason reason = Reason::none;  ///< why the first node has none, where no node has one
     int climbed = 0;               ///< extrema between nodes that were searched for a pair of boundaries
     int evaluations = 0;

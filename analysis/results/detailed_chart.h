@@ -26,13 +26,13 @@ struct DetailedChart {
         std::vector<double> along = {};  ///< what a curve in the plane was drawn over; empty, or one for each sample
     };
     std::string title, fixed;
-    std::string x_label, y_label;  ///< with units, mark-up
+    AxisName x_label, y_label;
     bool x_log = false, y_log = false;
     std::vector<Line> lines;
     std::vector<std::pair<std::string, double>> x_marks;  ///< vertical marks with a label
-    std::string along_label = {};                         ///< of Line::along, "position gain k_{p} [N/m]"
-    double shown_share = 1;  ///< of each line's values, that the y axis must span: one spike would flatten all else
-    std::string below_label = {};  ///< y axis of the panel below
+    AxisName along_label = {};                            ///< of Line::along; its name is empty where there is none
+    double shown_share = 1;     ///< of each line's values, that the y axis must span: one spike would flatten all else
+    AxisName below_label = {};  ///< y axis of the panel below
     std::vector<Line> below = {};
     bool played = false;  ///< lines are positions of one joint in time, those below are efforts: the page can play them
     bool turns = false;   ///< played: of a revolute joint

@@ -67,7 +67,7 @@ struct Cause {
     ConfidenceInterval heldout_gain_interval;
     double force_gain = std::numeric_limits<double>::quiet_NaN();  ///< the same for the drive force, see DriveForceGap
     ConfidenceInterval force_gain_interval;
-    bool signature = false;  ///< its tell-tale is in the records
+    bool signature = false;  ///< it is in the records
     bool plausible = true;   ///< its numbers are not at a bound and not out of all proportion
     std::string tell_tale;   ///< what the signature is
     double misfit = 0;       ///< score of the fit; 0 is noise
@@ -150,7 +150,9 @@ struct DiagnosedTrace {
     std::string file;
     std::vector<double> time, measured, before, after;
     std::vector<double> effort_measured, effort_before, effort_after;
-    std::string effort_name, effort_unit;  ///< "measured effort", "command"
+    enum class Effort { measured, command, friction_of_rig };
+    Effort effort = Effort::command;  ///< what the efforts are
+    std::string effort_unit;
 };
 
 /// Everything that the report and diagnosis.json say. Boundary numbers are added by who can compute maps.

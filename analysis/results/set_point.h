@@ -1,6 +1,7 @@
 // What a loop with integral action does when it is to stand still: plain data.
 #pragma once
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,6 +36,34 @@ enum class SetPointReason : std::uint8_t {
     friction_term,         ///< a term beside the law
     not_converged
 };
+
+/// As JSON calls it.
+constexpr std::string_view name_of(SetPointReason reason)
+{
+    constexpr std::string_view names[] = {"none",
+                                          "static-above-coulomb",
+                                          "falling-friction",
+                                          "no-integral-action",
+                                          "static-is-coulomb",
+                                          "slips-shrink",
+                                          "held",
+                                          "dead-zone",
+                                          "push-breaks-friction",
+                                          "driven-by-velocity",
+                                          "not-driven",
+                                          "dither-narrows",
+                                          "loop-unstable",
+                                          "force-control",
+                                          "several-bodies",
+                                          "law-needs-motion",
+                                          "law-without-motion",
+                                          "dithered",
+                                          "bristles-compensated",
+                                          "friction-term",
+                                          "not-converged"};
+    static_assert(std::size(names) == static_cast<std::size_t>(SetPointReason::not_converged) + 1);
+    return names[static_cast<std::size_t>(reason)];
+}
 
 enum class SetPointMethod : std::uint8_t { none, closed_form, event_driven, presliding };
 

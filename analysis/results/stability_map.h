@@ -130,6 +130,14 @@ struct CriticalGainSurface {
     std::vector<double> z;  ///< row-major like StabilityMap::abscissa
 };
 
+/// What stands beside an axis of a line chart, mark-up, and the unit of its numbers; "" for none.
+struct AxisName {
+    std::string name, unit = {};
+
+    /// "velocity V [m/s]"
+    std::string text() const { return unit.empty() ? name : name + " [" + unit + "]"; }
+};
+
 /// A line chart: several named curves over one axis.
 struct LineChart {
     struct Line {
@@ -138,7 +146,7 @@ struct LineChart {
         bool dashed = false;
     };
     std::string title, fixed;
-    std::string x_label, y_label;  ///< with units, mark-up
+    AxisName x_label, y_label;
     bool x_log = false, y_log = false;
     std::vector<Line> lines;
     std::vector<std::pair<std::string, double>> x_marks;  ///< vertical marks with a label

@@ -84,8 +84,8 @@ GainLimit gain_limit(const LinearJoint& j)
     if (j.bodies > 1 || !(C > late * (1 + 1e-9))) return {usual, usual};
     const double last = variation / (C - late);
     const double enough = 2 * (j.inertia[0] * last * last + variation + late * last) / j.actuated[0];
-    constexpr double dearest = 100;  // a C that hardly outweighs the delays asks for a search without sensible end
-    if (!(enough < dearest * usual)) return {usual, usual};
+    constexpr double most_costly = 100;  // a C that hardly outweighs the delays asks for a search without sensible end
+    if (!(enough < most_costly * usual)) return {usual, usual};
     return {std::max(enough, 4 * std::abs(j.k_p)), infinity};
 }
 

@@ -37,7 +37,7 @@ def with_arm_load(records: Mapping[str, Any], robot: str | Path | None = None, *
     `armature` (kg·m² or kg) is what the description lacks beside the links, such as a rotor behind its gear: {"elbow": 0.12}.
     Velocities and accelerations are those of a cubic through `window` seconds of positions round each row
     (default: 0.03 s, or six rows, 0.1 s at most). Gravity is in
-    load_effort: the joint's own load.gravity_amplitude has to be zero then. For a joint with play or a soft transmission the
+    load_effort: the joint's own load.gravity_amplitude has to be zero then. For a joint with backlash or a soft transmission the
     link's motion counts; where the log has only the motor's, loads are as wrong as that difference.
 
     >>> records = {name: stickslip.read_log("run.mcap", joint=name) for name in ("shoulder", "elbow")}

@@ -142,13 +142,11 @@ AxisLabel axis_label(const std::string& name, const std::string& symbol, Quantit
     return label;
 }
 
-AxisLabel axis_label(const std::string& label, const Scale& scale)
+AxisLabel axis_label(const AxisName& axis, const Scale& scale)
 {
-    const auto opens = label.rfind('[');
-    if (scale.log || opens == std::string::npos || !label.ends_with(']')) return {label};
-    const std::string unit = label.substr(opens + 1, label.size() - opens - 2);
-    const ScaledUnit scaled = scaled_unit(std::max(std::abs(scale.low), std::abs(scale.high)), unit);
-    return {label.substr(0, opens + 1) + scaled.text + "]", scaled.size};
+    if (scale.log || axis.unit.empty()) return {axis.text()};
+    const ScaledUnit scaled = scaled_unit(std::max(std::abs(scale.low), std::abs(scale.high)), axis.unit);
+    return {AxisName{axis.name, scaled.text}.text(), scaled.size};
 }
 
 }  // namespace stickslip::drawing

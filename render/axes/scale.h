@@ -47,7 +47,7 @@ struct AxisLabel {
 AxisLabel axis_label(const std::string& name, const std::string& symbol, Quantity quantity, Motion motion,
                      const Scale& scale);
 
-/// The same for a finished label, "velocity V [m/s]": on a linear axis the unit in the last brackets takes the prefix.
-AxisLabel axis_label(const std::string& label, const Scale& scale);
+/// The same of a line chart's axis.
+AxisLabel axis_label(const AxisName& axis, const Scale& scale);
 
 }  // namespace stickslip::drawing

@@ -34,12 +34,17 @@ std::string field(std::string_view text)
     return quoted + '"';
 }
 
-std::string csv(const StabilityMap& map)
+std::string csv_header(const StabilityMap& map)
 {
     std::string text = column(map.x.path, map.x.quantity, map.motion) + "," +
                        column(map.y.path, map.y.quantity, map.motion) + ",spectral abscissa [1/s],";
     for (const auto& reading : map.readings) text += column(reading.name, reading.quantity, map.motion) + ",";
-    text += "region\n";
+    return text + "region";
+}
+
+std::string csv(const StabilityMap& map)
+{
+    std::string text = csv_header(map) + "\n";
     std::size_t i = 0;
     for (const double y : map.y.values)
         for (const double x : map.x.values) {
@@ -51,12 +56,17 @@ std::string csv(const StabilityMap& map)
     return text;
 }
 
-std::string csv(const StabilityPanels& p)
+std::string csv_header(const StabilityPanels& p)
 {
     std::string text;
     for (const Axis* axis : {&p.up, &p.across, &p.x, &p.y})
         if (!axis->name.empty()) text += column(axis->path, axis->quantity, p.motion) + ",";
-    text += "spectral abscissa [1/s],region\n";
+    return text + "spectral abscissa [1/s],region";
+}
+
+std::string csv(const StabilityPanels& p)
+{
+    std::string text = csv_header(p) + "\n";
     for (const auto& panel : p.panels) {
         const std::string place = (p.up.name.empty() ? "" : number(panel.up) + ",") + number(panel.across) + ",";
         std::size_t i = 0;
@@ -70,11 +80,15 @@ std::string csv(const StabilityPanels& p)
     return text;
 }
 
+std::string csv_header(const FieldMap& map)
+{
+    return column(map.x.path, map.x.quantity, map.motion) + "," + column(map.y.path, map.y.quantity, map.motion) + "," +
+           (map.classes.empty() ? column(map.name, map.quantity, map.motion) : field(map.name));
+}
+
 std::string csv(const FieldMap& map)
 {
-    std::string text = column(map.x.path, map.x.quantity, map.motion) + "," +
-                       column(map.y.path, map.y.quantity, map.motion) + "," +
-                       (map.classes.empty() ? column(map.name, map.quantity, map.motion) : field(map.name)) + "\n";
+    std::string text = csv_header(map) + "\n";
     std::size_t i = 0;
     for (const double y : map.y.values)
         for (const double x : map.x.values) {
@@ -87,11 +101,16 @@ std::string csv(const FieldMap& map)
     return text;
 }
 
+std::string csv_header(const CriticalGainSurface& surface)
+{
+    return column(surface.x.path, surface.x.quantity, surface.motion) + "," +
+           column(surface.y.path, surface.y.quantity, surface.motion) + "," +
+           column(surface.z_name, surface.z_quantity, surface.motion);
+}
+
 std::string csv(const CriticalGainSurface& surface)
 {
-    std::string text = column(surface.x.path, surface.x.quantity, surface.motion) + "," +
-                       column(surface.y.path, surface.y.quantity, surface.motion) + "," +
-                       column(surface.z_name, surface.z_quantity, surface.motion) + "\n";
+    std::string text = csv_header(surface) + "\n";
     std::size_t i = 0;
     for (const double y : surface.y.values)
         for (const double x : surface.x.values)
@@ -104,13 +123,18 @@ std::string csv(const LineDrawing&)
     return "";
 }
 
+std::string csv_header(const DetailedChart& chart)
+{
+    const std::string own = chart.y_label.text(), below = chart.below_label.text();
+    const std::string label = own + (chart.below.empty() || below == own ? "" : " | " + below);
+    return "line," + field(plain_text(chart.x_label.text())) + "," + field(plain_text(label)) +
+           (chart.along_label.name.empty() ? "" : "," + field(plain_text(chart.along_label.text())));
+}
+
 std::string csv(const DetailedChart& chart)
 {
-    const bool along = !chart.along_label.empty();
-    const std::string label =
-        chart.y_label + (chart.below.empty() || chart.below_label == chart.y_label ? "" : " | " + chart.below_label);
-    std::string text = "line," + field(plain_text(chart.x_label)) + "," + field(plain_text(label)) +
-                       (along ? "," + field(plain_text(chart.along_label)) : "") + "\n";
+    const bool along = !chart.along_label.name.empty();
+    std::string text = csv_header(chart) + "\n";
     for (const auto* lines : {&chart.lines, &chart.below})
         for (const auto& line : *lines) {
             const std::string name = field(plain_text(line.name)) + ",";

@@ -17,6 +17,13 @@ std::string csv(const LineChart& chart);              ///< line, x, y
 std::string csv(const DetailedChart& chart);  ///< the same, what lies below too, and what a curve was drawn over
 std::string csv(const LineDrawing& drawing);  ///< nothing: a drawing has no numbers but its words
 
+/// The first line of each, so that other tables of the same numbers carry the same names.
+std::string csv_header(const StabilityMap& map);
+std::string csv_header(const StabilityPanels& panels);
+std::string csv_header(const FieldMap& map);
+std::string csv_header(const CriticalGainSurface& surface);
+std::string csv_header(const DetailedChart& chart);
+
 /// The shortest digits that read back to the same number; "nan", "inf", "-inf" otherwise.
 std::string number(double value);
 

@@ -2,6 +2,7 @@
 
 #include "analysis/results/text.h"
 #include "render/axes/scale.h"
+#include "render/csv/csv.h"
 #include "render/drawing/markup.h"
 #include "render/page/json.h"
 #include "render/page/layer_data.h"
@@ -18,12 +19,6 @@ namespace {
 bool takes_prefix(Quantity quantity, Motion motion)
 {
     return scaled_unit(1e3, quantity, motion).text != unit_of(quantity, motion);
-}
-
-/// The header line of the figure's CSV file, so that both tables carry the same names.
-std::string header(const RenderedFigure& rendered)
-{
-    return rendered.csv.substr(0, rendered.csv.find('\n'));
 }
 
 std::size_t nearest(const Axis& axis, double value)
@@ -50,6 +45,7 @@ std::string reading(std::string_view name, Quantity quantity, Motion motion, con
 struct GridPicture {
     const Axis &x, &y;
     Motion motion;
+    std::string header;         ///< of its CSV file
     const DesignPoint* design;  ///< null: none, or beyond the chart
 };
 
@@ -67,7 +63,7 @@ JsonObject grid_data(const GridPicture& grid, const RenderedFigure& rendered, co
     const std::size_t row = grid.design ? nearest(grid.y, grid.design->y) : grid.y.values.size() / 2;
     JsonObject json;
     json.text("kind", kind)
-        .text("header", header(rendered))
+        .text("header", grid.header)
         .numbers("start", {static_cast<double>(column), static_cast<double>(row)})
         .raw("x", axis_data(grid.x, grid.motion))
         .raw("y", axis_data(grid.y, grid.motion));
@@ -91,7 +87,7 @@ std::string region_classes()
 std::string data(const StabilityMap& map, const RenderedFigure& rendered)
 {
     const DesignPoint* design = map.has_design && map.design.inside ? &map.design : nullptr;
-    JsonObject json = grid_data({map.x, map.y, map.motion, design}, rendered);
+    JsonObject json = grid_data({map.x, map.y, map.motion, csv_header(map), design}, rendered);
     std::vector<std::string> readings{reading("max Re s", Quantity::rate, map.motion, map.abscissa)};
     for (const auto& r : map.readings) readings.push_back(reading(r.name, r.quantity, map.motion, r.values));
     json.raw("readings", json_array(readings))
@@ -107,7 +103,7 @@ std::string data(const StabilityMap& map, const RenderedFigure& rendered)
 std::string data(const StabilityPanels& p, const RenderedFigure& rendered)
 {
     const DesignPoint* design = p.has_design && p.design.inside ? &p.design : nullptr;
-    JsonObject json = grid_data({p.x, p.y, p.motion, design}, rendered, "panels");
+    JsonObject json = grid_data({p.x, p.y, p.motion, csv_header(p), design}, rendered, "panels");
     std::vector<std::string> areas, places;
     for (const auto& area : rendered.panels) areas.push_back(area_data(area, rendered));
     std::vector<double> field;
@@ -133,7 +129,7 @@ std::string data(const StabilityPanels& p, const RenderedFigure& rendered)
 std::string data(const FieldMap& map, const RenderedFigure& rendered)
 {
     const DesignPoint* design = map.has_design && map.design.inside ? &map.design : nullptr;
-    JsonObject json = grid_data({map.x, map.y, map.motion, design}, rendered);
+    JsonObject json = grid_data({map.x, map.y, map.motion, csv_header(map), design}, rendered);
     if (map.classes.empty()) {
         json.raw("readings", json_array({reading(plain_text(map.name), map.quantity, map.motion, map.values)}));
         if (!map.none.empty()) json.text("none", map.none);
@@ -151,20 +147,18 @@ std::string data(const CriticalGainSurface& surface, const RenderedFigure& rende
 {
     RenderedFigure seen_from_aside = rendered;
     seen_from_aside.plot = {};  // no place of the picture is a place of the grid
-    return grid_data({surface.x, surface.y, surface.motion, nullptr}, seen_from_aside)
+    return grid_data({surface.x, surface.y, surface.motion, csv_header(surface), nullptr}, seen_from_aside)
         .flag("surface", true)
         .raw("readings", json_array({reading(surface.z_name, surface.z_quantity, surface.motion, surface.z)}))
         .close();
 }
 
-/// A label "velocity V [m/s]" and the stretch that is drawn, for a reader over the chart.
-std::string drawn_axis(const std::string& label, const Scale& scale)
+/// An axis and the stretch of it that is drawn, for a reader over the chart.
+std::string drawn_axis(const AxisName& axis, const Scale& scale)
 {
-    const auto opens = label.rfind(" [");
-    const bool has_unit = opens != std::string::npos && label.ends_with(']');
-    const std::string unit = has_unit ? label.substr(opens + 2, label.size() - opens - 3) : "1";
+    const std::string unit = axis.unit.empty() ? "1" : axis.unit;
     return JsonObject()
-        .text("name", has_unit ? label.substr(0, opens) : label)
+        .text("name", axis.name)
         .text("unit", unit)
         .flag("prefix", scaled_unit(1e3, unit).text != unit)
         .flag("log", scale.log)
@@ -197,14 +191,15 @@ std::string data(const DetailedChart& chart, const RenderedFigure& rendered)
             json.raw("belowArea", area_data(rendered.panels.front(), rendered))
                 .raw("belowAxis", drawn_axis(chart.below_label, below));
         // whatever it spans: only its name and unit are read
-        if (!chart.along_label.empty()) json.raw("alongAxis", drawn_axis(chart.along_label, Scale{}));
+        if (!chart.along_label.name.empty()) json.raw("alongAxis", drawn_axis(chart.along_label, Scale{}));
     }
     if (!chart.below.empty()) json.raw("below", line_data(chart.below));
     if (chart.played) json.flag("played", true).flag("turns", chart.turns);
     return json.text("kind", "lines")
-        .text("header", header(rendered))
-        .text("xLabel", plain_text(chart.x_label))
-        .text("yLabel", plain_text(chart.y_label))
+        .text("header", csv_header(chart))
+        .text("xLabel", plain_text(chart.x_label.text()))
+        .text("yLabel", plain_text(chart.y_label.text()))
+        .flag("inTime", chart.x_label.unit == unit_of(Quantity::time, Motion::prismatic))
         .flag("xLog", chart.x_log)
         .flag("yLog", chart.y_log)
         .flag("zoom", zoomable(chart))

@@ -44,7 +44,7 @@ class Ids {
     const std::string& take(const std::string& id)
     {
         if (id.empty() || id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") != std::string::npos)
-            throw std::invalid_argument("report id \"" + id + "\": allowed are a-z, 0-9 and -, at least one");
+            throw std::invalid_argument("report id \"" + id + "\": expected a-z, 0-9 and -, at least one");
         if (!taken_.insert(id).second) throw std::invalid_argument("report id \"" + id + "\" is used twice");
         return id;
     }

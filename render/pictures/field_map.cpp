@@ -19,7 +19,7 @@ namespace {
 constexpr int picture_width = 900;
 constexpr double plot_width = 640, plot_height = 430, bar_gap = 24, bar_width = 17;
 
-// Light tints of Okabe and Ito's colours, told apart by their textures as well.
+// Light tints of Okabe and Ito's colours, distinguished by their textures as well.
 constexpr std::array<std::uint32_t, 6> class_colours{0xdde8f0, 0xd9cfc6, 0x6fbfe8, 0xe08a4a, 0xd9a3c0, 0xb8bcc2};
 // The texture of each class, the last one being that of places that nobody decided.
 constexpr std::array<Region, 6> class_textures{Region::stable,        Region::unstable, Region::memory_only,

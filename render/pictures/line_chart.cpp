@@ -66,7 +66,7 @@ bool takes_markers(const std::vector<DetailedChart::Line>& lines, std::size_t in
 bool needs_legend(const DetailedChart& chart)
 {
     if (chart.lines.size() != 1) return !chart.lines.empty();
-    return chart.y_label.find(chart.lines[0].name) == std::string::npos;
+    return chart.y_label.name.find(chart.lines[0].name) == std::string::npos;
 }
 
 constexpr TextStyle mark_style{12, theme::muted};

@@ -1,4 +1,4 @@
-// The marks by which the lines of a chart are told apart without colour. A mark is a datum: it stands on a sample.
+// The marks by which the lines of a chart are distinguished without colour. A mark is a datum: it stands on a sample.
 #pragma once
 #include "render/drawing/canvas.h"
 

@@ -72,7 +72,7 @@ void check_axes(const Joint& given, const std::vector<Axis>& axes)
         for (const double value : axis.values)
             if (!std::isfinite(value) || !parameter->range.holds(value))
                 throw std::invalid_argument(
-                    fmt::format("axis \"{}\" holds {}, allowed is {}", axis.path, value, describe(parameter->range)));
+                    fmt::format("axis \"{}\" holds {}, expected {}", axis.path, value, describe(parameter->range)));
     }
 }
 
@@ -81,7 +81,7 @@ std::uint64_t count_points(const std::vector<Axis>& axes, bool nonlinear)
     double wanted = 1;
     for (const Axis& axis : axes) wanted *= static_cast<double>(axis.values.size());
     if (wanted > static_cast<double>(max_points))
-        throw std::invalid_argument(fmt::format("{:.3g} points are too many (about {}), allowed are at most {:.3g}",
+        throw std::invalid_argument(fmt::format("{:.3g} points are too many (about {}), expected at most {:.3g}",
                                                 wanted, describe(plan_cost(wanted, nonlinear)),
                                                 static_cast<double>(max_points)));
     return static_cast<std::uint64_t>(wanted);  // exact: max_points is far below 2^53

@@ -9,7 +9,7 @@
 namespace stickslip {
 
 /// Makes those linearly stable nodes of a map bistable that lie on the side of the curves where cycles are, and the
-/// design of the map where it lies among them. Every node beside a curve is told by the side that the curve's own
+/// design of the map where it lies among them. Every node beside a curve has the side that the curve's own
 /// points know; the others follow their neighbours up to the next curve. Curves of linear kinds say nothing; a kind
 /// with a piece that ends within the chart for want of a verdict is left out, as its sides run into each other. The
 /// map's `disagreement` is that of its new regions.

@@ -11,7 +11,7 @@ namespace stickslip {
 /// "stable above" of a direction as in BoundaryPoint.
 std::string direction_text(int direction, BoundaryKind kind = BoundaryKind::state_variable);
 
-/// In words, what could have been missed.
+/// What the search does not exclude, in words.
 std::string could_be_missed(const LocatedRay& ray);
 std::string could_be_missed(const FollowedBoundary& curve);
 

@@ -57,7 +57,7 @@ std::string cause_words(const DiagnosisComparison& c)
     if (!c.appeared.empty())
         text += " Named now and not before: " + fmt::format("{}", fmt::join(c.appeared, ", ")) + ".";
     if (!c.gone.empty()) text += " Named before and not now: " + fmt::format("{}", fmt::join(c.gone, ", ")) + ".";
-    if (c.perhaps_same_cause) text += " These may be the same cause: one of the records cannot tell them apart.";
+    if (c.perhaps_same_cause) text += " These may be the same cause: one of the records cannot distinguish them.";
     return text;
 }
 

@@ -124,10 +124,11 @@ Table gap_table(const Diagnosis& d)
     t.rows.push_back({"overall", number(d.overall.before), number(d.overall.after), number(d.overall.floor),
                       ranged(d.overall.explained, d.overall.interval), "× noise floor"});
     if (d.drive_force.corner > 0)
-        t.rows.push_back(
-            {fmt::format("drive force below {:.0f} Hz, the joint's own numbers refitted", d.drive_force.corner),
-             number(d.drive_force.before), number(d.drive_force.after), "–",
-             whole_percent(1 - d.drive_force.after / d.drive_force.before) + " of the RMS", d.drive_force.unit});
+        t.rows.push_back({fmt::format("drive force below {:.0f} Hz, the nuisance parameters of the joint refitted",
+                                      d.drive_force.corner),
+                          number(d.drive_force.before), number(d.drive_force.after), "–",
+                          whole_percent(1 - d.drive_force.after / d.drive_force.before) + " of the RMS",
+                          d.drive_force.unit});
     return t;
 }
 

@@ -130,7 +130,7 @@ constexpr Sentence sentences[] = {
     {Code::rig_blocks_in_turn, "one record: blocks of 20 rows are held out, a third of them in turn"},
     {Code::rig_still, "displacement or friction does not change"},
     {Code::rig_laws_alike,
-     "the law of {name0} is ambiguous: these data cannot tell the {name1} law from the {name2} law"},
+     "the law of {name0} is ambiguous: these data cannot distinguish the {name1} law from the {name2} law"},
     {Code::rig_level_suffices, "a constant level predicts the held-out rows to the noise"},
     {Code::rig_no_law_predicts,
      "no law that the program knows predicts the held-out rows better than a constant level"},
@@ -142,9 +142,9 @@ constexpr Sentence sentences[] = {
      "{0:.0f} of {1:.0f} rows contradict others with the same settings: what decides the outcome is not in the table"},
     {Code::nominal_explains, "the nominal joint explains the rows as well as any law fitted to them"},
     {Code::best_law_misjudges, "the best law, {name0}, misjudges {0:.0f} of {1:.0f} rows that its fit had not seen"},
-    {Code::laws_alike, "the law is ambiguous: these rows cannot tell {name0} from {name1}"},
+    {Code::laws_alike, "the law is ambiguous: these rows cannot distinguish {name0} from {name1}"},
     {Code::kinds_alike,
-     "{0:.0f} kinds of friction explain these rows: they lie on one side of what tells the laws apart"},
+     "{0:.0f} kinds of friction explain these rows: they lie on one side of what distinguishes the laws"},
     {Code::beyond_linear,
      "{0:.0f} rows lie where small disturbances die out and a start from rest does not, or the reverse; the motion "
      "from rest counts"},
@@ -154,7 +154,7 @@ constexpr Sentence sentences[] = {
 std::string force_of(const std::string& signal)
 {
     if (signal == "hysteresis")
-        return "a force that follows the position behind a play, and so differs on the way back,";
+        return "a force that depends on where the position turned (hysteresis), and so differs on the way back,";
     return "a force that depends on the " + signal + " alone";
 }
 

@@ -6,9 +6,9 @@
 
 namespace stickslip {
 
-std::string axis_label(std::string_view name, Quantity quantity, Motion motion)
+AxisName axis_label(std::string_view name, Quantity quantity, Motion motion)
 {
-    return std::string(name) + " [" + std::string(unit_of(quantity, motion)) + "]";
+    return {std::string(name), std::string(unit_of(quantity, motion))};
 }
 
 void smooth(LineChart::Line& line, const std::function<double(double)>& y, double most, int rounds)

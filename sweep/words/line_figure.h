@@ -10,8 +10,8 @@
 
 namespace stickslip {
 
-/// "velocity V_{0} [m/s]"
-std::string axis_label(std::string_view name, Quantity quantity, Motion motion);
+/// "velocity V_{0}" and its unit.
+AxisName axis_label(std::string_view name, Quantity quantity, Motion motion);
 
 /// smooth() of sweep/study/samples.h for a line of a chart.
 void smooth(LineChart::Line& line, const std::function<double(double)>& y, double most = 0.15, int rounds = 6);

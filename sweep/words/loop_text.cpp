@@ -31,8 +31,8 @@ std::string why_text(WhyNot why)
             return "it depends on position: steady sliding has no one linear system";
         case WhyNot::time:
             return "it depends on time alone and moves no root";
-        case WhyNot::play:
-            return "the linear theory takes the play as closed";
+        case WhyNot::backlash:
+            return "the linear theory takes the backlash as closed";
         case WhyNot::needs_period:
             return "it needs control.period";
         case WhyNot::no_feedback:

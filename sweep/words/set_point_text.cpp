@@ -38,8 +38,8 @@ std::string set_point_reason(SetPointReason reason)
                    "and "
                    "leaves the static friction less to hold the joint with";
         case SetPointReason::dithered:
-            return "a dither is judged below the kinetic friction, in a loop without integral, push and bristles; play "
-                   "a set point with simulate --reference instead";
+            return "a dither is judged below the kinetic friction, in a loop without integral, push and bristles; "
+                   "simulate a set point with simulate --reference instead";
         case SetPointReason::bristles_compensated:
             return "a feed-forward from the error or the velocity is not simulated over bristles";
         case SetPointReason::loop_unstable:

@@ -2,6 +2,7 @@
 
 #include "analysis/joint/gains.h"
 #include "analysis/results/text.h"
+#include "sweep/words/detail_text.h"
 #include "sweep/words/line_figure.h"
 #include "sweep/words/loop_text.h"
 
@@ -154,7 +155,8 @@ Table nonlinear_table(const Joint& joint, const NonlinearVerdict& v)
                                  ? std::vector<std::string>{"a larger disturbance", "ends in a limit cycle: bistable"}
                                  : std::vector<std::string>{"a small disturbance", "decays: bistable"});
     if (v.region == NonlinearRegion::stable)
-        table.rows.push_back({"larger disturbances", "end in steady sliding, too: " + std::string(v.searched_from)});
+        table.rows.push_back(
+            {"larger disturbances", "end in steady sliding, too: " + larger_tried_text(v.searched_from)});
     if (v.repeats > 1) table.rows.push_back({"turns after which the motion repeats", std::to_string(v.repeats)});
     const auto add = [&](const char* name, double value, Quantity q) {
         if (is_set(value)) table.rows.push_back({name, with_unit(value, q, motion, 6)});
@@ -208,7 +210,7 @@ std::string reason_text(Reason reason)
 
 std::string reason_text(const NonlinearVerdict& verdict)
 {
-    if (!verdict.explanation.empty()) return std::string(verdict.explanation);
+    if (verdict.detail != Detail::none) return detail_text(verdict.detail);
     return verdict.reason == Reason::none ? std::string() : reason_text(verdict.reason);
 }
 

@@ -1,17 +1,23 @@
-// The room of words as a stub of codes: linked before the real one, these stand in for the sentences below. Those of
-// sweeps, margins, designs, checks and comparisons have none and keep their words. What reads or decides by an answer
-// must not notice: tests/schema/schema_test.py compares.
+// The room of words as a stub of codes: linked before the real one, these stand in for the sentences below. What reads
+// or decides by an answer must not notice: tests/schema/schema_test.py compares.
 #include "sweep/words/boundary_text.h"
 #include "sweep/words/cause_text.h"
+#include "sweep/words/comparison_text.h"
+#include "sweep/words/design_text.h"
+#include "sweep/words/detail_text.h"
 #include "sweep/words/diagnosis_tables.h"
 #include "sweep/words/diagnosis_text.h"
 #include "sweep/words/export_text.h"
 #include "sweep/words/integral_text.h"
 #include "sweep/words/loop_text.h"
+#include "sweep/words/margins_text.h"
 #include "sweep/words/nearest_text.h"
 #include "sweep/words/neighbour_text.h"
 #include "sweep/words/robot_text.h"
+#include "sweep/words/set_point_design_text.h"
 #include "sweep/words/set_point_text.h"
+#include "sweep/words/study_text.h"
+#include "sweep/words/timeline_text.h"
 #include "sweep/words/verdict_text.h"
 
 namespace stickslip {
@@ -104,6 +110,102 @@ std::string verdict_text(const Joint&, const LinearVerdict&, bool)
 std::string reason_text(Reason)
 {
     return "#reason";
+}
+
+std::string reason_text(const NonlinearVerdict& verdict)
+{
+    if (verdict.detail != Detail::none) return "#" + std::string(name_of(verdict.detail));
+    return verdict.reason == Reason::none ? "" : "#reason";
+}
+
+std::string detail_text(Detail detail)
+{
+    return detail == Detail::none ? "" : "#" + std::string(name_of(detail));
+}
+
+std::string larger_tried_text(LargerTried tried)
+{
+    return tried == LargerTried::none ? "" : "#" + std::string(name_of(tried));
+}
+
+std::string study_text(StudyReason reason)
+{
+    return "#" + std::string(name_of(reason));
+}
+
+std::string velocities_text(const std::vector<StudyReason>& reasons)
+{
+    return reasons.empty() ? "" : "#velocities";
+}
+
+std::string margins_reason_text(const std::vector<StudyReason>& reasons, double)
+{
+    return reasons.empty() ? "" : "#margins";
+}
+
+std::string error_text(const ReductionStudy&)
+{
+    return "#error-of-reduction";
+}
+
+std::string rightmost_roots_text()
+{
+    return "#rightmost-roots";
+}
+
+std::string lost_text(const ExportAnswer&, const NotExpressible& lost)
+{
+    return "#" + std::string(name_of(lost.why));
+}
+
+std::string design_verdict(const DesignAnswer&)
+{
+    return "#design-of-gains";
+}
+
+std::string design_text(const DesignAnswer&)
+{
+    return "#design-of-gains";
+}
+
+std::string set_point_design_text(const SetPointDesign&, Motion)
+{
+    return "#design-of-set-point";
+}
+
+std::string way_text(SetPointWay way)
+{
+    return "#" + std::string(name_of(way));
+}
+
+std::string margins_text(const MarginsAnswer&)
+{
+    return "#margins";
+}
+
+std::string outcome_words(const DiagnosisFacts&)
+{
+    return "#outcome-of-diagnosis";
+}
+
+std::string comparison_sentence(const DiagnosisComparison&)
+{
+    return "#comparison";
+}
+
+std::string change_text(const NumberChange&)
+{
+    return "#change";
+}
+
+std::string regression_text(const GapRegression&, const DiagnosisComparison&)
+{
+    return "#regression";
+}
+
+std::string timeline_sentence(const Timeline&)
+{
+    return "#timeline";
 }
 
 }  // namespace stickslip

@@ -66,7 +66,7 @@ TEST_CASE("boundary answers impossible requests with what is possible", "[progra
     CHECK_THAT(misspelt.output, Contains("did you mean \"control.k_p\"?"));
     const auto unit = stickslip(joint + "--along 'control.V0=1 N..2 N'");
     CHECK(unit.exit_code == 2);
-    CHECK_THAT(unit.output, Contains("expected is m/s"));
+    CHECK_THAT(unit.output, Contains("expected m/s"));
     const auto least = stickslip(joint + "--kind v-min --along control.k_p");
     CHECK(least.exit_code == 2);
     CHECK_THAT(least.output, Contains("--over control.k_p control.V0"));

@@ -46,5 +46,5 @@ TEST_CASE("an instruction set that there is not is told from those that there ar
 {
     const auto run = shell("STICKSLIP_INSTRUCTIONS=sse9 '" + std::string(STICKSLIP) + "' list laws");
     CHECK(run.exit_code == 2);
-    CHECK_THAT(run.output, Contains("STICKSLIP_INSTRUCTIONS: given is \"sse9\", this processor has baseline"));
+    CHECK_THAT(run.output, Contains("STICKSLIP_INSTRUCTIONS: got \"sse9\", this processor has baseline"));
 }

@@ -43,7 +43,8 @@ TEST_CASE("design says why nothing is feasible, and what would be", "[program][d
     const auto run = stickslip(spec + "--require effort_limit=60.001 --require front_points=2");
     INFO(run.output);
     CHECK(run.exit_code == 1);
-    CHECK_THAT(run.output, Contains("No gains within the range meet every demand") && Contains("peak effort can be"));
+    CHECK_THAT(run.output,
+               Contains("No gains within the range meet every requirement") && Contains("peak effort can be"));
 }
 
 TEST_CASE("design refuses what means nothing", "[program][design]")

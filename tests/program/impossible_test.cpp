@@ -23,7 +23,7 @@ TEST_CASE("a disturbance of negative size is refused before anything is simulate
             stickslip(strip + "--kind outcome --along control.k_p --size -1 --disturbance " + std::string(kind));
         INFO(run.output);
         CHECK(run.exit_code == 2);
-        CHECK_THAT(run.output, Contains("--size: given is -1, allowed is ") && Contains("≥ 0"));
+        CHECK_THAT(run.output, Contains("--size: got -1, expected ") && Contains("≥ 0"));
     }
 }
 
@@ -67,7 +67,7 @@ TEST_CASE("demands that no gains meet are answered with what could be", "[progra
     INFO(margin.output);
     CHECK(margin.exit_code != 2);
     if (margin.exit_code == 1)
-        CHECK_THAT(margin.output, Contains("the margin can be ") && Contains("(demanded: 60)") &&
+        CHECK_THAT(margin.output, Contains("the margin can be ") && Contains("(required: 60)") &&
                                       Contains("Nearest to feasible: k_p = "));
     const auto beyond = stickslip(design + "--require margin=200");
     CHECK(beyond.exit_code == 2);

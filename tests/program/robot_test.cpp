@@ -175,19 +175,18 @@ TEST_CASE("what is no robot, or names no joints, is refused before any work", "[
         CHECK(run.exit_code == 2);
         CHECK_THAT(run.output, Contains(expected));
     };
-    said("'" + robot + "' '" + plain + "'", "has several joints, expected is --all-joints, or --joint NAME");
+    said("'" + robot + "' '" + plain + "'", "has several joints, expected --all-joints, or --joint NAME");
     said("'" + joint + "' '" + plain + "' --all-joints", "has no table [joints]");
     said("'" + robot + "' '" + plain + "' --joint elbwo", "has no joint elbwo, it has elbow; did you mean \"elbow\"?");
     // a plain `position` belongs to no joint: six joints would be diagnosed from one record
-    said("'" + robot + "' '" + plain + "' --all-joints",
-         "names no joints: expected are columns such as elbow_position");
+    said("'" + robot + "' '" + plain + "' --all-joints", "names no joints: expected columns such as elbow_position");
     const auto twice =
         folder.write("twice.toml", "[joints]\na = \"elbow.toml\"\nb = { file = \"elbow.toml\", name = \"a\" }\n");
     said("'" + twice + "' '" + plain + "' --all-joints", "joints.b: is called \"a\" in the log, as a is");
     const auto outside =
         folder.write("outside.toml", "[joints]\n\"../x\" = \"elbow.toml\"\nb = 3\nc = { path = \"x\" }\n");
     said("'" + outside + "' '" + plain + "' --all-joints", "outside.toml:2:");
-    said("'" + outside + "' '" + plain + "' --all-joints", "joints.b: is 3, allowed is a joint file or { file, name }");
+    said("'" + outside + "' '" + plain + "' --all-joints", "joints.b: is 3, expected a joint file or { file, name }");
 }
 
 TEST_CASE("robot.toml says what columns are called, with the joint's name in the log", "[program][robot]")

@@ -48,8 +48,8 @@ TEST_CASE("a map is one line a grid point, x running first", "[csv]")
 TEST_CASE("lines stand one after the other", "[csv]")
 {
     LineChart chart;
-    chart.x_label = "time t [s]";
-    chart.y_label = "x_{1}, x_{2} [m]";
+    chart.x_label = {"time t", "s"};
+    chart.y_label = {"x_{1}, x_{2}", "m"};
     chart.lines = {{"V_{0}", {0, 1}, {2, 3}, false}, {"b", {0}, {4}, true}};
     CHECK(csv(chart) == "line,time t [s],\"x1, x2 [m]\"\nV0,0,2\nV0,1,3\nb,0,4\n");
 }

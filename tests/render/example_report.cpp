@@ -91,8 +91,8 @@ LineChart lines()
     LineChart chart;
     chart.title = "Critical position gain against sliding velocity";
     chart.fixed = "m = 1 kg, one-state friction A = 1 N, B = 1.5 N, L = 10 µm";
-    chart.x_label = "sliding velocity V_{0} [m/s]";
-    chart.y_label = "critical gain k_{cr} [N/m]";
+    chart.x_label = {"sliding velocity V_{0}", "m/s"};
+    chart.y_label = {"critical gain k_{cr}", "N/m"};
     chart.x_log = chart.y_log = true;
     for (const double k_v : {0.0, 50.0, 200.0}) {
         LineChart::Line line{"k_{v} = " + with_unit(k_v, Quantity::damping, Motion::prismatic), {}, {}, k_v > 100};

@@ -20,7 +20,8 @@ import jsonschema
 ROOT = pathlib.Path(__file__).parent.parent.parent
 PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())
 OF_CODES = str(pathlib.Path(sys.argv[2]).resolve()) if len(sys.argv) > 2 else None
-SENTENCES = {"reasons", "notes", "reason", "sentence", "text", "answer", "could_be_missed"}
+SENTENCES = {"reasons", "notes", "reason", "sentence", "text", "answer", "could_be_missed", "why", "searched_from",
+             "growth_reason", "fold_reason", "error_reason", "eigenvalues_note", "description"}
 TIMES = {"seconds", "computed"}  # what a run cost: the second program finds what the first has computed
 told = set()
 SPEC = """
@@ -181,8 +182,34 @@ with tempfile.TemporaryDirectory() as folder:
             del broken["joints"][joint][key]
             schema = json.loads((ROOT / "docs/schema/robot-diagnosis.schema.json").read_text(encoding="utf-8"))
             assert not jsonschema.Draft202012Validator(schema).is_valid(broken), f"robot-diagnosis: joint {joint} does not miss {key}"
-    for joint in (str(pathlib.Path(out, "joint.toml")), "examples/02-ball-screw/spec-with-memory.toml"):
-        check("evaluate", json.loads(stickslip("evaluate", joint, "--json")))
+    for joint, *changes in ((str(pathlib.Path(out, "joint.toml")),), ("examples/02-ball-screw/spec-with-memory.toml",),
+                            (str(loop), "--set", "control.V0=0.1"), ("examples/08-hunting-arm/joint.toml",),
+                            (str(loop), "--set", "control.V0=0.1", "--set", "control.effort_limit=1e-3"),
+                            (str(spec), "--set", "control.k_v=1e4"), (str(spec), "--set", "control.delay=1e-3")):
+        check("evaluate", json.loads(stickslip("evaluate", joint, *changes, "--json")))
+    check("boundary", json.loads(stickslip("boundary", "examples/08-hunting-arm/joint.toml", "--kind", "hunting", "--along",
+                                           "control.k_i=1..1e4", "--json")))
+    # what has no schema of its own answers the same, too
+    for simulator in ("mjcf", "urdf", "sdf", "isaaclab", "ros2_control"):
+        stickslip("export", str(loop), "--to", simulator, "--json")
+    stickslip("plan", str(loop), str(motion), "--json")
+    stickslip("list", "effects", "--json")
+# every reason for people has its code beside it
+for name in ("evaluate", "boundary", "set-point-design", "robot-diagnosis", "diagnosis"):
+    def without_code(schema, place=""):
+        keys = schema.get("properties", {})
+        for key, below in keys.items():
+            if key in ("why", "reason", "reasons", "growth_reason", "fold_reason", "error_reason") and not {
+                    key + "_code", key + "_codes", key.rstrip("s") + "_codes"} & keys.keys():
+                yield f"{place}.{key}"
+            yield from without_code(below, f"{place}.{key}")
+        if isinstance(schema.get("items"), dict):
+            yield from without_code(schema["items"], place + "[]")
+    bare = list(without_code(json.loads((ROOT / "docs/schema" / f"{name}.schema.json").read_text(encoding="utf-8"))))
+    assert not bare, f"{name}: no code beside {', '.join(bare)}"
 if OF_CODES:
     print("sentences were codes at", ", ".join(sorted(told)))
-    assert ".reasons[]" in told and ".notes[]" in told, "no sentence was a code: nothing was compared"
+    missing = {".reasons[]", ".notes[]", ".answer", ".sentence", ".nonlinear.reason", ".linear.margins.reason",
+               ".linear.response.reason", ".set_point.reason", ".loop.not_used[].why", ".not_expressible[].why",
+               ".lines[].answer", ".regressions[].text"} - told
+    assert not missing, f"no code stood for {', '.join(sorted(missing))}: nothing was compared there"

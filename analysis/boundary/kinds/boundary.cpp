@@ -378,7 +378,7 @@ FollowedBoundary follow_boundaries(const Joint& given, const Axis& x, const Axis
     Joint probe = joint;
     number_at(probe, x.path), number_at(probe, y.path);
     if (request.kind == BoundaryKind::v_min && y.path != "control.V0")
-        throw std::invalid_argument("the least velocity is followed over control.V0 as the y axis, given is " + y.path);
+        throw std::invalid_argument("the least velocity is followed over control.V0 as the y axis, got " + y.path);
     if (request.kind == BoundaryKind::fold) return follow_folds(joint, x, y, request);
     auto followed = follow_boundary(sides_over(joint, x, y, request), x, y, request.following);
     followed.kind = request.kind;

@@ -22,9 +22,9 @@ double default_precision(BoundaryKind kind);
 /// least.
 int default_scan(BoundaryKind kind);
 
-/// Every boundary of a kind between the ends of an axis, and what could be missed. v_min: along control.V0, the least
-/// velocity at which sliding becomes stable, nothing else. Throws std::invalid_argument for a path that the joint
-/// lacks.
+/// Every boundary of a kind between the ends of an axis, and what the search does not exclude. v_min: along control.V0,
+/// the least velocity at which sliding becomes stable, nothing else. Throws std::invalid_argument for a path that the
+/// joint lacks.
 LocatedRay locate_boundaries(const Joint& joint, const Axis& axis, const BoundaryRequest& request);
 
 /// The same over a chart, followed. v_min: the y axis has to be control.V0.

@@ -232,6 +232,62 @@ double command_step(const Ticks& ticks)
     return grid_of(logged);
 }
 
+namespace {
+
+/// The mean of both gains over the records as a factor of the documented ones, where that differs by more than is
+/// known.
+void correct_gains(std::vector<Case>& cases, const std::vector<GainRegression::Answer>& answers, double flagged,
+                   Audit& result)
+{
+    double kp = 0, kv = 0;
+    int rated = 0;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        kp += answers[i].k_p / cases[i].joint.control.k_p / static_cast<double>(cases.size());
+        if (cases[i].joint.control.k_v != 0) kv += answers[i].k_v / cases[i].joint.control.k_v, ++rated;
+    }
+    if (rated) kv /= rated;
+    const auto between_records = [&](double mean, auto&& of) {
+        double square = 0, n = 0;
+        for (std::size_t i = 0; i < cases.size(); ++i)
+            if (const double x = of(i); std::isfinite(x)) square += (x - mean) * (x - mean), n += 1;
+        return n > 1 ? std::sqrt(square / (n - 1) / n) : result.residual_after * std::abs(mean);
+    };
+    if (std::abs(kp - 1) > flagged)
+        result.findings.push_back(
+            {"gain-k_p", "gain-k_p.factor", kp,
+             between_records(kp, [&](std::size_t i) { return answers[i].k_p / cases[i].joint.control.k_p; }),
+             Quantity::number, 1});
+    if (rated && std::abs(kv - 1) > flagged)
+        result.findings.push_back(
+            {"gain-k_v", "gain-k_v.factor", kv,
+             between_records(kv, [&](std::size_t i) { return answers[i].k_v / cases[i].joint.control.k_v; }),
+             Quantity::number, 1});
+    for (auto& c : cases) {
+        if (std::abs(kp - 1) > flagged) c.joint.control.k_p *= kp;
+        if (rated && std::abs(kv - 1) > flagged) c.joint.control.k_v *= kv;
+    }
+}
+
+/// A plateau is a limit only where the controller wanted more.
+void find_saturation(std::vector<Case>& cases, double limit, Audit& result)
+{
+    double wanted = 0;
+    for (const auto& c : cases) {
+        Controller controller(c.joint);
+        for (std::size_t k = 0; k < c.ticks.size(); ++k) {
+            controller.read(c.ticks.position[k], k == 0 ? c.ticks.step[0] : c.ticks.step[k - 1], 0);
+            controller.command(c.ticks.reference[k], c.ticks.reference_rate[k], c.ticks.added(k), c.ticks.time[k]);
+            wanted = std::max(wanted, std::abs(controller.wanted()));
+        }
+    }
+    if (wanted > 1.01 * limit) {
+        result.findings.push_back({"saturation", "saturation.limit", limit, 0, Quantity::effort, 1});
+        for (auto& c : cases) c.joint.control.effort_limit = limit;
+    }
+}
+
+}  // namespace
+
 // In one piece: the audit's checks in the order in which each relies on those before.
 Audit audit(std::vector<Case>& cases)
 {
@@ -300,50 +356,9 @@ Audit audit(std::vector<Case>& cases)
     if (rounded) result.notes.push_back({.code = Note::Code::gains_to_steps, .values = {100 * flagged}});
     if (!result.command_explained)
         result.notes.push_back({.code = Note::Code::gains_to, .values = {100 * result.residual_after}});
-    double kp = 0, kv = 0;
-    int rated = 0;
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        kp += answers[i].k_p / cases[i].joint.control.k_p / static_cast<double>(cases.size());
-        if (cases[i].joint.control.k_v != 0) kv += answers[i].k_v / cases[i].joint.control.k_v, ++rated;
-    }
-    if (rated) kv /= rated;
-    const auto between_records = [&](double mean, auto&& of) {
-        double square = 0, n = 0;
-        for (std::size_t i = 0; i < cases.size(); ++i)
-            if (const double x = of(i); std::isfinite(x)) square += (x - mean) * (x - mean), n += 1;
-        return n > 1 ? std::sqrt(square / (n - 1) / n) : result.residual_after * std::abs(mean);
-    };
-    if (std::abs(kp - 1) > flagged)
-        result.findings.push_back(
-            {"gain-k_p", "gain-k_p.factor", kp,
-             between_records(kp, [&](std::size_t i) { return answers[i].k_p / cases[i].joint.control.k_p; }),
-             Quantity::number, 1});
-    if (rated && std::abs(kv - 1) > flagged)
-        result.findings.push_back(
-            {"gain-k_v", "gain-k_v.factor", kv,
-             between_records(kv, [&](std::size_t i) { return answers[i].k_v / cases[i].joint.control.k_v; }),
-             Quantity::number, 1});
-    for (auto& c : cases) {
-        if (std::abs(kp - 1) > flagged) c.joint.control.k_p *= kp;
-        if (rated && std::abs(kv - 1) > flagged) c.joint.control.k_v *= kv;
-        c.joint.control.velocity_estimate.tau = tau;
-    }
-    if (limit < 0.999 * documented.effort_limit) {
-        // a plateau is a limit only where the controller wanted more
-        double wanted = 0;
-        for (const auto& c : cases) {
-            Controller controller(c.joint);
-            for (std::size_t k = 0; k < c.ticks.size(); ++k) {
-                controller.read(c.ticks.position[k], k == 0 ? c.ticks.step[0] : c.ticks.step[k - 1], 0);
-                controller.command(c.ticks.reference[k], c.ticks.reference_rate[k], c.ticks.added(k), c.ticks.time[k]);
-                wanted = std::max(wanted, std::abs(controller.wanted()));
-            }
-        }
-        if (wanted > 1.01 * limit) {
-            result.findings.push_back({"saturation", "saturation.limit", limit, 0, Quantity::effort, 1});
-            for (auto& c : cases) c.joint.control.effort_limit = limit;
-        }
-    }
+    correct_gains(cases, answers, flagged, result);
+    for (auto& c : cases) c.joint.control.velocity_estimate.tau = tau;
+    if (limit < 0.999 * documented.effort_limit) find_saturation(cases, limit, result);
     return result;
 }
 

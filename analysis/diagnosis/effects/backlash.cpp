@@ -7,7 +7,7 @@ Effect backlash()
     Effect e;
     e.name = "backlash";
     e.stage = "mechanism";
-    e.form = "play between motor and link";
+    e.form = "backlash between motor and link";
     e.source = "Nordin and Gutman 2002";
     e.signature = "flat gap and impact at reversal";
     e.confusable = {"presliding", "compliance"};
@@ -15,7 +15,7 @@ Effect backlash()
         EffectForm f;
         f.name = "divided-mass";
         f.parameters = {
-            {"width", Quantity::position, Scale::position, true, 1e-5, 0.5, 0.01, "total play"},
+            {"width", Quantity::position, Scale::position, true, 1e-5, 0.5, 0.01, "total clearance"},
             {"motor_share", Quantity::number, Scale::one, false, 0.02, 0.98, 0.5,
              "share of the inertia on the motor side"},
             {"stiffness", Quantity::stiffness, Scale::stiffness, true, 0.3, 1e6, 100, "transmission stiffness"},
@@ -35,7 +35,7 @@ Effect backlash()
         f.applies = is_single_mass;
         f.rough = true;
         e.forms.push_back(f);
-        // the encoder of a joint documented as one mass may sit behind the play
+        // the encoder of a joint documented as one mass may sit behind the backlash
         f.name = "divided-mass-encoder-on-link";
         f.apply = [](Joint& j, const double* p) {
             divide_mass(j, p[1], p[2], p[4], p[3]);
@@ -48,7 +48,7 @@ Effect backlash()
         EffectForm f;
         f.name = "two-mass";
         f.parameters = {
-            {"width", Quantity::position, Scale::load_position, true, 1e-05, 0.5, 0.01, "total play"},
+            {"width", Quantity::position, Scale::load_position, true, 1e-05, 0.5, 0.01, "total clearance"},
         };
         f.apply = [](Joint& j, const double* p) { j.mechanism.transmission.backlash = p[0]; };
         // a wrong width is worse than none: only within a fifth of the right one does the misfit lead to it

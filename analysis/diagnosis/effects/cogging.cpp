@@ -17,7 +17,7 @@ Effect cogging()
             {"sine", Quantity::effort, Scale::load_effort, false, -2, 2, 0.1, "sine part"},
             {"cosine", Quantity::effort, Scale::load_effort, false, -2, 2, 0.1, "cosine part"},
             {"periods", Quantity::per_position, Scale::load_wave_number, true, 1, 2000, 20, "angular wave number n",
-             Comb::position},
+             FrequencyGrid::position},
         };
         f.apply = [](Joint& j, const double* p) {
             PositionRipple& r = j.load.cogging;

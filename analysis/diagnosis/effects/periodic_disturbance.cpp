@@ -17,7 +17,7 @@ Effect periodic_disturbance()
             {"sine", Quantity::effort, Scale::load_effort, false, -2, 2, 0.1, "sine part"},
             {"cosine", Quantity::effort, Scale::load_effort, false, -2, 2, 0.1, "cosine part"},
             {"frequency", Quantity::angular_frequency, Scale::angular_frequency, true, 0.3, 600, 20,
-             "angular frequency", Comb::time},
+             "angular frequency", FrequencyGrid::time},
         };
         f.apply = [](Joint& j, const double* p) {
             PeriodicForce& d = j.load.disturbance;
@@ -33,7 +33,7 @@ Effect periodic_disturbance()
         f.name = "phase-of-each-record";
         f.parameters = {
             {"frequency", Quantity::angular_frequency, Scale::angular_frequency, true, 0.3, 600, 20,
-             "angular frequency", Comb::time},
+             "angular frequency", FrequencyGrid::time},
             {"sine", Quantity::effort, Scale::load_effort, false, -2, 2, 0.1, "sine part"},
             {"cosine", Quantity::effort, Scale::load_effort, false, -2, 2, 0.1, "cosine part"},
         };

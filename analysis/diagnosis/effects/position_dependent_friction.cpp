@@ -18,7 +18,7 @@ Effect position_dependent_friction()
              "sine part of the change of the Coulomb level"},
             {"cosine", Quantity::effort, Scale::friction_effort, false, -2, 2, 0.1, "cosine part"},
             {"periods", Quantity::per_position, Scale::friction_wave_number, true, 1, 2000, 20, "angular wave number n",
-             Comb::position_flipped},
+             FrequencyGrid::position_flipped},
         };
         f.apply = [](Joint& j, const double* p) {
             PositionRipple& r = main_friction(j).ripple;

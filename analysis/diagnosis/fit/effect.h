@@ -59,7 +59,7 @@ enum class Scale {
 };
 
 /// A frequency that is best found on a grid before fitting.
-enum class Comb {
+enum class FrequencyGrid {
     none,
     time,             ///< angular frequency in time
     position,         ///< wave number in position
@@ -74,7 +74,7 @@ struct EffectParameter {
     double low, high;          ///< bounds in units of `scale`
     double prior;              ///< what would be usual, in units of `scale`
     std::string_view help;
-    Comb comb = Comb::none;
+    FrequencyGrid grid = FrequencyGrid::none;
     bool vanishes = false;  ///< a change from 0; beyond some value nothing is left of what it changes
 };
 
@@ -107,7 +107,7 @@ struct Effect {
     std::string_view stage;      ///< friction | mechanism | actuator | controller | sensor | outside
     std::string_view form;       ///< formula in words
     std::string_view source;     ///< who described it
-    std::string_view signature;  ///< the tell-tale that a true one leaves
+    std::string_view signature;  ///< that a true one leaves
     std::vector<std::string_view> confusable;
     std::vector<EffectForm> forms;
 };

@@ -85,7 +85,7 @@ Eigen::VectorXd to_fit(const Candidate& candidate, const std::vector<double>& sc
 /// The joint with the candidate's edits, as they hold in the record of this number.
 Joint edited(const Joint& joint, const Candidate& candidate, const std::vector<double>& si, std::size_t record);
 
-/// The same, as the simulation takes it; only here do forces without a name take part.
+/// The same, as the simulation takes it; only here do unmodelled forces take part.
 Plant edited_plant(const Joint& joint, const Candidate& candidate, const std::vector<double>& si, std::size_t record);
 
 /// Standard deviation of the effort's innovation in a true joint: the sensor's own noise, and in a motor the back-EMF
@@ -133,8 +133,8 @@ struct LevelFit {
 LevelFit descend(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales, Eigen::VectorXd x,
                  double omega, int iterations);
 
-/// NLopt's Nelder-Mead from x, for misfits without usable gradients (play, saturation). The first step is in logarithms
-/// or in parts of what is usual.
+/// NLopt's Nelder-Mead from x, for misfits without usable gradients (backlash, saturation). The first step is in
+/// logarithms or in parts of what is usual.
 LevelFit search_rough(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales,
                       Eigen::VectorXd x, double omega, int evaluations, double first_step = 0.3);
 

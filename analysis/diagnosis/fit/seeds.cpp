@@ -8,7 +8,7 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr std::size_t most_samples = 6000;  // a record enough for a comb
+constexpr std::size_t most_samples = 6000;  // a record enough for a grid
 
 /// Residual force and what it is plotted over.
 struct Residual {
@@ -17,7 +17,7 @@ struct Residual {
 };
 
 std::vector<Residual> residuals(const std::vector<Case>& cases, const Candidate& base, const std::vector<double>& si,
-                                Comb comb, double omega)
+                                FrequencyGrid grid, double omega)
 {
     std::vector<Residual> all;
     Innovation innovation;
@@ -37,9 +37,9 @@ std::vector<Residual> residuals(const std::vector<Case>& cases, const Candidate&
             double e = sum / static_cast<double>(n);
             if (!std::isfinite(e)) e = 0;
             const double v = speed / static_cast<double>(n);
-            if (comb == Comb::position_flipped) e *= v > 0 ? 1 : v < 0 ? -1 : 0;
+            if (grid == FrequencyGrid::position_flipped) e *= v > 0 ? 1 : v < 0 ? -1 : 0;
             r.force.push_back(e);
-            r.over.push_back(comb == Comb::time ? c.ticks.time[k] - c.ticks.time[0] : c.ticks.position[k]);
+            r.over.push_back(grid == FrequencyGrid::time ? c.ticks.time[k] - c.ticks.time[0] : c.ticks.position[k]);
         }
         if (r.force.empty()) continue;
         double mean = 0;
@@ -84,35 +84,35 @@ std::vector<double> powers_of(const std::vector<Residual>& all, double low, doub
 
 }  // namespace
 
-std::vector<double> comb_peaks(const std::vector<Case>& cases, const Scales& scales, const Candidate& base,
-                               const std::vector<double>& si, Comb comb, double omega, std::size_t count)
+std::vector<double> grid_peaks(const std::vector<Case>& cases, const Scales& scales, const Candidate& base,
+                               const std::vector<double>& si, FrequencyGrid grid, double omega, std::size_t count)
 {
-    const auto all = residuals(cases, base, si, comb, omega);
+    const auto all = residuals(cases, base, si, grid, omega);
     if (all.empty()) return {};
     double span = 0;
     for (const auto& r : all) span = std::max(span, r.span);
-    // half the resolution of the longest record; up to 1200 teeth
-    const double tooth = (comb == Comb::time ? 2.0 : 2.5) / span;
-    const double low = (comb == Comb::time ? 4.0 : 3.0) / span;
-    const double highest =
-        comb == Comb::time ? std::min(600.0, 0.5 * std::numbers::pi / cases[0].row_step) : 2000 / scales.position;
-    const std::size_t teeth =
-        std::min<std::size_t>(comb == Comb::time ? 1500 : 500, static_cast<std::size_t>((highest - low) / tooth) + 1);
-    const auto powers = powers_of(all, low, tooth, teeth);
+    // half the resolution of the longest record; up to 1200 bins
+    const double bin = (grid == FrequencyGrid::time ? 2.0 : 2.5) / span;
+    const double low = (grid == FrequencyGrid::time ? 4.0 : 3.0) / span;
+    const double highest = grid == FrequencyGrid::time ? std::min(600.0, 0.5 * std::numbers::pi / cases[0].row_step)
+                                                       : 2000 / scales.position;
+    const std::size_t bins = std::min<std::size_t>(grid == FrequencyGrid::time ? 1500 : 500,
+                                                   static_cast<std::size_t>((highest - low) / bin) + 1);
+    const auto powers = powers_of(all, low, bin, bins);
     std::vector<std::size_t> peaks;
-    for (std::size_t i = 0; i < teeth; ++i)
-        if ((i == 0 || powers[i] >= powers[i - 1]) && (i + 1 == teeth || powers[i] > powers[i + 1])) peaks.push_back(i);
+    for (std::size_t i = 0; i < bins; ++i)
+        if ((i == 0 || powers[i] >= powers[i - 1]) && (i + 1 == bins || powers[i] > powers[i + 1])) peaks.push_back(i);
     std::sort(peaks.begin(), peaks.end(), [&](auto a, auto b) { return powers[a] > powers[b]; });
     std::vector<double> found;
     for (std::size_t i = 0; i < peaks.size() && found.size() < count; ++i) {
-        // refine between the neighbouring teeth
-        double best = low + tooth * static_cast<double>(peaks[i]), least = powers[peaks[i]];
+        // refine between the neighbouring bins
+        double best = low + bin * static_cast<double>(peaks[i]), least = powers[peaks[i]];
         constexpr double finer = 0.2;
         constexpr std::size_t either_side = 4;
-        const double from = best - finer * either_side * tooth;
-        const auto near = powers_of(all, from, finer * tooth, 2 * either_side + 1);
+        const double from = best - finer * either_side * bin;
+        const auto near = powers_of(all, from, finer * bin, 2 * either_side + 1);
         for (std::size_t j = 0; j < near.size(); ++j) {
-            const double f = from + finer * tooth * static_cast<double>(j);
+            const double f = from + finer * bin * static_cast<double>(j);
             if (f > 0 && near[j] > least) least = near[j], best = f;
         }
         found.push_back(best);
@@ -131,17 +131,17 @@ std::vector<Eigen::VectorXd> starts(const std::vector<Case>& cases, const Scales
     };
     std::vector<Eigen::VectorXd> all;
     for (std::size_t i = 0; i < form.parameters.size(); ++i)
-        if (const auto& p = form.parameters[i]; p.comb != Comb::none) {
+        if (const auto& p = form.parameters[i]; p.grid != FrequencyGrid::none) {
             // a weak force is hidden from a fast observer by the noise, one that changes fast from a slow one
-            auto peaks = comb_peaks(cases, scales, base, si, p.comb, levels[0], 3);
+            auto peaks = grid_peaks(cases, scales, base, si, p.grid, levels[0], 3);
             constexpr double same = 0.02;
-            for (double f : comb_peaks(cases, scales, base, si, p.comb, levels[1], 2))
+            for (double f : grid_peaks(cases, scales, base, si, p.grid, levels[1], 2))
                 if (std::ranges::none_of(peaks, [&](double other) { return std::abs(f - other) < same * other; }))
                     peaks.push_back(f);
             for (double f : peaks) {
                 auto seed = form.seeds.front();
                 // peaks are those of the seen position, whichever body the wave belongs to
-                seed[i] = f / unit_of(p.comb == Comb::time ? p.scale : Scale::wave_number, scales);
+                seed[i] = f / unit_of(p.grid == FrequencyGrid::time ? p.scale : Scale::wave_number, scales);
                 all.push_back(in_every_record(seed));
             }
             return all;

@@ -1,4 +1,4 @@
-// Where a fit starts: seeds of the catalogue, and frequencies found on a comb.
+// Where a fit starts: seeds of the catalogue, and frequencies found on a grid.
 #pragma once
 #include "analysis/diagnosis/fit/fit.h"
 
@@ -8,8 +8,8 @@ namespace stickslip::gap {
 
 /// Peaks of the residual force's spectrum over time or over position, strongest first, at most `count`, in rad/s or
 /// per unit of position. The residual force is what an observer of this bandwidth has to correct with.
-std::vector<double> comb_peaks(const std::vector<Case>& cases, const Scales& scales, const Candidate& base,
-                               const std::vector<double>& si, Comb comb, double omega, std::size_t count);
+std::vector<double> grid_peaks(const std::vector<Case>& cases, const Scales& scales, const Candidate& base,
+                               const std::vector<double>& si, FrequencyGrid grid, double omega, std::size_t count);
 
 /// Starting points of a single effect in the fit's own units. Combs are evaluated on the residual of `base` at `si`.
 std::vector<Eigen::VectorXd> starts(const std::vector<Case>& cases, const Scales& scales, const Candidate& single,

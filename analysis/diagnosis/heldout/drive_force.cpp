@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t level = 1;        // where models were fitted
 constexpr double observer = levels[0];  // rad/s
 constexpr int iterations = 4;
-constexpr double settling = 5;  // periods of the corner that are left away at both ends of a record
+constexpr double settling = 5;  // periods of the corner that are removed at both ends of a record
 
 /// One section of second order, forwards in place.
 void filter(std::vector<double>& x, double corner, double rate, double quality)

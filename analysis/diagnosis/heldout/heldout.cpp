@@ -174,7 +174,7 @@ DiagnosedTrace trace_of(const Case& shown, const Trace& before, const Trace& aft
     DiagnosedTrace trace;
     trace.file = t.name;
     const CommandUnit command = command_unit(shown.joint);
-    trace.effort_name = t.has_effort ? "measured effort" : "command";
+    trace.effort = t.has_effort ? DiagnosedTrace::Effort::measured : DiagnosedTrace::Effort::command;
     trace.effort_unit =
         t.has_effort ? std::string(unit_of(Quantity::effort, shown.joint.mechanism.motion)) : command.unit;
     constexpr std::size_t most = 4000;  // points a chart can show

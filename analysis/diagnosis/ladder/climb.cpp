@@ -75,7 +75,7 @@ class Climber {
     }
 
     /// The best of those that could not be told from the first, each fitted anew to the lower floor that it has left.
-    FittedSet play_off(const std::vector<FittedSet>& rivals)
+    FittedSet compared(const std::vector<FittedSet>& rivals)
     {
         std::vector<Start> again;
         for (const auto& set : rivals) again.push_back({set.causes, nullptr, nullptr, {}, 0, set.fit.x});
@@ -289,7 +289,7 @@ Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t mo
                 rivals.push_back(t);
         set = rivals[0];
         settle(set);
-        if (rivals.size() > 1) set = climber_->play_off(rivals);
+        if (rivals.size() > 1) set = climber_->compared(rivals);
         // exchange: a cause that only stood in for what came later goes, and makes room
         for (std::size_t i = 0; i < set.causes.effects.size() && set.causes.effects.size() > 1;) {
             FittedSet less = climber_->without(set, i);
@@ -304,7 +304,7 @@ Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t mo
             others, [&](const auto& o) { return o.plausible && !o.correction && o.misfit < set.misfit; });
         if (better == others.end()) continue;
         settle(*better);
-        set = climber_->play_off({*better});
+        set = climber_->compared({*better});
     }
     return finished(std::move(set));
 }
@@ -313,7 +313,7 @@ Ladder LadderSearch::of(const Attribution& known)
 {
     const Eigen::VectorXd x = fitter_->start(known.candidate, {}, known.x[ladder_level]);
     if (!two_mass_edit(known.candidate)) return finished(fitter_->fit(known.candidate, x));
-    // ten times as dear, and its search has been long
+    // ten times as slow, and its search has been long
     LevelFit found;
     found.x = x;
     return finished(fitter_->fit_folds(known.candidate, std::move(found)));

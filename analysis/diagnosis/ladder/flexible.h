@@ -18,7 +18,7 @@ struct Flexible {
 };
 
 /// The force is a sum of functions: smooth in position, in velocity, in time and in the drive's effort, of position
-/// times direction, of followers that the position drags behind a play (Visintin 1994), of relaxations of direction and
+/// times direction, of play operators on position (Visintin 1994), of relaxations of direction and
 /// velocity, and of the acceleration; waves that stand out in time or in position are added. Every function is sent
 /// through the observer's own error equation, e'' + 2ζω e' + ω² e = f/J, so that it is compared with what the fits
 /// compare; while the joint sticks no force moves it. Ridge regression (Hoerl and Kennard 1970), its weight chosen on

@@ -12,7 +12,7 @@ constexpr double omega = levels[ladder_level];
 constexpr std::size_t hats_of_position = 12, hats_of_direction = 6, hats_of_velocity = 14, hats_of_time = 8;
 constexpr std::size_t waves = 2;
 constexpr double creeping = 0.02;                                      // of the usual speed: next to standing still
-constexpr std::array<double, 4> plays{0.003, 0.01, 0.03, 0.1};         // of the travel
+constexpr std::array<double, 4> play_widths{0.003, 0.01, 0.03, 0.1};   // of the travel
 constexpr std::array<double, 4> relaxations{0.005, 0.02, 0.08, 0.32};  // s
 constexpr std::array<double, 2> lags{0.01, 0.05};                      // s
 constexpr double smoothed = 0.015;                                     // s, on each side
@@ -33,7 +33,7 @@ std::vector<double> low_passed(const std::vector<double>& x, double step, double
     return y;
 }
 
-/// Where a follower is that the position drags behind a play of this width.
+/// Where a follower is that the position drags behind it by a play operator of this width.
 std::vector<double> followed(const std::vector<double>& q, double width)
 {
     std::vector<double> y(q.size());
@@ -89,8 +89,8 @@ FunctionsOfSignals::FunctionsOfSignals(const std::vector<Case>& cases, const Sca
             if (c.ticks.logged[k])
                 low_ = std::min(low_, c.ticks.position[k]), high_ = std::max(high_, c.ticks.position[k]);
     high_ = std::max(high_, low_ + 1e-12);
-    in_time_ = comb_peaks(cases, scales, candidate, si, Comb::time, omega, waves);
-    in_position_ = comb_peaks(cases, scales, candidate, si, Comb::position, omega, waves);
+    in_time_ = grid_peaks(cases, scales, candidate, si, FrequencyGrid::time, omega, waves);
+    in_position_ = grid_peaks(cases, scales, candidate, si, FrequencyGrid::position, omega, waves);
     forces(signals(cases[0], candidate, si), [&](std::string_view kind, const auto&) { motion_.push_back(kind); });
     drive_.assign(static_cast<std::size_t>(of_drive(signals(cases[0], candidate, si)).cols()), "effort");
 }
@@ -151,7 +151,7 @@ void FunctionsOfSignals::forces(const Signals& s, const Take& take) const
         each("direction", [&](auto k) { return direction[k] * hat(x[k], i, hats_of_direction); });
     for (std::size_t i = 0; i < hats_of_velocity; ++i)
         each("velocity", [&](auto k) { return moving[k] * hat(w[k], i, hats_of_velocity); });
-    for (const double play : plays) {
+    for (const double play : play_widths) {
         const auto follower = followed(s.reading, 2 * play * (high_ - low_));
         each("history", [&](auto k) { return (s.reading[k] - follower[k]) / (play * (high_ - low_)); });
     }

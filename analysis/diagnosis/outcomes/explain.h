@@ -8,7 +8,7 @@ namespace stickslip::gap {
 
 /// Where the two best explanations differ most: what to measure next.
 struct NextOutcome {
-    std::vector<double> settings;  ///< SI, one for each path of the table; empty: nothing is left to tell apart
+    std::vector<double> settings;  ///< SI, one for each path of the table; empty: nothing is left to distinguish
     double one = 0, two = 0;       ///< probability of stick-slip by each
 };
 

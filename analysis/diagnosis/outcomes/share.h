@@ -4,7 +4,7 @@
 
 namespace stickslip::gap {
 
-/// Of log-likelihood, odds of twenty to one: laws that are closer cannot be told apart.
+/// Of log-likelihood, odds of twenty to one: laws that are closer cannot be distinguished.
 inline constexpr double clear_margin = 3;
 
 /// A fitted law as a cause; `other_kind` is the best law with memory where this one has none, and the reverse.

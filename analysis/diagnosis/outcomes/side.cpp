@@ -50,7 +50,7 @@ double distance(const Joint& given, double (*measure)(const Joint&))
     if (!std::isfinite(value) || value == 0) return value;
     Joint joint = given;
     double squares = 0;
-    // roots of a delay are dear: its windows of stiffness tell the distance nearly alone
+    // roots of a delay are slow to find: its windows of stiffness alone nearly give the distance
     const bool late = std::holds_alternative<TimeLag>(joint.friction.law);
     for (double* setting : {&joint.control.k_p, &joint.control.k_v, &joint.control.V0}) {
         if (*setting == 0 || (late && setting != &joint.control.k_p)) continue;

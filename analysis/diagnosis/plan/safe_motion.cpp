@@ -141,7 +141,7 @@ std::vector<SafeMotion> safe_motions(const Reach& reach, double duration, double
             w.go(high), w.rest(1.5);
             w.go(low), w.rest(1.5);
         } while (w.time() < duration);
-        all.push_back(w.done("steps over the whole stroke with rests of one and a half seconds"));
+        all.push_back(w.done("steps over the whole stroke with standstills of one and a half seconds"));
     }
     {
         Writer w(reach, period);

@@ -9,7 +9,7 @@ namespace stickslip::gap {
 
 /// What the joints of a pack have in common: which way a time step takes is the same in every lane.
 struct Kind {
-    bool two_mass = false, feedback_link = false, plays = false, free = false, dead_time = false, lag = false;
+    bool two_mass = false, feedback_link = false, has_backlash = false, free = false, dead_time = false, lag = false;
     bool gravity = false, cogging = false, disturbance = false, sags = false, read_late = false;
     Terms motor, link;
     ActuatorKind actuator = ActuatorKind::effort;
@@ -24,7 +24,7 @@ struct Kind {
 inline Kind kind_of(const Plant& p)
 {
     Kind k;
-    k.two_mass = p.two_mass, k.feedback_link = p.two_mass && p.feedback_link, k.plays = p.backlash > 0;
+    k.two_mass = p.two_mass, k.feedback_link = p.two_mass && p.feedback_link, k.has_backlash = p.backlash > 0;
     k.free = p.free.present, k.dead_time = p.dead_time != 0, k.lag = p.actuator.lag > 0;
     k.gravity = p.load.gravity_amplitude != 0, k.cogging = p.load.cogging.amplitude != 0;
     k.disturbance = p.load.disturbance.amplitude != 0, k.sags = p.actuator.sag_effort < infinity;

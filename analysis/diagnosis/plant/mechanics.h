@@ -5,8 +5,8 @@
 
 namespace stickslip::gap {
 
-/// Where a link rests at the start: pressed onto its spring and one flank of its play by the load, or, as whoever
-/// switches a simulation or a brake on finds it, level with the motor, in the middle of its play.
+/// Where a link rests at the start: pressed onto its spring and one flank of its backlash by the load, or, as whoever
+/// switches a simulation or a brake on finds it, level with the motor, in the middle of its backlash.
 enum class Rest { pressed, level };
 
 /// Where readings come late, the motion is that of the moment which is read, so that a reading is compared with what it
@@ -105,14 +105,14 @@ class Mechanics {
         const P one(1.0), zero(0.0);
         const P to_motor = kind().feedback_link ? joints_.ratio : one,
                 to_link = kind().feedback_link ? one : one / joints_.ratio;
-        // inside the play the link flies on its own: an encoder on the motor says nothing about it, and its noise would
-        // be fed into a body that nothing calms. In contact it moves along
+        // inside the backlash the link flies on its own: an encoder on the motor says nothing about it, and its noise
+        // would be fed into a body that nothing calms. In contact it moves along
         const P apart = state_.motor_position / joints_.ratio - state_.link_position;
         state_.motor_position = state_.motor_position + to_motor * dq;
         state_.motor_velocity = state_.motor_velocity + to_motor * dv;
         P moved = to_link * dq, sped = to_link * dv;
-        if (kind().plays && !kind().feedback_link) {
-            const auto touches = beyond_play(apart, joints_.backlash) != zero;
+        if (kind().has_backlash && !kind().feedback_link) {
+            const auto touches = beyond_backlash(apart, joints_.backlash) != zero;
             moved = select(touches, moved, zero), sped = select(touches, sped, zero);
         }
         state_.link_position = state_.link_position + moved;
@@ -256,12 +256,13 @@ void Mechanics<P>::start(int lane, double velocity, Rest rest, double beyond)
     if (kind().two_mass) {
         const double link = p.feedback_link ? q : q / p.ratio;
         const double load = load_force(joints_.load, P(link), P(l.ticks->time[l.tick]))[lane];
-        // a load that the link's own friction holds leaves open where in its play the link rests: the middle is nearest
+        // a load that the link's own friction holds leaves open where in its backlash the link rests: the middle is
+        // nearest
         const bool held = p.backlash > 0 && std::abs(load) <= p.link.coulomb;
         const double stretch = held || rest == Rest::level ? 0 : -load / p.stiffness;
-        const double play = stretch == 0 ? 0 : std::copysign(0.5 * p.backlash, stretch);
-        fresh.motor_position = p.feedback_link ? p.ratio * (q + stretch + play) : q;
-        fresh.link_position = p.feedback_link ? q : q / p.ratio - stretch - play;
+        const double half = stretch == 0 ? 0 : std::copysign(0.5 * p.backlash, stretch);
+        fresh.motor_position = p.feedback_link ? p.ratio * (q + stretch + half) : q;
+        fresh.link_position = p.feedback_link ? q : q / p.ratio - stretch - half;
         fresh.motor_velocity = p.feedback_link ? p.ratio * v : v;
         fresh.link_velocity = p.feedback_link ? v : v / p.ratio;
         fresh.followed = fresh.link_position;

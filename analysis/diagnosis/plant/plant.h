@@ -42,7 +42,7 @@ struct FreeForce {
     static constexpr std::size_t intervals = 8, coefficients = intervals + 2;
     bool present = false;
     double from = 0, width = 1;
-    double play = 0;  ///< half of it: q is where a follower is, which the position drags along behind a play
+    double play = 0;  ///< half of it: q is where a follower is, which the position drags along (play operator)
     std::array<double, coefficients> of_position{};
     double speed = 1, linear = 0, quadratic = 0, cubic = 0;  ///< forces at that speed, against the motion
 

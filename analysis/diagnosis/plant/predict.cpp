@@ -48,7 +48,7 @@ bool rest_is_open(const Prediction& p)
     return load_force(p.plant.load, link, t.time[0]) != 0;
 }
 
-/// Which rest predicts the first moments better. A record does not say it, and a link that falls through its play
+/// Which standstill predicts the first moments better. A record does not say it; a link that falls through its backlash
 /// misses by thousands of floors.
 std::vector<Rest> rests_of(std::span<const Prediction> all)
 {

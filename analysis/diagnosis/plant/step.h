@@ -12,7 +12,7 @@ struct State {
     RubState<P> motor, link;
     P acceleration = 0;  ///< of the last step, predicts the mid-step speed
     P lagged = 0;        ///< command behind the actuator's lag
-    P followed = 0;      ///< where the follower of a force without a name is
+    P followed = 0;      ///< where the follower of an unmodelled force is
 };
 
 /// What a time step of this length needs of joints, divided once for all steps of a tick.
@@ -78,7 +78,7 @@ void step_single(const Joints<P>& p, State<P>& s, const PushOf<P>& drive, const 
     P next = (v * (1.0 - slope) + mobility * (force - direction * level)) / (1.0 + slope);
     P travelled = 0.5 * h * (v + next);
     if (const auto stops = moving & (next * direction < zero); any(stops)) {
-        // stops inside the step; the rest of it starts from rest
+        // stops inside the step; its remainder starts from standstill
         const P part = v / (v - next);
         direction = copysign(one, force);
         level = resistance(r, s.motor, zero, direction, at);
@@ -95,9 +95,9 @@ void step_single(const Joints<P>& p, State<P>& s, const PushOf<P>& drive, const 
     remember(r, s.motor, abs(travelled) * length.per_h, h);
 }
 
-/// Deflection beyond the play, positive when the motor leads.
+/// Deflection beyond the backlash, positive when the motor leads.
 template <class P>
-P beyond_play(const P& deflection, const P& backlash)
+P beyond_backlash(const P& deflection, const P& backlash)
 {
     const P half = 0.5 * backlash;
     return deflection - max(-half, min(deflection, half));
@@ -113,10 +113,11 @@ void step_two_mass(const Joints<P>& p, State<P>& s, const PushOf<P>& drive, cons
     const P apart = motor_middle * per_ratio - link_middle;
     const P rate = s.motor_velocity * per_ratio - s.link_velocity;
     P spring;
-    if (p.kind.plays) {
-        const P stretch = beyond_play(apart, p.backlash);
+    if (p.kind.has_backlash) {
+        const P stretch = beyond_backlash(apart, p.backlash);
         spring = length.stiff * stretch + length.implicit * rate;
-        spring = select(zero < spring * stretch, spring, zero);  // contact cannot pull, and in the play there is none
+        spring = select(zero < spring * stretch, spring,
+                        zero);  // contact cannot pull, and within the backlash there is none
     } else {
         spring = length.stiff * apart + length.implicit * rate;
     }

@@ -13,9 +13,9 @@ namespace stickslip::gap {
 namespace {
 
 constexpr double worth = 0.1;  // gain on held-out rows that earns a name
-constexpr double near = 0.05;  // of log RMS: what cannot be told apart
+constexpr double near = 0.05;  // of log RMS: what cannot be distinguished
 constexpr double quiet = 1.06;
-constexpr double width = 0.05;  // of log RMS: rests of rigs are model error, not noise
+constexpr double width = 0.05;  // of log RMS: residuals of rigs are model error, not noise
 
 /// A law, fitted, and how it predicts the rows that its fits have not seen.
 struct Entry {
@@ -138,7 +138,7 @@ DiagnosedTrace trace_of(const Rig& rig, const std::string& name, RigLaw law, con
 {
     DiagnosedTrace trace;
     trace.file = name;
-    trace.effort_name = "friction";
+    trace.effort = DiagnosedTrace::Effort::friction_of_rig;
     trace.effort_unit = "as logged";
     double level = 0;
     const auto force = rig_force(rig, law, p);

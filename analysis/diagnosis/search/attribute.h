@@ -62,7 +62,7 @@ void judge(Attribution& attribution, const Nominal& nominal);
 /// Misfit averaged over levels and records; what is below the floor is noise and counts as one.
 double mean_log_misfit(const std::array<Evaluation, levels.size()>& evaluations);
 /// The same without that: minus twice the log likelihood a reading of white innovations whose variance is unknown, up
-/// to a constant. Rivals that both come down to the noise are told apart by it, a floor that is too high or not.
+/// to a constant. Rivals that both explain to within noise are distinguished by it, a floor that is too high or not.
 double mean_log_square(const std::array<Evaluation, levels.size()>& evaluations);
 
 inline constexpr double price_of_parameter = 0.003;

@@ -1,5 +1,5 @@
-// Forces without a name: what shape-free functions of position or velocity alone can explain, or of a follower that the
-// position drags along behind a play (the play operator of hysteresis: Visintin 1994). They belong to no effect of the
+// Unmodelled forces: what shape-free functions of position or velocity alone can explain, or of a follower that the
+// position drags along (the play operator of hysteresis: Visintin 1994). They belong to no effect of the
 // catalogue, and to no joint file: where one explains the records clearly better than any cause, the cause is only the
 // nearest in shape, and is not named.
 #pragma once

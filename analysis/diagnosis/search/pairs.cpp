@@ -44,8 +44,8 @@ bool has_parts(const EffectParameter& p)
 }
 
 /// A first look: from where both came to alone, from the second started afresh on what the first leaves, and, beside
-/// play or a limit, from a part of a second that has one number. Play and limits are searched while the first keeps its
-/// values.
+/// backlash or a limit, from a part of a second that has one number. Backlash and limits are searched while the first
+/// keeps its values.
 void look_at(Pair& p, const std::vector<Case>& brief, const Scales& scales)
 {
     using Start = std::pair<double, Eigen::VectorXd>;
@@ -84,8 +84,8 @@ void look_at(Pair& p, const std::vector<Case>& brief, const Scales& scales)
     p.fit.evaluations = evaluations + static_cast<int>(from.size());
 }
 
-/// The best singles in their other forms: which form one has may show only beside its partner. Where the best is play
-/// or a spring that holds for everything in the mechanism: alone, each inertia stands in for the other.
+/// The best singles in their other forms: which form one has may show only beside its partner. Where the best is
+/// backlash or a spring that holds for everything in the mechanism: alone, each inertia stands in for the other.
 std::vector<Attribution> other_forms(const std::vector<Attribution>& singles, std::size_t partners,
                                      const std::vector<Case>& brief, std::size_t records, const Scales& scales,
                                      double omega, const ParallelFor& parallel)
@@ -93,8 +93,8 @@ std::vector<Attribution> other_forms(const std::vector<Attribution>& singles, st
     std::vector<Attribution> others;
     for (std::size_t i = 0; i < singles.size(); ++i) {
         const Candidate& best = singles[i].candidate;
-        const bool beside_play = two_mass_edit(singles[0].candidate) && best.effects[0]->stage == "mechanism";
-        if (two_mass_edit(best) || (i >= partners && !beside_play)) continue;
+        const bool beside_backlash = two_mass_edit(singles[0].candidate) && best.effects[0]->stage == "mechanism";
+        if (two_mass_edit(best) || (i >= partners && !beside_backlash)) continue;
         for (const auto& form : best.effects[0]->forms) {
             Attribution other;
             other.candidate = {best.effects, {&form}, records};

@@ -66,7 +66,7 @@ LevelFit improve(const std::vector<Case>& cases, const Candidate& candidate, con
         evaluations += fit.evaluations;
     }
     constexpr Eigen::Index few = 3;
-    if (fit.x.size() <= few) {  // play and inertia make up for each other: in turn they creep along a narrow valley
+    if (fit.x.size() <= few) {  // backlash and inertia make up for each other: in turn they creep along a narrow valley
         fit = search_rough(cases, candidate, scales, fit.x, omega, effort * static_cast<int>(fit.x.size()),
                            0.1 * first_step);
         evaluations += fit.evaluations;
@@ -95,10 +95,10 @@ LevelFit best_of(const std::vector<Case>& cases, const Scales& scales, const Can
 {
     std::vector<std::pair<double, std::size_t>> order;
     constexpr std::size_t few = 3;
-    // of a force found on a comb only the frequency is known: before its descent no start is better than another
+    // of a force found on a grid only the frequency is known: before its descent no start is better than another
     const bool combed =
-        candidate.forms.size() == 1 &&
-        std::ranges::any_of(candidate.forms[0]->parameters, [](const auto& p) { return p.comb != Comb::none; });
+        candidate.forms.size() == 1 && std::ranges::any_of(candidate.forms[0]->parameters,
+                                                           [](const auto& p) { return p.grid != FrequencyGrid::none; });
     const bool rough = (from.size() > few && !combed) || jagged(candidate);
     const auto objective = rough ? objectives(cases, candidate, scales, from, omega) : std::vector<double>();
     for (std::size_t i = 0; i < from.size(); ++i) order.emplace_back(rough ? objective[i] : 0, i);
@@ -123,7 +123,7 @@ LevelFit best_of(const std::vector<Case>& cases, const Scales& scales, const Can
         if (best.x.size() == 0 || fit.evaluation.objective < best.evaluation.objective) best = std::move(fit);
     }
     if (constexpr double longer = levels[1]; jagged(candidate) && omega > longer) {
-        // the slope towards the right play or limit is longer where a prediction has to hold for longer
+        // the slope towards the right backlash or limit is longer where a prediction has to hold for longer
         const auto there = objectives(cases, candidate, scales, from, longer);
         const auto start = static_cast<std::size_t>(std::min_element(there.begin(), there.end()) - there.begin());
         const int count = effort * static_cast<int>(candidate.parameter_count());

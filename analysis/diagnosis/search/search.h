@@ -13,11 +13,11 @@ inline constexpr int iterations = 12;
 inline constexpr double clear_score = 0.04;  ///< so little is left that no better numbers are needed
 
 bool jagged(const Candidate& candidate);
-/// Whether it divides the mass or lets it play: ten times as dear as the others.
+/// Whether it divides the mass or gives it backlash: ten times as slow as the others.
 bool two_mass_edit(const Candidate& candidate);
 /// Whether it moves the encoder of a joint documented as one mass behind its transmission.
 bool moves_encoder(const Candidate& candidate);
-/// Whether it lets two known masses play: where the link rests in its play is history, which excerpts cut off, and a
+/// Whether it gives two known masses backlash: where the link rests within it is history, which excerpts cut off, and a
 /// wrong flank at their start outweighs the right width. Such a candidate is looked at on whole records.
 bool needs_history(const Candidate& candidate);
 bool better(const Attribution& a, const Attribution& b);
@@ -42,8 +42,8 @@ void refine_best(const std::vector<Case>& cases, const Scales& scales, const Nom
                  std::vector<Attribution>& ranked, std::size_t most, const ParallelFor& parallel);
 
 /// Searches all numbers of the best `most` refined candidates with a jagged misfit at once, fastest level first: what
-/// is fitted in turn creeps along the valley in which play, shares of the mass and a partner make up for each other.
-/// Those that explain little are left as they are, those far behind at the fastest level are left there.
+/// is fitted in turn creeps along the valley in which backlash, shares of the mass and a partner make up for each
+/// other. Those that explain little are left as they are, those far behind at the fastest level are left there.
 void polish_best(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
                  std::vector<Attribution>& ranked, std::size_t most, const ParallelFor& parallel);
 

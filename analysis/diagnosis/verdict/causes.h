@@ -1,4 +1,4 @@
-// Findings in the words of an answer: every cause with its numbers, its tell-tale and how sure it is.
+// Findings in the words of an answer: every cause with its numbers, its signature and how sure it is.
 #pragma once
 #include "analysis/diagnosis/verdict/findings.h"
 #include "analysis/results/diagnosis.h"

@@ -37,13 +37,13 @@ void fit_pair(const Prepared& p, std::size_t pair_partners, const ParallelFor& p
     confirm(p.cases, f.singles, p.nominal, p.scales, parallel);
 }
 
-/// The best cause against forces without a name: where one of them is clearly better, it is only the nearest in shape.
+/// The best cause against unmodelled forces: where one of them is clearly better, it is only the nearest in shape.
 void hold_against_free_forces(const Prepared& p, const std::function<void(const char*, double)>& progress,
                               const ParallelFor& parallel, Findings& f)
 {
     const Attribution& nearest = *f.decision.winner;
     if (mean_log_misfit(nearest.evaluation) < least_of_free_force) return;
-    progress("fitting forces without a name", 0.85);
+    progress("fitting unmodelled forces", 0.85);
     f.free = fit_free_forces(p.cases, p.scales, p.nominal, parallel);
     if (!clearly_better(f.free[0], nearest)) return;
     f.why_not = Note{
@@ -59,12 +59,13 @@ void hold_ladder_against_free_forces(const Prepared& p, const std::function<void
     JudgedLadder& j = f.judged;
     const bool only_noise = j.noise_left || j.noise_below;
     if (!j.answers() || only_noise || mean_log_misfit(j.winner.evaluation) < least_of_free_force) return;
-    progress("fitting forces without a name", 0.85);
+    progress("fitting unmodelled forces", 0.85);
     f.free = fit_free_forces(p.cases, p.scales, p.nominal, parallel, j.ladder.corrections.get());
     hold_against(j, f.free[0]);
 }
 
-/// What comes down to the noise with the document's numbers as they are is the answer, with a ladder of its own causes.
+/// What explains to within noise with the document's numbers as they are is the answer, with a ladder of its own
+/// causes.
 void tell_accepted(const Prepared& p, const ParallelFor& parallel, Findings& f)
 {
     const std::vector<Attribution> none;
@@ -112,7 +113,7 @@ void find_causes(Prepared& p, std::size_t pair_partners, const std::function<voi
     }
     f.decision = decide(f.singles, f.pairs, rows_of(p.cases));
     if (!accepted(f.decision)) {
-        progress("correcting the joint's own numbers", 0.4);
+        progress("correcting the nuisance parameters of the joint", 0.4);
         LadderSearch search(p.cases, p.scales, f.singles, policy::ladder, parallel);
         f.judged.ladder = search.climb({}, 1);
         judge(f.judged, search.data(), p.scales, p.nominal, parallel);

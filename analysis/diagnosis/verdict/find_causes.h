@@ -1,4 +1,4 @@
-// From prepared records to causes: singles, then pairs, then what predicts unseen data, then forces without a name.
+// From prepared records to causes: singles, then pairs, then what predicts unseen data, then unmodelled forces.
 #pragma once
 #include "analysis/diagnosis/verdict/findings.h"
 

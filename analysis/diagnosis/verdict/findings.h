@@ -37,8 +37,9 @@ struct Findings {
     std::vector<FreeFit> free;
     Decision decision;
     JudgedLadder judged;
-    bool climbed = false;    ///< there is a ladder
-    bool by_ladder = false;  ///< and the answer is the ladder's: no single cause, nor a pair, comes down to the noise
+    bool climbed = false;  ///< there is a ladder
+    bool by_ladder =
+        false;  ///< and the answer is the ladder's: neither a single cause nor a pair explains to within noise
     std::optional<Note> why_not;  ///< why the cause that comes nearest is not the answer
 
     bool named() const { return by_ladder ? judged.answers() : decision.named; }

@@ -28,8 +28,8 @@ constexpr int runs = 3;
 /// Stick-slip amplifies what two integrators do differently, so slower levels get more room. Scores of misfit at which
 /// a cause still counts as found although a rest remains.
 constexpr double explained_single = 0.97, explained_pair = 0.985;
-/// Play leaves a little wherever its contact is not quite the one that is simulated: so little is no second effect.
-constexpr double explained_by_play = 0.99;
+/// Backlash leaves a little wherever its contact is not quite the simulated one: so little is no second effect.
+constexpr double explained_by_backlash = 0.99;
 /// A single that leaves so much counts where a second effect hardly helps it: what is left is then not the second.
 constexpr double explained_alone = 0.9;
 
@@ -44,7 +44,7 @@ bool flexible(const Attribution& a)
     return n > 1;
 }
 
-/// Whether a partner beside play or a spring takes away most of what that one leaves alone. The contact of a real play
+/// Whether a partner beside backlash or a spring takes most of what that one leaves alone. The contact of real backlash
 /// is none of the ones that can be simulated, so a rest remains of both.
 bool completes(const Attribution& pair, const Attribution& single)
 {
@@ -54,7 +54,7 @@ bool completes(const Attribution& pair, const Attribution& single)
            1 - pair.explained < (1 - most) * (1 - single.explained);
 }
 
-/// Best score first. Of the leading ones that come down to the noise, within the margin, the likeliest: their scores
+/// Best score first. Of the leading ones that explain to within noise, within the margin, the likeliest: their scores
 /// are those of the floor, and tell nothing.
 void put_likeliest_first(std::vector<Attribution>& ranked)
 {
@@ -142,10 +142,10 @@ bool bends_only(const Candidate& candidate, const Eigen::VectorXd& x, const Scal
     constexpr double turn = 2.0 / 3;  // of a period: the wave has turned back
     const auto si = in_si(candidate, x, scales);
     for (std::size_t i = 0; i < si.size(); ++i) {
-        const Comb comb = candidate.parameter(i).comb;
-        if (comb == Comb::none) continue;
-        const double seen =
-            comb == Comb::time ? si[i] * scales.duration : si[i] / unit_of(candidate.parameter(i).scale, scales);
+        const FrequencyGrid grid = candidate.parameter(i).grid;
+        if (grid == FrequencyGrid::none) continue;
+        const double seen = grid == FrequencyGrid::time ? si[i] * scales.duration
+                                                        : si[i] / unit_of(candidate.parameter(i).scale, scales);
         if (seen < turn * 2 * std::numbers::pi) return true;
     }
     return false;
@@ -195,7 +195,7 @@ Decision decide(const std::vector<Attribution>& singles, const std::vector<Attri
                              (best_single && completes(*best_pair, *best_single)))) {
         // a second effect must earn its place: else the first alone is the answer with a rest
         const bool all_but =
-            best_single && two_mass_edit(best_single->candidate) && best_single->explained > explained_by_play;
+            best_single && two_mass_edit(best_single->candidate) && best_single->explained > explained_by_backlash;
         const double worth = best_pair->accepted && !all_but ? 0.06 : 0.15;
         const bool alone = best_single &&
                            best_single->explained > (best_pair->accepted ? explained_single : explained_alone) &&
@@ -264,7 +264,7 @@ Quality quality_of(const std::vector<Case>& cases, const Attribution& a, const S
         for (Eigen::Index i = 0; i < n; ++i) {
             const auto& p = a.candidate.parameter(static_cast<std::size_t>(i));
             const double error = std::sqrt(std::max(0.0, q.covariance(i, i)));
-            // wider than its bounds: these records cannot tell it from another parameter
+            // wider than its bounds: these records cannot distinguish it from another parameter
             const double widest = p.logarithmic ? std::log(p.high / p.low) : p.high - p.low;
             if (!(error < widest)) continue;
             q.standard_error[static_cast<std::size_t>(i)] =

@@ -1,4 +1,4 @@
-// From fits to an answer: what is noise, what is named, what cannot be told apart, how sure.
+// From fits to an answer: what is noise, what is named, what cannot be distinguished, how sure.
 #pragma once
 #include "analysis/diagnosis/heldout/ensemble.h"
 

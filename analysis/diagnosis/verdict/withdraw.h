@@ -10,7 +10,7 @@ inline constexpr double believed_unnamed = 0.1;
 
 /// What was known of the named cause before it was simulated.
 struct Standing {
-    /// Its predictions come down to the noise, the controller's audit found it, or a contest on held-out data.
+    /// Its predictions explain to within noise, the controller's audit found it, or a cross-validated comparison.
     bool settled = false;
     bool noise_documented = false;  ///< floors are those of the document
 };

@@ -19,7 +19,7 @@ constexpr double shortest_turn = 1e-6;       ///< in times of the fastest linear
 constexpr double watched = 1e-8;             ///< the same for a motion that is only watched, at the noise of its steps
 constexpr double by_the_linear_rate = 0.02;  ///< relative difference to the spectral abscissa
 constexpr int linear_turns = 20;             ///< in succession at that rate: the rest of the decay is known
-constexpr int most_idle_turns = 10;          ///< in succession: what happens lies below what doubles tell apart
+constexpr int most_idle_turns = 10;          ///< in succession: what happens lies below what doubles resolve
 /// Growth of the amplitude per turn (its logarithm) below which a turn is followed more finely, what such a turn is
 /// followed to, and the growth that its errors may be taken for.
 constexpr double fine_growth = 1e-3, fine_rtol = 1e-12, no_growth = 1e-10;

@@ -39,28 +39,28 @@ std::vector<FlowVector> swings(const Flow& flow, const SlowMode& mode, int first
 
 LargeStarts large_starts(const SlidingFlow& flow, const SlowMode& mode)
 {
-    LargeStarts starts{{disturbed(flow, mode, DisturbanceKind::start, near_rest_start)}, "a start from near rest"};
+    LargeStarts starts{{disturbed(flow, mode, DisturbanceKind::start, near_rest_start)}};
     const bool forgets = flow.can_rest() || mode.s.imag() == 0 || (flow.logarithmic && flow.states < 2);
     if (forgets) return starts;
     const double reach = flow.V0 / std::abs(mode.s);
     for (const double pull : pulls) starts.y.push_back(disturbed(flow, mode, DisturbanceKind::offset, pull * reach));
-    starts.words = "a start from near rest; pulls of the spring by 1.25, −1.25 and 3 V_0/|s|";
+    starts.tried = LargerTried::pulls;
     return starts;
 }
 
 LargeStarts large_starts(const ChainFlow& flow, const SlowMode& mode)
 {
-    LargeStarts starts{{disturbed(flow, mode, DisturbanceKind::start, near_rest_start)}, "a start from near rest"};
+    LargeStarts starts{{disturbed(flow, mode, DisturbanceKind::start, near_rest_start)}};
     const auto others = swings(flow, mode, flow.bodies, 2 * flow.bodies);
     if (others.empty()) return starts;
     starts.y.insert(starts.y.end(), others.begin(), others.end());
-    starts.words = "a start from near rest; a large swing of every lightly damped mode";
+    starts.tried = LargerTried::swings;
     return starts;
 }
 
 LargeStarts large_starts(const LateFlow& flow, const SlowMode& mode)
 {
-    return {{disturbed(flow, mode, DisturbanceKind::start, near_rest_start)}, "a start from near rest"};
+    return {{disturbed(flow, mode, DisturbanceKind::start, near_rest_start)}};
 }
 
 }  // namespace stickslip

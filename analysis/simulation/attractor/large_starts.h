@@ -2,16 +2,17 @@
 #pragma once
 #include <string_view>
 #include <vector>
+#include "analysis/results/detail.h"
 
 #include "analysis/simulation/flows/late_flow.h"
 #include "analysis/simulation/flows/mode.h"
 
 namespace stickslip {
 
-/// Disturbed states from which motions are followed until one does not come back, and how they are called.
+/// Disturbed states from which motions are followed until one does not come back, and what they are.
 struct LargeStarts {
     std::vector<FlowVector> y;
-    std::string_view words;
+    LargerTried tried = LargerTried::near_rest;
 };
 
 /// The start from near rest, always; pulls of the spring from either side, where friction with memory lets the mass

@@ -17,11 +17,6 @@
 namespace stickslip {
 namespace {
 
-constexpr std::string_view unmeasured = "the growth is too small beside its frequency to be told from rounding";
-constexpr std::string_view not_followed = "no motion was followed";
-constexpr std::string_view no_branch = "the branch of limit cycles could not be followed to its end";
-constexpr std::string_view no_smooth_branch = "folds are followed for cycles of one body with memory that never rests";
-
 /// A first Lyapunov coefficient, per ω, that decides nothing.
 constexpr double degenerate_lyapunov = 1e-6;
 
@@ -85,15 +80,15 @@ bool held_by_spring(const LateFlow& flow)
     return held_by_spring(flow.chain());
 }
 
-std::string_view why_unsupported(const Joint& joint)
+Detail why_unsupported(const Joint& joint)
 {
-    if (answers_late(joint)) return "friction that answers late is followed without memory on top of it";
-    if (joint.normal.moves()) return "a normal load that moves with the joint is part of the linear theory only";
-    if (joint.neighbour.size > 0) return "neighbours are part of the linear theory only";
+    if (answers_late(joint)) return Detail::late_with_memory;
+    if (joint.normal.moves()) return Detail::moving_normal_load;
+    if (joint.neighbour.size > 0) return Detail::neighbours;
     const auto& m = joint.mechanism;
     if (m.transmission.backlash + m.motor_transmission.backlash + m.transmission_link.backlash > 0)
-        return "play in a transmission has no steady sliding to disturb";
-    return "a force or friction that changes with position or time leaves no steady sliding to disturb";
+        return Detail::backlash;
+    return Detail::place_or_time;
 }
 
 /// The linear theory's side of the axis, and whether it is neutral whatever the gain: at a critical gain memory still
@@ -129,7 +124,7 @@ void judge(const Joint& joint, const AnyFlow& flow, const NonlinearOptions& opti
     follow_options.accelerate = options.accelerate;
 
     const auto mode = slow_mode(flow);
-    if (!mode.shows_itself()) verdict.growth_missing = not_followed;
+    if (!mode.shows_itself()) verdict.growth_missing = Detail::not_followed;
     const auto growth_of_mode = [&] { return measure_growth(flow, mode, mode.right.real()); };
     if (!held_by_spring(flow)) {
         if (mode.shows_itself()) verdict.growth_rate = growth_of_mode();
@@ -191,7 +186,7 @@ void judge(const Joint& joint, const AnyFlow& flow, const NonlinearOptions& opti
     } else if (options.region) {
         Attractor large;
         const auto starts = large_starts(flow, mode);
-        verdict.searched_from = starts.words;
+        verdict.searched_from = starts.tried;
         for (const auto& start : starts.y) {
             if (!start.allFinite()) continue;
             large = follow(flow, start, decays, follow_options);
@@ -210,7 +205,7 @@ void judge(const Joint& joint, const AnyFlow& flow, const NonlinearOptions& opti
     add_bifurcation(joint, flow, cycle_start, verdict);
     const bool followed = joint.mechanism.model == Model::single_mass && verdict.velocity_min > 0;
     if (verdict.region == NonlinearRegion::bistable && std::isnan(verdict.fold_k_p))
-        verdict.fold_missing = followed ? no_branch : no_smooth_branch;
+        verdict.fold_missing = followed ? Detail::branch_lost : Detail::branch_not_smooth;
 }
 
 NonlinearRegion region_of(LoopRegion region)
@@ -227,8 +222,6 @@ NonlinearRegion region_of(LoopRegion region)
     }
     return NonlinearRegion::undecided;
 }
-
-constexpr std::string_view ideal_only = "folds are followed for the ideal loop";
 
 }  // namespace
 
@@ -259,11 +252,13 @@ NonlinearVerdict verdict_of(const LoopVerdict& found, const NonlinearOptions& op
     verdict.overshoot = found.overshoot;
     verdict.path = DecisionPath::ticks;
     verdict.reason = found.reason;
-    verdict.explanation = found.explanation;
+    verdict.detail = found.detail;
     verdict.searched_from = found.searched_from;
     if (std::isnan(verdict.growth_rate))
-        verdict.growth_missing = found.growth_missing.empty() ? unmeasured : found.growth_missing;
-    if (options.bifurcation && verdict.region == NonlinearRegion::bistable) verdict.fold_missing = ideal_only;
+        verdict.growth_missing =
+            found.growth_missing == Detail::none ? Detail::growth_unmeasured : found.growth_missing;
+    if (options.bifurcation && verdict.region == NonlinearRegion::bistable)
+        verdict.fold_missing = Detail::fold_of_ideal_loop;
     return verdict;
 }
 
@@ -276,11 +271,12 @@ NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& o
         verdict.reason = found.reason;
         if (found.reason == Reason::none) {
             judge(joint, found.flow, options, verdict);
-            if (std::isnan(verdict.growth_rate) && verdict.growth_missing.empty()) verdict.growth_missing = unmeasured;
+            if (std::isnan(verdict.growth_rate) && verdict.growth_missing == Detail::none)
+                verdict.growth_missing = Detail::growth_unmeasured;
         } else {
             verdict.outcome = found.reason == Reason::linear_only ? Outcome::linear_only : Outcome::undecided;
-            if (found.reason == Reason::unsupported) verdict.explanation = why_unsupported(joint);
-            verdict.growth_missing = not_followed;
+            if (found.reason == Reason::unsupported) verdict.detail = why_unsupported(joint);
+            verdict.growth_missing = Detail::not_followed;
         }
     };
     if (answers_late(joint))

@@ -1,6 +1,7 @@
 // The nonlinear truth about one joint: what a disturbance ends in, and which outcomes coexist.
 #pragma once
 #include "analysis/joint/joint.h"
+#include "analysis/results/detail.h"
 #include "analysis/results/point.h"
 #include "analysis/simulation/flows/disturbance.h"
 
@@ -42,11 +43,11 @@ struct NonlinearVerdict {
     double fold_k_p = missing;  ///< gain above which no limit cycle is left
     DecisionPath path = DecisionPath::none;
     Reason reason = Reason::none;
-    std::string_view explanation;     ///< the reason in words where more is known than its code says
-    std::string_view growth_missing;  ///< why there is no growth rate
-    std::string_view fold_missing;    ///< why a fold was asked for and not found
-    std::string_view searched_from;   ///< larger disturbances that were tried where the stated one decays
-    bool used_fallback = false;       ///< CVODE gave up on the way and Rodas5P finished
+    Detail detail = Detail::none;                   ///< where more is known than the reason says
+    Detail growth_missing = Detail::none;           ///< why there is no growth rate
+    Detail fold_missing = Detail::none;             ///< why a fold was asked for and not found
+    LargerTried searched_from = LargerTried::none;  ///< larger disturbances, where the stated one decays
+    bool used_fallback = false;                     ///< CVODE gave up on the way and Rodas5P finished
 };
 
 /// Integrates the joint through its disturbance and says where it ends. A joint that has no nonlinear answer gets its

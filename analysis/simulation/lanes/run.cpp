@@ -38,7 +38,7 @@ void use_instructions(std::string_view name)
         widest_allowed = set;
         return;
     }
-    throw std::invalid_argument("given is \"" + std::string(name) + "\", this processor has " + known);
+    throw std::invalid_argument("got \"" + std::string(name) + "\", this processor has " + known);
 }
 
 Instructions best_instructions()

@@ -110,7 +110,7 @@ void DrivenJoint::settle(int i, double* y)
 
 void DrivenJoint::pass(int which, double* y)
 {
-    if (which >= bodies()) return;  // a play: the spring knows by itself
+    if (which >= bodies()) return;  // backlash: the spring knows by itself
     if (modes[which] == Mode::stuck)
         modes[which] = needed(y, which) > 0 ? Mode::forward : Mode::reverse;
     else

@@ -17,24 +17,22 @@ constexpr double small_change = 1e-6;
 
 }  // namespace
 
-std::string_view why_not_driven(const Joint& joint)
+Detail why_not_driven(const Joint& joint)
 {
-    if (joint.control.kind == ControlKind::force)
-        return "a force loop is simulated without sampling and dead time only";
-    if (joint.normal.moves()) return "a normal load that moves with the joint is not simulated in a real loop";
-    if (joint.neighbour.size > 0) return "neighbours are not simulated in a real loop";
+    if (joint.control.kind == ControlKind::force) return Detail::force_loop;
+    if (joint.normal.moves()) return Detail::normal_load_in_loop;
+    if (joint.neighbour.size > 0) return Detail::neighbours_in_loop;
     const Chain chain = chain_of(joint);
     for (int i = 0; i < chain.bodies; ++i) {
         Friction f = *chain.body[i].friction;
         const auto& law = info(f.law);
-        if (law.linear_only) return "the law is linear by definition";
-        if (law.needs_history) return "friction that answers late is not simulated in a real loop";
-        if (!has_response(f)) return "bristles under a level with a memory have no equations of motion";
+        if (law.linear_only) return Detail::linear_law;
+        if (law.needs_history) return Detail::late_friction_in_loop;
+        if (!has_response(f)) return Detail::bristles_with_memory;
         const bool bent = f.load_coefficient != 0 || f.ripple.amplitude != 0 || f.drift.change != 0;
-        if (bent && !with_levels(f.law, [](double&) {}))
-            return "this law has no level that place, time or load could change";
+        if (bent && !with_levels(f.law, [](double&) {})) return Detail::no_level;
     }
-    return {};
+    return Detail::none;
 }
 
 DrivenJoint::DrivenJoint(const Joint& joint, double frame, double speed, LoopSide side)
@@ -69,9 +67,9 @@ DrivenJoint::DrivenJoint(const Joint& joint, double frame, double speed, LoopSid
         rests |= b.rests;
         inertia += b.inertia;
     }
-    bool play = false;
-    for (int i = 0; i + 1 < n; ++i) play |= backlash_[i] > 0;
-    switches_ = rests || play ? 2 * n - 1 : 0;
+    bool backlash = false;
+    for (int i = 0; i + 1 < n; ++i) backlash |= backlash_[i] > 0;
+    switches_ = rests || backlash ? 2 * n - 1 : 0;
     const double force_unit = std::abs(joint.control.k_p) * std::abs(speed);  // by 1/ω
     const double omega = std::max(std::sqrt(std::abs(joint.control.k_p) / inertia), slowest_clock);
     if (joint.actuator.lag > 0) lag_index_ = size_++;

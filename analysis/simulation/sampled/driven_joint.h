@@ -1,7 +1,8 @@
-// A joint between two changes of what its actuator gets: bodies, springs with play, friction, load, lag and motor. What
-// depends on the place and on time is in it, so that it has no steady path of its own.
+// A joint between two changes of what its actuator gets: bodies, springs with backlash, friction, load, lag and motor.
+// What depends on the place and on time is in it, so that it has no steady path of its own.
 #pragma once
 #include "analysis/joint/drive.h"
+#include "analysis/results/detail.h"
 #include "analysis/simulation/flows/flow.h"
 #include "analysis/stability/linear_joint.h"
 
@@ -62,7 +63,7 @@ class DrivenJoint {
     /// Row by row.
     void jacobian(const double* y, double* J) const;
 
-    /// Functions whose zeros end a step: a body comes to rest or breaks away, a play opens or closes.
+    /// Functions whose zeros end a step: a body comes to rest or breaks away, a backlash opens or closes.
     int switches() const { return switches_; }
     void switch_values(const double* y, double* values) const;
     /// The equations that hold after the zero of one of them.
@@ -124,7 +125,7 @@ class DrivenJoint {
     DrivenState scale_{};
 };
 
-/// The term that the simulation of a loop has no equations for, in words; empty where it has all.
-std::string_view why_not_driven(const Joint& joint);
+/// The term that the simulation of a loop has no equations for; none where it has all.
+Detail why_not_driven(const Joint& joint);
 
 }  // namespace stickslip

@@ -81,7 +81,7 @@ LoopMode loop_mode(SampledLoop& loop)
     mode.steady = loop.state();
     const auto n = mode.steady.size();
     if (n > most_states) {
-        mode.why = "the dead time is too many ticks long for the multipliers of the simulated loop";
+        mode.why = Detail::dead_time_too_long;
         return mode;
     }
     const auto scale = state_scale(loop, n);
@@ -100,7 +100,7 @@ LoopMode loop_mode(SampledLoop& loop)
     }
     loop.set_state(mode.steady);
     if (!M.allFinite()) {
-        mode.why = "the loop leaves steady sliding within one tick";
+        mode.why = Detail::leaves_within_tick;
         return mode;
     }
     const Eigen::EigenSolver<Eigen::MatrixXd> right(M), left(M.transpose());

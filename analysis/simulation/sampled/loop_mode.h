@@ -3,7 +3,6 @@
 #include "analysis/simulation/sampled/sampled_loop.h"
 
 #include <complex>
-#include <string_view>
 
 namespace stickslip {
 
@@ -13,8 +12,8 @@ struct LoopMode {
     std::complex<double> multiplier{missing, missing};
     std::vector<std::complex<double>> left, right;
     std::vector<double> steady;
-    double period = missing;  ///< of the loop
-    std::string_view why;     ///< why there is none
+    double period = missing;    ///< of the loop
+    Detail why = Detail::none;  ///< why there is none
 
     bool known() const { return std::isfinite(std::abs(multiplier)); }
     /// s of z = e^{sT}, in the upper half plane.

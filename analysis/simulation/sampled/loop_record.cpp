@@ -43,7 +43,7 @@ class Told {
     std::size_t i_ = 0;
 };
 
-LoopRecord refused(Reason reason, std::string_view why)
+LoopRecord refused(Reason reason, Detail why)
 {
     LoopRecord record;
     record.reason = reason, record.why = why;
@@ -79,14 +79,11 @@ bool needs_motion(const Joint& joint)
 LoopRecord started(const Joint& joint, const ReferenceMotion& reference, const Told::Now& start, SampledLoop& loop)
 {
     const bool slides = needs_motion(joint);
-    if (slides && !(start.velocity > 0))
-        return refused(Reason::law_needs_motion,
-                       "the law has no meaning at rest: start with a reference that moves forward, or take "
-                       "rate-and-state-regularised");
+    if (slides && !(start.velocity > 0)) return refused(Reason::law_needs_motion, Detail::law_at_rest);
     if (!slides)
         loop.begin_at_rest(start.position);
     else if (!loop.begin_sliding(start.position, start.velocity))
-        return refused(Reason::no_steady_state, "the limit of the effort is below what steady sliding takes");
+        return refused(Reason::no_steady_state, Detail::effort_limit);
     loop.set_clock(reference.time.front(), reference.time.front() - joint.sensor.delay);
     return {};
 }
@@ -114,7 +111,7 @@ void log_along(const ReferenceMotion& reference, Told& told, SampledLoop& loop, 
         }
         if (!moved) {
             record.reason = Reason::solver_failed;
-            record.why = "the motion could not be followed any further";
+            record.why = Detail::stopped;
             break;
         }
     }
@@ -129,8 +126,8 @@ void log_along(const ReferenceMotion& reference, Told& told, SampledLoop& loop, 
 
 LoopRecord record_along(const Joint& joint, const ReferenceMotion& reference, std::uint64_t seed, double rtol)
 {
-    if (const auto why = why_not_driven(joint); !why.empty()) return refused(Reason::unsupported, why);
-    if (reference.time.size() < 2) return refused(Reason::unsupported, "a reference needs at least two rows");
+    if (const auto why = why_not_driven(joint); why != Detail::none) return refused(Reason::unsupported, why);
+    if (reference.time.size() < 2) return refused(Reason::unsupported, Detail::few_rows);
     const double span = reference.time.back() - reference.time.front();
     LoopOptions options;
     options.seed = seed;
@@ -138,17 +135,13 @@ LoopRecord record_along(const Joint& joint, const ReferenceMotion& reference, st
     int each = 1;
     if (!is_set(joint.control.period)) {
         each = ticks_a_row(joint, reference);
-        if (each == 0)
-            return refused(Reason::unsupported,
-                           "the rows of the reference are not evenly spaced: a continuous loop is logged at them. Set "
-                           "control.period, or space them evenly");
+        if (each == 0) return refused(Reason::unsupported, Detail::uneven_rows);
         options.tick = span / static_cast<double>(reference.time.size() - 1) / each;
     }
     const double fastest = fastest_of(reference), V0 = joint.control.V0;
     const double speed = fastest > 0 ? fastest : is_set(V0) && V0 != 0 ? std::abs(V0) : 1e-3;
     SampledLoop loop(joint, 0, speed / joint.sensor.position_scale, LoopSide::motor, options);
-    if (span / loop.period() > most_rows)
-        return refused(Reason::unsupported, "the reference has more than 20 million ticks");
+    if (span / loop.period() > most_rows) return refused(Reason::unsupported, Detail::too_many_ticks);
     Told told(reference, loop.period());
     LoopRecord record = started(joint, reference, told.at(reference.time.front()), loop);
     if (record.reason == Reason::none) log_along(reference, told, loop, each, record);

@@ -14,7 +14,7 @@ struct LoopRecord {
     std::vector<double> time, reference_position, reference_velocity, position, velocity, effort_command,
         effort_measured, feed_forward;
     Reason reason = Reason::none;
-    std::string_view why;  ///< of the reason, in words
+    Detail why = Detail::none;
 };
 
 /// Starts at rest where the reference starts, or, under a law that cannot rest, sliding as the reference does. `seed` 0

@@ -49,7 +49,7 @@ Trajectory loop_trajectory(const Joint& joint, const LoopMotionQuestion& questio
     const double V0 = commanded_velocity(joint);
     path.commanded_velocity = V0;
     if (!is_set(V0)) return refuse(Reason::no_velocity);
-    if (!why_not_driven(joint).empty()) return refuse(Reason::unsupported);
+    if (why_not_driven(joint) != Detail::none) return refuse(Reason::unsupported);
     const double frame = V0 / joint.sensor.position_scale;
     const auto s = rate_of(joint, frame);
     LoopOptions options;

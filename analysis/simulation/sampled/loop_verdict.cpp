@@ -21,16 +21,7 @@ constexpr double faded = 1e-9;           ///< of a push: no more than this is le
 constexpr double most_ticks_late = 1e6;  ///< of a dead time
 constexpr double neutral_growth = 1e-9;  ///< of |s|: neither growth nor decay
 
-constexpr std::string_view tired = "the motion was followed to the limit of turns";
-constexpr std::string_view no_force =
-    "the limit of the effort is below what steady sliding takes: there is no steady sliding";
-constexpr std::string_view place_and_time =
-    "a force or friction that changes with position or time leaves no steady sliding to disturb";
-constexpr std::string_view pushed_back_and_forth =
-    "the push towards the set point jumps by more than steady sliding takes: the joint chatters about its reference";
-constexpr std::string_view play = "play in a transmission has no steady sliding to disturb";
-
-double total_play(const Joint& joint)
+double total_backlash(const Joint& joint)
 {
     const auto& m = joint.mechanism;
     if (m.model == Model::single_mass) return 0;
@@ -50,12 +41,12 @@ double held_time(const Joint& joint, double V0)
     return 2 * held / std::abs(joint.control.k_p * V0);
 }
 
-LoopVerdict refused(Reason reason, std::string_view why)
+LoopVerdict refused(Reason reason, Detail why = Detail::none)
 {
     LoopVerdict verdict;
     verdict.reason = verdict.stated.reason = reason;
-    verdict.explanation = why;
-    verdict.growth_missing = "no motion was followed";
+    verdict.detail = why;
+    verdict.growth_missing = Detail::not_followed;
     return verdict;
 }
 
@@ -78,17 +69,17 @@ bool chatters(const Joint& joint)
 std::optional<LoopVerdict> obstacle(const Joint& joint)
 {
     const auto sliding = steady_sliding(joint);
-    if (sliding.reason != Reason::none) return refused(sliding.reason, {});
+    if (sliding.reason != Reason::none) return refused(sliding.reason);
     const Chain chain = chain_of(joint);
     for (int i = 0; i < chain.bodies; ++i)
-        if (info(chain.body[i].friction->law).linear_only) return refused(Reason::linear_only, {});
-    if (const auto why = why_not_driven(joint); !why.empty()) return refused(Reason::unsupported, why);
-    if (has_unsteady_terms(joint)) return refused(Reason::unsupported, place_and_time);
-    if (total_play(joint) > 0) return refused(Reason::unsupported, play);
-    if (!(joint.control.k_p > 0)) return refused(Reason::diverges, {});
+        if (info(chain.body[i].friction->law).linear_only) return refused(Reason::linear_only);
+    if (const auto why = why_not_driven(joint); why != Detail::none) return refused(Reason::unsupported, why);
+    if (has_unsteady_terms(joint)) return refused(Reason::unsupported, Detail::place_or_time);
+    if (total_backlash(joint) > 0) return refused(Reason::unsupported, Detail::backlash);
+    if (!(joint.control.k_p > 0)) return refused(Reason::diverges);
     if (const double tick = tick_of(joint); !(tick > 0) || !(joint.dead_time() < most_ticks_late * tick))
-        return refused(Reason::not_finite, no_time_step);
-    if (chatters(joint)) return refused(Reason::no_steady_state, pushed_back_and_forth);
+        return refused(Reason::not_finite, Detail::no_time_step);
+    if (chatters(joint)) return refused(Reason::no_steady_state, Detail::chatters);
     return {};
 }
 
@@ -142,13 +133,13 @@ bool LoopInquiry::find_mode(const Joint& asked, double frame, GrowthBy by)
     smooth.ideal_encoder = true;
     smooth.motion.fixed_step = 1;
     SampledLoop linear(asked, frame, frame, LoopSide::joint, smooth);
-    const auto refuse = [this](Reason reason, std::string_view why) {
+    const auto refuse = [this](Reason reason, Detail why) {
         verdict_ = refused(reason, why);
         return false;
     };
     verdict_.tick = linear.period();
     linear.motion.set_fixed_step(fixed_part * linear.period());
-    if (!linear.begin_steadily()) return refuse(Reason::no_steady_state, no_force);
+    if (!linear.begin_steadily()) return refuse(Reason::no_steady_state, Detail::effort_limit);
     mode_ = loop_mode(linear);
     verdict_.growth_missing = mode_.why;
     verdict_.multiplier = mode_.multiplier;
@@ -204,7 +195,7 @@ void LoopInquiry::begin_stated()
         loop_->set_state(lifted_state);
         loop_->motion.enter();
     } else if (!disturb_loop(*loop_, joint_, disturbance)) {
-        verdict_ = refused(Reason::law_needs_motion, {});
+        verdict_ = refused(Reason::law_needs_motion);
         return;
     }
     follow(Phase::stated);
@@ -227,7 +218,7 @@ void LoopInquiry::judge_stated()
     const auto& stated = verdict_.stated;
     verdict_.reason = stated.reason;
     verdict_.cycle = stated;
-    if (stated.reason == Reason::not_converged) verdict_.explanation = tired;
+    if (stated.reason == Reason::not_converged) verdict_.detail = Detail::limit_of_turns;
     const double deflection = std::abs(steady_sliding(joint_).deflection);
     verdict_.overshoot = std::fmax(0, stated.first_peak) / deflection;
     if (!follow_.steady_attracts) {
@@ -235,8 +226,7 @@ void LoopInquiry::judge_stated()
     } else if (stated.oscillates()) {
         verdict_.region = LoopRegion::bistable;
     } else if (question_.region) {
-        verdict_.searched_from = winds_up_slowly() ? "a start from near rest; a pull of the spring by 3 V_0 √(m/k_p)"
-                                                   : "a start from near rest; a pull of the spring by 3 V_0/|s|";
+        verdict_.searched_from = winds_up_slowly() ? LargerTried::pull_of_spring : LargerTried::pull;
         if (!begin_search(Phase::from_rest) && !begin_search(Phase::pulled)) judge_search({});
     }
 }
@@ -269,7 +259,7 @@ void LoopInquiry::judge_search(const LoopEnd& large)
     if (large.oscillates()) verdict_.region = LoopRegion::bistable, verdict_.cycle = large;
     if (verdict_.region != LoopRegion::undecided) return;
     verdict_.reason = large.reason;
-    verdict_.explanation = "a larger disturbance could not be followed to its end";
+    verdict_.detail = Detail::larger_not_followed;
 }
 
 LoopVerdict loop_verdict(const Joint& joint, const LoopQuestion& question)

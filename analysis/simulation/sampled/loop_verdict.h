@@ -25,7 +25,8 @@ struct LoopVerdict {
     double tick = missing;                              ///< s
     double overshoot = missing;
     Reason reason = Reason::none;
-    std::string_view explanation, growth_missing, searched_from;
+    Detail detail = Detail::none, growth_missing = Detail::none;  ///< as in NonlinearVerdict
+    LargerTried searched_from = LargerTried::none;
 };
 
 /// Whether a joint's file describes a loop other than the ideal one, which continuous equations of motion cover.

@@ -17,7 +17,7 @@ const addZoom = (figure, data, button) => {
   const values = element("p", { class: "zoom-values", role: "status", hidden: "" }, "");
   picture.after(box, values);
   let graph = null;
-  const name = data.xLabel.startsWith("time") ? "Zoom in time" : "Zoom in";
+  const name = data.inTime ? "Zoom in time" : "Zoom in";
   const toggle = button(name, () => {
     const open = box.hidden;
     box.hidden = values.hidden = !open;

@@ -133,7 +133,7 @@ void fields(A& a, Like<NonlinearVerdict> auto& v)
     a("velocity_max", v.velocity_max), a("period", v.period), a("stick_fraction", v.stick_fraction);
     a("overshoot", v.overshoot), a("multipliers", v.multipliers), a("repeats", v.repeats);
     a("criticality", v.criticality), a("lyapunov", v.lyapunov), a("fold_k_p", v.fold_k_p), a("path", v.path);
-    a("reason", v.reason), a("explanation", v.explanation), a("growth_missing", v.growth_missing);
+    a("reason", v.reason), a("explanation", v.detail), a("growth_missing", v.growth_missing);
     a("fold_missing", v.fold_missing), a("searched_from", v.searched_from), a("used_fallback", v.used_fallback);
 }
 

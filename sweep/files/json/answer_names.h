@@ -27,6 +27,17 @@ struct Names<Reason> {
     static std::string_view at(std::size_t code) { return column_name("reason", code); }
 };
 template <>
+struct Names<Detail> {
+    static std::string_view at(std::size_t code) { return code < detail_names.size() ? detail_names[code] : ""; }
+};
+template <>
+struct Names<LargerTried> {
+    static std::string_view at(std::size_t code)
+    {
+        return code < larger_tried_names.size() ? larger_tried_names[code] : "";
+    }
+};
+template <>
 struct Names<DecisionPath> {
     static std::string_view at(std::size_t code) { return column_name("path", code); }
 };

@@ -48,14 +48,14 @@ WatchedBoundary boundary_from(const Json& json)
     if (!std::isfinite(w.point.value) || !(w.tolerance >= 0))
         throw std::invalid_argument("value and tolerance must be finite, tolerance ≥ 0");
     if (!(w.point.low <= w.point.value && w.point.value <= w.point.high))
-        throw std::invalid_argument(fmt::format("low ≤ value ≤ high is wanted, given is {} ≤ {} ≤ {}", w.point.low,
-                                                w.point.value, w.point.high));
+        throw std::invalid_argument(
+            fmt::format("low ≤ value ≤ high is wanted, got {} ≤ {} ≤ {}", w.point.low, w.point.value, w.point.high));
     return w;
 }
 
 const char* side(const WatchedBoundary& w)
 {
-    return w.point.direction < 0 ? "above" : w.point.direction > 0 ? "below" : "on a side that is not told, at";
+    return w.point.direction < 0 ? "above" : w.point.direction > 0 ? "below" : "on an unknown side, at";
 }
 
 }  // namespace
@@ -86,7 +86,7 @@ std::vector<WatchedBoundary> read_baseline(const std::filesystem::path& file)
     try {
         const Json json = Json::parse(in);
         if (json.at("format") != format_name)
-            throw BadInput(fmt::format("{}: is no baseline of this program: \"format\" is {}, wanted is \"{}\"",
+            throw BadInput(fmt::format("{}: is no baseline of this program: \"format\" is {}, expected \"{}\"",
                                        file.string(), json.at("format").dump(), format_name));
         const auto& entries = json.at("boundaries");
         for (const auto& entry : entries) {

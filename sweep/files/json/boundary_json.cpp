@@ -2,6 +2,7 @@
 
 #include "analysis/joint/parameters.h"
 #include "sweep/files/json/set_point_json.h"
+#include "sweep/files/json/verdict_json.h"
 #include "sweep/words/boundary_text.h"
 #include "sweep/words/verdict_text.h"
 
@@ -52,6 +53,7 @@ Json ray_json(const Joint& design, const LocatedRay& ray)
                            {"nearest", nearest ? point_json(*nearest) : Json(nullptr)}};
     }
     json["could_be_missed"] = could_be_missed(ray);
+    json["reason_code"] = code_json(ray.reason);
     json["answer"] = plain_text(ray_text(design, ray));
     return json;
 }
@@ -96,6 +98,7 @@ nlohmann::ordered_json boundary_json(const BoundaryAnswer& answer)
     json["joint"] = Json::object();
     for (const auto& leaf : parameters(joint))
         if (std::isfinite(*leaf.value)) json["joint"][leaf.path] = *leaf.value;
+    json["region"] = code_name("region", static_cast<std::uint8_t>(answer.region));
     if (answer.set_point) json["set_point"] = set_point_json(*answer.set_point);
     json["lines"] = Json::array();
     for (const auto& ray : answer.rays) json["lines"].push_back(ray_json(answer.design, ray));

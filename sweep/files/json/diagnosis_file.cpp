@@ -107,7 +107,7 @@ DiagnosisFacts diagnosis_facts(const Json& json, const std::string& source)
         return facts;
     } catch (const Json::exception&) {  // the library's own words are for programmers
         throw BadInput(source +
-                       ": lacks a field of diagnosis.json, or has it in another form; expected is what "
+                       ": lacks a field of diagnosis.json, or has it in another form; expected what "
                        "docs/schema/diagnosis.schema.json says");
     } catch (const std::invalid_argument& e) {
         throw BadInput(source + ": " + e.what());
@@ -119,7 +119,7 @@ DiagnosisFacts read_diagnosis(const std::filesystem::path& path)
     const auto file = std::filesystem::is_directory(path) ? path / "diagnosis.json" : path;
     if (!std::filesystem::exists(file))
         throw BadInput(file.string() +
-                       ": there is no such file; expected is diagnosis.json, or the folder that "
+                       ": there is no such file; expected diagnosis.json, or the folder that "
                        "`stickslip diagnose -o` wrote");
     return diagnosis_facts(read_json(file), file.string());
 }

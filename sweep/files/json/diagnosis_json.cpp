@@ -128,7 +128,7 @@ Json boundary_json(const Joint& given, double speed)
                 {"stable_k_p", stable},
                 {"k_cr", json_number(verdict.state_variable.k_cr / unit)}};
     } catch (const std::exception& e) {
-        return {{"reason", e.what()}};
+        return {{"reason", e.what()}, {"reason_code", "not-computed"}};
     }
 }
 

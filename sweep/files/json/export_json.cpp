@@ -43,7 +43,8 @@ nlohmann::ordered_json export_json(const ExportAnswer& answer, const std::string
                        {"timestep", answer.timestep},
                        {"delay_steps", answer.delay_steps}};
     auto& lost = json["not_expressible"] = nlohmann::ordered_json::array();
-    for (const auto& n : answer.not_expressible) lost.push_back({{"key", n.key}, {"why", why(n)}});
+    for (const auto& n : answer.not_expressible)
+        lost.push_back({{"key", n.key}, {"why", why(n)}, {"why_code", name_of(n.why)}});
     json["gap_left"] = answer.gap_left ? nlohmann::ordered_json(*answer.gap_left) : nlohmann::ordered_json(nullptr);
     return json;
 }

@@ -2,6 +2,7 @@
 
 #include "sweep/files/json/verdict_json.h"
 #include "sweep/study/spec.h"
+#include "sweep/words/detail_text.h"
 #include "sweep/words/verdict_text.h"
 
 namespace stickslip {
@@ -42,6 +43,13 @@ nlohmann::ordered_json words(const std::string& text)
     return text.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(text);
 }
 
+/// Null where there is none.
+template <class Code>
+nlohmann::ordered_json code(Code code)
+{
+    return code == Code::none ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(name_of(code));
+}
+
 }  // namespace
 
 std::string region_name(NonlinearRegion region)
@@ -79,9 +87,14 @@ nlohmann::ordered_json nonlinear_json(const NonlinearVerdict& v)
             {"path", code_name("path", static_cast<std::uint8_t>(v.path))},
             {"used_fallback", v.used_fallback},
             {"reason", words(reason_text(v))},
-            {"searched_from", words(std::string(v.searched_from))},
-            {"growth_reason", words(std::string(v.growth_missing))},
-            {"fold_reason", words(std::string(v.fold_missing))}};
+            {"reason_code", code_json(v.reason)},
+            {"reason_detail", code(v.detail)},
+            {"searched_from", words(larger_tried_text(v.searched_from))},
+            {"searched_from_code", code(v.searched_from)},
+            {"growth_reason", words(detail_text(v.growth_missing))},
+            {"growth_reason_code", code(v.growth_missing)},
+            {"fold_reason", words(detail_text(v.fold_missing))},
+            {"fold_reason_code", code(v.fold_missing)}};
 }
 
 }  // namespace stickslip

@@ -35,8 +35,11 @@ void add_diagnosis(const JointOutcome& joint, bool pages, Json& json)
     const Diagnosis& d = joint.diagnosis;
     json["verdict"] = name_of(d.verdict);
     if (d.interrupted) json["interrupted"] = true;
-    json["reasons"] = Json::array();
-    for (const auto& reason : d.reasons) json["reasons"].push_back(note_text(reason));
+    json["reasons"] = Json::array(), json["reason_codes"] = Json::array();
+    for (const auto& reason : d.reasons) {
+        json["reasons"].push_back(note_text(reason));
+        json["reason_codes"].push_back(name_of(reason.code));
+    }
     json["causes"] = causes_json(d);
     json["ambiguous_with"] = d.ambiguous_with;
     json["corrected_share"] = json_number(d.corrected_share);

@@ -26,6 +26,7 @@ nlohmann::ordered_json set_point_json(const SetPoint& s)
     json["asymmetric"] = s.asymmetric;
     json["method"] = name_of(s.method);
     json["reason"] = set_point_reason(s.reason);
+    json["reason_code"] = name_of(s.reason);
     json["not_used"] = s.not_used;
     return json;
 }

@@ -3,9 +3,8 @@
 #include "analysis/stability/real_response.h"
 #include "analysis/stability/steady.h"
 
+#include "sweep/words/study_text.h"
 #include "sweep/words/verdict_text.h"
-
-#include <fmt/format.h>
 
 #include <cmath>
 
@@ -26,101 +25,66 @@ Json numbers_json(const std::vector<double>& list)
     return json;
 }
 
-/// Why a least velocity is missing, or is no more than the end of the search.
-Json velocities_reason(const StableVelocities& v, const Interval& searched)
+Json codes_json(const std::vector<StudyReason>& reasons)
 {
-    if (v.intervals.empty()) return "no velocity of the searched range is stable with these gains";
-    std::string text;
-    if (v.least <= searched.low) text = "sliding is stable at the lowest velocity searched, so the least lies below it";
-    if (std::isnan(v.all_above))
-        text += (text.empty() ? "" : "; ") + std::string("the highest velocity searched is not stable");
+    Json json = Json::array();
+    for (const auto reason : reasons) json.push_back(name_of(reason));
+    return json;
+}
+
+Json or_null(const std::string& text)
+{
     return text.empty() ? Json(nullptr) : Json(text);
 }
 
-/// Why margins are missing or without end.
-Json margins_reason(const LoopMargins& m, double searched_to)
+/// The sentence under this key and its code beside it, both null where there is no reason.
+void add_reason(Json& json, const std::optional<StudyReason>& reason)
 {
-    if (std::isnan(m.gain_below)) return "sliding is not stable with these gains, there is no margin to lose";
-    std::string text;
-    if (std::isinf(m.gain_above))
-        text = "gain_above: no boundary lies above this k_p" +
-               (std::isfinite(searched_to) ? fmt::format(" up to {:.4g}, as far as was searched", searched_to)
-                                           : std::string());
-    if (std::isnan(m.crossover))
-        text += (text.empty() ? "" : "; ") + std::string("phase: |L| is 1 nowhere, no lag makes the joint unstable");
-    return text.empty() ? Json(nullptr) : Json(text);
+    json["reason"] = reason ? Json(study_text(*reason)) : Json(nullptr);
+    json["reason_code"] = reason ? Json(name_of(*reason)) : Json(nullptr);
 }
 
 Json velocities_json(const StableVelocities& v, const Interval& searched)
 {
-    return {{"stable", intervals_json(v.intervals)},
-            {"least", json_number(v.least)},
-            {"all_above", json_number(v.all_above)},
-            {"least_force_rate", json_number(v.least_force_rate)},
-            {"reason", velocities_reason(v, searched)}};
+    const auto reasons = reasons_of(v, searched);
+    return {{"stable", intervals_json(v.intervals)},       {"least", json_number(v.least)},
+            {"all_above", json_number(v.all_above)},       {"least_force_rate", json_number(v.least_force_rate)},
+            {"reason", or_null(velocities_text(reasons))}, {"reason_codes", codes_json(reasons)}};
 }
 
 Json velocity_study_json(const LinearStudy& s)
 {
-    if (std::isnan(s.velocities.low))
-        return {{"searched", nullptr},
-                {"velocity_only", nullptr},
-                {"state_variable", nullptr},
-                {"k_v_for_all", nullptr},
-                {"hardest", nullptr},
-                {"reason", "a kernel is friction found at one velocity and says nothing about others"}};
+    if (std::isnan(s.velocities.low)) {
+        Json json = {{"searched", nullptr},
+                     {"velocity_only", nullptr},
+                     {"state_variable", nullptr},
+                     {"k_v_for_all", nullptr},
+                     {"hardest", nullptr}};
+        add_reason(json, range_gain_reason(s));
+        return json;
+    }
     Json json = {{"searched", {json_number(s.velocities.low), json_number(s.velocities.high)}},
                  {"velocity_only", velocities_json(s.velocity_only, s.velocities)},
                  {"state_variable", velocities_json(s.state_variable, s.velocities)},
                  {"k_v_for_all", s.range_gain ? json_number(s.range_gain->k_v) : Json(nullptr)},
                  {"hardest", s.range_gain ? json_number(s.range_gain->velocity) : Json(nullptr)}};
     json["stable_k_v_for_all"] = s.range_gain ? intervals_json(s.range_gain->stable_k_v) : Json(nullptr);
-    json["reason"] = s.range_gain && std::isnan(s.range_gain->k_v)
-                         ? Json("no single k_v serves every velocity of the range at this k_p")
-                         : Json(nullptr);
+    add_reason(json, range_gain_reason(s));
     return json;
-}
-
-/// Why there is no optimal mix.
-Json mix_reason(const LinearStudy& s)
-{
-    if (!std::isnan(s.mix.noise)) return nullptr;
-    if (std::isnan(s.velocity_noise))
-        return "control.period is not set: how noisy a velocity differenced from positions is depends on it";
-    return "no pair of gains on a boundary of stability was found";
 }
 
 Json comparison_json(const Comparison& c)
 {
     const auto sets = [&](const std::vector<Interval>& list) { return c.known ? intervals_json(list) : Json(nullptr); };
-    return {{"k_v_demanded",
-             {{"velocity_only", json_number(c.k_v_demanded_velocity_only())},
-              {"state_variable", json_number(c.k_v_demanded_memory())}}},
-            {"stable_k_v", {{"velocity_only", sets(c.k_v_velocity_only)}, {"state_variable", sets(c.k_v_memory)}}},
-            {"stable_k_p", {{"velocity_only", sets(c.k_p_velocity_only)}, {"state_variable", sets(c.k_p_memory)}}},
-            {"forbidden_needlessly_k_p", sets(c.forbidden_needlessly)},
-            {"allowed_wrongly_k_p", sets(c.allowed_wrongly)},
-            {"reason",
-             c.known ? Json(nullptr) : Json("this loop has not both k_p and k_v as gains that can be turned alone")}};
-}
-
-/// Why there is no answer to a steady sine.
-Json response_reason(const LinearStudy& s)
-{
-    if (std::isinf(s.peak.magnitude)) return "sliding is neutral: the answer to a sine at peak_omega grows without end";
-    if (!std::isnan(s.peak.magnitude)) return nullptr;
-    if (std::isnan(s.compliance)) return "the linear theory has no response of this loop with this friction";
-    return "sliding is not stable: a steady sine has no steady answer";
-}
-
-/// Why there is no error of a reduction; nothing where there is one.
-Json error_reason(const ReductionStudy& r)
-{
-    if (std::isfinite(r.own.error)) return nullptr;
-    const auto range = fmt::format("{} from {:.4g} to {:.4g}", r.boundary_path, r.searched_low, r.searched_high);
-    if (std::isnan(r.own.error)) return "neither joint has a boundary along " + range + ": nothing to compare";
-    return fmt::format("boundaries along {}: {} of the full joint, {} of the reduced one", range, r.own.full.size(),
-                       r.own.reduced.size());
+    Json json = {{"k_v_demanded",
+                  {{"velocity_only", json_number(c.k_v_demanded_velocity_only())},
+                   {"state_variable", json_number(c.k_v_demanded_memory())}}},
+                 {"stable_k_v", {{"velocity_only", sets(c.k_v_velocity_only)}, {"state_variable", sets(c.k_v_memory)}}},
+                 {"stable_k_p", {{"velocity_only", sets(c.k_p_velocity_only)}, {"state_variable", sets(c.k_p_memory)}}},
+                 {"forbidden_needlessly_k_p", sets(c.forbidden_needlessly)},
+                 {"allowed_wrongly_k_p", sets(c.allowed_wrongly)}};
+    add_reason(json, c.known ? std::nullopt : std::optional(StudyReason::gains_not_alone));
+    return json;
 }
 
 Json reduction_json(const ReductionStudy& r)
@@ -138,7 +102,9 @@ Json reduction_json(const ReductionStudy& r)
     json["full"] = numbers_json(r.own.full);
     json["reduced"] = numbers_json(r.own.reduced);
     json["error"] = json_number(r.own.error);
-    json["error_reason"] = error_reason(r);
+    const auto reason = error_reason(r);
+    json["error_reason"] = reason ? Json(error_text(r)) : Json(nullptr);
+    json["error_reason_code"] = reason ? Json(name_of(*reason)) : Json(nullptr);
     json["assumed_large"] = r.assumption_path.empty() ? Json(nullptr) : Json(r.assumption_path);
     json["within_1_percent_from"] = json_number(r.good_from);
     json["within_10_percent_from"] = json_number(r.fair_from);
@@ -171,21 +137,23 @@ Json study_json(const Joint& joint, const LinearStudy& s)
     Json json;
     json["response"] = {{"at_rest", json_number(s.compliance)},
                         {"peak", json_number(s.peak.magnitude)},
-                        {"peak_omega", json_number(s.peak.omega)},
-                        {"reason", response_reason(s)}};
+                        {"peak_omega", json_number(s.peak.omega)}};
+    add_reason(json["response"], response_reason(s));
+    const auto unbounded = reasons_of(s.margins);
     json["margins"] = {{"gain_below", json_number(s.margins.gain_below)},
                        {"gain_above", json_number(s.margins.gain_above)},
                        {"phase", json_number(s.margins.phase)},
                        {"crossover", json_number(s.margins.crossover)},
-                       {"reason", margins_reason(s.margins, s.comparison.searched_to)}};
+                       {"reason", or_null(margins_reason_text(unbounded, s.comparison.searched_to))},
+                       {"reason_codes", codes_json(unbounded)}};
     json["root_locus"] = locus_json(joint);
     json["velocities"] = velocity_study_json(s);
     json["comparison"] = comparison_json(s.comparison);
     json["comparison"]["optimal_mix"] = {{"velocity_noise", json_number(s.velocity_noise)},
                                          {"k_p", json_number(s.mix.k_p)},
                                          {"k_v", json_number(s.mix.k_v)},
-                                         {"noise", json_number(s.mix.noise)},
-                                         {"reason", mix_reason(s)}};
+                                         {"noise", json_number(s.mix.noise)}};
+    add_reason(json["comparison"]["optimal_mix"], mix_reason(s));
     json["force_ramp"] = nullptr;
     if (s.ramp)
         json["force_ramp"] = {{"rate", json_number(s.ramp->rate)},

@@ -1,6 +1,7 @@
 #include "sweep/files/json/verdict_json.h"
 
 #include "sweep/words/loop_text.h"
+#include "sweep/words/study_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <cmath>
@@ -34,10 +35,7 @@ Json state_variable_json(const StateVariableVerdict& v)
             {"spectral_abscissa", json_number(v.spectral_abscissa)},
             {"eigenvalues", eigenvalues},
             {"eigenvalues_complete", v.all_eigenvalues},
-            {"eigenvalues_note",
-             v.all_eigenvalues ? Json(nullptr)
-                               : Json("memory that is a delay or a table has infinitely many: these are the rightmost "
-                                      "ones, and no other lies right of the last of them")},
+            {"eigenvalues_note", v.all_eigenvalues ? Json(nullptr) : Json(rightmost_roots_text())},
             {"multipliers", v.multipliers.empty() ? Json(nullptr) : multipliers},
             {"gain_margin_db", json_number(v.gain_margin_db)},
             {"phase_margin_deg", json_number(v.phase_margin_deg)},
@@ -54,7 +52,10 @@ Json loop_json(const LoopUse& loop)
 {
     Json unused = Json::array();
     for (const auto& term : loop.not_used)
-        unused.push_back({{"key", term.key}, {"why", why_text(term.why)}, {"matters", term.matters}});
+        unused.push_back({{"key", term.key},
+                          {"why", why_text(term.why)},
+                          {"why_code", name_of(term.why)},
+                          {"matters", term.matters}});
     return {{"kind", loop_name(loop.kind)}, {"used", loop.used}, {"not_used", unused}};
 }
 
@@ -63,6 +64,11 @@ Json loop_json(const LoopUse& loop)
 Json json_number(double value)
 {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json code_json(Reason reason)
+{
+    return reason == Reason::none ? Json(nullptr) : Json(code_name("reason", static_cast<std::uint8_t>(reason)));
 }
 
 Json verdict_json(const LinearVerdict& verdict)
@@ -76,6 +82,7 @@ Json verdict_json(const LinearVerdict& verdict)
     if (steady.reason != Reason::none) {
         json["linear"] = nullptr;
         json["reason"] = reason_text(steady.reason);
+        json["reason_code"] = code_json(steady.reason);
         return json;
     }
     const auto& v = verdict.velocity_only;

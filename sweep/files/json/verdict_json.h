@@ -11,6 +11,9 @@ using Json = nlohmann::ordered_json;
 /// JSON has no NaN and no infinity: what does not exist is null.
 Json json_number(double value);
 
+/// The name of a reason as in results.nc; null for none.
+Json code_json(Reason reason);
+
 /// {"steady": …, "linear": {"velocity_only": …, "state_variable": …}}; without steady sliding "linear" is null and
 /// "reason" says why.
 Json verdict_json(const LinearVerdict& verdict);

@@ -52,7 +52,7 @@ std::vector<std::string> names_in(const std::filesystem::path& table)
     std::string_view line;
     do {
         if (!lines.next(line))
-            throw BadInput(table.string() + ": is empty, expected is a header row such as time,elbow_position");
+            throw BadInput(table.string() + ": is empty, expected a header row such as time,elbow_position");
         if (lines.line_number() == 1 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
     } while (files::trimmed(line).empty() || files::trimmed(line).starts_with('#'));
     return files::header_names(line, files::separator_of(line));

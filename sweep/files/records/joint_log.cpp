@@ -29,7 +29,7 @@ JointLog from_table(const std::filesystem::path& table, const LoggedJoint& wante
     if (columns.present)
         log.records.push_back(read_record(table, joint, columns.layout));
     else if (columns.joints.empty())
-        log.absent = table.string() + ": names no joints: expected are columns such as " + wanted.name +
+        log.absent = table.string() + ": names no joints: expected columns such as " + wanted.name +
                      "_position, or [record.columns] that say which are whose";
     else
         log.absent = table.string() + ": has no joint " + wanted.name + ", it has " + files::listed(columns.joints) +

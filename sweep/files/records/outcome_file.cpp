@@ -96,7 +96,7 @@ class OutcomeReader {
     {
         std::string_view line;
         if (!next_header(lines_, line))
-            throw BadInput(name_ + ": is empty, expected is a header row such as k_p,k_v,V0,outcome");
+            throw BadInput(name_ + ": is empty, expected a header row such as k_p,k_v,V0,outcome");
         separator_ = separator_of(line);
         read_header(line);
         fail_if_any();
@@ -165,16 +165,14 @@ class OutcomeReader {
             columns_.push_back(std::move(column));
         }
         if (!outcome) complain(1, "has no column outcome");
-        if (table_.paths.empty())
-            complain(1, "has no setting of the joint, expected are columns such as k_p, k_v and V0");
+        if (table_.paths.empty()) complain(1, "has no setting of the joint, expected columns such as k_p, k_v and V0");
         if (!ignored.empty()) warnings_.push_back("columns that are not read: " + ignored);
     }
 
     void read_row(std::string_view line)
     {
         if (table_.rows.size() == most_rows) {
-            complain(1,
-                     "is row " + std::to_string(most_rows + 1) + ", allowed are at most " + std::to_string(most_rows));
+            complain(1, "is row " + std::to_string(most_rows + 1) + ", expected at most " + std::to_string(most_rows));
             return fail_if_any();
         }
         const auto cells = cells_of(line, separator_);
@@ -192,21 +190,21 @@ class OutcomeReader {
                 const auto outcome = outcome_of(cells[i].text);
                 if (!outcome)
                     complain(cells[i].column, "outcome: is \"" + std::string(cells[i].text.substr(0, 40)) +
-                                                  "\", allowed are stable, stick-slip, 0 and 1");
+                                                  "\", expected stable, stick-slip, 0 and 1");
                 row.stick_slip = outcome.value_or(false);
                 continue;
             }
             double value = 0;
             if (!parse_cell(cells[i].text, value)) {
                 complain(cells[i].column, column.name + ": is \"" + std::string(cells[i].text.substr(0, 40)) +
-                                              "\", allowed is a finite number" +
+                                              "\", expected a finite number" +
                                               (has_decimal_comma(cells[i].text) ? decimal_commas : ""));
                 continue;
             }
             if (std::isfinite(value)) value = column.unit.to_si(value);
             if (column.role == Role::amplitude) {
                 if (std::isfinite(value) && value < 0)
-                    complain(cells[i].column, "amplitude: is " + number_text(value) + ", allowed is ≥ 0");
+                    complain(cells[i].column, "amplitude: is " + number_text(value) + ", expected ≥ 0");
                 row.amplitude = value;
                 continue;
             }
@@ -214,7 +212,7 @@ class OutcomeReader {
                 complain(cells[i].column, column.name + ": is missing, every row needs its settings");
             else if (!column.range.holds(value))
                 complain(cells[i].column,
-                         column.name + ": is " + number_text(value) + ", allowed is " + describe(column.range));
+                         column.name + ": is " + number_text(value) + ", expected " + describe(column.range));
             row.settings.push_back(value);
         }
         table_.rows.push_back(std::move(row));

@@ -80,10 +80,9 @@ class RecordReader {
                 column = 0;
             } else if (c < 0x20 && c != '\t' && c != '\r') {
                 if (c == 0 && (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")))
-                    throw BadInput(name_ +
-                                   ": is written in UTF-16, expected is UTF-8; save it again with that encoding");
+                    throw BadInput(name_ + ": is written in UTF-16, expected UTF-8; save it again with that encoding");
                 throw BadInput(name_ + ":" + std::to_string(line) + ":" + std::to_string(column) +
-                               ": is not text, expected is a CSV table (plain or gzip)");
+                               ": is not text, expected a CSV table (plain or gzip)");
             }
         }
     }
@@ -93,8 +92,7 @@ class RecordReader {
         reject_binary(lines_.head(), 1);
         std::string_view line;
         do {
-            if (!lines_.next(line))
-                throw BadInput(name_ + ": is empty, expected is a header row such as time,position");
+            if (!lines_.next(line)) throw BadInput(name_ + ": is empty, expected a header row such as time,position");
             if (lines_.line_number() == 1 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
         } while (trimmed(line).empty() || trimmed(line).starts_with('#'));
         RecordHeader header = match_header(line, {name_, lines_.line_number()}, rule_, joint_);
@@ -124,7 +122,7 @@ class RecordReader {
         if (rows_ == 0 && errors_.empty()) throw BadInput(name_ + ": has a header and no rows");
         if (repeated_ > 0)
             reading_.warnings.push_back(std::to_string(repeated_) +
-                                        " rows repeat the row before, its time included: they were left away");
+                                        " rows repeat the row before, its time included: they were removed");
     }
 
     void read_row(std::string_view line)
@@ -155,7 +153,7 @@ class RecordReader {
             reject_binary(cell, lines_.line_number());
             complain(lines_.line_number(), column,
                      std::string(slot.signal->name) + ": is \"" + std::string(cell.substr(0, 40)) +
-                         "\", allowed is a finite number or an empty cell" +
+                         "\", expected a finite number or an empty cell" +
                          (has_decimal_comma(cell) ? decimal_commas : ""));
         } else if (std::isnan(value)) {
             if (slot.missing++ == 0) slot.first_missing_line = lines_.line_number(), slot.first_missing_column = column;
@@ -164,7 +162,7 @@ class RecordReader {
         }
         if (slot.values == &reading_.record.time) check_time(value, column);
         if (slot.values == &reading_.record.torque_enable && !std::isnan(value) && value != 0 && value != 1)
-            complain(lines_.line_number(), column, "torque_enable: is " + number_text(value) + ", allowed are 0 and 1");
+            complain(lines_.line_number(), column, "torque_enable: is " + number_text(value) + ", expected 0 and 1");
         slot.values->push_back(value);
     }
 
@@ -176,7 +174,7 @@ class RecordReader {
                      "time: is " + number_text(time) +
                          (time == last_time_ ? ", the same as in the row before"
                                              : ", earlier than " + number_text(last_time_) + " before") +
-                         "; allowed is ascending time");
+                         "; expected ascending time");
         last_time_ = time;
     }
 

@@ -22,7 +22,7 @@ class HeaderMatcher {
         names_ = header_names(line, header_.separator);
         double number = 0;
         if (std::all_of(names_.begin(), names_.end(), [&](const auto& name) { return parse_cell(name, number); })) {
-            complain("there is no header row, expected are names such as time,reference_position,position");
+            complain("there is no header row, expected names such as time,reference_position,position");
             return std::move(header_);
         }
         for (auto name = names_.begin(); name != names_.end(); ++name)
@@ -136,7 +136,7 @@ class HeaderMatcher {
         const std::string ending =
             "; its columns are " + listed(names_) + ", [record.columns] can give them other names";
         if (!time) complain("has no column time" + ending + "; a table of outcomes has a column outcome");
-        if (!measured) complain("has no measured signal, expected is one of " + listed(names) + ending);
+        if (!measured) complain("has no measured signal, expected one of " + listed(names) + ending);
     }
 
     const HeaderPlace& place_;

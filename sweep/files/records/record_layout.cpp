@@ -60,7 +60,7 @@ class LayoutReader {
                 if (const auto* inner = node->as_table())
                     layout.rules.push_back(rule(*inner, pattern, path, true));
                 else
-                    complaints_.add(Place(node->source()), path, "is " + describe(*node) + ", allowed is a table");
+                    complaints_.add(Place(node->source()), path, "is " + describe(*node) + ", expected a table");
             }
         }
         return layout;
@@ -82,7 +82,7 @@ class LayoutReader {
                 rule.at_rest_at_start = flag->get();
             else
                 complaints_.add(Place(node->source()), path + ".at_rest_at_start",
-                                "is " + describe(*node) + ", allowed are true, false");
+                                "is " + describe(*node) + ", expected true, false");
         }
         // under a file pattern, whatever else stands there is a number of the joint
         if (per_file)
@@ -95,7 +95,7 @@ class LayoutReader {
         const Signal* signal = signal_named(name);
         if (!signal)
             complaints_.add(place, path + "." + name,
-                            "is no signal of a record, allowed are " + listed(names_) + did_you_mean(name, names_));
+                            "is no signal of a record, expected " + listed(names_) + did_you_mean(name, names_));
         return signal;
     }
 
@@ -118,7 +118,7 @@ class LayoutReader {
             else
                 complaints_.add(
                     Place(node.source()), path + "." + name,
-                    "is " + describe(node) + ", allowed is the name of a column or { name, unit, scale, offset }");
+                    "is " + describe(node) + ", expected the name of a column or { name, unit, scale, offset }");
             rule.columns.push_back(std::move(column));
         }
     }
@@ -208,7 +208,7 @@ RecordLayout read_record_layout_text(std::string_view text, const std::string& n
         root.contains("joint") || root.contains("control") || root.contains("friction") || root.contains("joints");
     if (record && !record->is_table())
         complaints.add(files::Place(record->source()), "record",
-                       "is " + files::describe(*record) + ", allowed is a table");
+                       "is " + files::describe(*record) + ", expected a table");
     else if (record)
         layout = files::LayoutReader(joint, complaints).read(*record->as_table());
     else if (!joint_file)

@@ -9,9 +9,9 @@ namespace {
 constexpr Signal signal_list[] = {
     {"time", &Record::time, Quantity::time, false, false, "of the row, rising"},
     {"reference_position", &Record::reference_position, Quantity::position, false, false,
-     "what the controller is told"},
+     "the command to the controller"},
     {"reference_velocity", &Record::reference_velocity, Quantity::velocity, false, false,
-     "what the controller is told"},
+     "the command to the controller"},
     {"position", &Record::position, Quantity::position, true, false, "measured where control.feedback says"},
     {"velocity", &Record::velocity, Quantity::velocity, true, false, "measured, or as the controller estimates it"},
     {"effort_command", &Record::effort_command, Quantity::effort, false, false, "the controller's output"},

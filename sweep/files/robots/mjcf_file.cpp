@@ -83,7 +83,7 @@ class MjcfReader {
         joint.place = input_.file.place(node);
         joint.body = body;
         if (type != "hinge" && type != "slide")
-            input_.file.fail(node, "is of type \"" + type + "\", expected are hinge, slide, ball, free");
+            input_.file.fail(node, "is of type \"" + type + "\", expected hinge, slide, ball, free");
         joint.kind = type == "hinge" ? RobotJointKind::hinge : RobotJointKind::slide;
         joint.axis = frame.linear() * input_.file.vector(node, "axis", {0, 0, 1});
         if (joint.axis.norm() == 0) input_.file.fail(node, "axis has no direction");

@@ -32,7 +32,7 @@ void require_inertia(const Robot& robot)
         if (mass <= 0)
             throw BadInput(
                 body.place + ": " + body.name + " is moved by joint \"" + joint.name +
-                "\" and has no inertia, nor has anything on it; expected is an <inertial> with mass and inertia");
+                "\" and has no inertia, nor has anything on it; expected an <inertial> with mass and inertia");
     }
 }
 
@@ -43,7 +43,7 @@ Robot read_robot(const std::filesystem::path& file)
     const std::string root = files::XmlFile(file).root().name();
     if (root != "robot" && root != "mujoco" && root != "mujocoinclude")
         throw BadInput(file.string() + ": its outermost element is <" + root +
-                       ">, expected is <robot> (URDF) or <mujoco> (MJCF)");
+                       ">, expected <robot> (URDF) or <mujoco> (MJCF)");
     Robot robot = root == "robot" ? files::read_urdf(file) : files::read_mjcf(file);
     if (movable(robot).empty()) throw BadInput(file.string() + ": has no joint that moves");
     require_inertia(robot);

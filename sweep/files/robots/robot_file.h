@@ -6,7 +6,7 @@
 
 namespace stickslip {
 
-/// URDF or MJCF, told apart by its outermost element. Throws BadInput with file:line for what it cannot use: loops,
+/// URDF or MJCF, distinguished by its outermost element. Throws BadInput with file:line for what it cannot use: loops,
 /// moving bodies without inertia, elements that would change the mechanism and are not known.
 Robot read_robot(const std::filesystem::path& file);
 

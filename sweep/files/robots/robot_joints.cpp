@@ -28,7 +28,7 @@ void complain_shared_names(const RobotJoints& robot, files::Complaints& complain
             if (robot.joints[i].in_log == robot.joints[j].in_log)
                 complaints.add({}, "joints." + robot.joints[i].name,
                                "is called \"" + robot.joints[i].in_log + "\" in the log, as " + robot.joints[j].name +
-                                   " is; allowed is a name of its own for each joint");
+                                   " is; expected a name of its own for each joint");
 }
 
 RobotJoint read_entry(const std::string& name, const toml::node& node, const std::filesystem::path& folder,
@@ -45,14 +45,14 @@ RobotJoint read_entry(const std::string& name, const toml::node& node, const std
         files::read_text_at(*table, "file", path, file, complaints);
         files::read_text_at(*table, "name", path, joint.in_log, complaints);
     } else {
-        complaints.add(place, path, "is " + files::describe(node) + ", allowed is a joint file or { file, name }");
+        complaints.add(place, path, "is " + files::describe(node) + ", expected a joint file or { file, name }");
         return joint;
     }
     if (!can_be_folder(name))
         complaints.add(place, path,
-                       "becomes a folder of the answer: allowed are letters, digits, _ - + and ., not first; { file, "
+                       "becomes a folder of the answer: expected letters, digits, _ - + and ., not first; { file, "
                        "name } gives a joint another name in the log");
-    if (file.empty()) complaints.add(place, path, "has no file, expected is its joint file");
+    if (file.empty()) complaints.add(place, path, "has no file, expected its joint file");
     joint.file = folder / file;
     return joint;
 }
@@ -61,8 +61,7 @@ RobotJoints read_file(const std::filesystem::path& file)
 {
     const toml::table root = files::parse_toml(files::read_text(file), file.string());
     if (!root.contains("joints"))
-        throw BadInput(file.string() +
-                       ": has no table [joints], expected are lines such as elbow = \"elbow.toml\" in it");
+        throw BadInput(file.string() + ": has no table [joints], expected lines such as elbow = \"elbow.toml\" in it");
     files::Complaints complaints(file.string());
     files::complain_unknown_keys(root, top_keys, "", complaints);
     RobotJoints robot{"", file, root.contains("record"), {}};
@@ -71,7 +70,7 @@ RobotJoints read_file(const std::filesystem::path& file)
         for (const auto& [name, node] : files::in_file_order(*joints))
             robot.joints.push_back(read_entry(name, *node, file.parent_path(), complaints));
     if (complaints.empty() && robot.joints.empty())
-        complaints.add({}, "joints", "names no joint, expected are lines such as elbow = \"elbow.toml\"");
+        complaints.add({}, "joints", "names no joint, expected lines such as elbow = \"elbow.toml\"");
     complain_shared_names(robot, complaints);
     complaints.throw_if_any();
     return robot;
@@ -86,11 +85,11 @@ RobotJoints read_folder(const std::filesystem::path& folder)
         const std::string name = file.stem().string();
         if (!can_be_folder(name))
             throw BadInput(file.string() +
-                           ": its name becomes a folder of the answer: allowed are letters, digits, _ - + and .");
+                           ": its name becomes a folder of the answer: expected letters, digits, _ - + and .");
         robot.joints.push_back({name, name, file});
     }
     if (robot.joints.empty())
-        throw BadInput(folder.string() + ": has no joint files, expected is one NAME.toml for each joint");
+        throw BadInput(folder.string() + ": has no joint files, expected one NAME.toml for each joint");
     std::sort(robot.joints.begin(), robot.joints.end(),
               [](const RobotJoint& a, const RobotJoint& b) { return a.name < b.name; });
     return robot;

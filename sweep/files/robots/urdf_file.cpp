@@ -51,7 +51,7 @@ RobotJoint read_joint_element(const XmlFile& file, const pugi::xml_node& node)
     else if (type == "fixed" || type == "floating")
         joint.kind = RobotJointKind::fixed;  // a floating base stands where it is drawn
     else
-        file.fail(node, "is of type \"" + type + "\", expected are revolute, continuous, prismatic, fixed, floating");
+        file.fail(node, "is of type \"" + type + "\", expected revolute, continuous, prismatic, fixed, floating");
     if (joint.kind == RobotJointKind::fixed) return joint;
     joint.axis = file.vector(node.child("axis"), "xyz", Eigen::Vector3d::UnitX());
     if (joint.axis.norm() == 0) file.fail(node.child("axis"), "has no direction");
@@ -85,7 +85,7 @@ class TreeBuilder {
                 if (!links_.count(name)) file_.fail(node, "names the link \"" + name + "\", which does not exist");
             if (const auto [other, is_new] = into_.emplace(child, node); !is_new)
                 file_.fail(node, "closes a loop: link \"" + child + "\" hangs on joint \"" +
-                                     other->second.attribute("name").as_string() + "\" already, expected is a tree");
+                                     other->second.attribute("name").as_string() + "\" already, expected a tree");
             from_[parent].push_back(node);
         }
         for (const auto& [name, link] : links_)
@@ -93,7 +93,7 @@ class TreeBuilder {
         if (robot_.bodies.size() < links_.size())
             for (const auto& [name, node] : into_)
                 if (!placed_.count(name))
-                    file_.fail(node, "lies in a loop: its links hang on each other, expected is a tree");
+                    file_.fail(node, "lies in a loop: its links hang on each other, expected a tree");
     }
 
   private:

@@ -52,7 +52,7 @@ std::vector<double> XmlFile::numbers(const pugi::xml_node& node, const char* nam
         const auto read = std::from_chars(at, end, value);
         if (read.ec != std::errc() || !std::isfinite(value) || (read.ptr < end && !space(*read.ptr))) {
             const bool macro = text.find("${") != std::string::npos;
-            fail(node, std::string(name) + " is \"" + text + "\", expected are finite numbers" +
+            fail(node, std::string(name) + " is \"" + text + "\", expected finite numbers" +
                            (macro ? "; this is a xacro file: run xacro on it first" : ""));
         }
         values.push_back(value);
@@ -65,7 +65,7 @@ double XmlFile::number(const pugi::xml_node& node, const char* name, double stan
     const auto values = numbers(node, name);
     if (values.empty()) return standard;
     if (values.size() > 1)
-        fail(node, std::string(name) + " is \"" + node.attribute(name).as_string() + "\", expected is one number");
+        fail(node, std::string(name) + " is \"" + node.attribute(name).as_string() + "\", expected one number");
     return values[0];
 }
 
@@ -74,7 +74,7 @@ Eigen::Vector3d XmlFile::vector(const pugi::xml_node& node, const char* name, co
     const auto values = numbers(node, name);
     if (values.empty()) return standard;
     if (values.size() != 3)
-        fail(node, std::string(name) + " is \"" + node.attribute(name).as_string() + "\", expected are three numbers");
+        fail(node, std::string(name) + " is \"" + node.attribute(name).as_string() + "\", expected three numbers");
     return {values[0], values[1], values[2]};
 }
 
@@ -87,11 +87,11 @@ std::string XmlFile::required(const pugi::xml_node& node, const char* name) cons
 
 void check_inertia(const XmlFile& file, const pugi::xml_node& node, double mass, const Eigen::Matrix3d& inertia)
 {
-    if (mass < 0) file.fail(node, "has a mass of " + number_text(mass) + ", expected is a number ≥ 0");
+    if (mass < 0) file.fail(node, "has a mass of " + number_text(mass) + ", expected a number ≥ 0");
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(inertia, Eigen::EigenvaluesOnly);
     const Eigen::Vector3d moments = principal.eigenvalues();  // ascending
     if (moments[0] < -1e-9 * std::abs(moments[2]))
-        file.fail(node, "has a principal inertia of " + number_text(moments[0]) + ", expected are numbers ≥ 0");
+        file.fail(node, "has a principal inertia of " + number_text(moments[0]) + ", expected numbers ≥ 0");
 }
 
 }  // namespace stickslip::files

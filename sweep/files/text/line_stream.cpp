@@ -23,7 +23,7 @@ LineStream::LineStream(const std::filesystem::path& file) : name_(file.string())
 {
     std::error_code error;
     if (!std::filesystem::exists(file, error)) throw BadInput(name_ + ": there is no such file");
-    if (std::filesystem::is_directory(file, error)) throw BadInput(name_ + ": is a folder, expected is a CSV file");
+    if (std::filesystem::is_directory(file, error)) throw BadInput(name_ + ": is a folder, expected a CSV file");
     file_.reset(gzopen(name_.c_str(), "rb"));
     if (!file_) throw BadInput(name_ + ": cannot be opened for reading");
     gzbuffer(file_.get(), first_buffer);

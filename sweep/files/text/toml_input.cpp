@@ -99,7 +99,7 @@ const std::string& standard_input()
 void refuse_utf16(std::string_view text, const std::string& name)
 {
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
-        throw BadInput(name + ": is written in UTF-16, expected is UTF-8; save it again with that encoding");
+        throw BadInput(name + ": is written in UTF-16, expected UTF-8; save it again with that encoding");
 }
 
 }  // namespace
@@ -108,14 +108,14 @@ std::string read_text(const std::filesystem::path& file)
 {
     if (file == "-" || file == "/dev/stdin") {
         const auto& text = standard_input();
-        if (text.size() > max_bytes) throw BadInput("standard input: is larger than 16 MiB, expected is a TOML file");
+        if (text.size() > max_bytes) throw BadInput("standard input: is larger than 16 MiB, expected a TOML file");
         refuse_utf16(text, "standard input");
         return text;
     }
     std::error_code error;
     if (!std::filesystem::exists(file, error)) throw BadInput(file.string() + ": there is no such file");
     if (std::filesystem::is_directory(file, error))
-        throw BadInput(file.string() + ": is a folder, expected is a TOML file");
+        throw BadInput(file.string() + ": is a folder, expected a TOML file");
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw BadInput(file.string() + ": cannot be opened for reading");
     std::string text;
@@ -124,7 +124,7 @@ std::string read_text(const std::filesystem::path& file)
         text.append(block, static_cast<std::size_t>(stream.gcount()));
     }
     if (stream.bad()) throw BadInput(file.string() + ": cannot be read");
-    if (text.size() > max_bytes) throw BadInput(file.string() + ": is larger than 16 MiB, expected is a TOML file");
+    if (text.size() > max_bytes) throw BadInput(file.string() + ": is larger than 16 MiB, expected a TOML file");
     refuse_utf16(text, file.string());
     return text;
 }
@@ -167,7 +167,7 @@ const toml::table* table_at(const toml::table& parent, const std::string& key, c
 {
     const auto* node = parent.get(key);
     if (node && !node->is_table())
-        complaints.add(Place(node->source()), below(path, key), "is " + describe(*node) + ", allowed is a table");
+        complaints.add(Place(node->source()), below(path, key), "is " + describe(*node) + ", expected a table");
     return node ? node->as_table() : nullptr;
 }
 
@@ -179,8 +179,7 @@ void read_text_at(const toml::table& parent, const std::string& key, const std::
     if (const auto* text = node->as_string())
         value = text->get();
     else
-        complaints.add(Place(node->source()), below(path, key),
-                       "is " + describe(*node) + ", allowed is text in quotes");
+        complaints.add(Place(node->source()), below(path, key), "is " + describe(*node) + ", expected text in quotes");
 }
 
 void complain_unknown_keys(const toml::table& table, const std::vector<std::string>& allowed, const std::string& path,

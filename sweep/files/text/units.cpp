@@ -278,9 +278,9 @@ UnitReading unit_for(std::string_view unit_text, Quantity quantity, Motion motio
     const std::string expected(unit_of(quantity, motion));
     const Unit target = parse_unit(expected).unit;
     if (!reading.error.empty()) {
-        reading.error += ", expected is " + (expected == "1" ? "a number without unit" : expected);
+        reading.error += ", expected " + (expected == "1" ? "a number without unit" : expected);
     } else if (reading.unit.dimension != target.dimension) {
-        reading.error = in_quotes(trimmed(unit_text)) + " is the unit of something else, expected is " +
+        reading.error = in_quotes(trimmed(unit_text)) + " is the unit of something else, expected " +
                         (expected == "1" ? "a number without unit" : expected);
     }
     reading.unit.offset -= target.offset;
@@ -302,7 +302,7 @@ NumberReading parse_number_with_unit(std::string_view given, Quantity quantity, 
         return {0, quoted + " is not a number" + (expected == "1" ? "" : " with a unit such as " + expected)};
     const std::string_view unit_text = trimmed({number.ptr, static_cast<std::size_t>(end - number.ptr)});
     if (unit_text.empty())
-        return {0, quoted + " is text without a unit, allowed is a number without quotes" +
+        return {0, quoted + " is text without a unit, expected a number without quotes" +
                        (expected == "1" ? "" : " (" + expected + ") or with a unit")};
     const UnitReading reading = unit_for(unit_text, quantity, motion);
     if (!reading.error.empty()) return {0, quoted + ": " + reading.error};

@@ -85,14 +85,13 @@ Axis axis_from(const Asked& asked, const std::string& text, const std::string& o
         if (range.ends_with(name)) scale = name, range.resize(range.size() - scale.size());
     const auto dots = range.find("..");
     if (dots == std::string::npos)
-        throw BadInput(
-            fmt::format("{} {}: given is {}, wanted is a range such as {}=1e3..1e6", option, path, range, path));
+        throw BadInput(fmt::format("{} {}: got {}, expected a range such as {}=1e3..1e6", option, path, range, path));
     axis.values = {number_from(joint, path, range.substr(0, dots), option),
                    number_from(joint, path, range.substr(dots + 2), option)};
     const double low = axis.values[0], high = axis.values[1];
     if (!(low < high))
         throw BadInput(
-            fmt::format("{} {}: runs from {} to {}, allowed is an end above the start", option, path, low, high));
+            fmt::format("{} {}: runs from {} to {}, expected an end above the start", option, path, low, high));
     axis.log = scale == ":log" || (scale.empty() && low > 0 && high / low >= log_from_here);
     if (axis.log && !(low > 0))
         throw BadInput(fmt::format("{} {}: a log scale needs numbers > 0, the start is {}", option, path, low));

@@ -14,7 +14,7 @@ struct Asked {
     Joint design;
 };
 
-/// Reads SPEC or JOINT, told apart by the [axes] that only a spec has. Throws BadInput like their readers.
+/// Reads SPEC or JOINT, distinguished by the [axes] that only a spec has. Throws BadInput like their readers.
 Asked read_spec_or_joint(const std::filesystem::path& file, const std::vector<std::string>& settings);
 
 /// "PATH" or "PATH=FROM..TO", numbers with or without units, perhaps followed by ":log" or ":linear". Without a range:

@@ -73,7 +73,7 @@ class AxisReader {
     }
     void complain_log(double value)
     {
-        complaints_.add(given_.place, path_, "a log scale needs values > 0, given is " + number_text(value));
+        complaints_.add(given_.place, path_, "a log scale needs values > 0, got " + number_text(value));
     }
 
     bool scale(const toml::table& table)
@@ -83,7 +83,7 @@ class AxisReader {
         const std::string name = node->is_string() ? node->as_string()->get() : "";
         if (name != "log" && name != "linear")
             complain(table, "scale",
-                     "is " + describe(*node) + ", allowed are log, linear" + did_you_mean(name, {"log", "linear"}));
+                     "is " + describe(*node) + ", expected log, linear" + did_you_mean(name, {"log", "linear"}));
         return name == "log";
     }
 
@@ -98,7 +98,7 @@ class AxisReader {
         }
         if (array->empty())
             complaints_.add(Place(node.source()).or_else(given_.place), path,
-                            "is an empty list, allowed are 1 or more values");
+                            "is an empty list, expected 1 or more values");
         requested_ = static_cast<double>(std::max<std::size_t>(1, array->size()));
         bool sound = true;
         for (const auto& element : *array) {
@@ -108,7 +108,7 @@ class AxisReader {
             if (!values.empty() && *value <= values.back()) {
                 complaints_.add(Place(element.source()).or_else(given_.place), path,
                                 "has " + number_text(*value) + " after " + number_text(values.back()) +
-                                    ", allowed are ascending values");
+                                    ", expected ascending values");
                 sound = false;
             } else {
                 values.push_back(*value);
@@ -135,7 +135,7 @@ class AxisReader {
         if (points == 1 ? from != to : from >= to) {
             complain(
                 table, "to",
-                "is " + number_text(to) + ", allowed is " +
+                "is " + number_text(to) + ", expected " +
                     (points == 1 ? "the value of from where points = 1" : "a value above from = " + number_text(from)));
             return;
         }
@@ -149,16 +149,16 @@ class AxisReader {
     {
         const auto* node = table.get("points");
         if (!node) {
-            if (!misspelt_) complain(table, "points", "is missing, allowed is a whole number ≥ 1");
+            if (!misspelt_) complain(table, "points", "is missing, expected a whole number ≥ 1");
             return 0;
         }
         const auto given = node->is_number() ? node->value<double>() : std::nullopt;
         if (given && *given > 1) requested_ = *given;
         if (given && *given >= 1 && *given <= static_cast<double>(max_axis_points) && std::floor(*given) == *given)
             return static_cast<std::uint64_t>(*given);
-        complain(table, "points",
-                 "is " + describe(*node) + ", allowed is a whole number within [1, " + std::to_string(max_axis_points) +
-                     "]");
+        complain(
+            table, "points",
+            "is " + describe(*node) + ", expected a whole number within [1, " + std::to_string(max_axis_points) + "]");
         return 0;
     }
 
@@ -195,11 +195,11 @@ std::vector<Axis> read_axes(const toml::table& table, Joint& joint, const PlanLi
         sound = sound && axis;
         if (axis) axes.push_back(std::move(*axis));
     }
-    if (axes.empty() && sound) complaints.add(Place(table.source()), "axes", "are empty, allowed is one axis or more");
+    if (axes.empty() && sound) complaints.add(Place(table.source()), "axes", "are empty, expected one axis or more");
     if (points > static_cast<double>(limits.points))
         complaints.add(Place(table.source()), "axes",
                        "make " + number_text(points) + " points (about " + describe(plan_cost(points, nonlinear)) +
-                           "), allowed are at most " + number_text(static_cast<double>(limits.points)));
+                           "), expected at most " + number_text(static_cast<double>(limits.points)));
     return axes;
 }
 

@@ -24,7 +24,7 @@ std::vector<Text> texts_at(const toml::table& table, const std::string& key, Com
             texts.push_back({text->get(), Place(one.source())});
         else
             complaints.add(Place(one.source()), "boundary." + key,
-                           "is " + describe(one) + ", allowed is text in quotes or a list of it");
+                           "is " + describe(one) + ", expected text in quotes or a list of it");
     };
     if (const auto* list = node->as_array())
         for (const auto& one : *list) add(one);
@@ -45,7 +45,7 @@ void read_boundary_lists(const toml::table& table, const Joint& given, BoundaryS
             spec.kinds.push_back(boundary_kinds[at - kinds.begin()]);
         else
             complaints.add(place, "boundary.kind",
-                           "is \"" + text + "\", allowed are " + listed(kinds) + did_you_mean(text, kinds));
+                           "is \"" + text + "\", expected " + listed(kinds) + did_you_mean(text, kinds));
     }
     Joint joint = given;
     // ranges behind the paths are judged by whoever makes axes of them
@@ -69,7 +69,7 @@ void read_boundary_lists(const toml::table& table, const Joint& given, BoundaryS
     if (complaints.count() == before && !spec.over.empty() && spec.over.size() != 2)
         complaints.add(Place(table.get("over")->source()), "boundary.over",
                        "has " + std::to_string(spec.over.size()) +
-                           " entries, allowed are two axes, x then y, such as [\"control.k_p\", \"control.k_v\"]");
+                           " entries, expected two axes, x then y, such as [\"control.k_p\", \"control.k_v\"]");
 }
 
 }  // namespace stickslip::files

@@ -107,7 +107,7 @@ std::string commented_spec(const Joint& joint)
     text += "\n[axes]                           # any numbers of the joint: see stickslip list keys\n";
     text += axis("control.k_p", c.k_p / 100, c.k_p * 100, 41);
     text += axis("control.k_v", k_v / 10, k_v * 1000, 31);
-    text += "\n# [design]                       # the marked point; not said: the joint's own numbers\n";
+    text += "\n# [design]                       # the marked point; default: the values of the joint\n";
     text += fmt::format("# \"control.k_p\" = {:g}\n", c.k_p);
     auto rest = keys_of(NonlinearSpec{}, "nonlinear");
     for (auto more : {keys_of(BoundarySpec{}, "boundary"), keys_of(CheckSpec{}, "check")})

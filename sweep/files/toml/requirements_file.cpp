@@ -77,7 +77,7 @@ double share_from(std::string text, const std::string& what)
     char* rest = nullptr;
     const double value = std::strtod(text.c_str(), &rest) / (percent ? 100 : 1);
     if (rest == text.c_str() || !trimmed(rest).empty() || !(value > 0 && value < 1))
-        throw BadInput(fmt::format("{}: given is {}{}, allowed is a share between 0 and 1 or 0 % and 100 %", what, text,
+        throw BadInput(fmt::format("{}: got {}{}, expected a share between 0 and 1 or 0 % and 100 %", what, text,
                                    percent ? "%" : ""));
     return value;
 }
@@ -104,7 +104,7 @@ Uncertainty uncertainty_from(const Joint& joint, const std::vector<std::string>&
     for (const auto& text : texts) {
         const auto equals = text.find('=');
         if (equals == std::string::npos)
-            throw BadInput("--uncertain " + text + ": wanted is PATH=SHARE such as friction.L=20%");
+            throw BadInput("--uncertain " + text + ": expected PATH=SHARE such as friction.L=20%");
         u.coordinates.push_back(coordinate_from(joint, text.substr(0, equals)));
         u.share.push_back(share_from(text.substr(equals + 1), "--uncertain " + text));
     }
@@ -150,7 +150,7 @@ Requirements read_requirements(const std::filesystem::path& file, const Joint& j
     for (const auto& change : changes) {
         files::Complaints about("--require " + change);
         const auto equals = change.find('=');
-        if (equals == std::string::npos) throw BadInput("--require " + change + ": wanted is key=value");
+        if (equals == std::string::npos) throw BadInput("--require " + change + ": expected key=value");
         const std::string key = trimmed(change.substr(0, equals)), value = trimmed(change.substr(equals + 1));
         char* rest = nullptr;
         const double number = std::strtod(value.c_str(), &rest);

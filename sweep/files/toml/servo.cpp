@@ -46,7 +46,7 @@ std::string dynamixel_x(const Registers& r, ServoGains& gains)
     constexpr double signal = pulses / full_pwm;  // duty per rad and per unit gain
     gains.numbers["control.k_p"] = r.at("P") / 128 * signal;
     if ((r.at("I") != 0 || r.at("D") != 0) && !is_set(r.period))
-        return "the manual's constants of I and D include the sampling time, which it does not publish; needed is "
+        return "the manual's constants of I and D include the sampling time, which it does not publish; expected "
                "control.period";
     gains.numbers["control.k_i"] = r.at("I") == 0 ? 0 : r.at("I") / 65536 * signal / r.period;
     gains.numbers["control.k_v"] = r.at("D") == 0 ? 0 : r.at("D") / 16 * signal * r.period;
@@ -126,7 +126,7 @@ Registers registers_of(const Servo& servo, const toml::table& control, const Pla
     if (const auto period = control["period"].value<double>()) r.period = *period;
     const toml::node* node = control.get("registers");
     if (node && !node->is_table()) {
-        complaints.add(node->source(), "control.registers", "is no table, allowed is { " + joined(names) + " }");
+        complaints.add(node->source(), "control.registers", "is no table, expected { " + joined(names) + " }");
         return r;
     }
     if (node)
@@ -136,11 +136,11 @@ Registers registers_of(const Servo& servo, const toml::table& control, const Pla
                                             [&](const Register& k) { return k.name == name; });
             const auto number = value.value<double>();
             if (known == servo.registers.end())
-                complaints.add(key.source(), path, "is no register of this servo, allowed are " + joined(names));
+                complaints.add(key.source(), path, "is no register of this servo, expected " + joined(names));
             else if (!number || !(*number >= known->least && *number <= known->most))
                 complaints.add(
                     value.source(), path,
-                    fmt::format("is {}, allowed is a number within [{}, {}]",
+                    fmt::format("is {}, expected a number within [{}, {}]",
                                 number ? fmt::format("{}", *number) : "no number", known->least, known->most));
             else
                 r.value[name] = *number;
@@ -170,7 +170,7 @@ ServoGains servo_gains(const toml::table& root, Complaints& complaints)
     if (!node) {
         if (const toml::node* registers = control->get("registers"))
             complaints.add(registers->source(), "control.registers",
-                           "needs control.servo, allowed are " + joined(servo_names()));
+                           "needs control.servo, expected " + joined(servo_names()));
         return gains;
     }
     const Place place = node->source();
@@ -179,7 +179,7 @@ ServoGains servo_gains(const toml::table& root, Complaints& complaints)
     if (!servo) {
         complaints.add(
             place, "control.servo",
-            "is " + (name ? "\"" + *name + "\"" : std::string("no text")) + ", allowed are " + joined(servo_names()));
+            "is " + (name ? "\"" + *name + "\"" : std::string("no text")) + ", expected " + joined(servo_names()));
         return gains;
     }
     gains.servo = *name, gains.source = servo->source;

@@ -73,7 +73,7 @@ class SpecReader {
             const std::string name(key.str());
             if (std::find(allowed.begin(), allowed.end(), name) != allowed.end()) continue;
             complaints_.add(Place(key.source()).or_else(place), name,
-                            "does not belong beside joint = \"…\", allowed are " + listed(spec_tables) +
+                            "does not belong beside joint = \"…\", expected " + listed(spec_tables) +
                                 did_you_mean(name, spec_tables));
         }
     }
@@ -83,7 +83,7 @@ class SpecReader {
         const auto* axes = root_.get("axes");
         if (!axes)
             complaints_.add(Place(root_.source()), "axes",
-                            "is missing, allowed are one or more dotted paths of the joint, such as "
+                            "is missing, expected one or more dotted paths of the joint, such as "
                             "\"control.k_p\" = { from = 1e4, to = 1e5, points = 31 }");
         else if (const auto* table = table_at(root_, "axes", "", complaints_)) {
             const auto before = complaints_.count();
@@ -170,7 +170,7 @@ class SpecReader {
         }
         if (!list) {
             complaints_.add(Place(node->source()), "report." + key,
-                            "is " + describe(*node) + ", allowed is a list of pairs of axes");
+                            "is " + describe(*node) + ", expected a list of pairs of axes");
             return {};
         }
         for (const auto& element : *list)
@@ -186,7 +186,7 @@ class SpecReader {
         std::array<std::string, 2> names;
         if (!list || list->size() != 2 || !list->get(0)->is_string() || !list->get(1)->is_string()) {
             complaints_.add(Place(node.source()), path,
-                            "is " + describe(node) + ", allowed is a pair such as [\"control.k_p\", \"control.k_v\"]");
+                            "is " + describe(node) + ", expected a pair such as [\"control.k_p\", \"control.k_v\"]");
             return {};
         }
         bool sound = true;
@@ -197,11 +197,10 @@ class SpecReader {
             if (axes_refused_) continue;  // it may mean one of those
             complaints_.add(
                 Place(list->get(i)->source()), path,
-                "is \"" + names[i] + "\", allowed are the axes " + listed(paths) + did_you_mean(names[i], paths));
+                "is \"" + names[i] + "\", expected the axes " + listed(paths) + did_you_mean(names[i], paths));
         }
         if (sound && names[0] == names[1]) {
-            complaints_.add(Place(node.source()), path,
-                            "has \"" + names[0] + "\" twice, allowed are two different axes");
+            complaints_.add(Place(node.source()), path, "has \"" + names[0] + "\" twice, expected two different axes");
             sound = false;
         }
         return sound ? std::optional(names) : std::nullopt;

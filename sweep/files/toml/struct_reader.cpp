@@ -29,11 +29,11 @@ std::string read_number(const toml::node& node, const Field& f, Motion motion, d
         given = reading.value;
         written += " (" + number_text(given) + " " + std::string(unit_of(f.quantity, motion)) + ")";
     } else {
-        return "is " + written + ", allowed is " + allowed_text(f, motion);
+        return "is " + written + ", expected " + allowed_text(f, motion);
     }
     const bool unlimited = given == infinity && value == infinity;
     if (!unlimited && !f.range.holds(given))
-        return "is " + written + (std::isfinite(given) ? "" : ", which is no finite number") + ", allowed is " +
+        return "is " + written + (std::isfinite(given) ? "" : ", which is no finite number") + ", expected " +
                allowed_text(f, motion);
     value = given;
     return "";
@@ -57,7 +57,7 @@ void StructReader::complain_missing(std::string_view key, const std::string& tex
 
 void StructReader::complain_filled(const toml::node& node, std::string_view key)
 {
-    complain(node, key, "is stated, and " + filled_by_ + " says it, too: allowed is one of them");
+    complain(node, key, "is stated, and " + filled_by_ + " says it, too: expected one of them");
 }
 
 void StructReader::complain_unknown()
@@ -79,9 +79,8 @@ int StructReader::index_of(const toml::node& node, std::string_view key, const s
         const auto found = std::find(names.begin(), names.end(), text->get());
         if (found != names.end()) return static_cast<int>(found - names.begin());
     }
-    complain(
-        node, key,
-        "is " + describe(node) + ", allowed are " + listed(names) + (text ? did_you_mean(text->get(), names) : ""));
+    complain(node, key,
+             "is " + describe(node) + ", expected " + listed(names) + (text ? did_you_mean(text->get(), names) : ""));
     return -1;
 }
 
@@ -101,7 +100,7 @@ void StructReader::number(const Field& f, double& value)
     } else if (node) {
         take_number(*node, f.key, f, value);
     } else if (f.need == Need::required && mode_ == Mode::whole && !frame_.uncertain) {
-        complain_missing(f.key, "allowed is " + allowed_text(f, motion_) + ": " + std::string(f.help));
+        complain_missing(f.key, "expected " + allowed_text(f, motion_) + ": " + std::string(f.help));
     }
 }
 
@@ -111,7 +110,7 @@ void StructReader::numbers(const Field& f, NumberList& list)
     if (!node) {
         if (f.need == Need::required && mode_ == Mode::whole && !frame_.uncertain)
             complain_missing(f.key,
-                             "allowed is " + allowed_text(f, motion_) + ", or a list of them: " + std::string(f.help));
+                             "expected " + allowed_text(f, motion_) + ", or a list of them: " + std::string(f.help));
         return;
     }
     if (const auto* indexed = indexed_table(*node)) {
@@ -132,7 +131,7 @@ void StructReader::numbers(const Field& f, NumberList& list)
     }
     if (array->empty() || array->size() > static_cast<std::size_t>(NumberList::max_size)) {
         complain(*node, f.key,
-                 "is a list of " + std::to_string(array->size()) + ", allowed are 1 to " +
+                 "is a list of " + std::to_string(array->size()) + ", expected 1 to " +
                      std::to_string(NumberList::max_size) + " values");
         return;
     }
@@ -152,7 +151,7 @@ void StructReader::flag(std::string_view key, std::string_view, bool& value)
     if (const auto* given = node->as_boolean())
         value = given->get();
     else
-        complain(*node, key, "is " + describe(*node) + ", allowed are true, false");
+        complain(*node, key, "is " + describe(*node) + ", expected true, false");
 }
 
 void StructReader::text(std::string_view key, std::string_view, std::string& value)
@@ -162,7 +161,7 @@ void StructReader::text(std::string_view key, std::string_view, std::string& val
     if (const auto* given = node->as_string())
         value = given->get();
     else
-        complain(*node, key, "is " + describe(*node) + ", allowed is text in quotes");
+        complain(*node, key, "is " + describe(*node) + ", expected text in quotes");
 }
 
 void StructReader::samples(std::string_view key, std::string_view help, std::string& name, KernelTablePtr& table)
@@ -205,14 +204,14 @@ std::vector<const toml::table*> StructReader::tables_of(const toml::node& node, 
     const auto* array = node.as_array();
     if (!array || array->empty() || array->size() > static_cast<std::size_t>(capacity)) {
         const std::string given = array ? "a list of " + std::to_string(array->size()) : describe(node);
-        complain(node, key, "is " + given + ", allowed is a list of 1 to " + std::to_string(capacity) + " tables");
+        complain(node, key, "is " + given + ", expected a list of 1 to " + std::to_string(capacity) + " tables");
         return {};
     }
     for (const auto& element : *array) {
         if (const auto* table = element.as_table())
             tables.push_back(table);
         else
-            complain(element, key, "is " + describe(element) + ", allowed is a table");
+            complain(element, key, "is " + describe(element) + ", expected a table");
     }
     return tables;
 }

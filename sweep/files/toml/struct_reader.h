@@ -84,7 +84,7 @@ class StructReader {
         static const toml::table nothing;
         const toml::node* node = find(key);
         if (node && !node->is_table()) {
-            complain(*node, key, "is " + describe(*node) + ", allowed is a table");
+            complain(*node, key, "is " + describe(*node) + ", expected a table");
             return;
         }
         if (!node && mode_ == Mode::change) return;
@@ -107,7 +107,7 @@ class StructReader {
                 if (i >= 0 && row.is_table())
                     read_at(*row.as_table(), frame_.place, path(key) + "." + std::to_string(i), list[i], {});
                 else if (i >= 0)
-                    complain(row, key, "is " + describe(row) + ", allowed is a table");
+                    complain(row, key, "is " + describe(row) + ", expected a table");
             }
             return;
         }
@@ -130,7 +130,7 @@ class StructReader {
         if (node)
             index = index_of(*node, "law", names);
         else if (index < 0 && !frame_.uncertain)
-            complain_missing("law", "allowed are " + listed(names));
+            complain_missing("law", "expected " + listed(names));
         if (index < 0) {
             frame_.uncertain = true;
             return;

@@ -55,7 +55,7 @@ std::vector<std::string> joints_of(const std::string& file)
             !name.ends_with("_link_position"))
             joints.push_back(name.substr(0, name.size() - ending.size()));
     if (joints.empty())
-        throw BadInput(file + ": has no column of a joint's positions, expected are columns such as elbow_position");
+        throw BadInput(file + ": has no column of a joint's positions, expected columns such as elbow_position");
     return joints;
 }
 
@@ -99,7 +99,7 @@ void find_in_robot(const Robot& robot, const Options& options, std::vector<Moved
         for (const auto& closure : robot.closures)
             if (moves(robot, joint.index, closure.a) != moves(robot, joint.index, closure.b))
                 throw BadInput(closure.place + ": " + closure.what + " closes a loop through joint " + joint.name +
-                               "; expected is a robot whose joints move freely");
+                               "; expected a robot whose joints move freely");
         joint.armature = described.armature;
     }
     for (const auto& setting : options.armature) {

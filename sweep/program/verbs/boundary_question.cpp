@@ -31,7 +31,7 @@ Disturbance disturbance_asked(const Asked& asked, const BoundaryOptions& options
     if (options.disturbance.empty() && !is_set(d.size)) d = {DisturbanceKind::start, near_rest_start};
     if (is_set(d.size) && !(d.size >= 0))
         throw BadInput(fmt::format(
-            "{}: given is {:g}, allowed is {}", is_set(options.size) ? "--size" : "nonlinear.disturbance.size", d.size,
+            "{}: got {:g}, expected {}", is_set(options.size) ? "--size" : "nonlinear.disturbance.size", d.size,
             d.kind == DisturbanceKind::start ? "a share of V0 to start from, ≥ 0"
                                              : "≥ 0: a boundary of outcomes asks how large a disturbance is"));
     return d;
@@ -53,8 +53,7 @@ Places places_asked(const Asked& asked, const BoundaryOptions& options)
         if (over.empty()) return;
         places.charts.push_back({axis_from(asked, over[0], over_name), axis_from(asked, over[1], over_name)});
         if (places.charts[0][0].path == places.charts[0][1].path)
-            throw BadInput(over_name + ": given is " + places.charts[0][0].path +
-                           " twice, wanted are two different axes");
+            throw BadInput(over_name + ": got " + places.charts[0][0].path + " twice, expected two different axes");
     };
     add(options.along, options.over, "--along", "--over");
     if (!places.rays.empty() || !places.charts.empty()) return places;

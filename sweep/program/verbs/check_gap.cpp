@@ -39,7 +39,7 @@ std::vector<std::string> files_in(const std::vector<std::string>& given)
             if (entry.is_regular_file() && (is_table(entry.path()) || is_foreign_log(entry.path())))
                 inside.push_back(entry.path().string());
         if (inside.empty())
-            throw BadInput(path + ": holds no records, expected is .csv, .csv.gz or a log that convert reads");
+            throw BadInput(path + ": holds no records, expected .csv, .csv.gz or a log that convert reads");
         std::sort(inside.begin(), inside.end());
         files.insert(files.end(), inside.begin(), inside.end());
     }

@@ -1,5 +1,6 @@
 // stickslip design: the best gains under requirements.
 #include "analysis/simulation/simulate.h"
+#include "sweep/files/json/design_json.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/whole_file.h"
 #include "sweep/files/toml/asked_axes.h"

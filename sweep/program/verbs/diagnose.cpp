@@ -119,7 +119,7 @@ int diagnose(const Options& options, const Invocation& invocation)
 {
     if (options.all_joints || is_robot(options.joint)) {
         if (!options.all_joints && options.names.empty())
-            throw BadInput(options.joint + ": has several joints, expected is --all-joints, or --joint NAME");
+            throw BadInput(options.joint + ": has several joints, expected --all-joints, or --joint NAME");
         refuse_twice(options.records);
         return diagnose_robot({options.joint, options.directory, options.records, options.names, options.how,
                                options.threads, options.json, options.no_report},

@@ -88,7 +88,7 @@ int exit_code_of(const Diagnosis& d, bool contradicted)
 /// The folder of the answer, tried before the work and not after it.
 std::filesystem::path answer_folder(const std::string& directory)
 {
-    if (directory.empty()) throw BadInput("--output: is empty, allowed is a folder");
+    if (directory.empty()) throw BadInput("--output: is empty, expected a folder");
     const std::filesystem::path probe = std::filesystem::path(directory) / "diagnosis.json.probe";
     write_whole(probe, "");
     std::filesystem::remove(probe);

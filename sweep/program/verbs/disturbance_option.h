@@ -18,7 +18,7 @@ inline CLI::Validator finite_number()
                 double value = 0;
                 return CLI::detail::lexical_cast(text, value) && std::isfinite(value)
                            ? ""
-                           : "given is " + text + ", allowed is a finite number";
+                           : "got " + text + ", expected a finite number";
             },
             "", "finite"};
 }

@@ -174,7 +174,7 @@ nlohmann::ordered_json evaluate_json(const Evaluated& e, const AskedDisturbance&
     if (e.integral)
         json["linear"]["integral_cost"] = {
             {"margin", e.integral->with}, {"margin_without", e.integral->without}, {"share", e.integral->share()}};
-    if (!e.servo.empty()) json["notes"].push_back(e.servo);
+    if (!e.servo.empty()) json["notes"].push_back(e.servo), json["note_codes"].push_back("servo");
     return json;
 }
 

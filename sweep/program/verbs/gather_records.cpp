@@ -8,7 +8,7 @@
 namespace stickslip {
 namespace {
 
-/// Two records of one name are told apart by their folders.
+/// Two records of one name are distinguished by their folders.
 void name_by_path(RecordReading& reading, const std::string& file, const std::vector<std::string>& files)
 {
     const std::string name = reading.record.name;
@@ -37,7 +37,7 @@ void refuse_twice(const std::vector<std::string>& files)
         for (std::size_t j = 0; j < i; ++j) {
             std::error_code missing;  // reading says so
             if (std::filesystem::equivalent(files[i], files[j], missing))
-                throw BadInput(files[i] + ": is given twice, allowed is every record once");
+                throw BadInput(files[i] + ": is given twice, expected every record once");
         }
 }
 

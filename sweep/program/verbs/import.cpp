@@ -61,7 +61,7 @@ int import_verb(const Options& options)
     auto answer = import_joint(robot, joint_named(robot, options.joint, options.robot), pose);
     if (answer.loop)
         throw BadInput(answer.loop->place + ": " + answer.loop->what + " closes a loop through joint \"" +
-                       options.joint + "\"; expected is a joint that moves freely while all others stand still");
+                       options.joint + "\"; expected a joint that moves freely while all others stand still");
     for (const auto& setting : options.settings) apply_setting(answer.joint, setting);
     std::erase_if(answer.missing, [&](const std::string& path) {
         return std::any_of(options.settings.begin(), options.settings.end(),

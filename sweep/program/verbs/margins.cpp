@@ -1,5 +1,6 @@
 // stickslip margins: how far a design is from its boundaries.
 #include "analysis/loop/loop_use.h"
+#include "sweep/files/json/margins_json.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/whole_file.h"
 #include "sweep/files/toml/asked_axes.h"
@@ -45,7 +46,7 @@ int margins(const Options& options, const Invocation& invocation)
         if (options.uncertain.empty())
             throw BadInput("--over: the robustly stable set needs --uncertain PATH=SHARE, such as friction.L=20%");
         const Axis x = axis_from(asked, options.over[0], "--over"), y = axis_from(asked, options.over[1], "--over");
-        if (x.path == y.path) throw BadInput("--over: given is " + x.path + " twice, wanted are two different axes");
+        if (x.path == y.path) throw BadInput("--over: got " + x.path + " twice, expected two different axes");
         BoundaryRequest request;
         request.parallel = parallel_for_each;
         request.following.guard = options.guard;
@@ -66,6 +67,7 @@ int margins(const Options& options, const Invocation& invocation)
     }
     if (!options.directory.empty()) {
         write_whole(std::filesystem::path(options.directory) / "margins.json", json.dump(1) + "\n");
+        answer.growth = growth_by_parameter(answer);  // only the page shows it
         const auto page = write_report(margins_report(answer), options.directory);
         if (!options.json) fmt::print("report: {}\n", page.string());
     }

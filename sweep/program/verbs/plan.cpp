@@ -1,4 +1,4 @@
-// stickslip plan: before measuring, what a motion can show of a joint and what it cannot tell apart.
+// stickslip plan: before measuring, what a motion can show of a joint and what it cannot distinguish.
 #include "sweep/study/plan.h"
 #include "sweep/files/json/verdict_json.h"
 #include "sweep/files/text/bad_input.h"
@@ -85,7 +85,7 @@ int run(const Options& options)
         return exit_done;
     }
     print(answer.power);
-    if (answer.better) fmt::print("more is told by: {} (next-motion.csv)\n", answer.better->description);
+    if (answer.better) fmt::print("this motion shows more: {} (next-motion.csv)\n", answer.better->description);
     return exit_done;
 }
 
@@ -98,7 +98,7 @@ void add_plan(CLI::App& app, Invocation& invocation)
     verb->add_option("JOINT", options->joint, "nominal joint, TOML, with control.period and [sensor]")->required();
     verb->add_option("TRAJECTORY", options->trajectory, "CSV or .csv.gz with time and reference_position")->required();
     verb->add_option("-o,--output", options->directory,
-                     "write plan.json here and look for a motion that tells more apart (next-motion.csv)");
+                     "write plan.json here and look for a motion that distinguishes more (next-motion.csv)");
     verb->add_option("--threads", options->threads, "threads, 0 for all; the answer does not depend on it");
     verb->add_flag("--json", options->json, "print plan.json");
     verb->footer("Example: stickslip plan joint.toml trajectory.csv --json\nExit codes: 0 done, 2 bad input.");

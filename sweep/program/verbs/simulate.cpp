@@ -18,6 +18,7 @@
 #include "sweep/report/pages/trajectory_report.h"
 #include "sweep/report/pages/write_report.h"
 #include "sweep/study/control_force.h"
+#include "sweep/words/detail_text.h"
 #include "sweep/words/loop_text.h"
 #include "sweep/words/verdict_text.h"
 
@@ -113,18 +114,17 @@ int record_joint(const Options& options, const Invocation& invocation)
     const Joint joint = read_spec_or_joint(options.joint, options.settings).design;
     const auto reference = read_reference(options.reference, joint.mechanism.motion);
     const auto record = record_along(joint, reference, options.surroundings.force.seed, options.tolerance);
-    if (record.time.empty()) throw BadInput(options.joint + ": cannot follow a reference: " + std::string(record.why));
+    if (record.time.empty()) throw BadInput(options.joint + ": cannot follow a reference: " + detail_text(record.why));
     fmt::print("record:     {}\n", write_record(record, options.directory).string());
     if (const auto side = side_text(joint, true); !side.empty()) fmt::print("{}\n", plain_text(side));
     tell_measures(measure_motion(record.time, record.reference_position, record.position), joint.mechanism.motion,
                   options.directory);
-    auto report =
-        record_report(joint, {record.time, record.reference_position, record.position, record.effort_command,
-                              record.effort_measured, record.reason == Reason::none ? "" : std::string(record.why)});
+    auto report = record_report(joint, {record.time, record.reference_position, record.position, record.effort_command,
+                                        record.effort_measured, detail_text(record.why)});
     report.provenance = {{"version", program_version()}, {"command", invocation.command}};
     fmt::print("report:     {}\n", write_report(report, options.directory).string());
     if (record.reason == Reason::none) return exit_done;
-    fmt::print("it ends at {} s: {}\n", record.time.back(), record.why);
+    fmt::print("it ends at {} s: {}\n", record.time.back(), detail_text(record.why));
     return exit_undecided;
 }
 

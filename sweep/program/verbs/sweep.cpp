@@ -41,7 +41,7 @@ Shard shard_from(const std::string& text)
     unsigned long long index = 0, count = 0;
     char rest = 0;
     if (std::sscanf(text.c_str(), "%llu/%llu%c", &index, &count, &rest) != 2 || index < 1 || index > count)
-        throw BadInput("--shard: given is " + text + ", wanted is i/n with 1 ≤ i ≤ n");
+        throw BadInput("--shard: got " + text + ", expected i/n with 1 ≤ i ≤ n");
     return {index - 1, count};
 }
 

@@ -49,7 +49,7 @@ std::vector<fs::path> answers_at(const fs::path& place, const std::string& joint
             if (const auto file = answer_in(entry.path(), joint); !file.empty()) found.push_back(file);
     if (found.empty())
         throw BadInput(place.string() + ": holds no diagnosis.json" + (joint.empty() ? "" : " of joint " + joint) +
-                       ", nor do its folders; expected is what `stickslip diagnose -o` or `check -o` wrote" +
+                       ", nor do its folders; expected what `stickslip diagnose -o` or `check -o` wrote" +
                        (joint.empty() ? ", of a robot with --joint NAME" : ""));
     return found;
 }
@@ -60,7 +60,7 @@ Instant date_of(const fs::path& file)
     for (auto path = fs::absolute(file); path.has_relative_path(); path = path.parent_path())
         if (const auto date = date_in(path.filename().string())) return *date;
     throw BadInput(file.string() +
-                   ": no part of this path has a date; expected is a folder such as 2026-03-01 or "
+                   ": no part of this path has a date; expected a folder such as 2026-03-01 or "
                    "elbow-2026-03-01T14-30");
 }
 
@@ -83,7 +83,7 @@ Timeline read_timeline(const Options& options)
 
 int timeline_verb(const Options& options, const Invocation& invocation)
 {
-    if (options.directory.empty()) throw BadInput("--output: is empty, allowed is a folder");
+    if (options.directory.empty()) throw BadInput("--output: is empty, expected a folder");
     const auto timeline = read_timeline(options);
     const fs::path directory = options.directory;
     const auto json = timeline_json(timeline).dump(2) + "\n";

@@ -29,8 +29,8 @@ std::string timestamp(const std::string& wanted)
     long long seconds = 0;
     const auto end = std::from_chars(text.data(), text.data() + text.size(), seconds);
     if (end.ec != std::errc{} || end.ptr != text.data() + text.size() || seconds < 0 || seconds > last_second)
-        throw BadInput((wanted.empty() ? "SOURCE_DATE_EPOCH" : "--timestamp") + std::string(": given is \"") + text +
-                       "\", allowed are now or seconds since 1970");
+        throw BadInput((wanted.empty() ? "SOURCE_DATE_EPOCH" : "--timestamp") + std::string(": got \"") + text +
+                       "\", expected now or seconds since 1970");
     return date_of(static_cast<std::time_t>(seconds));
 }
 

@@ -70,19 +70,19 @@ std::string range_words(const std::string& low, const std::string& high)
 std::string value_error(const std::string& message)
 {
     std::smatch m;
-    const auto given = [&] { return m[1].str() + ": given is " + in_quotes(m[2]); };
+    const auto given = [&] { return m[1].str() + ": got " + in_quotes(m[2]); };
     if (std::regex_match(message, m, std::regex(R"((\S+): (.*) not in \{(.*)\})"))) {
         const auto allowed = split_at_commas(m[3]);
-        return given() + ", allowed are " + listed(allowed) + did_you_mean(m[2], allowed);
+        return given() + ", expected " + listed(allowed) + did_you_mean(m[2], allowed);
     }
     if (std::regex_match(message, m, std::regex(R"((\S+): \((.*) not in \{(.*)\}\) OR \(File does not exist: .*\))"))) {
         const auto allowed = split_at_commas(m[3]);
-        return given() + ", allowed are " + listed(allowed) + " or a file" + did_you_mean(m[2], allowed);
+        return given() + ", expected " + listed(allowed) + " or a file" + did_you_mean(m[2], allowed);
     }
     if (std::regex_match(message, m, std::regex(R"((\S+): Value (.*) not in range (\S+) to (\S+))")))
-        return given() + ", allowed is " + range_words(m[3], m[4]);
+        return given() + ", expected " + range_words(m[3], m[4]);
     if (std::regex_match(message, m, std::regex(R"((\S+): At Most (\d+) required but received (\d+))")))
-        return m[1].str() + ": given are " + m[3].str() + ", allowed are at most " + m[2].str();
+        return m[1].str() + ": got " + m[3].str() + ", expected at most " + m[2].str();
     return message;
 }
 

@@ -114,8 +114,8 @@ Figure precision_figure(const std::vector<FollowedBoundary>& curves, Motion moti
     const auto& x = curves.front().x;
     LineChart chart;
     chart.title = "How sharply each point is located";
-    chart.x_label = x.name + " " + x.symbol + " [" + std::string(unit_of(x.quantity, motion)) + "]";
-    chart.y_label = "relative width of the bracket [1]";
+    chart.x_label = {x.name + " " + x.symbol, std::string(unit_of(x.quantity, motion))};
+    chart.y_label = {"relative width of the bracket", "1"};
     chart.x_log = x.log, chart.y_log = true;
     for (const auto& curve : curves) {
         LineChart::Line line{std::string(name_of(curve.kind)), {}, {}};

@@ -25,10 +25,23 @@ double rms(const std::vector<double>& values)
     return n > 0 ? std::sqrt(sum / n) : 0;
 }
 
+std::string effort_name(DiagnosedTrace::Effort effort)
+{
+    switch (effort) {
+        case DiagnosedTrace::Effort::measured:
+            return "measured effort";
+        case DiagnosedTrace::Effort::command:
+            return "command";
+        case DiagnosedTrace::Effort::friction_of_rig:
+            break;
+    }
+    return "friction";
+}
+
 /// One signal of one record: measured, and simulated before and after.
 struct Signal {
     const DiagnosedTrace& trace;
-    std::string name, unit, id;
+    std::string name, quantity, unit, id;  ///< "measured effort", "effort"
     const std::vector<double>&measured, &before, &after;
     bool named;  ///< a cause is added; else both simulations are the same
 };
@@ -97,13 +110,10 @@ Figure overlay(const Signal& s)
         return cut(difference(s.measured, simulated), stretch);
     };
     DetailedChart chart;
-    constexpr std::string_view measured = "measured ";
-    const bool twice = s.name.starts_with(measured);
-    chart.title = "Measured and simulated " + (twice ? s.name.substr(measured.size()) : s.name) +
-                  " where it is worst: " + s.trace.file;
-    chart.x_label = "time [s]";
-    chart.y_label = s.name + " [" + s.unit + "]";
-    chart.below_label = "measured minus simulated [" + s.unit + "]";
+    chart.title = "Measured and simulated " + s.quantity + " where it is worst: " + s.trace.file;
+    chart.x_label = {"time", "s"};
+    chart.y_label = {s.name, s.unit};
+    chart.below_label = {"measured minus simulated", s.unit};
     chart.shown_share = usual_share;
     chart.lines = {measured_line(time, cut(s.measured, stretch)),
                    {s.named ? "simulated before" : "simulated", time, cut(s.before, stretch), true}};
@@ -125,8 +135,8 @@ Figure residual(const Signal& s)
     const auto before = difference(s.measured, s.before), after = difference(s.measured, s.after);
     DetailedChart chart;
     chart.title = "What the simulation gets wrong in " + s.name + ": " + s.trace.file;
-    chart.x_label = "time [s]";
-    chart.y_label = "measured minus simulated [" + s.unit + "]";
+    chart.x_label = {"time", "s"};
+    chart.y_label = {"measured minus simulated", s.unit};
     chart.shown_share = usual_share;
     constexpr const char* spikes = " Rare spikes may end at the frame; the data have them whole.";
     if (!s.named) {
@@ -160,10 +170,11 @@ std::vector<Figure> trace_figures(const Diagnosis& d)
         if (++n > most_records) break;
         const std::string id = "record-" + std::to_string(n);
         const bool named = d.verdict == Verdict::gap;
-        const Signal motion{trace,          "position",   position,    id + "-position",
+        const Signal motion{trace,          "position",   "position",  position, id + "-position",
                             trace.measured, trace.before, trace.after, named};
         const Signal effort{trace,
-                            trace.effort_name,
+                            effort_name(trace.effort),
+                            trace.effort == DiagnosedTrace::Effort::measured ? "effort" : effort_name(trace.effort),
                             trace.effort_unit,
                             id + "-effort",
                             trace.effort_measured,
@@ -194,8 +205,8 @@ std::vector<Figure> played_figures(const Diagnosis& d)
     const auto time = thinned(trace.time, stride);
     DetailedChart chart;
     chart.title = "The record, measured and simulated: " + trace.file;
-    chart.x_label = "time [s]";
-    chart.y_label = "position [" + std::string(unit_of(Quantity::position, d.motion)) + "]";
+    chart.x_label = {"time", "s"};
+    chart.y_label = {"position", std::string(unit_of(Quantity::position, d.motion))};
     chart.played = true;
     chart.turns = d.motion == Motion::revolute;
     const auto three = [&](const std::vector<double>& measured, const std::vector<double>& before,
@@ -208,7 +219,7 @@ std::vector<Figure> played_figures(const Diagnosis& d)
     };
     chart.lines = three(trace.measured, trace.before, trace.after);
     if (efforts) {
-        chart.below_label = trace.effort_name + " [" + trace.effort_unit + "]";
+        chart.below_label = {effort_name(trace.effort), trace.effort_unit};
         chart.below = three(trace.effort_measured, trace.effort_before, trace.effort_after);
         chart.shown_share = usual_share;
     }
@@ -224,8 +235,8 @@ Figure experiment_figure(const Diagnosis& d)
 {
     DetailedChart motion;
     motion.title = "Next experiment";
-    motion.x_label = "time [s]";
-    motion.y_label = "reference [" + std::string(unit_of(Quantity::position, d.motion)) + "]";
+    motion.x_label = {"time", "s"};
+    motion.y_label = {"reference", std::string(unit_of(Quantity::position, d.motion))};
     motion.lines = {{"reference", d.next_experiment.time, d.next_experiment.reference, false}};
     return {"next-experiment", motion, "The reference is beside the page as next-experiment.csv.",
             "Reference of the next experiment over time"};

@@ -90,8 +90,8 @@ Figure root_locus_figure(const RootLocus& locus, Motion motion)
     chart.title = "Root locus over k_{p}";
     chart.fixed = "k_{p} from " + stiffness(low, motion) + " to " + stiffness(high, motion) + ", roots with |s| < " +
                   with_unit(limit, Quantity::rate, motion);
-    chart.x_label = "Re s [1/s]";
-    chart.y_label = "Im s [rad/s]";
+    chart.x_label = {"Re s", "1/s"};
+    chart.y_label = {"Im s", "rad/s"};
     chart.along_label = axis_label("k_{p}", Quantity::stiffness, motion);
     chart.lines = LocusLines(locus).drawn();
     if (!chart.lines.empty()) add_own_roots(chart, locus, motion);

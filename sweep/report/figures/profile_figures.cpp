@@ -30,8 +30,8 @@ Figure profile_figure(const Joint& joint, const Profile& profile, const ProfileA
     const auto& axis = profile.axis;
     LineChart chart;
     chart.title = "Decay and growth over " + axis.symbol;
-    chart.x_label = axis.name + " " + axis.symbol + " [" + std::string(unit_of(axis.quantity, motion)) + "]";
-    chart.y_label = "max Re s [1/s]";
+    chart.x_label = {axis.name + " " + axis.symbol, std::string(unit_of(axis.quantity, motion))};
+    chart.y_label = {"max Re s", "1/s"};
     chart.x_log = axis.log;
     chart.lines.push_back({"with memory", axis.values, profile.abscissa});
     chart.lines.push_back({"velocity alone", axis.values, answer.velocity_only_abscissa, true});
@@ -72,7 +72,7 @@ std::vector<Figure> outcome_profiles(const Joint& joint, const Profile& profile)
             LineChart chart;
             chart.title = std::string(kind.title) + " over " + axis.symbol;
             chart.x_label = axis_label(axis.name + " " + axis.symbol, axis.quantity, motion);
-            chart.y_label = reading.quantity == Quantity::number ? reading.name
+            chart.y_label = reading.quantity == Quantity::number ? AxisName{reading.name}
                                                                  : axis_label(reading.name, reading.quantity, motion);
             chart.x_log = axis.log;
             chart.lines.push_back({reading.name, axis.values, values});

@@ -18,9 +18,9 @@ struct Line {
     LineChart::Line old_line, new_line;
 };
 
-std::string label(const Axis& axis, Motion motion)
+AxisName label(const Axis& axis, Motion motion)
 {
-    return axis.name + " " + axis.symbol + " [" + std::string(unit_of(axis.quantity, motion)) + "]";
+    return {axis.name + " " + axis.symbol, std::string(unit_of(axis.quantity, motion))};
 }
 
 std::string verdict_of(Deviation::Kind kind)

@@ -35,7 +35,7 @@ Figure demand_figure(const Joint& joint, const LinearDetails& d)
 {
     const Words words{joint.mechanism.motion};
     LineChart chart;
-    chart.title = "Velocity gain that each theory demands";
+    chart.title = "Velocity gain that each theory requires";
     chart.fixed = "k_{p} = " + words.stiffness(joint.control.k_p);
     chart.x_label = axis_label("commanded velocity V_{0}", Quantity::velocity, words.motion);
     chart.y_label = axis_label("least k_{v}", Quantity::damping, words.motion);
@@ -49,10 +49,12 @@ Figure demand_figure(const Joint& joint, const LinearDetails& d)
     const auto& here = d.study.comparison;
     return line_figure(
         "k-v-demanded", std::move(chart),
-        "At the joint's own velocity, velocity alone demands: " + demanded_text(here.k_v_velocity_only, words.motion) +
+        "At the joint's own velocity, the velocity-only model requires: " +
+            demanded_text(here.k_v_velocity_only, words.motion) +
             "; with memory: " + demanded_text(here.k_v_memory, words.motion) + ".",
         "Least velocity gain for stable sliding at the joint's own position gain, over the velocity. For a Stribeck "
-        "curve the demand falls as velocity goes to zero, for the logarithmic curve of state-variable friction it "
+        "curve the required gain falls as velocity goes to zero, for the logarithmic curve of state-variable friction "
+        "it "
         "grows as 1/V_{0}. On the lower edge none is needed; in a gap none is enough.");
 }
 
@@ -61,7 +63,7 @@ Table comparison_table(const Joint& joint, const LinearStudy& study)
     const Words words{joint.mechanism.motion};
     const auto& c = study.comparison;
     Table table;
-    table.title = "What each theory demands of this joint";
+    table.title = "What each theory requires of this joint";
     table.columns = {"", "velocity alone", "with memory"};
     if (c.known)
         table.rows = {{"velocity gain asked for at this k_{p}", demanded_text(c.k_v_velocity_only, words.motion),
@@ -152,7 +154,7 @@ Section comparison_section(const Joint& joint, const LinearDetails& details)
             section.figures.push_back(demand_figure(joint, details));
         else if (study.comparison.known)
             section.text +=
-                " At its own k_{p}, neither theory demands any k_{v} of this joint at any velocity searched.";
+                " At its own k_{p}, neither theory requires any k_{v} of this joint at any velocity searched.";
         auto slowest = vmin_figure(joint, details);
         const auto& chart = std::get<LineChart>(slowest.picture);
         if (stands_at(chart, study.velocities.low))
@@ -177,7 +179,7 @@ Section response_section(const Joint& joint, const LinearDetails& details)
     LineChart chart;
     chart.title = "Displacement per disturbing force";
     chart.x_label = axis_label("frequency ω", Quantity::angular_frequency, words.motion);
-    chart.y_label = words.motion == Motion::prismatic ? "|X/D| [m/N]" : "|X/D| [rad/(N·m)]";
+    chart.y_label = words.motion == Motion::prismatic ? AxisName{"|X/D|", "m/N"} : AxisName{"|X/D|", "rad/(N·m)"};
     chart.x_log = chart.y_log = true;
     chart.lines = {{"with memory", details.response_memory.x, details.response_memory.y},
                    {"velocity alone", details.response_simple.x, details.response_simple.y, true}};

@@ -148,7 +148,7 @@ Headline how_sure_card(const Diagnosis& d)
     const auto& first = d.effects[0];
     std::string meaning = "how sure: its probability; ";
     if (!d.ambiguous_with.empty())
-        meaning += "these data cannot tell it from " + rivals_text(d);
+        meaning += "these data cannot distinguish it from " + rivals_text(d);
     else if (d.effects.size() > 1)
         meaning += fmt::format("next best is {} with {}", together(d.effects[1].names),
                                whole_percent(d.effects[1].probability));
@@ -193,7 +193,7 @@ Section next_section(const Diagnosis& d)
     Section next{"next", "What to measure next", "", {}, {}};
     if (e.description.empty() || e.separates.empty()) {
         next.text = d.verdict == Verdict::gap || d.verdict == Verdict::no_gap
-                        ? "Nothing is left to tell apart."
+                        ? "Nothing is left to distinguish."
                         : "No motion was found that would decide between named causes.";
         return next;
     }
@@ -201,7 +201,8 @@ Section next_section(const Diagnosis& d)
     const auto& [one, two] = e.separates[0];
     if (e.distance < seen) {
         next.text = fmt::format(
-            "No motion that was tried would tell {} from {}: with the numbers that were found, even along {} they "
+            "No motion that was tried would distinguish {} from {}: with the numbers that were found, even along {} "
+            "they "
             "differ by only {:.1g} noise standard deviations. For a simulation one is as good as the other.",
             one, two, e.description, e.distance);
         return next;
@@ -212,7 +213,7 @@ Section next_section(const Diagnosis& d)
     if (!e.reference.empty()) {
         next.text +=
             " The reference is next-experiment.csv beside this page: continuous, from rest to rest, within the "
-            "stroke and the speed that the records show; its acceleration is told below. " +
+            "stroke and the speed that the records show; its acceleration is given below. " +
             reach_text(e, d.motion);
         next.figures.push_back(experiment_figure(d));
     }
@@ -244,7 +245,7 @@ std::string diagnosis_sentence(const Diagnosis& d)
                 text += fmt::format(": on held-out data it shrinks from {} to {} times the noise floor",
                                     floors(d.overall.before), floors(d.overall.after));
             if (causes.size() == 1 && !d.ambiguous_with.empty())
-                text += "; these records cannot tell it from " + rivals_text(d);
+                text += "; these records cannot distinguish it from " + rivals_text(d);
             return text + ".";
         }
         case Verdict::no_gap:
@@ -267,10 +268,13 @@ namespace {
 /// A rig measures a coefficient, or a force: its record does not say which, and neither does the page.
 Diagnosis in_units_of_the_record(Diagnosis d)
 {
-    const auto as_logged = [](std::string& unit) {
-        for (const std::string_view effort : {"N·m", "N"})
-            if (unit.starts_with(effort)) {
-                unit = "as logged" + unit.substr(effort.size());
+    const std::string per = d.motion == Motion::prismatic ? "m" : "rad";
+    const std::pair<Quantity, std::string> units[] = {
+        {Quantity::effort, ""}, {Quantity::damping, "·s/" + per}, {Quantity::stiffness, "/" + per}};
+    const auto as_logged = [&](std::string& unit) {
+        for (const auto& [quantity, rest] : units)
+            if (unit == unit_of(quantity, d.motion)) {
+                unit = "as logged" + rest;
                 return;
             }
     };

@@ -12,7 +12,7 @@ namespace stickslip {
 namespace {
 
 constexpr auto prismatic = Motion::prismatic;
-const std::string velocity_label = "velocity V [m/s]", force_label = "friction f [N]";
+const AxisName velocity_label{"velocity V", "m/s"}, force_label{"friction f", "N"};
 
 /// A curve over −V … V and its set-valued point at rest.
 LineChart curve_chart(const char* title, std::string parameters, const Friction& friction, double highest,
@@ -75,7 +75,7 @@ Figure velocity_steps()
     LineChart chart;
     chart.title = "Fig. 2: response to step changes in velocity, one state variable";
     chart.fixed = "A = 1 N, B = 1.5 N, L = 10 µm; V = 1, 10, 1 mm/s";
-    chart.x_label = "slip [m]";
+    chart.x_label = {"slip", "m"};
     chart.y_label = force_label;
     chart.lines = {{"", motion.slip, motion.force}};
     chart.x_marks = {{"× 10", motion.slip[400]}, {"÷ 10", motion.slip[800]}};

@@ -129,7 +129,7 @@ Report figures_report()
         {Headline::Tone::neutral, with_unit(verdict.state_variable.k_cr, Quantity::stiffness, Motion::prismatic),
          "critical position gain (35) of the joint that the figures are about: above, it slides without any k_{v}"},
         {Headline::Tone::neutral, with_unit(verdict.velocity_only.k_v_min, Quantity::damping, Motion::prismatic),
-         "velocity gain (21) that friction of velocity alone demands of it, whatever its k_{p}"}};
+         "velocity gain (21) that the velocity-only model requires of it, whatever its k_{p}"}};
     report.sections.push_back(friction_figures());
     report.sections.push_back(models_section());
     const Joint lever = paper_models().front().joint;

@@ -100,7 +100,7 @@ Figure armstrong()
     Friction curve;
     curve.law = Stribeck{58, 0, 2, 5e-3, 2};
     LineChart chart;
-    chart.title = "Damping that each theory demands as velocity goes to zero (§5)";
+    chart.title = "Damping that each theory requires as velocity goes to zero (§5)";
     chart.fixed = "Stribeck: c_{2} = 2 N, c_{3} = 5 mm/s; memory: A = 1 N, B = 1.5 N, L = 10 µm";
     chart.x_label = axis_label("velocity V_{0}", Quantity::velocity, prismatic);
     chart.y_label = axis_label("least k_{v}", Quantity::damping, prismatic);
@@ -132,7 +132,7 @@ Figure armstrong()
     chart.lines = {std::move(gauss), std::move(logarithm), std::move(soft), std::move(stiff)};
     return line_figure(
         "armstrong", std::move(chart),
-        "By (22) the demanded damping falls with velocity, by (6) it grows as (B − A)/V_{0}; with memory a "
+        "By (22) the required damping falls with velocity, by (6) it grows as (B − A)/V_{0}; with memory a "
         "stiff spring needs less, and at the lowest velocities none.",
         "Armstrong found stick-slip in the falling range except at the very lowest velocities, reached with "
         "the stiffest springs, with far less damping there than (22) with his parameters asks for.");

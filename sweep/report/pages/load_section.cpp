@@ -12,7 +12,7 @@ LineChart over_load(const char* title)
 {
     LineChart chart;
     chart.title = title;
-    chart.x_label = "normal load σ_{n} per the nominal one";
+    chart.x_label = {"normal load σ_{n} per the nominal one"};
     return chart;
 }
 
@@ -72,7 +72,7 @@ Table load_table(const Joint& joint, const LoadStudy& study)
         {"largest critical position gain k_{cr}",
          std::isnan(study.hardest_k_cr) ? "none"
                                         : with_unit(study.hardest_k_cr, Quantity::stiffness, motion, 4) + where},
-        {"largest velocity gain demanded by velocity alone", with_unit(k_v, Quantity::damping, motion, 4)}};
+        {"largest velocity gain required by the velocity-only model", with_unit(k_v, Quantity::damping, motion, 4)}};
     return table;
 }
 

@@ -44,7 +44,8 @@ std::string outcome_sentence(const OutcomeAnswer& a)
                         break;
                     }
             }
-            if (!others.empty()) text += fmt::format("; these rows cannot tell it from {}", fmt::join(others, ", "));
+            if (!others.empty())
+                text += fmt::format("; these rows cannot distinguish it from {}", fmt::join(others, ", "));
             return text + ".";
         }
         case Verdict::no_gap:
@@ -132,7 +133,7 @@ Report outcome_report(const OutcomeAnswer& a, const Joint& nominal,
 
     Section what{"what",
                  "Which law",
-                 d.effects.empty() ? "" : "Tell-tale of the best: " + d.effects[0].tell_tale + ".",
+                 d.effects.empty() ? "" : "Signature of the best: " + d.effects[0].tell_tale + ".",
                  {},
                  {laws_table(a), numbers_table(a)}};
     Section where{"where", "Where the nominal joint is wrong", "", {}, {}};
@@ -140,7 +141,7 @@ Report outcome_report(const OutcomeAnswer& a, const Joint& nominal,
     const auto text = next_outcome_text(a);
     Section next{"next",
                  "What to measure next",
-                 text.empty() ? "No setting near these rows tells the best laws of two kinds apart any better."
+                 text.empty() ? "No setting near these rows distinguishes the best laws of two kinds any better."
                               : "Next: " + text + ".",
                  {},
                  {}};

@@ -58,7 +58,8 @@ Figure effort_figure(const FollowedReference& r, const Joint& joint)
     DetailedChart chart;
     chart.title = "Effort";
     chart.x_label = axis_label("time t", Quantity::time, motion);
-    chart.y_label = effort ? axis_label("effort", Quantity::effort, motion) : "command [unit of the drive signal]";
+    chart.y_label =
+        effort ? axis_label("effort", Quantity::effort, motion) : AxisName{"command", "unit of the drive signal"};
     chart.lines = {{"command", r.time, command, true}};
     if (!effort) {
         chart.title = "Command and effort";

@@ -102,7 +102,7 @@ Figure error_figure(const Joint& joint, const ReductionStudy& study, const std::
     chart.title = "Error of the boundary of " + study.model;
     chart.fixed = "assumed: " + study.assumption;
     chart.x_label = axis_label(moved.symbol, moved.quantity, motion);
-    chart.y_label = "relative error of the boundary [1]";
+    chart.y_label = {"relative error of the boundary", "1"};
     chart.x_log = chart.y_log = true;
     constexpr double least = 1e-12;  // what the located boundaries themselves are good for
     LineChart::Line line{"error", study.values, {}};

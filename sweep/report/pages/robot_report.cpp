@@ -122,7 +122,8 @@ std::string in_floors(double gap)
 Table numbers_table(const RobotAnswer& robot, bool linked, TableMarks& marks)
 {
     Table t{"Each joint's first cause",
-            {"joint", "first cause", "probability", "cannot be told from", "gap as documented", "gap with the cause"},
+            {"joint", "first cause", "probability", "cannot be distinguished from", "gap as documented",
+             "gap with the cause"},
             {}};
     for (const auto& joint : robot.joints) {
         const auto& d = joint.diagnosis;

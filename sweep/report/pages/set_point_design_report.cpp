@@ -58,8 +58,8 @@ Section push_section(const SetPointDesignAnswer& a)
     const Motion motion = a.joint.mechanism.motion;
     LineChart chart;
     chart.title = "Where the joint stops, against the push towards the set point";
-    chart.x_label = "push [" + std::string(unit_of(Quantity::effort, motion)) + "]";
-    chart.y_label = "distance from the set point [" + std::string(unit_of(Quantity::position, motion)) + "]";
+    chart.x_label = {"push", std::string(unit_of(Quantity::effort, motion))};
+    chart.y_label = {"distance from the set point", std::string(unit_of(Quantity::position, motion))};
     chart.lines.push_back({"friction as described", a.scan.push, a.scan.amplitude});
     std::string reading = "Distance at which hunting stops, 0 where the joint settles; k_{i} = " +
                           with_unit(a.design.k_i_used, Quantity::integral_gain, motion) + ".";
@@ -85,8 +85,8 @@ Section margin_section(const SetPointDesignAnswer& a)
     const Motion motion = a.joint.mechanism.motion;
     LineChart chart;
     chart.title = "Largest error at rest, against how far friction may be off";
-    chart.x_label = "share by which static and kinetic friction may be off [1]";
-    chart.y_label = "largest error at rest [" + std::string(unit_of(Quantity::position, motion)) + "]";
+    chart.x_label = {"share by which static and kinetic friction may be off", "1"};
+    chart.y_label = {"largest error at rest", std::string(unit_of(Quantity::position, motion))};
     for (const auto way : {SetPointWay::no_integral, SetPointWay::push, SetPointWay::push_without_integral,
                            SetPointWay::dither_without_integral}) {
         LineChart::Line line{way_text(way), {}, {}};
@@ -114,8 +114,8 @@ Section motion_section(const SetPointDesignAnswer& a)
     const Motion motion = a.joint.mechanism.motion;
     LineChart chart;
     chart.title = "Let go beside the set point";
-    chart.x_label = "time t [s]";
-    chart.y_label = "error [" + std::string(unit_of(Quantity::position, motion)) + "]";
+    chart.x_label = {"time t", "s"};
+    chart.y_label = {"error", std::string(unit_of(Quantity::position, motion))};
     chart.lines.push_back({"integral alone", a.scan.before.time, a.scan.before.error, true});
     chart.lines.push_back({"best choice", a.scan.after.time, a.scan.after.error});
     auto figure = line_figure("motion", std::move(chart), "The error after the joint was let go beside its set point.",

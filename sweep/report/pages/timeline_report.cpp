@@ -53,9 +53,9 @@ std::vector<double> days_of(const Timeline& t)
     return days;
 }
 
-std::string days_label(const Timeline& t)
+AxisName days_label(const Timeline& t)
 {
-    return "days since " + date_text(t.runs.front().at);
+    return {"days since " + date_text(t.runs.front().at)};
 }
 
 /// Where the gap came, went or changed its size.
@@ -74,7 +74,7 @@ Figure gap_figure(const Timeline& t)
 {
     DetailedChart chart;
     chart.title = "Gap over time";
-    chart.x_label = days_label(t), chart.y_label = "gap per noise floor [1]";
+    chart.x_label = days_label(t), chart.y_label = {"gap per noise floor", "1"};
     Line documented{"as documented", days_of(t), {}}, with{"with the named cause", days_of(t), {}, true};
     for (const auto& run : t.runs) {
         const auto& facts = run.facts;
@@ -95,7 +95,7 @@ Figure number_figure(const Timeline& t, const NumberSeries& series, std::size_t 
     DetailedChart chart;
     chart.title = series.name;
     chart.x_label = days_label(t);
-    chart.y_label = series.name + (series.unit == "1" ? "" : " [" + series.unit + "]");
+    chart.y_label = {series.name, series.unit == "1" ? "" : series.unit};
     constexpr double errors_of_a_95_percent_interval = 1.96;
     Line low{"95 % interval, lower end", days_of(t), {}, true}, high{"upper end", days_of(t), {}, true},
         value{"value", days_of(t), series.value};

@@ -3,6 +3,7 @@
 #include "analysis/results/text.h"
 #include "analysis/stability/linear_joint.h"
 #include "sweep/report/pages/ending.h"
+#include "sweep/words/line_figure.h"
 #include "sweep/words/verdict_text.h"
 
 #include <algorithm>
@@ -10,11 +11,6 @@
 
 namespace stickslip {
 namespace {
-
-std::string label(const char* name, Quantity quantity, Motion motion)
-{
-    return std::string(name) + " [" + std::string(unit_of(quantity, motion)) + "]";
-}
 
 /// The last third of a motion's time: what it has settled to.
 std::vector<double> settled(const Trajectory& t, const std::vector<double>& values)
@@ -73,7 +69,7 @@ Figure line_figure(const char* id, LineChart chart, std::string caption, std::st
     return figure;
 }
 
-LineChart chart_of(const char* title, std::string x_label, std::string y_label, std::vector<LineChart::Line> lines)
+LineChart chart_of(const char* title, AxisName x_label, AxisName y_label, std::vector<LineChart::Line> lines)
 {
     LineChart chart;
     chart.title = title;
@@ -114,12 +110,12 @@ Figure path_figure(const Trajectory& t, const std::vector<double>& force, Motion
         position.push_back(reference.back() + t.position[i]);
     }
     auto chart = detailed(
-        chart_of("Position and reference in time", label("time t", Quantity::time, motion),
-                 label("position", Quantity::position, motion),
+        chart_of("Position and reference in time", axis_label("time t", Quantity::time, motion),
+                 axis_label("position", Quantity::position, motion),
                  {{"position", t.time, std::move(position)}, {"steady path", t.time, std::move(reference), true}}));
     std::string caption = "Position of the link, and the path of steady sliding at the commanded velocity.";
     if (!force.empty()) {
-        chart.below_label = label("control force u", Quantity::effort, motion);
+        chart.below_label = axis_label("control force u", Quantity::effort, motion);
         chart.below = {{"control force", t.time, force}};
         caption += " Below, the force of the loop: u = f_{ss}(V_{0}) − k_{p} x − k_{v} (V − V_{0}).";
     }
@@ -132,7 +128,7 @@ Figure path_figure(const Trajectory& t, const std::vector<double>& force, Motion
     return figure;
 }
 
-Section surroundings_section(const SimulatedSurroundings& surroundings, const std::string& time, Motion motion)
+Section surroundings_section(const SimulatedSurroundings& surroundings, const AxisName& time, Motion motion)
 {
     Section section{"surroundings", "What acted from outside", "", {}, {}};
     if (surroundings.linear && !surroundings.linear->force.value.empty()) {
@@ -143,7 +139,7 @@ Section surroundings_section(const SimulatedSurroundings& surroundings, const st
             caption += " An impulse of " + with_unit(d.impulse, Quantity::impulse, motion) + " stands before it.";
         section.figures.push_back(
             line_figure("force",
-                        chart_of("Disturbing force in time", time, label("force d", Quantity::effort, motion),
+                        chart_of("Disturbing force in time", time, axis_label("force d", Quantity::effort, motion),
                                  {staircase("d", d.step, d.value)}),
                         std::move(caption), "It stays " + range(d.value, Quantity::effort, motion) + "."));
     }
@@ -151,7 +147,7 @@ Section surroundings_section(const SimulatedSurroundings& surroundings, const st
     if (!load.value.empty())
         section.figures.push_back(line_figure(
             "normal-load",
-            chart_of("Normal load in time", time, "normal load σ_{n} per the nominal one",
+            chart_of("Normal load in time", time, {"normal load σ_{n} per the nominal one"},
                      {staircase("σ_{n}", load.step, load.value)}),
             "σ_{n}(t) of (1) multiplies the friction of the link. The states of the law are those of the contacts and "
             "do not jump with it. Before the start the joint slides steadily under the first load.",
@@ -166,10 +162,10 @@ Report trajectory_report(const Joint& joint, const Trajectory& t, const Nonlinea
                          const SimulatedSurroundings& surroundings, const std::vector<double>& control_force)
 {
     const auto motion = joint.mechanism.motion;
-    const auto time = label("time t", Quantity::time, motion),
-               position = label("excess position x", Quantity::position, motion),
-               velocity = label("velocity V", Quantity::velocity, motion),
-               friction = label("friction f", Quantity::effort, motion);
+    const auto time = axis_label("time t", Quantity::time, motion),
+               position = axis_label("excess position x", Quantity::position, motion),
+               velocity = axis_label("velocity V", Quantity::velocity, motion),
+               friction = axis_label("friction f", Quantity::effort, motion);
     Report report;
     report.title = "One motion of the joint";
     report.subtitle = std::string(info(shown_friction(joint).law).name) +

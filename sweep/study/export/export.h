@@ -2,8 +2,10 @@
 #pragma once
 #include "sweep/study/export/simulator_joint.h"
 
+#include <iterator>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace stickslip {
@@ -43,6 +45,38 @@ enum class Lost {
     feed_forward,
     not_position_control,
 };
+
+/// As JSON calls it.
+constexpr std::string_view name_of(Lost why)
+{
+    constexpr std::string_view names[] = {"no-element",
+                                          "from-the-robot",
+                                          "joined-to-link",
+                                          "rigid",
+                                          "three-bodies",
+                                          "backlash",
+                                          "static-rise",
+                                          "memory",
+                                          "presliding",
+                                          "direction",
+                                          "position-dependent",
+                                          "time-dependent",
+                                          "load-dependent",
+                                          "gains-elsewhere",
+                                          "mechanism-elsewhere",
+                                          "delay-of-target",
+                                          "lag",
+                                          "sampling",
+                                          "estimate",
+                                          "sensor",
+                                          "feedback-side",
+                                          "supply",
+                                          "integral",
+                                          "feed-forward",
+                                          "not-position-control"};
+    static_assert(std::size(names) == static_cast<std::size_t>(Lost::not_position_control) + 1);
+    return names[static_cast<std::size_t>(why)];
+}
 
 struct NotExpressible {
     std::string key;

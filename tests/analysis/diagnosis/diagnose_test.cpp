@@ -105,7 +105,7 @@ TEST_CASE(
             for (const auto& seed : f.seeds) {
                 REQUIRE(seed.size() == f.parameters.size());
                 for (std::size_t i = 0; i < seed.size(); ++i)
-                    if (f.parameters[i].comb == Comb::none)
+                    if (f.parameters[i].grid == FrequencyGrid::none)
                         CHECK((seed[i] >= f.parameters[i].low && seed[i] <= f.parameters[i].high));
             }
     }

@@ -9,7 +9,7 @@ using namespace stickslip::gap;
 
 namespace {
 
-/// Two records of a machine, and the forces without a name that were fitted to them.
+/// Two records of a machine, and the unmodelled forces that were fitted to them.
 struct Fitted {
     std::vector<Case> cases;
     Scales scales;

@@ -346,7 +346,7 @@ TEST_CASE("a wave of which the travel holds only a bend is told from one that tu
     const auto seen = [&](double wave_number) {
         std::vector<double> x(pair.parameter_count(), 0.1);
         for (std::size_t i = 0; i < x.size(); ++i)
-            if (pair.parameter(i).comb == Comb::position) x[i] = wave_number * scales.position;
+            if (pair.parameter(i).grid == FrequencyGrid::position) x[i] = wave_number * scales.position;
         return bends_only(pair, to_fit(pair, x), scales);
     };
     CHECK(seen(0.45));  // period 14 rad

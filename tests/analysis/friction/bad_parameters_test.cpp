@@ -57,17 +57,17 @@ TEST_CASE("every law complains about each number that is missing", "[friction]")
 
 TEST_CASE("what each law refuses", "[friction]")
 {
-    expect(CoulombViscous{-1, 0}, "friction.coulomb: is -1, allowed is ≥ 0");
+    expect(CoulombViscous{-1, 0}, "friction.coulomb: is -1, expected ≥ 0");
     expect(KineticStatic{10, 9}, "friction: static friction is less than kinetic");
-    expect(Stribeck{10, 5, 4, 0, 2}, "friction.c3: is 0, allowed is > 0");
+    expect(Stribeck{10, 5, 4, 0, 2}, "friction.c3: is 0, expected > 0");
     auto uneven = samples::rate_and_state<RateAndState>({1, 2}, {1e-5});
-    expect(uneven, "friction: B and L need one value a state each, given are 2 and 1");
+    expect(uneven, "friction: B and L need one value a state each, got 2 and 1");
     auto no_distance = samples::rate_and_state<Ageing>({1.5}, {0});
-    expect(no_distance, "friction.L: is 0, allowed is > 0");
+    expect(no_distance, "friction.L: is 0, expected > 0");
     auto no_direct = samples::regularised(MemoryForm::slip);
     no_direct.A = 0;
-    expect(no_direct, "friction.A: is 0, allowed is > 0");
-    expect(Dahl{10, 1e5, 0.5}, "friction.exponent: is 0.5, allowed is ≥ 1");
+    expect(no_direct, "friction.A: is 0, expected > 0");
+    expect(Dahl{10, 1e5, 0.5}, "friction.exponent: is 0.5, expected ≥ 1");
     auto upside_down = samples::lugre();
     upside_down.breakaway = 0.5;
     expect(upside_down, "friction: static friction is less than Coulomb friction");
@@ -77,12 +77,12 @@ TEST_CASE("what each law refuses", "[friction]")
     expect(lagging_level, "friction: static_ratio needs a finite attraction");
     auto bad_element = samples::maxwell_slip(false);
     bad_element.elements[1].yield = -2;
-    expect(bad_element, "friction.elements.1.yield: is -2, allowed is > 0");
-    expect(samples::time_lag(Stribeck{10, 5, 4, 1e-2, 2}, -1), "friction.lag: is -1, allowed is > 0");
-    expect(samples::time_lag(Stribeck{10, 5, 4, -1, 2}), "friction.curve.c3: is -1, allowed is > 0");
+    expect(bad_element, "friction.elements.1.yield: is -2, expected > 0");
+    expect(samples::time_lag(Stribeck{10, 5, 4, 1e-2, 2}, -1), "friction.lag: is -1, expected > 0");
+    expect(samples::time_lag(Stribeck{10, 5, 4, -1, 2}), "friction.curve.c3: is -1, expected > 0");
     auto growing = samples::kernel(false);
     growing.exponentials[0].rate = -100;
-    expect(growing, "friction.exponentials.0.rate: is -100, allowed is > 0");
+    expect(growing, "friction.exponentials.0.rate: is -100, expected > 0");
 }
 
 TEST_CASE("a kernel table that is unread or unsound is refused, and its numbers are part of the canonical text",

@@ -43,7 +43,10 @@ double slip_by_small_steps(const Joint& joint, const FeedForward& c, double a, d
     const auto& k = joint.control;
     const auto share = [&](double x, double v) {
         if (c.by_velocity()) return std::tanh(v / c.coulomb_speed);
-        const double e = -x, side = e > c.coulomb_width ? 1 : e < -c.coulomb_width ? -1 : c.coulomb_width > 0 ? e / c.coulomb_width : 0;
+        const double e = -x, side = e > c.coulomb_width    ? 1
+                                    : e < -c.coulomb_width ? -1
+                                    : c.coulomb_width > 0  ? e / c.coulomb_width
+                                                           : 0;
         return side * (1 - std::tanh(std::abs(v) / c.coulomb_speed));
     };
     double x = -a, v = 0, w = law.breakaway - k.k_p * a - (c.by_error() ? c.coulomb * share(-a, 0) : 0);
@@ -68,9 +71,8 @@ bool hunts(const Joint& joint, const FeedForward& c)
 TEST_CASE("a slip under a push ends where small equal steps end", "[set-point]")
 {
     const Joint joint = held(100, 1.5);
-    for (const FeedForward& c :
-         {push(CoulombFrom::error, 0.8, 1e9, 0), push(CoulombFrom::error, 0.8, 0.02, 0),
-          push(CoulombFrom::error, 0.8, 0.02, 1e-3), push(CoulombFrom::velocity, 0.6, 0.02, 0)})
+    for (const FeedForward& c : {push(CoulombFrom::error, 0.8, 1e9, 0), push(CoulombFrom::error, 0.8, 0.02, 0),
+                                 push(CoulombFrom::error, 0.8, 0.02, 1e-3), push(CoulombFrom::velocity, 0.6, 0.02, 0)})
         for (const double a : {2e-3, 2e-2}) {
             const auto stop = StopToStop(regulator_of(pushed(joint, c)), joint.friction).slip_from(a);
             REQUIRE(stop.end != Stop::End::failure);

@@ -131,7 +131,7 @@ TEST_CASE("what keeps a joint from having an outcome has a code of its own, in s
         const auto verdict = nonlinear_verdict(joint, {});
         CHECK(verdict.outcome == Outcome::undecided);
         CHECK(verdict.region != NonlinearRegion::bistable);
-        CHECK(is_set(verdict.growth_rate) == verdict.growth_missing.empty());
+        CHECK(is_set(verdict.growth_rate) == (verdict.growth_missing == Detail::none));
         PointResult row = linear_point(joint);
         nonlinear_points({&joint, 1}, {}, {&row, 1});
         CHECK(row.reason == why);

@@ -116,10 +116,10 @@ TEST_CASE("a range is what the values span, and never empty", "[axes]")
 
 TEST_CASE("a finished label takes the prefix on a linear axis only", "[axes]")
 {
-    const auto micro = axis_label("velocity V [m/s]", Scale{-1e-4, 2e-4, false});
+    const auto micro = axis_label(AxisName{"velocity V", "m/s"}, Scale{-1e-4, 2e-4, false});
     CHECK(micro.text == "velocity V [µm/s]");
     CHECK(micro.divisor == Approx(1e-6));
-    CHECK(axis_label("velocity V [m/s]", Scale{1e-4, 2e-4, true}).text == "velocity V [m/s]");
-    CHECK(axis_label("mass [kg]", Scale{0, 2e3, false}).text == "mass [kg]");
-    CHECK(axis_label("share", Scale{0, 1e-3, false}).divisor == 1);
+    CHECK(axis_label(AxisName{"velocity V", "m/s"}, Scale{1e-4, 2e-4, true}).text == "velocity V [m/s]");
+    CHECK(axis_label(AxisName{"mass", "kg"}, Scale{0, 2e3, false}).text == "mass [kg]");
+    CHECK(axis_label(AxisName{"share"}, Scale{0, 1e-3, false}).divisor == 1);
 }

@@ -124,8 +124,8 @@ TEST_CASE("layers travel with the map, and must fit it", "[page]")
 TEST_CASE("orbits wear no sample marks, and a legend that says nothing is left out", "[pictures]")
 {
     LineChart chart;
-    chart.x_label = "x [m]";
-    chart.y_label = "velocity V [m/s]";
+    chart.x_label = {"x", "m"};
+    chart.y_label = {"velocity V", "m/s"};
     chart.lines.push_back({"V", {0, 1, 2}, {0, 1, 0}});
     const auto alone = render(figure_of(chart));
     chart.lines[0].name = "last third";

@@ -168,8 +168,8 @@ TEST_CASE("a second panel has its own scale and numbers, and a spike does not fl
 {
     DetailedChart chart;
     chart.title = "record";
-    chart.x_label = "time [s]", chart.y_label = "position [m]", chart.below_label = "residual [m]";
-    chart.along_label = "gain [N/m]";
+    chart.x_label = {"time", "s"}, chart.y_label = {"position", "m"}, chart.below_label = {"residual", "m"};
+    chart.along_label = {"gain", "N/m"};
     chart.shown_share = 0.99;
     DetailedChart::Line measured{"measured", {}, {}}, residual{"after", {}, {}};
     for (int i = 0; i < 1000; ++i) {

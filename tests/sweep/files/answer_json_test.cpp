@@ -50,7 +50,8 @@ TEST_CASE("an answer comes back whole: lists, options, codes, texts that live el
     answer.linear.state_variable.stable_intervals = {{55e3, std::numeric_limits<double>::infinity()}};
     answer.nonlinear.outcome = Outcome::period_n;
     answer.nonlinear.reason = Reason::diverges;
-    answer.nonlinear.explanation = "runs away";
+    answer.nonlinear.detail = Detail::larger_not_followed;
+    answer.nonlinear.searched_from = LargerTried::swings;
     answer.region = Region::bistable;
     answer.details.ramps.emplace()[1].here = {{1, 2}};
     answer.locus.emplace().roots = {{{1, 0}}, {{2, 0}}};
@@ -59,7 +60,8 @@ TEST_CASE("an answer comes back whole: lists, options, codes, texts that live el
     CHECK(std::isinf(back.linear.state_variable.stable_intervals.at(0).high));
     CHECK(back.nonlinear.outcome == Outcome::period_n);
     CHECK(back.nonlinear.reason == Reason::diverges);
-    CHECK(back.nonlinear.explanation == "runs away");
+    CHECK(back.nonlinear.detail == Detail::larger_not_followed);
+    CHECK(back.nonlinear.searched_from == LargerTried::swings);
     CHECK(back.region == Region::bistable);
     CHECK_FALSE(back.nearest);
     CHECK(back.details.ramps->at(1).here.at(0).high == 2);

@@ -26,6 +26,6 @@ TEST_CASE("a file that is no diagnosis is refused with the place or the reason",
     CHECK_THAT(said("{" + format + ", \"version\": 1e999}"),
                EndsWith("diagnosis.json: has a number beyond the largest that a double holds, 1.8e308"));
     CHECK_THAT(said("{" + format + ", \"verdict\": 7}"),
-               EndsWith("lacks a field of diagnosis.json, or has it in another form; expected is what "
+               EndsWith("lacks a field of diagnosis.json, or has it in another form; expected what "
                         "docs/schema/diagnosis.schema.json says"));
 }

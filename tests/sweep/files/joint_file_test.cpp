@@ -131,11 +131,11 @@ TEST_CASE("keys that belong to another law, model or kind say so")
 TEST_CASE("missing keys stand where their table does")
 {
     CHECK(only_error(with("inertia = 1.0", "")) ==
-          "joint.toml:1:1: joint.inertia: is missing, allowed is a number in kg, > 0: moving inertia m");
+          "joint.toml:1:1: joint.inertia: is missing, expected a number in kg, > 0: moving inertia m");
     CHECK_THAT(only_error(with("B = 1.5", "")),
-               StartsWith("joint.toml:10:1: friction.B: is missing, allowed is a number in N, ≥ 0, or a list"));
+               StartsWith("joint.toml:10:1: friction.B: is missing, expected a number in N, ≥ 0, or a list"));
     CHECK_THAT(only_error(with("law = \"rate-and-state\"", "")),
-               StartsWith("joint.toml:10:1: friction.law: is missing, allowed are coulomb-viscous, "));
+               StartsWith("joint.toml:10:1: friction.law: is missing, expected coulomb-viscous, "));
     const auto all = errors("");
     REQUIRE(all.size() == 3);
     CHECK_THAT(all[0], StartsWith("joint.toml:1:1: joint.inertia: is missing"));
@@ -146,39 +146,39 @@ TEST_CASE("missing keys stand where their table does")
 TEST_CASE("wrong types")
 {
     CHECK(only_error(with("inertia = 1.0", "inertia = true")) ==
-          "joint.toml:4:11: joint.inertia: is true, allowed is a number in kg, > 0");
+          "joint.toml:4:11: joint.inertia: is true, expected a number in kg, > 0");
     CHECK_THAT(only_error(with("k_v = 0", "k_v = [1]")),
-               StartsWith("joint.toml:8:7: control.k_v: is a list, allowed is a number in N·s/m"));
+               StartsWith("joint.toml:8:7: control.k_v: is a list, expected a number in N·s/m"));
     CHECK_THAT(only_error(with("k_v = 0", "k_v = {}")), StartsWith("joint.toml:8:7: control.k_v: is a table"));
     CHECK_THAT(only_error(with("k_v = 0", "k_v = 1979-05-27")),
                StartsWith("joint.toml:8:7: control.k_v: is a date or time"));
     CHECK(only_error(with("kind = \"position\"", "kind = 3")) ==
-          "joint.toml:6:8: control.kind: is 3, allowed are position, force");
+          "joint.toml:6:8: control.kind: is 3, expected position, force");
     CHECK(only_error(with("k_v = 0", "reference_velocity = 1")) ==
-          "joint.toml:8:22: control.reference_velocity: is 1, allowed are true, false");
+          "joint.toml:8:22: control.reference_velocity: is 1, expected true, false");
     CHECK(only_error(good + "[sensor]\n[load]\ncogging = 3\n") ==
-          "joint.toml:19:11: load.cogging: is 3, allowed is a table");
-    CHECK(only_error("load = []\n" + good) == "joint.toml:1:8: load: is a list, allowed is a table");
+          "joint.toml:19:11: load.cogging: is 3, expected a table");
+    CHECK(only_error("load = []\n" + good) == "joint.toml:1:8: load: is a list, expected a table");
 }
 
 TEST_CASE("units of another kind")
 {
     CHECK(only_error(with("V0 = \"1 mm/s\"", "V0 = \"1 mm\"")) ==
-          "joint.toml:9:6: control.V0: \"1 mm\": \"mm\" is the unit of something else, expected is m/s");
+          "joint.toml:9:6: control.V0: \"1 mm\": \"mm\" is the unit of something else, expected m/s");
     const auto all = errors(with("motion = \"prismatic\"", "motion = \"revolute\""));
     REQUIRE(all.size() == 3);
     CHECK(all[0] ==
-          "joint.toml:7:7: control.k_p: \"20 kN/m\": \"kN/m\" is the unit of something else, expected is N·m/rad");
-    CHECK_THAT(all[1], EndsWith("expected is rad/s"));
-    CHECK_THAT(all[2], StartsWith("joint.toml:15:5: friction.L: ") && EndsWith("expected is rad"));
+          "joint.toml:7:7: control.k_p: \"20 kN/m\": \"kN/m\" is the unit of something else, expected N·m/rad");
+    CHECK_THAT(all[1], EndsWith("expected rad/s"));
+    CHECK_THAT(all[2], StartsWith("joint.toml:15:5: friction.L: ") && EndsWith("expected rad"));
 }
 
 TEST_CASE("values out of range")
 {
     CHECK(only_error(with("inertia = 1.0", "inertia = 0")) ==
-          "joint.toml:4:11: joint.inertia: is 0, allowed is a number in kg, > 0");
+          "joint.toml:4:11: joint.inertia: is 0, expected a number in kg, > 0");
     CHECK(only_error(with("L = \"10 µm\"", "L = \"-10 µm\"")) ==
-          "joint.toml:15:5: friction.L: is \"-10 µm\" (-1e-05 m), allowed is a number in m, > 0");
+          "joint.toml:15:5: friction.L: is \"-10 µm\" (-1e-05 m), expected a number in m, > 0");
     CHECK_THAT(only_error(with("k_v = 0", "k_v = nan")), StartsWith("joint.toml:8:7: control.k_v: is nan"));
     CHECK_THAT(only_error(with("k_v = 0", "k_v = inf")), StartsWith("joint.toml:8:7: control.k_v: is inf"));
     CHECK_THAT(only_error(with("k_v = 0", "period = inf")), StartsWith("joint.toml:8:10: control.period: is inf"));
@@ -188,24 +188,24 @@ TEST_CASE("values out of range")
 TEST_CASE("unknown laws and names, without follow-up complaints about their keys")
 {
     CHECK_THAT(only_error(with("law = \"rate-and-state\"", "law = \"rate-and-sate\"")),
-               StartsWith("joint.toml:11:7: friction.law: is \"rate-and-sate\", allowed are coulomb-viscous, ") &&
+               StartsWith("joint.toml:11:7: friction.law: is \"rate-and-sate\", expected coulomb-viscous, ") &&
                    EndsWith("; did you mean \"rate-and-state\"?"));
     CHECK(only_error(with("model = \"single-mass\"", "model = \"singlemass\"\nmotor_inertia = 2\n#")) ==
-          "joint.toml:3:9: joint.model: is \"singlemass\", allowed are single-mass, two-mass, three-mass, lever; did "
+          "joint.toml:3:9: joint.model: is \"singlemass\", expected single-mass, two-mass, three-mass, lever; did "
           "you mean \"single-mass\"?");
 }
 
 TEST_CASE("lists")
 {
     CHECK_THAT(only_error(with("B = 1.5", "B = []")),
-               StartsWith("joint.toml:14:5: friction.B: is a list of 0, allowed are 1 to 8"));
+               StartsWith("joint.toml:14:5: friction.B: is a list of 0, expected 1 to 8"));
     CHECK_THAT(only_error(with("B = 1.5", "B = [1,1,1,1,1,1,1,1,1]")),
                StartsWith("joint.toml:14:5: friction.B: is a list of 9"));
     CHECK_THAT(only_error(with("B = 1.5", "B = [1, -2]")),
-               StartsWith("joint.toml:14:9: friction.B.1: is -2, allowed is a number in N, ≥ 0"));
+               StartsWith("joint.toml:14:9: friction.B.1: is -2, expected a number in N, ≥ 0"));
     CHECK_THAT(only_error(with("B = 1.5", "B = [1, [2]]")), StartsWith("joint.toml:14:9: friction.B.1: is a list"));
     CHECK(only_error(with("B = 1.5", "B = [1, 2]")) ==
-          "joint.toml:10:1: friction: B and L need one value a state each, given are 2 and 1");
+          "joint.toml:10:1: friction: B and L need one value a state each, got 2 and 1");
 }
 
 TEST_CASE("rules of a struct beyond ranges")
@@ -232,5 +232,5 @@ TEST_CASE("files that cannot be read")
     const auto folder = std::filesystem::temp_directory_path();
     CHECK(messages_of([&] { read_joint(folder / "no-such-joint.toml"); }) ==
           std::vector<std::string>{(folder / "no-such-joint.toml").string() + ": there is no such file"});
-    CHECK_THAT(messages_of([&] { read_joint(folder); }).at(0), EndsWith("is a folder, expected is a TOML file"));
+    CHECK_THAT(messages_of([&] { read_joint(folder); }).at(0), EndsWith("is a folder, expected a TOML file"));
 }

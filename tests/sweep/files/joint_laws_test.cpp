@@ -46,9 +46,9 @@ TEST_CASE("rows of a law, a law inside a law, a table from a file")
     CHECK_THAT(messages_of([&] { apply_setting(joint, "friction.delays.2.time=4"); }).at(0),
                EndsWith("friction.delays.2: there is no such element; the list has 2, counted from 0"));
     CHECK_THAT(error(kernel + "exponentials = 3\n"),
-               StartsWith("joint.toml:7:16: friction.exponentials: is 3, allowed is a list of"));
+               StartsWith("joint.toml:7:16: friction.exponentials: is 3, expected a list of"));
     CHECK_THAT(error(kernel + "exponentials = [1]\n"),
-               StartsWith("joint.toml:7:17: friction.exponentials: is 1, allowed is a table"));
+               StartsWith("joint.toml:7:17: friction.exponentials: is 1, expected a table"));
     CHECK_THAT(error(kernel + "exponentials = [{ weight = 1 }]\n"),
                StartsWith("joint.toml:7:17: friction.exponentials.0.rate: is missing"));
     CHECK_THAT(error(kernel + "exponentials = [{ weight = 1, rate = 1, tau = 2 }]\n"),
@@ -71,7 +71,7 @@ TEST_CASE("rows of a law, a law inside a law, a table from a file")
     CHECK(std::get<TimeLag>(lagged.friction.law).lag == 5e-3);
     CHECK_THAT(
         error(head + "[friction]\nlaw = \"time-lag\"\nlag = 1\ncurve = { law = \"stribek\" }\n"),
-        StartsWith("joint.toml:6:17: friction.curve.law: is \"stribek\", allowed are ") && EndsWith("\"stribeck\"?"));
+        StartsWith("joint.toml:6:17: friction.curve.law: is \"stribek\", expected ") && EndsWith("\"stribeck\"?"));
     CHECK_THAT(error(head + "[friction]\nlaw = \"time-lag\"\nlag = 1\n"),
                StartsWith("joint.toml:3:1: friction.curve.law: is missing"));
 }
@@ -96,5 +96,5 @@ TEST_CASE("registers of a servo are gains in SI")
     const auto both = messages_of(
         [&] { read_joint_text(body + "servo = \"dynamixel-xl330\"\nregisters = { P = 400 }\nk_p = 3\n", "j"); });
     REQUIRE(both.size() == 1);
-    CHECK_THAT(both[0], StartsWith("j:") && EndsWith("allowed is one of them"));
+    CHECK_THAT(both[0], StartsWith("j:") && EndsWith("expected one of them"));
 }

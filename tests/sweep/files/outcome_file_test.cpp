@@ -78,14 +78,14 @@ TEST_CASE("a table of outcomes is told from a record by its header")
 TEST_CASE("rows of outcomes that do not do are refused at their place")
 {
     CHECK_THAT(only_error("k_p,V0,outcome\n1e4,1e-3,sticky\n"),
-               Contains("rows.csv:2:10: outcome: is \"sticky\", allowed are stable"));
+               Contains("rows.csv:2:10: outcome: is \"sticky\", expected stable"));
     CHECK_THAT(only_error("k_p,V0,outcome\n1e4,,stable\n"), Contains("rows.csv:2:5: V0: is missing"));
     CHECK_THAT(only_error("k_p,V0,outcome\n1e4,fast,stable\n"), Contains("rows.csv:2:5: V0: is \"fast\""));
     CHECK_THAT(only_error("k_p,V0 [mm],outcome\n1e4,1,stable\n"), Contains("rows.csv:1:5: V0: "));
-    CHECK_THAT(only_error("inertia,outcome\n-1,stable\n"), Contains("rows.csv:2:1: inertia: is -1, allowed is > 0"));
+    CHECK_THAT(only_error("inertia,outcome\n-1,stable\n"), Contains("rows.csv:2:1: inertia: is -1, expected > 0"));
     CHECK_THAT(only_error("k_p,V0,outcome\n1e4,1e-3\n"), Contains("rows.csv:2:1: has 2 cells, the header has 3"));
     CHECK_THAT(only_error("k_p,V0,outcome\n1,5e4,1,0e-3,0,1\n"), Contains("decimal commas"));
-    CHECK_THAT(only_error("k_p,outcome,amplitude\n1e4,1,-2\n"), Contains("amplitude: is -2, allowed is ≥ 0"));
+    CHECK_THAT(only_error("k_p,outcome,amplitude\n1e4,1,-2\n"), Contains("amplitude: is -2, expected ≥ 0"));
     CHECK_THAT(only_error("speed,outcome\n1,1\n"), Contains("has no setting of the joint"));
     CHECK_THAT(only_error("k_p,k_p,outcome\n1,1,1\n"), Contains("stands twice"));
     CHECK_THAT(only_error("k_p,outcome\n"), Contains("has a header and no rows"));

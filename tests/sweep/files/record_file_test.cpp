@@ -176,16 +176,14 @@ TEST_CASE("rows with the motor off are kept and counted")
         read("time,position,torque_enable\n0,1,1\n1e-3,2,0\n2e-3,3,0\n");
     CHECK(record.rows() == 3);
     CHECK(warnings == std::vector<std::string>{"2 of 3 rows have torque_enable = 0: the motor was off"});
-    CHECK(only_error("time,position,torque_enable\n0,1,2\n") ==
-          "run.csv:2:5: torque_enable: is 2, allowed are 0 and 1");
+    CHECK(only_error("time,position,torque_enable\n0,1,2\n") == "run.csv:2:5: torque_enable: is 2, expected 0 and 1");
 }
 
 TEST_CASE("decimal commas are named as such")
 {
-    CHECK(
-        errors("time;position\n0,5;1\n").at(0) ==
-        "run.csv:2:1: time: is \"0,5\", allowed is a finite number or an empty cell; these seem to be decimal commas, "
-        "write decimal points");
+    CHECK(errors("time;position\n0,5;1\n").at(0) ==
+          "run.csv:2:1: time: is \"0,5\", expected a finite number or an empty cell; these seem to be decimal commas, "
+          "write decimal points");
     CHECK(only_error("time,position\n0,5,1,2\n") ==
           "run.csv:2:1: has 4 cells, the header has 2; these seem to be decimal commas, write decimal points");
     CHECK_THAT(errors("time;position\n0;1,x\n").at(0), EndsWith("or an empty cell"));
@@ -193,13 +191,13 @@ TEST_CASE("decimal commas are named as such")
 
 TEST_CASE("tables that are none")
 {
-    CHECK(only_error("") == "run.csv: is empty, expected is a header row such as time,position");
-    CHECK(only_error("# only a comment\n") == "run.csv: is empty, expected is a header row such as time,position");
+    CHECK(only_error("") == "run.csv: is empty, expected a header row such as time,position");
+    CHECK(only_error("# only a comment\n") == "run.csv: is empty, expected a header row such as time,position");
     CHECK(only_error("time,position\n") == "run.csv: has a header and no rows");
     CHECK(only_error("0,1\n1,2\n") ==
-          "run.csv:1:1: there is no header row, expected are names such as time,reference_position,position");
+          "run.csv:1:1: there is no header row, expected names such as time,reference_position,position");
     CHECK(only_error(std::string("\x89PNG\r\n\x1a\n\0\0", 10)) ==
-          "run.csv:2:1: is not text, expected is a CSV table (plain or gzip)");
+          "run.csv:2:1: is not text, expected a CSV table (plain or gzip)");
     CHECK_THAT(errors(std::string("ti\0me,position\n", 15)).at(0), StartsWith("run.csv:1:3: is not text"));
     CHECK_THAT(errors(std::string("time,position\n0,\x01\x02\n", 19)).at(0), StartsWith("run.csv:2:"));
     CHECK_THAT(only_error(std::string(3u << 20, 'x')), Contains("run.csv:1:1: the line is longer than 1 MiB"));
@@ -222,7 +220,7 @@ TEST_CASE("tables that are none")
     CHECK_THAT(messages_of([&] { read_record(shared_directory() / "absent.csv", joint); }).at(0),
                EndsWith("there is no such file"));
     CHECK_THAT(messages_of([&] { read_record(shared_directory().path(), joint); }).at(0),
-               EndsWith("is a folder, expected is a CSV file"));
+               EndsWith("is a folder, expected a CSV file"));
 }
 
 TEST_CASE("headers that do not do")
@@ -230,7 +228,7 @@ TEST_CASE("headers that do not do")
     CHECK_THAT(only_error("t,position\n0,1\n"),
                StartsWith("run.csv:1:1: has no column time; its columns are t, position"));
     CHECK_THAT(only_error("time,effort_command\n0,1\n"),
-               StartsWith("run.csv:1:1: has no measured signal, expected is one of position, velocity,"));
+               StartsWith("run.csv:1:1: has no measured signal, expected one of position, velocity,"));
     CHECK(only_error("time,position,position\n0,1,1\n") ==
           "run.csv:1:1: column \"position\" stands twice in the header");
     CHECK(only_error("time,angle\n0,1\n", "[record.columns]\nposition = \"anlge\"\n") ==
@@ -245,16 +243,16 @@ TEST_CASE("rows that do not do")
     CHECK(only_error("time,position\n0,1\n1\n") == "run.csv:3:1: has 1 cells, the header has 2");
     CHECK(only_error("time,position\n0,1,2\n") == "run.csv:2:1: has 3 cells, the header has 2");
     CHECK(only_error("time,position\n0,abc\n") ==
-          "run.csv:2:3: position: is \"abc\", allowed is a finite number or an empty cell");
+          "run.csv:2:3: position: is \"abc\", expected a finite number or an empty cell");
     CHECK_THAT(only_error("time,position\n0,1.5x\n"), StartsWith("run.csv:2:3: position: is \"1.5x\""));
     CHECK_THAT(only_error("time,position\n0,inf\n"), StartsWith("run.csv:2:3: position: is \"inf\""));
     CHECK_THAT(only_error("time,position\n0,1e999\n"), StartsWith("run.csv:2:3: position: is \"1e999\""));
     CHECK(only_error("time,position\n,1\n") == "run.csv:2:1: time: is missing, every row needs one");
     CHECK(only_error("position,time\n1,nan\n") == "run.csv:2:3: time: is missing, every row needs one");
     CHECK(only_error("time,position\n1,1\n1,2\n") ==
-          "run.csv:3:1: time: is 1, the same as in the row before; allowed is ascending time");
+          "run.csv:3:1: time: is 1, the same as in the row before; expected ascending time");
     CHECK(only_error("time,position\n2,1\n1,1\n") ==
-          "run.csv:3:1: time: is 1, earlier than 2 before; allowed is ascending time");
+          "run.csv:3:1: time: is 1, earlier than 2 before; expected ascending time");
     CHECK(only_error("time,position\n0,\n1,NA\n") == "run.csv: every measured signal is missing in every row");
     CHECK(only_error("time,position\n0,1\n1,1\n2,1\n", "", {2}) ==
           "run.csv:4:1: has more than 2 rows, split the record or keep every n-th row");

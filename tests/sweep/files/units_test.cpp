@@ -89,13 +89,13 @@ TEST_CASE("temperatures have an offset, and only alone")
 TEST_CASE("a unit of another kind names the expected one")
 {
     CHECK(error("2e4 N/m", Quantity::stiffness, revolute) ==
-          "\"2e4 N/m\": \"N/m\" is the unit of something else, expected is N·m/rad");
-    CHECK_THAT(error("5 mm", Quantity::velocity), Catch::EndsWith("expected is m/s"));
-    CHECK_THAT(error("5 N·m", Quantity::stiffness, revolute), Catch::EndsWith("expected is N·m/rad"));
-    CHECK_THAT(error("5 Hz", Quantity::angular_frequency), Catch::EndsWith("expected is rad/s"));
-    CHECK_THAT(error("5 deg", Quantity::position), Catch::EndsWith("expected is m"));
-    CHECK_THAT(error("5 m", Quantity::number), Catch::EndsWith("expected is a number without unit"));
-    CHECK_THAT(error("5 N/m·s", Quantity::effort_rate), Catch::EndsWith("expected is N/s"));  // (N/m)·s
+          "\"2e4 N/m\": \"N/m\" is the unit of something else, expected N·m/rad");
+    CHECK_THAT(error("5 mm", Quantity::velocity), Catch::EndsWith("expected m/s"));
+    CHECK_THAT(error("5 N·m", Quantity::stiffness, revolute), Catch::EndsWith("expected N·m/rad"));
+    CHECK_THAT(error("5 Hz", Quantity::angular_frequency), Catch::EndsWith("expected rad/s"));
+    CHECK_THAT(error("5 deg", Quantity::position), Catch::EndsWith("expected m"));
+    CHECK_THAT(error("5 m", Quantity::number), Catch::EndsWith("expected a number without unit"));
+    CHECK_THAT(error("5 N/m·s", Quantity::effort_rate), Catch::EndsWith("expected N/s"));  // (N/m)·s
 }
 
 TEST_CASE("what is no number with a unit")
@@ -106,7 +106,7 @@ TEST_CASE("what is no number with a unit")
     CHECK_THAT(error("inf m/s", Quantity::velocity), Catch::Contains("is not a number"));
     CHECK_THAT(error("1,5 m/s", Quantity::velocity), Catch::Contains("cannot read \",5 m/s\""));
     CHECK_THAT(error("2e4", Quantity::stiffness), Catch::Contains("without a unit"));
-    CHECK_THAT(error("2 furlong", Quantity::position), Catch::Contains("unknown unit \"furlong\", expected is m"));
+    CHECK_THAT(error("2 furlong", Quantity::position), Catch::Contains("unknown unit \"furlong\", expected m"));
     CHECK_THAT(error("2 m/", Quantity::velocity), Catch::Contains("ends too early"));
     CHECK_THAT(error("2 (m/s", Quantity::velocity), Catch::Contains("not closed"));
     CHECK_THAT(error("2 m/s)", Quantity::velocity), Catch::Contains("cannot read"));

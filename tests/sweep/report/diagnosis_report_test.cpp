@@ -70,7 +70,7 @@ TEST_CASE("causes that the records cannot distinguish are all named in the first
     d = named();
     d.ambiguous_with = {{"frictional-memory"}};  // the same cause
     CHECK_THAT(diagnosis_sentence(d), Contains("The gap comes from frictional-memory: on"));
-    CHECK_THAT(diagnosis_sentence(d), Contains("cannot tell it from frictional-memory by another law"));
+    CHECK_THAT(diagnosis_sentence(d), Contains("cannot distinguish it from frictional-memory by another law"));
 }
 
 TEST_CASE("the first screen of a diagnosis says where, what, how much and how sure", "[report]")
@@ -270,7 +270,7 @@ TEST_CASE("an experiment that would tell nothing is not proposed as one", "[repo
             if (s.id == "next") return s;
         return Section{};
     };
-    CHECK_THAT(said().text, Contains("No motion that was tried would tell stribeck from frictional-memory"));
+    CHECK_THAT(said().text, Contains("No motion that was tried would distinguish stribeck from frictional-memory"));
     CHECK(said().figures.empty());
     d.next_experiment.distance = 12;
     CHECK_THAT(said().text, Contains("differ by 12.0 noise standard deviations"));

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "analysis/boundary/kinds/boundary.h"
 #include "analysis/joint/parameters.h"
 #include "analysis/simulation/set_point/set_point.h"
 #include "sweep/report/figures/hunting_map.h"

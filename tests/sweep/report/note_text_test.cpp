@@ -32,7 +32,7 @@ TEST_CASE("why the nearest cause is not the answer is said from its code and num
     Note force{.code = Code::nearer_force, .names = {"gravity"}, .signal = "position"};
     CHECK_THAT(note_text(force), Contains("gravity comes nearest, but a force that depends on the position alone"));
     force.signal = "hysteresis";
-    CHECK_THAT(note_text(force), Contains("a force that follows the position behind a play"));
+    CHECK_THAT(note_text(force), Contains("a force that depends on where the position turned (hysteresis)"));
     CHECK_THAT(note_text({.code = Code::unexplained, .values = {0.58}}), Contains("the best leaves 58 % of it"));
     CHECK(note_text({.text = "as {it} stands"}) == "as {it} stands");
     CHECK(note_text({.code = Code::interrupted_early, .names = {"reading", "fitting", "climbing"}}) ==

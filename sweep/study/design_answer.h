@@ -1,0 +1,24 @@
+// A design of gains and what it was asked of.
+#pragma once
+#include "analysis/boundary/kinds/nearest.h"
+#include "analysis/design/design.h"
+#include "analysis/results/trajectory.h"
+#include "sweep/study/gain_chart.h"
+
+#include <optional>
+#include <string>
+
+namespace stickslip {
+
+struct DesignAnswer {
+    std::string title, command;
+    Joint joint;  ///< as given
+    Requirements requirements;
+    GainDesign design;
+    GainRange range{{missing, missing}, {missing, missing}};  ///< that was searched
+    NearestBoundary nearest;                                  ///< of the best gains
+    std::optional<GainChart> map;      ///< around all the choices, at the best gains; only for a page
+    Trajectory motion, motion_before;  ///< after a disturbance at the commanded velocity: best gains, gains as given
+};
+
+}  // namespace stickslip

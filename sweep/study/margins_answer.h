@@ -1,0 +1,39 @@
+// How far a design is from its boundaries: in all directions at once, one parameter at a time, and at worst.
+#pragma once
+#include "analysis/boundary/kinds/nearest.h"
+#include "sweep/study/samples.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stickslip {
+
+inline constexpr double shown_growth = 4;  ///< per |max Re s| of the joint: what grows faster would flatten the rest
+
+/// max Re s while one parameter moves, over its multiple.
+struct GrowthByParameter {
+    double reach = 0;            ///< the logarithm of the largest change, a little beyond the farthest boundary
+    std::vector<Samples> lines;  ///< as MarginsAnswer::alone, empty where there is no boundary; NaN outside the window
+};
+
+/// Everything a question about margins was answered with.
+struct MarginsAnswer {
+    std::string title, command;
+    Joint joint;
+    NearestBoundary nearest;
+    std::vector<NearestBoundary> alone;  ///< one parameter each
+    std::vector<Coordinate> alone_of;
+    Uncertainty uncertainty;
+    std::optional<WorstCase> worst;
+    std::optional<FollowedBoundary> nominal, robust;  ///< over two axes
+    std::optional<GrowthByParameter> growth;          ///< only for a page, and where a parameter has a boundary
+};
+
+/// The margins of a joint: its natural coordinates for the nearest boundary, those and both gains one by one.
+MarginsAnswer margins_of(const Joint& joint);
+
+/// Nothing where no parameter alone has a boundary.
+std::optional<GrowthByParameter> growth_by_parameter(const MarginsAnswer& answer);
+
+}  // namespace stickslip

@@ -1,0 +1,151 @@
+#include "sweep/words/design_text.h"
+
+#include "sweep/words/nearest_text.h"
+
+#include <cmath>
+
+namespace stickslip {
+
+std::string gains_text(const GainChoice& c, const DesignUnits& u)
+{
+    return "k_{p} = " + u.stiffness(c.k_p) + ", k_{v} = " + u.damping(c.k_v);
+}
+
+std::string demand_name(const std::string& name)
+{
+    return name == "margin" ? "margin" : name == "effort_limit" ? "peak effort" : "least stable velocity";
+}
+
+std::string margin_text(double margin, const GainDesign& d)
+{
+    return (margin >= d.margin_reach ? "> " : "") + plain_number(margin, 3);
+}
+
+std::string demand_value(const DemandReport& d, double value, const DesignAnswer& a, const DesignUnits& u)
+{
+    if (d.name == "effort_limit") return u.effort(value);
+    return d.name == "margin" ? margin_text(value, a.design) : u.velocity(value);
+}
+
+std::vector<std::string> ends_of_range(const DesignAnswer& a, const DesignUnits& u)
+{
+    constexpr double touching = 1e-3;  // relative
+    std::vector<std::string> texts;
+    const auto at = [](double value, double end) { return std::abs(value - end) <= touching * std::abs(end); };
+    const auto check = [&](const char* symbol, double best, const Interval& range, auto words) {
+        if (range.low > 0 && at(best, range.low))
+            texts.push_back(std::string("The best ") + symbol + " is the least that was searched, " + words(range.low) +
+                            ": a smaller one may be better. Lower the range.");
+        if (at(best, range.high))
+            texts.push_back(std::string("The best ") + symbol + " is the greatest that was searched, " +
+                            words(range.high) + ": a greater one may be better. Raise the range.");
+    };
+    check("k_{p}", a.design.best.k_p, a.range.k_p, [&](double v) { return u.stiffness(v); });
+    check("k_{v}", a.design.best.k_v, a.range.k_v, [&](double v) { return u.damping(v); });
+    return texts;
+}
+
+std::vector<double> scales_of(const DesignAnswer& a)
+{
+    std::vector<double> scales;
+    for (const auto& c : a.requirements.uncertain.empty() ? friction_coordinates(a.joint) : a.requirements.uncertain)
+        scales.push_back(c.scale);
+    return scales;
+}
+
+namespace {
+
+std::string infeasible_text(const DesignAnswer& a, const DesignUnits& u)
+{
+    if (!std::isfinite(std::log(a.design.best.cost)) && a.design.best.margin > 0)
+        return "No gains: the noise to be made least is no finite number above zero, with any gains of the range "
+               "(position noise " +
+               u.position(a.requirements.noise.position) + ", sample time " +
+               with_unit(a.requirements.noise.period, Quantity::time, u.motion) + ").";
+    std::string text = "No gains within the range meet every requirement.";
+    if (a.requirements.effort_limit <= a.design.steady_effort)
+        text += " Steady sliding alone takes " + u.effort(a.design.steady_effort) + ".";
+    for (const auto& d : a.design.demands) {
+        if (d.met) continue;
+        std::string others;
+        for (const auto& o : a.design.demands)
+            if (o.name != d.name) others += (others.empty() ? "" : " and ") + demand_name(o.name);
+        if (d.others_met)
+            text += (others.empty() ? " The " : " With " + others + " as required, the ") + demand_name(d.name) +
+                    " can be " + demand_value(d, d.attainable, a, u) +
+                    " (required: " + demand_value(d, d.demanded, a, u) + ").";
+        else
+            text += " No gains give " + others + " as required, whatever the " + demand_name(d.name) + ".";
+    }
+    return text + " Nearest to feasible: " + gains_text(a.design.best, u) + ".";
+}
+
+std::string cost_of_simple_thinking(const DesignAnswer& a, const DesignUnits& u)
+{
+    const auto& d = a.design;
+    if (!d.velocity_only_found) return "The velocity-only model finds no gains that meet the requirements.";
+    const auto& v = d.velocity_only;
+    std::string text = "The velocity-only model chooses " + gains_text(v, u);
+    if (v.margin < 0) return text + ", which in truth stick-slips.";
+    const bool motion = a.requirements.objective == DesignObjective::motion;
+    const double ratio = motion ? v.motion_noise / d.best.motion_noise : v.effort_noise / d.best.effort_noise;
+    return text + ": " + plain_number(ratio) + " times the " + (motion ? "motion" : "effort") + " noise.";
+}
+
+std::vector<std::string> row_of(const char* name, const GainChoice& c, const GainDesign& d, const DesignUnits& u)
+{
+    return {name,
+            u.stiffness(c.k_p),
+            u.damping(c.k_v),
+            c.margin < 0 ? "unstable" : u.position(c.motion_noise),
+            u.effort(c.effort_noise),
+            u.effort(c.peak_effort),
+            margin_text(c.margin, d),
+            c.margin < 0 ? "–" : u.velocity(c.least_velocity)};
+}
+
+}  // namespace
+
+std::string design_verdict(const DesignAnswer& a)
+{
+    const DesignUnits u{a.joint.mechanism.motion};
+    const auto& d = a.design;
+    if (!d.decided) return "No design: the joint has no steady sliding to be kept stable.";
+    if (!d.feasible) return infeasible_text(a, u);
+    std::string text = "Best gains: " + gains_text(d.best, u) + ". Sensor noise moves the link by " +
+                       u.position(d.best.motion_noise) + " rms and the actuator by " + u.effort(d.best.effort_noise) +
+                       " rms. ";
+    return text + nearest_text(a.nearest, a.joint.mechanism.motion) + " " + cost_of_simple_thinking(a, u);
+}
+
+std::string design_text(const DesignAnswer& a)
+{
+    std::string text = design_verdict(a);
+    if (a.design.decided && a.design.feasible)
+        for (const auto& end : ends_of_range(a, DesignUnits{a.joint.mechanism.motion}))
+            text += " On the search limit: " + end;
+    return text;
+}
+
+std::vector<Table> design_tables(const DesignAnswer& a)
+{
+    const DesignUnits u{a.joint.mechanism.motion};
+    const auto& d = a.design;
+    if (!d.decided) return {};
+    Table choices;
+    choices.title = "Choices, all judged with memory";
+    choices.columns = {"gains",       "k_{p}",  "k_{v}",         "motion noise, rms", "effort noise, rms",
+                       "peak effort", "margin", "stable down to"};
+    choices.rows = {row_of(d.feasible ? "best" : "nearest to feasible", d.best, d, u),
+                    row_of("velocity-only model", d.velocity_only, d, u), row_of("as in the joint", d.as_joint, d, u)};
+    Table demands;
+    demands.title = "Requirements";
+    demands.columns = {"requirement", "specified", "achieved", "attainable, others kept", "outcome"};
+    for (const auto& r : d.demands)
+        demands.rows.push_back(
+            {demand_name(r.name), demand_value(r, r.demanded, a, u), demand_value(r, r.reached, a, u),
+             demand_value(r, r.attainable, a, u) + (r.others_met ? "" : " (alone)"), r.met ? "met" : "not met"});
+    return {choices, demands};
+}
+
+}  // namespace stickslip

@@ -1,0 +1,96 @@
+#include "sweep/words/detail_text.h"
+
+namespace stickslip {
+
+// In one piece: one sentence for each code.
+std::string detail_text(Detail detail)
+{
+    switch (detail) {
+        case Detail::none:
+            return "";
+        case Detail::late_with_memory:
+            return "friction that answers late is followed without memory on top of it";
+        case Detail::moving_normal_load:
+            return "a normal load that moves with the joint is part of the linear theory only";
+        case Detail::neighbours:
+            return "neighbours are part of the linear theory only";
+        case Detail::backlash:
+            return "backlash in a transmission leaves no steady sliding to disturb";
+        case Detail::place_or_time:
+            return "a force or friction that changes with position or time leaves no steady sliding to disturb";
+        case Detail::chatters:
+            return "the push towards the set point jumps by more than steady sliding takes: the joint chatters about "
+                   "its reference";
+        case Detail::effort_limit:
+            return "the limit of the effort is below what steady sliding takes: there is no steady sliding";
+        case Detail::no_time_step:
+            return "the fastest rate of the joint leaves no time step that the simulation can take";
+        case Detail::force_loop:
+            return "a force loop is simulated without sampling and dead time only";
+        case Detail::normal_load_in_loop:
+            return "a normal load that moves with the joint is not simulated in a real loop";
+        case Detail::neighbours_in_loop:
+            return "neighbours are not simulated in a real loop";
+        case Detail::linear_law:
+            return "the law is linear by definition";
+        case Detail::late_friction_in_loop:
+            return "friction that answers late is not simulated in a real loop";
+        case Detail::bristles_with_memory:
+            return "bristles under a level with a memory have no equations of motion";
+        case Detail::no_level:
+            return "this law has no level that place, time or load could change";
+        case Detail::limit_of_turns:
+            return "the motion was followed to the limit of turns";
+        case Detail::larger_not_followed:
+            return "a larger disturbance could not be followed to its end";
+        case Detail::stopped:
+            return "the motion could not be followed any further";
+        case Detail::growth_unmeasured:
+            return "the growth is too small beside its frequency to be distinguished from rounding";
+        case Detail::not_followed:
+            return "no motion was followed";
+        case Detail::dead_time_too_long:
+            return "the dead time is too many ticks long for the multipliers of the simulated loop";
+        case Detail::leaves_within_tick:
+            return "the loop leaves steady sliding within one tick";
+        case Detail::branch_lost:
+            return "the branch of limit cycles could not be followed to its end";
+        case Detail::branch_not_smooth:
+            return "folds are followed for cycles of one body with memory that never rests";
+        case Detail::fold_of_ideal_loop:
+            return "folds are followed for the ideal loop";
+        case Detail::few_rows:
+            return "a reference needs at least two rows";
+        case Detail::uneven_rows:
+            return "the rows of the reference are not evenly spaced: a continuous loop is logged at them. Set "
+                   "control.period, or space them evenly";
+        case Detail::too_many_ticks:
+            return "the reference has more than 20 million ticks";
+        case Detail::law_at_rest:
+            return "the law has no meaning at rest: start with a reference that moves forward, or take "
+                   "rate-and-state-regularised";
+    }
+    return "unknown";
+}
+
+std::string larger_tried_text(LargerTried tried)
+{
+    const std::string rest = "a start from near rest";
+    switch (tried) {
+        case LargerTried::none:
+            return "";
+        case LargerTried::near_rest:
+            return rest;
+        case LargerTried::pulls:
+            return rest + "; pulls of the spring by 1.25, −1.25 and 3 V_0/|s|";
+        case LargerTried::swings:
+            return rest + "; a large swing of every lightly damped mode";
+        case LargerTried::pull:
+            return rest + "; a pull of the spring by 3 V_0/|s|";
+        case LargerTried::pull_of_spring:
+            return rest + "; a pull of the spring by 3 V_0 √(m/k_p)";
+    }
+    return "unknown";
+}
+
+}  // namespace stickslip

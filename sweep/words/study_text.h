@@ -1,0 +1,22 @@
+// Why numbers of the linear study are missing, in words.
+#pragma once
+#include "sweep/study/study_reasons.h"
+
+#include <string>
+#include <vector>
+
+namespace stickslip {
+
+std::string study_text(StudyReason reason);
+
+/// Several at once; "" for none.
+std::string velocities_text(const std::vector<StudyReason>& reasons);
+std::string margins_reason_text(const std::vector<StudyReason>& reasons, double searched_to);
+
+/// Of a reduction without an error, with the range and what was found there.
+std::string error_text(const ReductionStudy& reduction);
+
+/// What eigenvalues are that are not all of them.
+std::string rightmost_roots_text();
+
+}  // namespace stickslip

@@ -337,7 +337,7 @@ class Report(unittest.TestCase):
         self.browser.open(self.pages["linear"])
         said = self.browser.run("const s = withText(document.querySelector('#k-v-demanded .sheet > svg'));"
                                 "return [...s.querySelectorAll('text')].map(t => t.textContent).join(' ')")
-        for words in ("Velocity gain that each theory demands", "velocity alone", "[N·s/m]", "commanded velocity"):
+        for words in ("Velocity gain that each theory requires", "velocity alone", "[N·s/m]", "commanded velocity"):
             self.assertIn(words, said)
         self.assertEqual(self.browser.run("return withText(document.querySelector('#k-v-demanded .sheet > svg'))"
                                           ".querySelectorAll('path[data-text]').length"), 0)
@@ -376,7 +376,7 @@ class Report(unittest.TestCase):
         for _ in range(4):
             read.append(self.tip("#noise-against-margin"))
             self.browser.key("ArrowDown")
-        for name in ("best", "velocity-only thinking", "as in the joint"):
+        for name in ("best", "velocity-only model", "as in the joint"):
             self.assertTrue(any(name in text for text in read), (name, read))
 
     def test_numbers_never_part_from_their_units(self):

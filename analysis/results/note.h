@@ -73,7 +73,7 @@ struct Note {
         rig_turns_round,  ///< values: first and last row of what is judged
         rig_blocks_in_turn,
         rig_still,            ///< displacement or friction does not change
-        rig_laws_alike,       ///< names: the cause, and two laws of it
+        rig_laws_alike,       ///< names: the cause, and the laws of it
         rig_level_suffices,   ///< within the noise
         rig_no_law_predicts,  ///< better than a constant level
         // tables of outcomes

@@ -92,6 +92,8 @@ struct SetPoint {
     bool asymmetric = false;         ///< hunts, but with stops at unequal distances: `amplitude` is the largest
     bool rests_nearby = false;       ///< hunts from further away, rests from nearby
     std::vector<std::string> not_used;  ///< keys of the joint that this answer leaves out
+
+    bool diverges() const { return reason == SetPointReason::loop_unstable; }
 };
 
 }  // namespace stickslip

@@ -4,6 +4,7 @@
 #include "analysis/results/boundary.h"
 #include "analysis/results/set_point.h"
 #include "sweep/study/hunting_field.h"
+#include "sweep/study/meetings.h"
 
 #include <optional>
 #include <string>
@@ -24,6 +25,7 @@ struct BoundaryAnswer {
     Region region = Region::undecided;  ///< of the design; bistable where a ray or a chart says so
     std::vector<LocatedRay> rays;
     std::vector<FollowedBoundary> curves;
+    std::vector<Meeting> meetings = {};      ///< of the boundaries with the lines through the design
     std::vector<BoundaryChart> charts = {};  ///< of the curves; none where somebody asked to stop before
     std::string outcome_means;               ///< "position of 0.0001 m", mark-up, where outcomes were asked for
     std::optional<SetPoint> set_point = {};  ///< of the design, where boundaries of hunting were asked for

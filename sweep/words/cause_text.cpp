@@ -161,14 +161,17 @@ std::string one_text(const std::string& effect, const Cause& cause, const Joint&
 
 std::string with_error(double value, double standard_error, const std::string& unit)
 {
-    const ScaledUnit scaled = scaled_unit(std::abs(value), unit);
+    const bool stated = std::isfinite(standard_error) && standard_error > 0;
+    const ScaledUnit scaled = scaled_unit(stated ? std::max(std::abs(value), standard_error) : std::abs(value), unit);
     const std::string shown = unit == "1" || unit.empty() ? "" : " " + scaled.text;
     const double v = value / scaled.size, e = standard_error / scaled.size;
-    if (!std::isfinite(e) || !(e > 0)) return plain_number(v, 4) + shown;
+    if (!stated) return plain_number(v, 4) + shown;
     const int places = 1 - static_cast<int>(std::floor(std::log10(e)));  // of two digits of the error
-    constexpr int most_places = 4;
-    if (places >= 0 && places <= most_places)
-        return fmt::format("{}{:.{}f} ± {:.{}f}", v < 0 ? "−" : "", std::abs(v), places, e, places) + shown;
+    constexpr int most_places = 5;
+    if (places >= 0 && places <= most_places) {
+        const bool below = v < 0 && std::abs(v) >= 0.5 * std::pow(10, -places);
+        return fmt::format("{}{:.{}f} ± {:.{}f}", below ? "−" : "", std::abs(v), places, e, places) + shown;
+    }
     constexpr int least = 1, most = 6;
     const int digits =
         v == 0 ? least

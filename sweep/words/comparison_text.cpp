@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace stickslip {
@@ -26,6 +27,12 @@ std::string unit_after(const std::string& unit)
 std::string number_text(const std::optional<FittedParameter>& number)
 {
     return number ? with_error(number->value, number->standard_error, number->unit) : "–";
+}
+
+/// Of the difference of two values that were found apart.
+double change_error(const NumberChange& c)
+{
+    return std::hypot(c.before->standard_error, c.after->standard_error);
 }
 
 std::string gap_words(const DiagnosisComparison& c)
@@ -68,10 +75,8 @@ std::string moved_words(const DiagnosisComparison& c)
     for (const auto& change : c.numbers) {
         any |= change.in_both();
         if (!change.moved(standard_errors_of_a_move)) continue;
-        // one change stands in the cause's parameter and in the data-sheet number that it makes: the latter reads
-        // better
-        if (change.of == FoundNumber::Of::sheet || c.after.causes.empty() || c.kept.empty())
-            text += " " + change_text(change) + ".";
+        const bool beside = change.of == FoundNumber::Of::correction && !c.kept.empty();
+        if (!beside && told(change, c)) text += " " + change_text(change) + ".";
     }
     if (!text.empty() || !any) return text;
     for (const auto& change : c.numbers)
@@ -127,7 +132,7 @@ std::string name_of(FoundNumber::Of of)
     return of == FoundNumber::Of::parameter ? "parameter" : "correction";
 }
 
-std::string outcome_words(const DiagnosisFacts& facts)
+std::string outcome_name(const DiagnosisFacts& facts)
 {
     if (facts.interrupted) return "interrupted diagnosis";
     switch (facts.verdict) {
@@ -136,19 +141,31 @@ std::string outcome_words(const DiagnosisFacts& facts)
         case Verdict::insufficient_data:
             return "too little data";
         case Verdict::unknown:
-            return "gap of unknown cause, " + floors(facts.overall.before);
+            return "gap of unknown cause";
         case Verdict::gap:
             break;
     }
-    return "gap by " + together(facts.causes) + ", " + floors(facts.overall.before);
+    return "gap by " + together(facts.causes);
+}
+
+std::string outcome_words(const DiagnosisFacts& facts)
+{
+    return outcome_name(facts) + (facts.differs() && !facts.interrupted ? ", " + floors(facts.overall.before) : "");
 }
 
 std::string change_text(const NumberChange& c)
 {
     if (!c.in_both()) return c.name + ": " + number_text(c.before) + " → " + number_text(c.after);
-    return fmt::format("{}: {} → {}{}, {} standard errors", c.name, plain_number(c.before->value, 4),
-                       plain_number(c.after->value, 4), unit_after(c.unit),
-                       plain_number(std::abs(c.standard_errors), 3));
+    return fmt::format(
+        "{}: {} → {}, {} standard errors", c.name, with_error(c.before->value, c.before->standard_error, c.unit),
+        with_error(c.after->value, c.after->standard_error, c.unit), plain_number(std::abs(c.standard_errors), 3));
+}
+
+bool told(const NumberChange& change, const DiagnosisComparison& step)
+{
+    if (change.of != FoundNumber::Of::parameter) return true;
+    return std::none_of(step.numbers.begin(), step.numbers.end(),
+                        [](const auto& other) { return other.of == FoundNumber::Of::sheet && other.in_both(); });
 }
 
 std::string comparison_sentence(const DiagnosisComparison& c)
@@ -182,11 +199,12 @@ Table changes_table(const DiagnosisComparison& c)
             {"number", "stands for", "before", "now", "change", "in standard errors"},
             {}};
     for (const auto& change : c.numbers) {
+        if (!told(change, c)) continue;
         const char* of = change.of == FoundNumber::Of::sheet       ? "joint"
                          : change.of == FoundNumber::Of::parameter ? "cause"
                                                                    : "refitted";
         t.rows.push_back({change.name, of, number_text(change.before), number_text(change.after),
-                          change.in_both() ? plain_number(change.change, 3) + unit_after(change.unit) : "–",
+                          change.in_both() ? with_error(change.change, change_error(change), change.unit) : "–",
                           change.in_both() ? plain_number(change.standard_errors, 3) : "named in one only"});
     }
     return t;

@@ -15,13 +15,19 @@ std::string name_of(GapRegression::Kind kind);
 /// "sheet", "parameter" or "correction".
 std::string name_of(FoundNumber::Of of);
 
-/// "gap of 2.1 noise floors by coulomb-level", "no gap", "too little data".
+/// "gap by coulomb-level", "no gap", "too little data".
+std::string outcome_name(const DiagnosisFacts& facts);
+
+/// "gap by coulomb-level, 2.1 times the noise floor", "no gap", "too little data".
 std::string outcome_words(const DiagnosisFacts& facts);
 
 /// "The gap is new: 2.1 noise floors by coulomb-level. …": what stands first on page and terminal.
 std::string comparison_sentence(const DiagnosisComparison& c);
 
-/// "Coulomb level: 1.1 → 1.21 N·m, 142 standard errors"
+/// One change stands in the cause's parameter and in the data-sheet number that it makes: of both the latter is told.
+bool told(const NumberChange& change, const DiagnosisComparison& step);
+
+/// "Coulomb level: 1.1000 ± 0.0007 N·m → 1.2100 ± 0.0007 N·m, 111 standard errors"
 std::string change_text(const NumberChange& change);
 
 /// "a gap that the baseline does not have: 2.1 noise floors by coulomb-level"

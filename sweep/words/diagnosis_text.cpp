@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <iterator>
 #include <stdexcept>
 
@@ -129,8 +130,7 @@ constexpr Sentence sentences[] = {
      "the load point turns round; the longest stretch in one direction, rows {0:.0f} to {1:.0f}, is judged"},
     {Code::rig_blocks_in_turn, "one record: blocks of 20 rows are held out, a third of them in turn"},
     {Code::rig_still, "displacement or friction does not change"},
-    {Code::rig_laws_alike,
-     "the law of {name0} is ambiguous: these data cannot distinguish the {name1} law from the {name2} law"},
+    {Code::rig_laws_alike, "the law of {name0} is ambiguous: these data cannot distinguish {laws}"},
     {Code::rig_level_suffices, "a constant level predicts the held-out rows to the noise"},
     {Code::rig_no_law_predicts,
      "no law that the program knows predicts the held-out rows better than a constant level"},
@@ -165,6 +165,15 @@ std::string before_what(const Note& note)
     return fmt::format(", and before {} where needed", fmt::join(note.names.begin() + 1, note.names.end(), ", "));
 }
 
+/// "the slip law, the time law and the ageing law", of a note whose first name is the cause.
+std::string laws_of(const Note& note)
+{
+    std::string text;
+    for (std::size_t i = 1; i < note.names.size(); ++i)
+        text += (i == 1 ? "" : i + 1 == note.names.size() ? " and " : ", ") + ("the " + note.names[i]) + " law";
+    return text;
+}
+
 std::string numbers_of(const Note& note)
 {
     std::vector<std::string> each;
@@ -183,6 +192,7 @@ fmt::dynamic_format_arg_store<fmt::format_context> parts_of(const Note& note)
     for (std::size_t i = 0; i < note.names.size(); ++i)
         parts.push_back(fmt::arg(fmt::format("name{}", i).c_str(), note.names[i]));
     parts.push_back(fmt::arg("names", together(note.names)));
+    parts.push_back(fmt::arg("laws", laws_of(note)));
     parts.push_back(fmt::arg("count", note.names.size()));
     parts.push_back(fmt::arg("numbers", numbers_of(note)));
     parts.push_back(fmt::arg("lines", fmt::format("{:.0f}", fmt::join(note.values, ", "))));
@@ -208,6 +218,15 @@ std::string remark_text(const Note& note)
 std::string note_text(const Note& note)
 {
     return note.record.empty() ? remark_text(note) : note.record + ": " + remark_text(note);
+}
+
+std::string note_sentence(const Note& note)
+{
+    std::string text = note_text(note);
+    const auto first = text.substr(0, text.find(' '));
+    const bool plain = std::all_of(first.begin(), first.end(), [](unsigned char c) { return std::islower(c); });
+    if (plain) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return text + ".";
 }
 
 }  // namespace stickslip

@@ -75,7 +75,7 @@ std::string set_point_text(const SetPoint& s, Motion motion)
             text += s.rests_nearby ? "; from nearby it comes to rest." : ".";
             break;
         case Hunting::no:
-            if (s.reason == SetPointReason::loop_unstable)
+            if (s.diverges())
                 text = "Does not hold a set point";
             else if (s.rest_error == infinity)
                 text = "Does not hunt: rests wherever it is";

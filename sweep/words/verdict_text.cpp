@@ -27,7 +27,7 @@ std::string stable_gains(const Joint& joint, const StateVariableVerdict& memory)
     const bool all = stable.size() == 1 && stable[0].low == 0 && stable[0].high == infinity;
     if (all && memory.stable) return " for every k_{p} > 0.";
     return ". k_{p} = " + stiffness(joint.control.k_p, motion) +
-           (memory.stable ? " is one of the stable gains: " : " is none of the stable gains: ") +
+           (memory.stable ? " is one of the stable gains: " : " is not among the stable gains: ") +
            intervals_text(stable, Quantity::stiffness, motion) +
            (limited ? ", searched up to " + stiffness(memory.searched_to, motion) + "." : ".");
 }

@@ -103,6 +103,14 @@ std::string described(const RigRival& rival, const Entry& e)
     return *rival.form ? effect + " by the " + rival.form + " law" : effect;
 }
 
+/// The note that lists the laws of a cause; begun with the law that it was named by.
+Note& laws_alike(std::vector<Note>& notes, const Cause& cause)
+{
+    for (auto& note : notes)
+        if (note.code == Note::Code::rig_laws_alike && note.names[0] == cause.names[0]) return note;
+    return notes.emplace_back(Note{.code = Note::Code::rig_laws_alike, .names = {cause.names[0], cause.form}});
+}
+
 /// Causes by rank, one for each effect: forms of one effect are one cause, whose law may be ambiguous.
 void name_causes(const Rig& rig, const std::vector<Entry>& entries, const std::vector<std::size_t>& order, double noise,
                  Diagnosis& d)
@@ -124,8 +132,8 @@ void name_causes(const Rig& rig, const std::vector<Entry>& entries, const std::v
             d.effects.back().misfit = 0.5 * std::log(entries[i].held) - std::log(noise);
             sum += d.effects.back().probability = std::exp(-beyond / width);
         } else if (rival) {
-            d.reasons.push_back(
-                {.code = Note::Code::rig_laws_alike, .names = {same->names[0], rivals[order[0]].form, rivals[i].form}});
+            auto& note = laws_alike(d.reasons, *same);
+            note.names.emplace_back(rivals[i].form);
             same->form += std::string(" or ") + rivals[i].form;
         }
     }

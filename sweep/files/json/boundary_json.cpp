@@ -83,6 +83,14 @@ Json curve_json(const Joint& design, const FollowedBoundary& c)
     return json;
 }
 
+Json meeting_json(const Meeting& m, Motion motion)
+{
+    Json json = {{"kind", name_of(m.kind)}, {"path", m.axis.path}, {"unit", unit_of(m.axis.quantity, motion)},
+                 {"from", m.own},           {"at", m.at},          {"on_chart", m.on_chart}};
+    json["beyond"] = m.beyond ? set_point_json(*m.beyond) : Json(nullptr);
+    return json;
+}
+
 std::string csv_tail(const BoundaryPoint& p)
 {
     return fmt::format("{},{},{},{},{},{},{},{}\n", p.value, p.low, p.high, p.precision(), p.direction,
@@ -104,6 +112,8 @@ nlohmann::ordered_json boundary_json(const BoundaryAnswer& answer)
     for (const auto& ray : answer.rays) json["lines"].push_back(ray_json(answer.design, ray));
     json["curves"] = Json::array();
     for (const auto& c : answer.curves) json["curves"].push_back(curve_json(answer.design, c));
+    json["meetings"] = Json::array();
+    for (const auto& m : answer.meetings) json["meetings"].push_back(meeting_json(m, answer.design.mechanism.motion));
     return json;
 }
 

@@ -10,6 +10,7 @@
 #include "sweep/program/verbs/disturbance_option.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/parallel.h"
+#include "sweep/program/verbs/stoppable.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/boundary_report.h"
 #include "sweep/report/pages/write_report.h"
@@ -20,33 +21,15 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <functional>
 #include <memory>
 
 namespace stickslip {
 namespace {
 
-/// Somebody asked to stop.
-struct Stopped {};
-using Task = std::function<void(std::size_t)>;
-
-/// Runs nothing more once somebody has asked to stop, and then throws Stopped.
-ParallelFor stoppable(const Invocation& invocation, const ParallelFor& run)
-{
-    return [&invocation, run](std::size_t n, const Task& task) {
-        const auto unless_asked_to_stop = [&](std::size_t i) {
-            if (!invocation.interrupted) task(i);
-        };
-        if (run) run(n, unless_asked_to_stop);
-        for (std::size_t i = 0; !run && i < n; ++i) unless_asked_to_stop(i);
-        if (invocation.interrupted) throw Stopped();
-    };
-}
-
 void answer_one(BoundaryAnswer& answer, BoundaryRequest request, const std::vector<Axis>& axes,
                 const Invocation& invocation)
 {
-    request.parallel = stoppable(invocation, request.parallel);
+    request.parallel = until_interrupted(invocation.interrupted, request.parallel);
     if (request.kind == BoundaryKind::outcome)
         answer.outcome_means = disturbance_text(request.disturbance, answer.design.mechanism.motion);
     if (axes.size() == 2) {
@@ -70,7 +53,8 @@ std::size_t answer_all(BoundaryAnswer& answer, const std::vector<BoundaryQuestio
             answer_one(answer, request, axes, invocation);
             ++answered;
         }
-        answer.charts = boundary_charts(answer.design, answer.curves, stoppable(invocation, parallel_for_each));
+        answer.charts =
+            boundary_charts(answer.design, answer.curves, until_interrupted(invocation.interrupted, parallel_for_each));
         for (const auto& chart : answer.charts)
             if (chart.sliding && chart.sliding->design.region == Region::bistable) answer.region = Region::bistable;
     } catch (const Stopped&) {
@@ -79,6 +63,7 @@ std::size_t answer_all(BoundaryAnswer& answer, const std::vector<BoundaryQuestio
                    : answered > 0               ? " and are kept; the others are left out"
                                                 : "; nothing was written");
     }
+    answer.meetings = meetings_of(answer.design, answer.rays, answer.curves);
     return answered;
 }
 

@@ -36,7 +36,8 @@ int compare_verb(const Options& options, const Invocation& invocation)
         return exit_done;
     }
     fmt::print("{}\n", plain_text(comparison_sentence(comparison)));
-    for (const auto& change : comparison.numbers) fmt::print("  {}\n", plain_text(change_text(change)));
+    for (const auto& change : comparison.numbers)
+        if (told(change, comparison)) fmt::print("  {}\n", plain_text(change_text(change)));
     if (!options.directory.empty())
         fmt::print("report: {}\n", (std::filesystem::path(options.directory) / "report.html").string());
     return exit_done;

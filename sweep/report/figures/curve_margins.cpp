@@ -1,10 +1,8 @@
 #include "sweep/report/figures/curve_margins.h"
 
 #include "analysis/boundary/trace/chart.h"
-#include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
 #include "sweep/report/figures/map_figures.h"
-#include "sweep/study/beyond_curves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,72 +39,48 @@ std::string meaning_of(BoundaryKind kind)
     return kind == BoundaryKind::fold ? ", where stick-slip cycles appear or vanish" : "";
 }
 
-/// Where a curve meets the design's own line along one of its axes, the other number held: the meeting nearest to the
-/// design, interpolated between located points; NaN where it does not.
-double meeting(const FollowedBoundary& c, const Joint& given, bool along_x)
+/// What a boundary of hunting is from the design's side: hunting ends there, begins there, or gives way to something
+/// worse.
+std::string hunting_boundary(const SetPoint& beyond)
 {
-    const Axis &along = along_x ? c.x : c.y, &across = along_x ? c.y : c.x;
-    Joint joint = given;
-    const auto drawn = [](const Axis& axis, double v) { return axis.log ? std::log(v) : v; };
-    const double own = drawn(along, *find_parameter(joint, along.path)),
-                 held = drawn(across, *find_parameter(joint, across.path));
-    double found = missing;
-    for (const auto& piece : c.pieces)
-        for (std::size_t i = 0; i + 1 < piece.points.size(); ++i) {
-            const auto &p = piece.points[i], &q = piece.points[i + 1];
-            const double a = drawn(across, along_x ? p.y : p.x) - held, b = drawn(across, along_x ? q.y : q.x) - held;
-            if (a * b > 0 || a == b) continue;
-            const double from = drawn(along, along_x ? p.x : p.y), to = drawn(along, along_x ? q.x : q.y);
-            const double at = from + (to - from) * a / (a - b);
-            if (std::isnan(found) || std::abs(at - own) < std::abs(found - own)) found = at;
-        }
-    return along.log ? std::exp(found) : found;
+    if (beyond.hunting == Hunting::yes) return "where hunting begins";
+    return beyond.diverges() ? "where hunting gives way to divergence" : "where hunting ends";
+}
+
+std::string met(const Meeting& m)
+{
+    return m.beyond ? hunting_boundary(*m.beyond) : "the " + kind_words(m.kind) + meaning_of(m.kind);
 }
 
 }  // namespace
 
-std::vector<Headline> meeting_headlines(const Joint& design, const std::vector<LocatedRay>& rays,
-                                        const std::vector<FollowedBoundary>& curves)
+std::vector<Headline> meeting_headlines(const std::vector<Meeting>& meetings, Motion motion)
 {
     constexpr std::size_t most = 5;
     std::vector<Headline> list;
-    Joint joint = design;
-    const auto motion = joint.mechanism.motion;
-    const auto add = [&](const Axis& axis, BoundaryKind kind, double own, double at) {
-        if (std::isnan(at) || own == 0 || list.size() == most) return;
-        const double change = (at - own) / std::abs(own);
-        list.push_back({Headline::Tone::neutral,
-                        axis.symbol + (change < 0 ? " −" : " +") + plain_number(100 * std::abs(change)) + " %",
-                        "from the design to the " + kind_words(kind) + meaning_of(kind) + ": " +
-                            with_unit(own, axis.quantity, motion, 4) + " to " +
-                            with_unit(at, axis.quantity, motion, 4)});
-    };
-    for (const auto& ray : rays) {
-        const double own = *find_parameter(joint, ray.axis.path);
-        if (const auto* p = nearest_point(ray, own)) add(ray.axis, ray.kind, own, p->value);
+    for (const auto& m : meetings) {
+        if (m.own == 0 || list.size() == most) continue;
+        const double change = (m.at - m.own) / std::abs(m.own);
+        const bool no_cure = m.beyond && m.beyond->diverges();
+        list.push_back({no_cure ? Headline::Tone::bad : Headline::Tone::neutral,
+                        m.axis.symbol + (change < 0 ? " −" : " +") + plain_number(100 * std::abs(change)) + " %",
+                        "from the design to " + met(m) + ": " + with_unit(m.own, m.axis.quantity, motion, 4) + " to " +
+                            with_unit(m.at, m.axis.quantity, motion, 4)});
     }
-    for (const auto& c : curves)
-        for (const bool along_x : {true, false}) {
-            const Axis& axis = along_x ? c.x : c.y;
-            add(axis, c.kind, *find_parameter(joint, axis.path), meeting(c, joint, along_x));
-        }
     return list;
 }
 
-std::string meeting_text(const Joint& design, const std::vector<FollowedBoundary>& curves)
+std::string meeting_text(const std::vector<Meeting>& meetings, Motion motion)
 {
-    const auto motion = design.mechanism.motion;
-    for (const bool along_x : {true, false}) {
-        std::string text;
-        for (const auto& c : curves)
-            if (const double at = meeting(c, design, along_x); !std::isnan(at)) {
-                const Axis& axis = along_x ? c.x : c.y;
-                text += (text.empty() ? "Through the design along " + axis.symbol + ": " : ", ") + kind_words(c.kind) +
-                        " at " + with_unit(at, axis.quantity, motion, 4);
-            }
-        if (!text.empty()) return text + ".";
+    std::string text, path;
+    for (const auto& m : meetings) {
+        if (!m.on_chart || (!path.empty() && m.axis.path != path)) continue;
+        text += (path.empty() ? "Through the design along " + m.axis.symbol + ": " : ", ") +
+                (m.beyond ? hunting_boundary(*m.beyond) : kind_words(m.kind)) + " at " +
+                with_unit(m.at, m.axis.quantity, motion, 4);
+        path = m.axis.path;
     }
-    return "No followed curve meets the design's own lines through the chart.";
+    return text.empty() ? "No followed curve meets the design's own lines through the chart." : text + ".";
 }
 
 Figure precision_figure(const std::vector<FollowedBoundary>& curves, Motion motion)

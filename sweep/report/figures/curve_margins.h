@@ -3,19 +3,18 @@
 #include "analysis/joint/joint.h"
 #include "analysis/results/boundary.h"
 #include "analysis/results/report.h"
+#include "sweep/study/meetings.h"
 
 #include <string>
 #include <vector>
 
 namespace stickslip {
 
-/// One number for each ray, and for each curve and axis on which it lies before or behind the design, read from the
-/// curve between its neighbouring points.
-std::vector<Headline> meeting_headlines(const Joint& design, const std::vector<LocatedRay>& rays,
-                                        const std::vector<FollowedBoundary>& curves);
+/// How far the design is from the boundaries that it meets along one of its numbers.
+std::vector<Headline> meeting_headlines(const std::vector<Meeting>& meetings, Motion motion);
 
 /// "Through the design along k_{p}: linear boundary with memory at 19.45 kN/m, fold of limit cycles at 24.85 kN/m."
-std::string meeting_text(const Joint& design, const std::vector<FollowedBoundary>& curves);
+std::string meeting_text(const std::vector<Meeting>& meetings, Motion motion);
 
 /// Relative bracket width of every located point of the curves of one chart, along x.
 Figure precision_figure(const std::vector<FollowedBoundary>& curves, Motion motion);

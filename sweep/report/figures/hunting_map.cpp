@@ -20,7 +20,7 @@ Kind kind_of(const SetPoint& s)
 {
     if (s.hunting == Hunting::undecided) return not_decided;
     if (s.hunting == Hunting::yes) return s.rests_nearby ? hunts_from_afar : hunts;
-    return s.reason == SetPointReason::loop_unstable ? diverges : rests;
+    return s.diverges() ? diverges : rests;
 }
 
 FieldMap map_over(const HuntingField& field, const std::vector<FollowedBoundary>& curves, Motion motion)
@@ -49,20 +49,8 @@ Figure kinds_figure(const HuntingField& field, FieldMap map)
     map.classes = {
         "comes to rest", "hunts", "", "diverges: the loop itself is unstable", "hunts from afar, rests from nearby",
         "not decided"};
-    std::array<double, kinds> share{};
-    const auto shares = area_shares(field.x, field.y);
-    for (std::size_t i = 0; i < field.places.size(); ++i) {
-        const Kind kind = kind_of(field.places[i]);
-        map.values.push_back(kind), share[kind] += shares[i];
-    }
-    const std::pair<double, const char*> parts[] = {{share[hunts] + share[hunts_from_afar], "hunts"},
-                                                    {share[rests], "comes to rest"},
-                                                    {share[diverges], "diverges"},
-                                                    {share[not_decided], "is not decided"}};
-    for (const auto& [part, what] : parts)
-        if (part > 0)
-            map.statement += (map.statement.empty() ? std::string("It ") : ", ") + what + " on " + percent(part);
-    map.statement += " of this chart.";
+    for (const auto& place : field.places) map.values.push_back(kind_of(place));
+    map.statement = hunting_shares_text(field);
     Figure figure;
     figure.id = chart_id("hunting", field.x, field.y);
     figure.finding = map.statement;
@@ -99,6 +87,23 @@ Figure amplitude_figure(const HuntingField& field, FieldMap map)
 }
 
 }  // namespace
+
+std::string hunting_shares_text(const HuntingField& field)
+{
+    std::array<double, kinds> share{};
+    const auto shares = area_shares(field.x, field.y);
+    for (std::size_t i = 0; i < field.places.size(); ++i) share[kind_of(field.places[i])] += shares[i];
+    const std::pair<double, const char*> parts[] = {{share[hunts] + share[hunts_from_afar], "hunts"},
+                                                    {share[rests], "comes to rest"},
+                                                    {share[diverges], "diverges"},
+                                                    {share[not_decided], "is not decided"}};
+    std::string text;
+    for (const auto& [part, what] : parts)
+        if (part > 0) text += (text.empty() ? std::string("it ") : ", ") + what + " on " + percent(part);
+    const bool nowhere = share[rests] + share[hunts_from_afar] + share[not_decided] == 0;
+    if (nowhere) return "Nowhere on this chart does it come to rest: " + text + ".";
+    return "On this chart " + text + ".";
+}
 
 std::vector<Figure> hunting_figures(const HuntingField& field, const std::vector<FollowedBoundary>& curves,
                                     Motion motion)

@@ -4,6 +4,7 @@
 #include "analysis/results/report.h"
 #include "sweep/study/hunting_field.h"
 
+#include <string>
 #include <vector>
 
 namespace stickslip {
@@ -11,5 +12,8 @@ namespace stickslip {
 /// Where it hunts, rests or diverges, and how far apart its stops are where it hunts, under the located boundaries.
 std::vector<Figure> hunting_figures(const HuntingField& field, const std::vector<FollowedBoundary>& curves,
                                     Motion motion);
+
+/// "Nowhere on this chart does it come to rest: it hunts on 67.8 %, diverges on 32.2 %."
+std::string hunting_shares_text(const HuntingField& field);
 
 }  // namespace stickslip

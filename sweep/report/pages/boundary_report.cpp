@@ -5,6 +5,7 @@
 #include "sweep/report/figures/hunting_map.h"
 #include "sweep/report/figures/map_figures.h"
 #include "sweep/study/beyond_curves.h"
+#include "sweep/words/heading_text.h"
 #include "sweep/words/set_point_text.h"
 
 #include <fmt/format.h>
@@ -130,7 +131,7 @@ bool asks_of_set_points_only(const BoundaryAnswer& answer)
 Tone set_point_tone(const SetPoint& s)
 {
     if (s.hunting == Hunting::undecided) return Tone::warning;
-    return s.hunting == Hunting::yes || s.reason == SetPointReason::loop_unstable ? Tone::bad : Tone::good;
+    return s.hunting == Hunting::yes || s.diverges() ? Tone::bad : Tone::good;
 }
 
 void warn_of_lost_pieces(Report& report, const FollowedBoundary& c)
@@ -147,13 +148,11 @@ void warn_of_lost_pieces(Report& report, const FollowedBoundary& c)
 Report boundary_report(const BoundaryAnswer& answer)
 {
     const auto& design = answer.design;
+    const auto motion = design.mechanism.motion;
     const bool set_points_only = asks_of_set_points_only(answer);
     Report report;
-    report.title = !answer.title.empty() ? answer.title
-                   : set_points_only     ? "Hunting at a set point"
-                                         : "Boundaries of sliding";
-    report.subtitle = "boundaries, located";
-    if (!answer.outcome_means.empty()) report.subtitle += " · outcomes follow a disturbance: " + answer.outcome_means;
+    report.title = page_title(set_points_only ? "Hunting at a set point" : "Boundaries of sliding", answer.title);
+    if (!answer.outcome_means.empty()) report.subtitle = "outcomes follow a disturbance: " + answer.outcome_means;
     Section curves{"curves", "Curves", "", {}, {}};
     for (const auto& chart : answer.charts) add_figures(curves, answer, chart);
     if (!answer.curves.empty() && answer.charts.empty())
@@ -161,11 +160,13 @@ Report boundary_report(const BoundaryAnswer& answer)
     if (!set_points_only) report.tone = design_tone(answer.region), report.verdict = design_words(answer.region);
     if (answer.set_point) {
         if (set_points_only) report.tone = set_point_tone(*answer.set_point);
-        report.verdict += (set_points_only ? "" : " ") + set_point_text(*answer.set_point, design.mechanism.motion);
+        report.verdict += (set_points_only ? "" : " ") + set_point_text(*answer.set_point, motion);
     }
     for (const auto& ray : answer.rays) report.verdict += " " + ray_text(design, ray);
-    if (!answer.curves.empty()) report.verdict += " " + meeting_text(design, answer.curves);
-    report.headlines = meeting_headlines(design, answer.rays, answer.curves);
+    if (!answer.curves.empty() && !set_points_only) report.verdict += " " + meeting_text(answer.meetings, motion);
+    for (const auto& chart : answer.charts)
+        if (chart.at_rest) report.verdict += " " + hunting_shares_text(*chart.at_rest);
+    report.headlines = meeting_headlines(answer.meetings, motion);
     if (!answer.curves.empty()) {
         curves.tables.push_back(guard_table(answer.curves));
         report.sections.push_back(std::move(curves));

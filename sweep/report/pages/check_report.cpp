@@ -2,6 +2,7 @@
 
 #include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
+#include "sweep/words/heading_text.h"
 
 #include <algorithm>
 #include <cctype>
@@ -187,8 +188,7 @@ Report check_report(const Spec& spec, const std::vector<Deviation>& deviations,
         refined += d.kind == Deviation::Kind::refined;
     }
     Report report;
-    report.title = spec.title.empty() ? "Boundaries of the joint" : spec.title;
-    report.subtitle = "boundaries against their baseline";
+    report.title = page_title("Boundaries against their baseline", spec.title);
     report.verdict = failed ? std::to_string(failed) + " of " + std::to_string(deviations.size()) +
                                   " boundaries are out of tolerance."
                             : "All " + std::to_string(deviations.size()) + " boundaries are where they were.";

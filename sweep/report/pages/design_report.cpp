@@ -3,6 +3,7 @@
 #include "analysis/loop/loop_use.h"
 #include "analysis/results/text.h"
 #include "sweep/report/figures/map_figures.h"
+#include "sweep/words/heading_text.h"
 #include "sweep/words/nearest_text.h"
 #include "sweep/words/verdict_text.h"
 
@@ -57,8 +58,7 @@ Report design_report(const DesignAnswer& a, std::vector<Snippet> snippets)
     const DesignUnits u{a.joint.mechanism.motion};
     const auto& d = a.design;
     Report report;
-    report.title = a.title.empty() ? "Gains for the joint" : a.title;
-    report.subtitle = "design of gains";
+    report.title = page_title("Design of gains", a.title);
     report.verdict = design_verdict(a);
     if (a.design.decided && a.design.feasible) name_symbols(report, a.nearest, a.joint.mechanism.motion);
     report.tone = d.feasible ? Tone::good : Tone::bad;

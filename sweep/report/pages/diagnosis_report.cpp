@@ -308,7 +308,7 @@ Report diagnosis_report(const Diagnosis& diagnosis, const Joint& before, const J
     r.tone = d.verdict == Verdict::no_gap ? Tone::good : d.verdict == Verdict::gap ? Tone::warning : Tone::bad;
     // that nothing is wrong is the verdict already, and no warning
     if (d.verdict != Verdict::no_gap)
-        for (const auto& reason : d.reasons) r.alerts.push_back({Tone::warning, note_text(reason)});
+        for (const auto& reason : d.reasons) r.alerts.push_back({Tone::warning, note_sentence(reason)});
     r.not_checked = gathered_notes(d);
     r.provenance = std::move(provenance);
     // nothing was concluded: pages of empty tables would hide the reason

@@ -2,6 +2,7 @@
 
 #include "analysis/results/text.h"
 #include "sweep/report/pages/robust_figure.h"
+#include "sweep/words/heading_text.h"
 #include "sweep/words/nearest_text.h"
 #include "sweep/words/verdict_text.h"
 
@@ -86,8 +87,9 @@ void add_headlines(Report& report, const MarginsAnswer& a)
 Report margins_report(const MarginsAnswer& a)
 {
     Report report;
-    report.title = a.title.empty() ? "Margins of the joint" : a.title;
-    report.subtitle = "margins of the design point";
+    report.title = page_title("Margins", a.title);
+    report.subtitle = gains_text(a.joint) +
+                      " · V_{0} = " + with_unit(a.joint.control.V0, Quantity::velocity, a.joint.mechanism.motion);
     report.verdict = margins_text(a);
     const bool doubtful = a.worst && a.worst->instability >= 0;
     report.tone = !a.nearest.decided              ? Headline::Tone::warning

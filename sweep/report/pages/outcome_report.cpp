@@ -84,7 +84,7 @@ Report outcome_report(const OutcomeAnswer& a, const Joint& nominal,
     r.subtitle = fmt::format("{} rows of {}", a.outcomes.size(), a.outcomes.table.name);
     r.verdict = outcome_sentence(a);
     r.tone = d.verdict == Verdict::no_gap ? Tone::good : d.verdict == Verdict::gap ? Tone::warning : Tone::bad;
-    for (const auto& reason : d.reasons) r.alerts.push_back({Tone::warning, note_text(reason)});
+    for (const auto& reason : d.reasons) r.alerts.push_back({Tone::warning, note_sentence(reason)});
     for (const auto& note : d.notes) r.not_checked.push_back(note_text(note));
     r.not_checked.emplace_back(
         "laws left out: kernel (its numbers are a measured table), maxwell-slip (slides like coulomb-viscous), "

@@ -1,6 +1,7 @@
 #include "sweep/report/pages/record_report.h"
 
 #include "analysis/results/text.h"
+#include "sweep/words/heading_text.h"
 #include "sweep/words/line_figure.h"
 
 #include <algorithm>
@@ -86,8 +87,7 @@ Report record_report(const Joint& joint, const FollowedReference& r)
     const auto error = error_of(r);
     Report report;
     report.title = "The joint along a reference";
-    report.subtitle = "k_{p} = " + with_unit(joint.control.k_p, Quantity::stiffness, motion) +
-                      " · k_{v} = " + with_unit(joint.control.k_v, Quantity::damping, motion);
+    report.subtitle = gains_text(joint);
     report.verdict = "The position stays within " + with_unit(largest(error), Quantity::position, motion) +
                      " of the reference over " + with_unit(r.time.back(), Quantity::time, motion) + ".";
     if (!r.ends_early.empty())

@@ -159,9 +159,13 @@ std::vector<Headline> cards(const RobotAnswer& robot)
     const auto same = count([](const auto& j) { return found(j, Verdict::no_gap); });
     const auto rest = static_cast<std::ptrdiff_t>(robot.joints.size()) - differ - same;
     std::vector<Headline> all{
-        {differ ? Tone::warning : Tone::neutral, std::to_string(differ), "joints differ from their files"},
-        {same ? Tone::good : Tone::neutral, std::to_string(same), "joints move as documented, to the noise"}};
-    if (rest) all.push_back({Tone::bad, std::to_string(rest), "joints of which nothing can be said"});
+        {differ ? Tone::warning : Tone::neutral, std::to_string(differ),
+         differ == 1 ? "joint differs from its file" : "joints differ from their files"},
+        {same ? Tone::good : Tone::neutral, std::to_string(same),
+         same == 1 ? "joint moves as documented, to the noise" : "joints move as documented, to the noise"}};
+    if (rest)
+        all.push_back({Tone::bad, std::to_string(rest),
+                       rest == 1 ? "joint of which nothing can be said" : "joints of which nothing can be said"});
     const JointOutcome* worst = nullptr;
     for (const auto& joint : robot.joints)
         if (joint.differs() && (!worst || joint.diagnosis.overall.before > worst->diagnosis.overall.before))

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 namespace stickslip {
@@ -108,15 +109,7 @@ Figure number_figure(const Timeline& t, const NumberSeries& series, std::size_t 
             fmt::format("{} in {} of {}", series.name, series.found, counted(t.runs.size(), "run"))};
 }
 
-/// Of a cause's parameter and the number of the data sheet that it changes, the latter.
-bool told(const NumberChange& change, const DiagnosisComparison& step)
-{
-    if (change.of != FoundNumber::Of::parameter) return change.of == FoundNumber::Of::sheet;
-    return std::none_of(step.numbers.begin(), step.numbers.end(),
-                        [](const auto& other) { return other.of == FoundNumber::Of::sheet && other.in_both(); });
-}
-
-/// The same for charts.
+/// Of a cause's parameters and the numbers of the data sheet that they change, the latter.
 std::vector<NumberSeries> drawn_numbers(const Timeline& t)
 {
     std::vector<NumberSeries> sheet;
@@ -136,7 +129,8 @@ Table runs_table(const Timeline& t, CellMarks& marks)
         std::string moved;
         if (i > 0)
             for (const auto& change : t.steps[i - 1].numbers)
-                if (told(change, t.steps[i - 1]) && change.moved(standard_errors_of_a_move))
+                if (change.of != FoundNumber::Of::correction && told(change, t.steps[i - 1]) &&
+                    change.moved(standard_errors_of_a_move))
                     moved += (moved.empty() ? "" : "; ") + change_text(change);
         table.rows.push_back({date_text(t.runs[i].at), name_of(facts.verdict), floors(facts.overall.before),
                               facts.causes.empty() ? "–" : floors(facts.overall.after),
@@ -146,20 +140,29 @@ Table runs_table(const Timeline& t, CellMarks& marks)
     return table;
 }
 
+/// What somebody called the folder of a diagnosis, where that distinguishes it from the other's.
+std::string short_name(const DiagnosisFacts& of, const DiagnosisFacts& other)
+{
+    const auto folder = [](const DiagnosisFacts& facts) {
+        return std::filesystem::path(facts.source).parent_path().filename().string();
+    };
+    return folder(of).empty() || folder(of) == folder(other) ? of.source : folder(of);
+}
+
 }  // namespace
 
 Report comparison_report(const DiagnosisComparison& c, Provenance provenance)
 {
     Report r;
     r.title = "Two diagnoses compared";
-    r.subtitle = c.before.source + " and " + c.after.source;
+    r.subtitle = "before: " + short_name(c.before, c.after) + " · now: " + short_name(c.after, c.before);
     r.verdict = comparison_sentence(c);
     r.tone = tone_of(c.gap);
     r.headlines = {
-        {tone_of(c.before), floors(c.before.overall.before), "× the noise floor before: " + outcome_words(c.before)},
-        {tone_of(c.after), floors(c.after.overall.before), "× the noise floor now: " + outcome_words(c.after)}};
+        {tone_of(c.before), floors(c.before.overall.before), "× the noise floor before: " + outcome_name(c.before)},
+        {tone_of(c.after), floors(c.after.overall.before), "× the noise floor now: " + outcome_name(c.after)}};
     for (const auto& change : c.numbers)
-        if (change.in_both() && change.of != FoundNumber::Of::correction) {
+        if (change.in_both() && change.of != FoundNumber::Of::correction && told(change, c)) {
             r.headlines.push_back({change.moved(standard_errors_of_a_move) ? Tone::warning : Tone::neutral,
                                    plain_number(std::abs(change.standard_errors), 3),
                                    "standard errors between the two values of " + change.name});
@@ -196,8 +199,8 @@ TimelinePage timeline_report(const Timeline& t, Provenance provenance)
     r.tone = tone_of(last);
     r.headlines = {
         {tone_of(t.runs.front().facts), floors(t.runs.front().facts.overall.before),
-         "× the noise floor in the first run: " + outcome_words(t.runs.front().facts)},
-        {tone_of(last), floors(last.overall.before), "× the noise floor in the last run: " + outcome_words(last)}};
+         "× the noise floor in the first run: " + outcome_name(t.runs.front().facts)},
+        {tone_of(last), floors(last.overall.before), "× the noise floor in the last run: " + outcome_name(last)}};
     Section runs{"runs", "Runs", "The date of a run leads to its own page, where it has one.", {gap_figure(t)}, {}};
     runs.tables.push_back(runs_table(t, page.marks["Runs"]));
     r.sections.push_back(std::move(runs));

@@ -3,6 +3,7 @@
 #include "analysis/results/text.h"
 #include "analysis/stability/linear_joint.h"
 #include "sweep/report/pages/ending.h"
+#include "sweep/words/heading_text.h"
 #include "sweep/words/line_figure.h"
 #include "sweep/words/verdict_text.h"
 
@@ -157,7 +158,6 @@ Section surroundings_section(const SimulatedSurroundings& surroundings, const Ax
 
 }  // namespace
 
-// In one piece: a page from top to bottom: its sections in their order.
 Report trajectory_report(const Joint& joint, const Trajectory& t, const NonlinearVerdict& verdict,
                          const SimulatedSurroundings& surroundings, const std::vector<double>& control_force)
 {
@@ -169,9 +169,8 @@ Report trajectory_report(const Joint& joint, const Trajectory& t, const Nonlinea
     Report report;
     report.title = "One motion of the joint";
     report.subtitle = std::string(info(shown_friction(joint).law).name) +
-                      " friction · V_{0} = " + with_unit(t.commanded_velocity, Quantity::velocity, motion) +
-                      " · k_{p} = " + with_unit(joint.control.k_p, Quantity::stiffness, motion) +
-                      " · k_{v} = " + with_unit(joint.control.k_v, Quantity::damping, motion);
+                      " friction · V_{0} = " + with_unit(t.commanded_velocity, Quantity::velocity, motion) + " · " +
+                      gains_text(joint);
     if (t.time.empty()) {
         report.verdict = "No motion: " + reason_text(t.reason) + ".";
         report.tone = Headline::Tone::warning;

@@ -85,6 +85,13 @@ TEST_CASE("a velocity step of a rig with memory is named, with its numbers, and 
     CHECK(number(d.effects[0], "frictional-memory.A") - number(d.effects[0], "frictional-memory.B") ==
           Approx(A - B).margin(2e-4));
     CHECK(d.ambiguous_with == std::vector<std::vector<std::string>>{{"frictional-memory"}});
+    // all its laws in one remark, that by which it is named first
+    std::vector<Note> alike;
+    std::copy_if(d.reasons.begin(), d.reasons.end(), std::back_inserter(alike),
+                 [](const Note& note) { return note.code == Note::Code::rig_laws_alike; });
+    REQUIRE(alike.size() == 1);
+    CHECK(alike[0].names.size() >= 3);
+    CHECK(d.effects[0].form.starts_with(alike[0].names.at(1)));
     CHECK(d.gap.at(0).floor == Approx(8e-4).epsilon(0.1));
     REQUIRE(d.next_experiment.separates.size() == 1);
     CHECK(d.next_experiment.time.size() == d.next_experiment.reference.size());

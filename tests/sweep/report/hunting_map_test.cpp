@@ -5,9 +5,11 @@
 #include "analysis/boundary/kinds/boundary.h"
 #include "analysis/joint/parameters.h"
 #include "analysis/simulation/set_point/set_point.h"
+#include "sweep/report/figures/curve_margins.h"
 #include "sweep/report/figures/hunting_map.h"
 #include "sweep/report/pages/boundary_report.h"
 #include "sweep/study/boundary_charts.h"
+#include "sweep/study/maps.h"
 
 using namespace stickslip;
 
@@ -34,6 +36,7 @@ BoundaryAnswer hunting_answer()
     answer.curves.push_back(
         follow_boundaries(joint, axis("control.k_p", 10, 1e4), axis("control.k_i", 10, 1e5), request));
     answer.set_point = set_point(joint);
+    answer.meetings = meetings_of(joint, {}, answer.curves);
     answer.charts = boundary_charts(joint, answer.curves, one_by_one);
     return answer;
 }
@@ -63,4 +66,39 @@ TEST_CASE("a chart of hunting shows where the joint hunts and where the loop div
         }
     CHECK(wrong == 0);
     CHECK(map.lines.size() == 1);
+}
+
+TEST_CASE("a boundary behind which the loop diverges is not shown as the end of hunting", "[report][set-point]")
+{
+    const auto answer = hunting_answer();
+    // Routh: k_v k_p = m k_i, from the design of k_p = 100 and k_i = 100 down to 5 and up to 2000
+    REQUIRE(answer.meetings.size() == 1);  // 5 lies below the chart
+    const auto& met = answer.meetings.front();
+    CHECK(met.axis.path == "control.k_i");
+    CHECK(std::abs(met.at / 2000 - 1) < 1e-3);
+    REQUIRE(met.beyond);
+    CHECK(met.beyond->diverges());
+    const auto report = boundary_report(answer);
+    REQUIRE(report.headlines.size() == 1);
+    CHECK(report.headlines[0].tone == Headline::Tone::bad);
+    CHECK(report.headlines[0].meaning.find("divergence") != std::string::npos);
+    CHECK(report.verdict.find("Nowhere on this chart does it come to rest") != std::string::npos);
+}
+
+TEST_CASE("where a dead zone ends hunting, the card says that it ends there", "[report][set-point]")
+{
+    Joint joint = hunting_answer().design;
+    number_at(joint, "control.dead_zone") = 1;
+    BoundaryRequest request;
+    request.kind = BoundaryKind::hunting;
+    const Axis axis{"control.dead_zone", "e_{d}", "dead zone", Quantity::position, true, {0.5, 10}};
+    const auto ray = locate_boundaries(joint, axis, request);
+    const auto met = meetings_of(joint, {ray}, {});
+    REQUIRE(met.size() == 1);
+    REQUIRE(met[0].beyond);
+    CHECK(met[0].beyond->hunting == Hunting::no);
+    const auto cards = meeting_headlines(met, Motion::prismatic);
+    REQUIRE(cards.size() == 1);
+    CHECK(cards[0].tone == Headline::Tone::neutral);
+    CHECK(cards[0].meaning.find("where hunting ends") != std::string::npos);
 }

@@ -35,6 +35,12 @@ TEST_CASE("why the nearest cause is not the answer is said from its code and num
     CHECK_THAT(note_text(force), Contains("a force that depends on where the position turned (hysteresis)"));
     CHECK_THAT(note_text({.code = Code::unexplained, .values = {0.58}}), Contains("the best leaves 58 % of it"));
     CHECK(note_text({.text = "as {it} stands"}) == "as {it} stands");
+    CHECK(note_text({.code = Code::rig_laws_alike, .names = {"frictional-memory", "slip", "time", "ageing"}}) ==
+          "the law of frictional-memory is ambiguous: these data cannot distinguish the slip law, the time law and the "
+          "ageing law");
+    CHECK(note_sentence({.text = "no cause fits"}) == "No cause fits.");
+    CHECK(note_sentence({.text = "k_p is off"}) == "k_p is off.");
+    CHECK(note_sentence({.record = "a.csv", .text = "no cause fits"}) == "a.csv: no cause fits.");
     CHECK(note_text({.code = Code::interrupted_early, .names = {"reading", "fitting", "climbing"}}) ==
           "interrupted while reading, and before fitting, climbing where needed: nothing was found yet");
 }

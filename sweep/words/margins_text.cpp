@@ -78,8 +78,8 @@ std::string margins_text(const MarginsAnswer& a)
 {
     std::string text = nearest_text(a.nearest, a.joint.mechanism.motion);
     if (a.nearest.found)
-        text += " All " + std::to_string(a.nearest.direction.size()) + " parameters may be off by " +
-                all_at_once(a.nearest.distance, scales_of(a)) + " at once without reaching it (distance " +
+        text += " Without reaching it " + uncertain_numbers(a.nearest, a.joint.mechanism.motion) + " may be off by " +
+                all_at_once(a.nearest.distance, scales_of(a)) + " each, all at once (distance " +
                 plain_number(a.nearest.distance) + ").";
     return text + worst_text(a);
 }

@@ -56,7 +56,7 @@ std::string nearest_text(const NearestBoundary& n, Motion motion)
     if (!n.decided) return "The joint has no linear verdict, hence no margin.";
     const std::string event = n.stable ? "Stick-slip appears" : "Sliding becomes stable";
     if (!n.found)
-        return std::string("No change of these parameters by up to ×10 ") +
+        return std::string("No change of the uncertain parameters, all together, by up to ×10 ") +
                (n.stable ? "causes stick-slip." : "makes sliding stable.");
     const auto moves = leading_moves(n);
     std::string text = event + " if ";
@@ -71,15 +71,26 @@ std::string nearest_text(const NearestBoundary& n, Motion motion)
 
 Headline nearest_headline(const NearestBoundary& n, Motion motion)
 {
-    Headline h{Headline::Tone::neutral, "no boundary near",
-               nearest_text(n, motion) + " Nearest change of all uncertain parameters together."};
+    Headline h{Headline::Tone::neutral, "no boundary near", nearest_text(n, motion)};
     if (!n.found) return h;
+    h.meaning += " Nearest change of all uncertain parameters together.";
     const auto moves = leading_moves(n);
     const double change = moves.front().to / moves.front().from - 1;
     h.value = symbol(moves.front(), motion) + (change < 0 ? " −" : " +") + plain_number(100 * std::abs(change), 2) +
               " %" + (moves.size() > 1 ? " with others" : "");
     h.tone = !n.stable ? Headline::Tone::bad : n.distance < near ? Headline::Tone::warning : Headline::Tone::good;
     return h;
+}
+
+std::string uncertain_numbers(const NearestBoundary& n, Motion motion)
+{
+    constexpr std::size_t most = 6;  // that a reader takes in
+    if (n.moves.empty() || n.moves.size() > most)
+        return "all " + std::to_string(n.direction.size()) + " uncertain parameters";
+    std::string text;
+    for (std::size_t i = 0; i < n.moves.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == n.moves.size() ? " and " : ", ") + symbol(n.moves[i], motion);
+    return text;
 }
 
 void name_symbols(Report& report, const NearestBoundary& n, Motion motion)

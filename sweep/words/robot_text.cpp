@@ -35,8 +35,8 @@ std::string causes_words(const Diagnosis& d)
 {
     std::string text;
     for (const auto& cause : named_causes(d))
-        text +=
-            fmt::format("{}{} ({})", text.empty() ? "" : ", then ", together(cause.names), whole_percent(cause.share));
+        text += fmt::format("{}{} ({}{})", text.empty() ? "" : ", then ", together(cause.names),
+                            whole_percent(cause.share), text.empty() ? " of its gap" : "");
     return text.empty() ? "nothing in the catalogue" : text;
 }
 

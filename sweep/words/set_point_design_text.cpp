@@ -16,7 +16,7 @@ std::string numbers_text(const SetPointChoice& c, Motion motion)
     if (c.dead_zone > 0) text += ", dead zone " + with_unit(c.dead_zone, Quantity::position, motion);
     if (c.push != 0)
         text += ", push of " + with_unit(c.push, Quantity::effort, motion) + " that fades over " +
-                with_unit(c.push_speed, Quantity::velocity, motion);
+                with_unit(c.push_speed, Quantity::velocity, motion) + " (coulomb_speed)";
     if (c.dither > 0)
         text += ", dither of " + with_unit(c.dither, Quantity::effort, motion) + " at " +
                 with_unit(c.dither_frequency, Quantity::angular_frequency, motion);

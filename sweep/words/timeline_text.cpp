@@ -31,8 +31,8 @@ std::string timeline_sentence(const Timeline& t)
     for (std::size_t i = 0; i < t.steps.size(); ++i)
         if (worth_telling(t.steps[i])) last = i;
     if (last < t.steps.size())
-        return text + fmt::format(" The last change of the gap was on {}: {}", date_text(t.runs[last + 1].at),
-                                  continued(comparison_sentence(t.steps[last])));
+        return text + fmt::format(" The last change of the gap lies between {} and {}: {}", date_text(t.runs[last].at),
+                                  date_text(t.runs[last + 1].at), continued(comparison_sentence(t.steps[last])));
     return text + fmt::format(" The gap did not change: {} in the last run.", outcome_words(t.runs.back().facts));
 }
 

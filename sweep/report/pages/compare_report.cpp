@@ -95,33 +95,44 @@ Region region_of_design(const Spec& spec, const Joint& joint)
     return row.region;
 }
 
-std::string verdict_word(Region region)
+/// How well off a design is, the worst first: the tone of a comparison follows whether that rises or falls.
+enum class Standing { stick_slip, undecided, neutral, bistable, stable };
+
+Standing standing(Region region)
 {
     switch (region) {
         case Region::stable:
         case Region::memory_only:
-            return "stable";
+            return Standing::stable;
         case Region::bistable:
-            return "bistable (stable for small disturbances only)";
+            return Standing::bistable;
         case Region::velocity_only:
         case Region::unstable:
-            return "in stick-slip";
+            return Standing::stick_slip;
         case Region::neutral:
-            return "neutral (small disturbances neither decay nor grow)";
+            return Standing::neutral;
         case Region::undecided:
             break;
     }
-    return "undecided";
+    return Standing::undecided;
 }
 
-/// How well off a design is: the tone of a comparison follows whether that rises or falls.
-int standing(Region region)
+/// `simulated`: large disturbances were followed, too.
+std::string verdict_words(Standing standing, bool simulated)
 {
-    const auto word = verdict_word(region);
-    return word == "stable"                                           ? 3
-           : region == Region::bistable                               ? 2
-           : region == Region::undecided || region == Region::neutral ? 1
-                                                                      : 0;
+    switch (standing) {
+        case Standing::stable:
+            return simulated ? "stable" : "stable under small disturbances";
+        case Standing::bistable:
+            return "bistable (stable under small disturbances only)";
+        case Standing::stick_slip:
+            return "in stick-slip";
+        case Standing::neutral:
+            return "neutral (small disturbances neither decay nor grow)";
+        case Standing::undecided:
+            break;
+    }
+    return "undecided";
 }
 
 /// The largest relative move of a boundary that both runs have.
@@ -182,16 +193,17 @@ Report compare_report(const ComparedRun& before, const ComparedRun& after)
         for (auto& figure : change_figures(a, p, b, q)) maps.figures.push_back(std::move(figure));
     }
 
-    const auto region_then = region_of_design(before.spec, a), region_now = region_of_design(after.spec, b);
-    const auto was = verdict_word(region_then), is = verdict_word(region_now);
+    const bool simulated = before.spec.nonlinear.enabled && after.spec.nonlinear.enabled;
+    const auto was = standing(region_of_design(before.spec, a)), is = standing(region_of_design(after.spec, b));
     const bool nothing = same_maps && nothing_changed(numbers) && nothing_changed(boundaries);
     report.verdict = nothing     ? "Nothing changed: boundaries, regions and numbers are the same."
-                     : was != is ? "The design was " + was + " and is " + is + " now."
-                                 : "The design is " + is + ", as before.";
-    report.tone = nothing || is == "stable"                      ? Tone::good
-                  : standing(region_now) < standing(region_then) ? Tone::bad
-                  : was == is                                    ? Tone::neutral
-                                                                 : Tone::warning;
+                     : was != is ? "The design was " + verdict_words(was, simulated) + " and is " +
+                                       verdict_words(is, simulated) + " now."
+                                 : "The design is " + verdict_words(is, simulated) + ", as before.";
+    report.tone = nothing || is == Standing::stable ? Tone::good
+                  : is < was                        ? Tone::bad
+                  : was == is                       ? Tone::neutral
+                                                    : Tone::warning;
     if (const auto* moved = largest_move(boundaries); moved && moved->before != moved->after) {
         report.verdict += " The " + moved->name + " moved by " + relative_change(moved->before, moved->after) +
                           ", to " + with_unit(moved->after, moved->quantity, motion, 4) + ".";
@@ -220,7 +232,7 @@ Report compare_report(const ComparedRun& before, const ComparedRun& after)
     report.sections.push_back(std::move(tables));
     report.not_checked = {"Whether a change matters: set a tolerance with stickslip check.",
                           "Changes between the points of the grid that no located boundary shows."};
-    if (!before.spec.nonlinear.enabled || !after.spec.nonlinear.enabled)
+    if (!simulated)
         report.not_checked.push_back(
             "Large disturbances: at least one of the runs was judged by the linear theory alone.");
     for (const auto* run : {&before, &after})

@@ -71,7 +71,7 @@ Report design_report(const DesignAnswer& a, std::vector<Snippet> snippets)
             report.headlines.push_back(
                 {r.met ? Tone::good : Tone::bad, demand_value(r, r.reached, a, u),
                  (r.name == "margin"
-                      ? "margin: the " + std::to_string(scales_of(a).size()) + " uncertain parameters may be off by " +
+                      ? "margin: " + uncertain_numbers(a.nearest, a.joint.mechanism.motion) + " may be off by " +
                             all_at_once(r.reached, scales_of(a)) + " at once; required: at least "
                       : demand_name(r.name) + "; required: at most ") +
                      demand_value(r, r.demanded, a, u)});

@@ -67,13 +67,13 @@ void add_headlines(Report& report, const MarginsAnswer& a)
         report.headlines.push_back(
             {Tone::neutral,
              coordinate_text({move->path, move->less}, motion) + " " + signed_percent(move->to / move->from - 1),
-             "is the shortest way to the boundary for one parameter alone: from " +
+             "is the shortest way to the boundary for one parameter alone, all others held: from " +
                  with_unit(move->from, quantity, motion, 4) + " to " + with_unit(move->to, quantity, motion, 4)});
     }
     if (a.nearest.found)
         report.headlines.push_back({Tone::neutral, all_at_once(a.nearest.distance, scales_of(a)),
-                                    "in all " + std::to_string(a.nearest.direction.size()) +
-                                        " parameters at once cannot reach the boundary (distance " +
+                                    "in " + uncertain_numbers(a.nearest, motion) +
+                                        " at once cannot reach the boundary (distance " +
                                         plain_number(a.nearest.distance) + ")"});
     if (a.worst) {
         const double growth = a.worst->instability;

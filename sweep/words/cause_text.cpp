@@ -18,7 +18,7 @@ namespace {
 /// fitted numbers are said under their own names.
 struct Words {
     std::string_view effect, sentence;
-    std::array<std::string_view, 3> paths = {};
+    std::array<std::string_view, 4> paths = {};
 };
 
 constexpr Words all_words[] = {
@@ -44,7 +44,9 @@ constexpr Words all_words[] = {
     {"velocity-filter", "The velocity in the controller is filtered more than documented"},
     {"gain-k_p", "The position gain in the controller is not the documented one", {"control.k_p"}},
     {"gain-k_v", "The velocity gain in the controller is not the documented one", {"control.k_v"}},
-    {"gain-k_i", "The integral gain in the controller is not the documented one", {"control.k_i"}},
+    {"gain-k_i",
+     "The integral action of the controller is not the documented one",
+     {"control.k_i", "control.velocity_integral_gain", "control.velocity_reset_time", "control.integral_limit"}},
     {"feed-forward", "The controller adds a feed-forward that the joint file does not state"},
     {"dead-zone", "The controller ignores position errors within a dead zone"},
     {"quantisation", "The position is read on a coarser grid than documented"},

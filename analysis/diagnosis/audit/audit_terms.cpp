@@ -121,6 +121,28 @@ void find_filter(std::vector<Case>& cases, double limit, Audit& result)
         for (auto& c : cases) set(c.joint.control, documented);
 }
 
+/// A limit of the integral's share that is not the documented one. Corrected in the cases.
+void find_integral_limit(std::vector<Case>& cases, double limit, Audit& result)
+{
+    constexpr double smallest = 0.01, largest = 2, unreached = 1e3;  // of the largest command
+    double most = 0;
+    for (const auto& c : cases)
+        for (std::size_t k = 0; k < c.ticks.size(); ++k)
+            if (is_set(c.ticks.command[k])) most = std::max(most, std::abs(c.ticks.command[k]));
+    if (!(most > 0)) return;
+    const double documented = cases[0].joint.control.integral_limit;
+    const auto set = [](Control& c, double value) { c.integral_limit = value; };
+    const auto set_all = [&](double value) {
+        for (auto& c : cases) set(c.joint.control, value);
+    };
+    const auto [found, gain] = best_number(cases, limit, std::min(documented, unreached * most), unreached * most,
+                                           {smallest * most, largest * most}, set);
+    if (1 - gain > much_better * much_better) return set_all(documented);
+    const double limit_of_integral = found < largest * most ? found : infinity;
+    set_all(limit_of_integral);
+    result.findings.push_back({"gain-k_i", "gain-k_i.integral_limit", limit_of_integral, 0, Quantity::effort, gain});
+}
+
 /// How fast the reference has to be for a Coulomb feed-forward that the document lacks. Set in the cases.
 void find_coulomb_speed(std::vector<Case>& cases, double limit)
 {
@@ -265,6 +287,7 @@ bool audit_terms(std::vector<Case>& cases, double limit, Audit& result)
     const bool filtered = gains_of(documented).k_v != 0 && documented.velocity_estimate.form != EstimateForm::exact &&
                           !result.filter_seen;
     if (!plain && filtered && before > digits) find_filter(cases, limit, result);
+    if (as_documented.integrates && left_by_one(cases, limit) > digits) find_integral_limit(cases, limit, result);
     if (documented.feed_forward.coulomb == 0 && left_by_one(cases, limit) > digits) find_coulomb_speed(cases, limit);
     const Changed changed = fewest_changes(cases, limit);
     const bool believed = changed.fit.misfit < std::min(understood, much_better * with_gains);

@@ -48,7 +48,8 @@ std::string corrected_joint(const Diagnosis& d, const Joint& joint, const Joint&
     for (const auto& name : d.effects.front().names) head += " " + name;
     for (const auto& [name, value, error, unit] : d.effects.front().parameters)
         head += fmt::format("\n#   {} = {:.6g}{} {}", name, value,
-                            std::isfinite(error) ? fmt::format(" +- {:.2g}", error) : "", unit == "1" ? "" : unit);
+                            std::isfinite(error) && error > 0 ? fmt::format(" +- {:.2g}", error) : "",
+                            unit == "1" ? "" : unit);
     return head + "\n" + joint_text(after);
 }
 

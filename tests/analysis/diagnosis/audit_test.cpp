@@ -39,6 +39,56 @@ TEST_CASE("without a reference a coarse grid does not bend the gains", "[gap]")
     CHECK(found.command_explained);
 }
 
+TEST_CASE("a limit of the integral that is not the documented one is read off the command", "[gap]")
+{
+    const Record plain = test::record_of({}, 1, 4);
+    const double tick = plain.time[1] - plain.time[0];
+    constexpr double k_i = 150;
+    const auto integrating = [&](double most) {
+        Record r = plain;
+        double share = 0;
+        for (std::size_t k = 0; k < plain.rows(); ++k) {
+            share += tick * k_i * (plain.reference_position[k] - plain.position[k]);
+            share = std::clamp(share, -most, most);
+            r.effort_command[k] += share;
+        }
+        return r;
+    };
+    const Record free = integrating(infinity);
+    double reached = 0;
+    for (std::size_t k = 0; k < plain.rows(); ++k)
+        reached = std::max(reached, std::abs(free.effort_command[k] - plain.effort_command[k]));
+    const double half = 0.5 * reached;
+    const auto found = [&](const Record& record, double documented, Control& corrected) {
+        Joint joint = test::nominal_joint();
+        joint.control.k_i = k_i, joint.control.integral_limit = documented;
+        std::vector<Note> notes;
+        std::vector<Case> cases{prepare(record, joint, notes)};
+        const auto answer = audit(cases);
+        corrected = cases[0].joint.control;
+        return answer;
+    };
+    Control corrected;
+    for (const double documented : {infinity, 0.3 * reached}) {
+        const auto limited = found(integrating(half), documented, corrected);
+        REQUIRE(limited.findings.size() == 1);
+        CHECK(limited.findings[0].effect == "gain-k_i");
+        CHECK(limited.findings[0].parameter == "gain-k_i.integral_limit");
+        CHECK(limited.findings[0].value == Approx(half).epsilon(1e-3));
+        CHECK(corrected.integral_limit == limited.findings[0].value);
+        CHECK(corrected.k_i == k_i);
+        CHECK(limited.command_explained);
+    }
+    // a documented limit that is not there
+    const auto unlimited = found(free, half, corrected);
+    REQUIRE(unlimited.findings.size() == 1);
+    CHECK(unlimited.findings[0].value == infinity);
+    CHECK(corrected.integral_limit == infinity);
+    // one that is as documented, and one that no integral reaches
+    CHECK(found(integrating(half), half, corrected).findings.empty());
+    CHECK(found(free, 10 * reached, corrected).findings.empty());
+}
+
 TEST_CASE("integral action and feed-forward that the document lacks are read off the command", "[gap]")
 {
     const Record plain = test::record_of({}, 1, 4);

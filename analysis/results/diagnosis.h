@@ -3,6 +3,7 @@
 #include "analysis/results/note.h"
 #include "analysis/results/quantity.h"
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <utility>
@@ -178,5 +179,14 @@ struct Diagnosis {
     Motion motion = Motion::prismatic;
     double usual_speed = 0;  ///< 95th percentile of |velocity| in the records
 };
+
+/// That none of the listed causes is it: with their probabilities it makes one. NaN where none is listed.
+inline double probability_of_none(const Diagnosis& d)
+{
+    if (d.effects.empty()) return std::numeric_limits<double>::quiet_NaN();
+    double listed = 0;
+    for (const auto& cause : d.effects) listed += cause.probability;
+    return std::clamp(1 - listed, 0.0, 1.0);
+}
 
 }  // namespace stickslip

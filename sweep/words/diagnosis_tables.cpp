@@ -53,10 +53,8 @@ Table causes_table(const Diagnosis& d)
     if (forces)
         t.columns.insert(t.columns.begin() + 3,
                          fmt::format("of the drive force below {:.0f} Hz", d.drive_force.corner));
-    double all = 0;
     for (const auto& c : d.effects) {
         const bool held = std::isfinite(c.heldout_gain_interval.low) || c.heldout_gain != 0;
-        all += c.probability;
         t.rows.push_back({together(c.names), fmt::format("{:.3f}", c.probability),
                           held ? ranged(c.heldout_gain, c.heldout_gain_interval) : "not held out",
                           c.signature ? "yes" : "no", c.plausible ? "yes" : "no", c.form.empty() ? "–" : c.form,
@@ -68,9 +66,9 @@ Table causes_table(const Diagnosis& d)
         }
     }
     constexpr double visible = 5e-4;
-    if (!d.effects.empty() && 1 - all > visible) {
-        t.rows.push_back({"none of these", fmt::format("{:.3f}", 1 - all)});
-        t.bars.push_back(bar_of(1 - all));
+    if (const double none = probability_of_none(d); none > visible) {
+        t.rows.push_back({"none of these", fmt::format("{:.3f}", none)});
+        t.bars.push_back(bar_of(none));
         t.rows.back().resize(t.columns.size(), "–");
     }
     return t;

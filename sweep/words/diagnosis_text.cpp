@@ -155,6 +155,7 @@ std::string force_of(const std::string& signal)
 {
     if (signal == "hysteresis")
         return "a force that depends on where the position turned (hysteresis), and so differs on the way back,";
+    if (signal == "inertia") return "an inertia that changes in the course of a record";
     return "a force that depends on the " + signal + " alone";
 }
 

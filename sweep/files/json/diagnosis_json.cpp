@@ -146,6 +146,7 @@ Json diagnosis_json(const Diagnosis& d, const Joint& before, const Joint& after)
     json["where"] = {{"signals", shares_json(d.signals)}, {"regimes", shares_json(d.regimes)}};
     json["effects"] = Json::array();
     for (const auto& c : d.effects) json["effects"].push_back(cause_json(c));
+    json["none_of_these"] = json_number(probability_of_none(d));
     json["ambiguous_with"] = d.ambiguous_with;
     Json separates = Json::array();
     for (const auto& [one, two] : d.next_experiment.separates) separates.push_back({one, two});

@@ -111,6 +111,9 @@ void print_answer(const JointDiagnosis& found, const GatheredRecords& given)
     for (const auto& cause : d.effects)
         fmt::print("  {:<44} probability {:.3f}  misfit {:.4g}\n", fmt::format("{}", fmt::join(cause.names, " + ")),
                    cause.probability, cause.misfit);
+    constexpr double visible = 5e-4;
+    if (const double none = probability_of_none(d); none > visible)
+        fmt::print("  {:<44} probability {:.3f}\n", "none of these", none);
     if (!d.effects.empty())
         for (const auto& value : d.effects[0].values) fmt::print("  {:<44} {}\n", value.name, value_text(value));
 }

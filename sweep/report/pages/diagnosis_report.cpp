@@ -59,6 +59,50 @@ std::vector<std::string> one_of(const Diagnosis& d)
     return causes;
 }
 
+/// From which probability on a cause is told flatly, and from which on as probable. Reason: nine in ten is what the
+/// answers at that probability kept in blind cases; below one half the rest together is likelier than the cause.
+constexpr double told_flatly = 0.9, told_as_probable = 0.5;
+
+/// That it is one of the causes that the first sentence names.
+double probability_of_named(const Diagnosis& d)
+{
+    const auto sorted = [](std::vector<std::string> names) {
+        std::ranges::sort(names);
+        return names;
+    };
+    double sum = d.effects[0].probability;
+    for (std::size_t i = 1; i < d.effects.size(); ++i)
+        if (std::ranges::any_of(d.ambiguous_with, [&](const auto& names) {
+                return sorted(names) == sorted(d.effects[i].names) && sorted(names) != sorted(d.effects[0].names);
+            }))
+            sum += d.effects[i].probability;
+    return std::min(sum, 1.0);
+}
+
+/// The cause, or the few that the records cannot distinguish, as sure as they are.
+std::string said_by_probability(const Diagnosis& d)
+{
+    const auto causes = one_of(d);
+    const std::string which =
+        causes.size() > 1 ? fmt::format("one of {}, which these records cannot distinguish", fmt::join(causes, ", "))
+                          : causes[0];
+    const double sure = probability_of_named(d);
+    if (sure >= told_flatly) return "The gap comes from " + which;
+    if (sure >= told_as_probable) return fmt::format("The gap probably comes from {} ({})", which, whole_percent(sure));
+    return fmt::format("The likeliest cause of the gap is {} ({}; that it is none of those listed: {})", which,
+                       whole_percent(sure), whole_percent(probability_of_none(d)));
+}
+
+/// What the joint has, for somebody who will change it, as sure as the first cause is.
+std::string heading_of(const Diagnosis& d, const Joint& before, const Joint& after)
+{
+    const std::string text = cause_text(d.effects[0], before, after);
+    const double sure = d.effects[0].probability;
+    if (sure >= told_flatly) return text;
+    return fmt::format("{} ({}): {}", sure >= told_as_probable ? "Probable" : "Likeliest, not certain",
+                       whole_percent(sure), text);
+}
+
 Headline what_card(const Diagnosis& d)
 {
     if (d.verdict == Verdict::no_gap) return {Tone::good, "nothing", "what: the nominal joint is enough"};
@@ -154,6 +198,9 @@ Headline how_sure_card(const Diagnosis& d)
                                whole_percent(d.effects[1].probability));
     else
         meaning += "no rival was left";
+    constexpr double worth_telling = 0.05;
+    if (const double none = probability_of_none(d); none >= worth_telling)
+        meaning += fmt::format("; that it is none of those listed has {}", whole_percent(none));
     return {Tone::neutral, whole_percent(first.probability), meaning};
 }
 
@@ -226,11 +273,7 @@ std::string diagnosis_sentence(const Diagnosis& d)
 {
     switch (d.verdict) {
         case Verdict::gap: {
-            const auto causes = one_of(d);
-            std::string text = causes.size() > 1
-                                   ? fmt::format("The gap comes from one of {}, which these records cannot distinguish",
-                                                 fmt::join(causes, ", "))
-                                   : fmt::format("The gap comes from {}", causes[0]);
+            std::string text = said_by_probability(d);
             if (judged_by_force(d))
                 text += fmt::format(
                     ": on held-out data the drive force that the model gets wrong shrinks from {:.3g} "
@@ -244,7 +287,7 @@ std::string diagnosis_sentence(const Diagnosis& d)
             else if (d.overall.before > 0)
                 text += fmt::format(": on held-out data it shrinks from {} to {} times the noise floor",
                                     floors(d.overall.before), floors(d.overall.after));
-            if (causes.size() == 1 && !d.ambiguous_with.empty())
+            if (one_of(d).size() == 1 && !d.ambiguous_with.empty())
                 text += "; these records cannot distinguish it from " + rivals_text(d);
             return text + ".";
         }
@@ -302,7 +345,7 @@ Report diagnosis_report(const Diagnosis& diagnosis, const Joint& before, const J
     r.verdict = diagnosis_sentence(d);
     if (d.verdict == Verdict::gap) {
         r.findings.push_back(r.verdict);
-        r.verdict = cause_text(d.effects[0], before, after);
+        r.verdict = heading_of(d, before, after);
     }
     r.snippets = std::move(snippets);
     r.tone = d.verdict == Verdict::no_gap ? Tone::good : d.verdict == Verdict::gap ? Tone::warning : Tone::bad;

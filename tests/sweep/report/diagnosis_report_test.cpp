@@ -73,6 +73,38 @@ TEST_CASE("causes that the records cannot distinguish are all named in the first
     CHECK_THAT(diagnosis_sentence(d), Contains("cannot distinguish it from frictional-memory by another law"));
 }
 
+TEST_CASE("the first sentence is as sure as the cause", "[report][gap]")
+{
+    Diagnosis d = named();
+    CHECK_THAT(diagnosis_sentence(d), Contains("The gap comes from frictional-memory: on"));
+    d.effects[0].probability = 0.7;
+    CHECK_THAT(diagnosis_sentence(d), Contains("The gap probably comes from frictional-memory (70 %): on"));
+    d.effects.push_back(d.effects[0]);
+    d.effects[0].probability = 0.49, d.effects[1].probability = 0.03, d.effects[1].names = {"stribeck"};
+    CHECK_THAT(diagnosis_sentence(d), Contains("The likeliest cause of the gap is frictional-memory (49 %; that it is "
+                                               "none of those listed: 48 %): on"));
+    const auto page = [&] { return diagnosis_report(d, joint_with(slip_law(1e-5)), joint_with(slip_law(2e-5)), {}); };
+    CHECK(page().verdict == "Likeliest, not certain (49 %): Friction remembers how it slid before.");
+    CHECK_THAT(page().headlines[2].meaning, Contains("none of those listed has 48 %"));
+    // what two causes that nothing distinguishes have together counts
+    d.effects[1].probability = 0.45, d.ambiguous_with = {{"stribeck"}};
+    CHECK_THAT(diagnosis_sentence(d), Contains("The gap comes from one of frictional-memory, stribeck, which"));
+}
+
+TEST_CASE("the probabilities of an answer make one, with that of none of its causes", "[report][gap]")
+{
+    Diagnosis d = named();
+    d.effects.push_back(d.effects[0]);
+    d.effects[0].probability = 0.49, d.effects[1].probability = 0.03;
+    const auto json = diagnosis_json(d, joint_with(slip_law(1e-5)), joint_with(slip_law(2e-5)));
+    double sum = json.at("none_of_these");
+    for (const auto& effect : json.at("effects")) sum += effect.at("probability").get<double>();
+    CHECK(sum == Approx(1));
+    CHECK(causes_table(d).rows.back()[1] == "0.480");
+    d.effects.clear(), d.verdict = Verdict::no_gap;
+    CHECK(diagnosis_json(d, joint_with(slip_law(1e-5)), joint_with(slip_law(2e-5))).at("none_of_these").is_null());
+}
+
 TEST_CASE("the first screen of a diagnosis says where, what, how much and how sure", "[report]")
 {
     const auto r = diagnosis_report(named(), joint_with(slip_law(1e-5)), joint_with(slip_law(2e-5)), {});

@@ -46,6 +46,19 @@ TEST_CASE("a case without an effect is at its floor, one with an effect is not, 
     CHECK(load.parameters[0].value == load.machines[0].mechanism.constant_load);
 }
 
+TEST_CASE("a dirty case without an effect tells that its friction is uneven, which is a constant load", "[blind]")
+{
+    const auto none = make_case({.kind = "none", .dirty = true}, 7, 1);
+    CHECK(none.verdict == "no-gap");
+    const double uneven = none.machines[0].mechanism.friction[0].uneven_coulomb;
+    REQUIRE(uneven != 0);
+    CHECK(std::ranges::count(none.equivalent, "constant-load") == 1);
+    const auto off = corrections(none.setting.nominal, *none.setting.dirt);
+    CHECK(std::ranges::any_of(off, [&](const Parameter& p) {
+        return p.path == "friction.asymmetry.coulomb" && p.nominal == 0 && p.value == uneven;
+    }));
+}
+
 TEST_CASE("the joint of a case is its nominal, never its truth", "[blind]")
 {
     for (const char* effect : {"inertia", "compliance", "gain-k_p"}) {

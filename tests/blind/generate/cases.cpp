@@ -113,7 +113,9 @@ void make(SealedCase& c, const Wish& wish, const std::vector<std::string>& effec
     c.records = wish.mujoco.empty() ? s.record(c.machines)
                                     : run_mujoco(wish.mujoco, c.machines, s.excitations, seeds, s.stride);
     c.gap = s.gap(c.records, c.machines);
-    if (c.setting.dirt && c.edits.empty()) c.equivalent = {"inertia", "coulomb-level", "viscous", "gravity"};
+    // friction that is uneven by direction makes the very motion of a constant load
+    if (c.setting.dirt && c.edits.empty())
+        c.equivalent = {"inertia", "coulomb-level", "viscous", "gravity", "constant-load", "asymmetric-friction"};
     if (c.edits.empty()) return;
     if (c.gap.before < smallest_gap) throw Unusable("the gap vanished");
     for (const auto& e : c.edits) {

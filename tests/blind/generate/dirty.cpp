@@ -128,6 +128,7 @@ std::vector<Parameter> corrections(const Nominal& n, const Dirt& d)
     add(friction_path(n.machine, stribeck ? "c0" : "coulomb"), m.friction[0].coulomb, d.coulomb);
     add(friction_path(n.machine, stribeck ? "c1" : "viscous"), m.friction[0].viscous, d.viscous);
     add("load.gravity_amplitude", m.gravity, d.gravity);
+    list.push_back({friction_path(n.machine, "asymmetry.coulomb"), 0, d.asymmetry * n.coulomb()});
     return list;
 }
 

@@ -210,7 +210,7 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
     withdraw_no_gap(d);
     d.notes.insert(d.notes.end(), held.notes.begin(), held.notes.end());
     if (shown && audit_alone) {
-        d.effects.push_back(cause_of(p, f.none, f.quiet ? 0.99 : 0.5));
+        d.effects.push_back(cause_of(p, f.none, f.quiet ? 1 - policy::doubt_of_finding : policy::finding_and_more));
         if (!f.quiet) d.reasons.push_back({Note::Code::controller_and_rest});
     } else if (f.by_ladder) {
         tell_named(p, parallel, f, d);

@@ -119,6 +119,20 @@ Corrected Corrections::beside(const Candidate& causes) const
     return all;
 }
 
+Corrected Corrections::but(Corrected all, std::size_t correction)
+{
+    Candidate& c = all.candidate;
+    const auto place = static_cast<std::ptrdiff_t>(correction);
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < correction; ++i) at += c.count_of(*c.forms[i]);
+    const std::size_t count = c.count_of(*c.forms[correction]);
+    const auto first = c.prior_sd.begin() + static_cast<std::ptrdiff_t>(at);
+    c.prior_sd.erase(first, first + static_cast<std::ptrdiff_t>(count));
+    c.effects.erase(c.effects.begin() + place), c.forms.erase(c.forms.begin() + place);
+    --all.corrections, all.numbers -= count;
+    return all;
+}
+
 bool Corrections::same_number(const Effect& effect, const EffectForm& form) const
 {
     // a form with a name of its own changes something else, one of two masses, say; forms of gravity do not

@@ -33,6 +33,8 @@ class Corrections {
 
     /// The causes behind the corrections.
     Corrected beside(const Candidate& causes) const;
+    /// The same with one of the corrections left out: its number stays as documented.
+    static Corrected but(Corrected all, std::size_t correction);
     /// Whether this form of a cause changes a number that a correction changes.
     bool same_number(const Effect& effect, const EffectForm& form) const;
     /// Whether a cause is one of the small terms that every machine has, and no larger than they are.

@@ -47,17 +47,27 @@ Eigen::VectorXd to_fit(const Candidate& candidate, const std::vector<double>& sc
     return x;
 }
 
+namespace {
+
+/// The parameters of one form, which begin at `first`, as they hold in a record.
+std::vector<double> held_in(std::size_t record, const EffectForm& form, std::vector<double>::const_iterator first,
+                            const Candidate& candidate)
+{
+    const auto shared = static_cast<std::ptrdiff_t>(form.parameters.size() - form.own);
+    const auto own = first + shared + static_cast<std::ptrdiff_t>(form.own * std::min(record, candidate.records - 1));
+    std::vector<double> p(first, first + shared);
+    p.insert(p.end(), own, own + static_cast<std::ptrdiff_t>(form.own));
+    return p;
+}
+
+}  // namespace
+
 Joint edited(const Joint& joint, const Candidate& candidate, const std::vector<double>& si, std::size_t record)
 {
     Joint j = joint;
     auto first = si.begin();
     for (const auto* form : candidate.forms) {
-        const auto shared = static_cast<std::ptrdiff_t>(form->parameters.size() - form->own);
-        const auto own =
-            first + shared + static_cast<std::ptrdiff_t>(form->own * std::min(record, candidate.records - 1));
-        std::vector<double> p(first, first + shared);
-        p.insert(p.end(), own, own + static_cast<std::ptrdiff_t>(form->own));
-        if (form->apply) form->apply(j, p.data());
+        if (form->apply) form->apply(j, held_in(record, *form, first, candidate).data());
         first += static_cast<std::ptrdiff_t>(candidate.count_of(*form));
     }
     return j;
@@ -68,7 +78,7 @@ Plant edited_plant(const Joint& joint, const Candidate& candidate, const std::ve
     Plant plant = flatten(edited(joint, candidate, si, record));
     auto first = si.begin();
     for (const auto* form : candidate.forms) {
-        if (form->apply_free) form->apply_free(plant.free, &*first);
+        if (form->apply_free) form->apply_free(plant.free, held_in(record, *form, first, candidate).data());
         first += static_cast<std::ptrdiff_t>(candidate.count_of(*form));
     }
     return plant;

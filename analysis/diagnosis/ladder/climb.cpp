@@ -338,6 +338,22 @@ Ladder LadderSearch::finished(FittedSet set)
     return ladder;
 }
 
+std::vector<FarNumber> LadderSearch::far_off(const Ladder& ladder) const
+{
+    std::vector<FarNumber> far;
+    if (ladder.rungs.empty()) return far;
+    const FittedSet& last = ladder.rungs.back();
+    const Candidate& c = last.model.candidate;
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < last.model.corrections; at += c.count_of(*c.forms[i++])) {
+        // what differs from record to record is no number of the document
+        const double off = std::abs(last.fit.x[static_cast<Eigen::Index>(at)]);
+        if (c.forms[i]->own > 0 || off < rules_.far_off * c.sd_of(at)) continue;
+        far.push_back({c.effects[i], fitter_->fit_without(last, i).all_left()});
+    }
+    return far;
+}
+
 void LadderSearch::shorten(Ladder& ladder) const
 {
     ladder.rungs.pop_back();

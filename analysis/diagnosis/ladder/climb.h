@@ -29,6 +29,12 @@ struct FittedSet {
     }
 };
 
+/// A number of the document that is far off beside the causes of a ladder.
+struct FarNumber {
+    const Effect* effect;               ///< the correction
+    std::vector<Window> as_documented;  ///< what is left with the number as it stands there, all others refitted
+};
+
 struct Ladder {
     std::shared_ptr<const Corrections> corrections;  ///< the models point at its effects
     std::vector<Window> documented;                  ///< what the joint leaves as the document describes it
@@ -63,6 +69,8 @@ class LadderSearch {
     const FittedSet* first() const { return first_.empty() ? nullptr : &first_[0]; }
     /// At most so many rungs; pairs that a search of their own has found are tried as the first two.
     Ladder climb(const std::vector<Attribution>& pairs, std::size_t most_rungs, const OnlyNoise& only_noise = {});
+    /// The corrections of the last rung that are far off, and what keeping each one as documented costs.
+    std::vector<FarNumber> far_off(const Ladder& ladder) const;
     /// Takes the last rung away.
     void shorten(Ladder& ladder) const;
     /// The ladder of causes that are known.

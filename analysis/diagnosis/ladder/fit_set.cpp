@@ -103,9 +103,22 @@ FittedSet SetFitter::fit(const Candidate& causes, const Eigen::VectorXd& x0) con
 
 FittedSet SetFitter::fit_folds(const Candidate& causes, LevelFit found) const
 {
+    return fit_folds(corrections_.beside(causes), causes, std::move(found));
+}
+
+FittedSet SetFitter::fit_without(const FittedSet& set, std::size_t correction) const
+{
+    Corrected model = Corrections::but(set.model, correction);
+    const auto x0 = Corrections::start(model, set.model, set.fit.x, set.of_causes(set.fit.x));
+    auto found = improve(data_.fitted(), model.candidate, scales_, x0, omega, effort, steps);
+    return fit_folds(std::move(model), set.causes, std::move(found));
+}
+
+FittedSet SetFitter::fit_folds(Corrected model, const Candidate& causes, LevelFit found) const
+{
     FittedSet set;
     set.causes = causes;
-    set.model = corrections_.beside(causes);
+    set.model = std::move(model);
     set.fit = std::move(found);
     const Candidate& c = set.model.candidate;
     for (std::size_t f = 0; f < HeldOutData::folds; ++f) {

@@ -39,8 +39,11 @@ class SetFitter {
     FittedSet fit(const Candidate& causes, const Eigen::VectorXd& x0) const;
     /// The same of numbers that a search has found: only the folds are fitted.
     FittedSet fit_folds(const Candidate& causes, LevelFit found) const;
+    /// The set with the number of one of its corrections as documented, the others refitted.
+    FittedSet fit_without(const FittedSet& set, std::size_t correction) const;
 
   private:
+    FittedSet fit_folds(Corrected model, const Candidate& causes, LevelFit found) const;
     const HeldOutData& data_;
     const Scales& scales_;
     const Corrections& corrections_;

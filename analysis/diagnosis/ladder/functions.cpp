@@ -162,6 +162,8 @@ void FunctionsOfSignals::forces(const Signals& s, const Take& take) const
     }
     each("acceleration", [&](auto k) { return s.acceleration[k]; });
     each("acceleration", [&](auto k) { return std::abs(s.acceleration[k]) * direction[k]; });
+    for (std::size_t i = 0; i < hats_of_time; ++i)  // an inertia that changes
+        each("acceleration", [&](auto k) { return s.acceleration[k] * hat(s.time[k] / duration_, i, hats_of_time); });
     each("effort", [&](auto k) { return moving[k] * u[k]; });
     each("effort", [&](auto k) { return std::abs(u[k]) * direction[k]; });
     each("effort", [&](auto k) { return moving[k] * u[k] * std::abs(u[k]); });

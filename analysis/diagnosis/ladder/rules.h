@@ -35,6 +35,7 @@ struct LadderRules {
     double margin;                      ///< of held-out mean log square, where all that is left is model error
     double rows_of_margin;              ///< the same where all is noise, times rows
     std::span<const PhysicalRange> ranges;
+    double far_off;        ///< standard deviations from which on a document's number may be a cause beside others
     double worth_telling;  ///< share of the squares from which on a dependence is told
 };
 

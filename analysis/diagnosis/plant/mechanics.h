@@ -31,7 +31,8 @@ class Mechanics {
         motor_level_.set(lane, plant.motor.coulomb), link_level_.set(lane, plant.link.coulomb);
         moves_inertia_ = false;
         for (const auto& other : lane_)
-            moves_inertia_ = moves_inertia_ || (other.ticks && !other.ticks->inertia.empty());
+            moves_inertia_ =
+                moves_inertia_ || (other.ticks && (!other.ticks->inertia.empty() || other.plant->free.moves_inertia));
         length_of_ = P(0.0);  // to be divided anew
         if (kind().lag) lag_.set(lane, plant.actuator.lag);
     }
@@ -169,8 +170,9 @@ class Mechanics {
             const Lane& l = lane_[i];
             if (!l.ticks->load.empty())
                 joints_.load.constant.set(i, l.plant->load.constant + over_tick(l.ticks->load, l.tick));
-            if (l.ticks->inertia.empty()) continue;
-            const double factor = over_tick(l.ticks->inertia, l.tick);
+            if (l.ticks->inertia.empty() && !l.plant->free.moves_inertia) continue;
+            double factor = l.ticks->inertia.empty() ? 1 : over_tick(l.ticks->inertia, l.tick);
+            if (l.plant->free.moves_inertia) factor *= l.plant->free.inertia_factor(middle[i]);
             if (kind().two_mass)
                 joints_.link_inertia.set(i, l.plant->link_inertia * factor);
             else

@@ -36,8 +36,8 @@ struct Rubbing : RubbingOf<double> {
     }
 };
 
-/// A force on the link as free functions of its position and velocity: what no effect of the catalogue has the shape
-/// of. Of position: a quadratic spline over equal intervals.
+/// A force on the link as free functions of its position and velocity, or an inertia that changes with time: what no
+/// effect of the catalogue has the shape of. Of position and of time: quadratic splines over equal intervals.
 struct FreeForce {
     static constexpr std::size_t intervals = 8, coefficients = intervals + 2;
     bool present = false;
@@ -45,14 +45,29 @@ struct FreeForce {
     double play = 0;  ///< half of it: q is where a follower is, which the position drags along (play operator)
     std::array<double, coefficients> of_position{};
     double speed = 1, linear = 0, quadratic = 0, cubic = 0;  ///< forces at that speed, against the motion
+    bool moves_inertia = false;
+    double time_from = 0, time_width = 1;           ///< s
+    std::array<double, coefficients> of_inertia{};  ///< per inertia of the joint, added to it
 
     double at(double q, double v) const
     {
-        const double x = std::clamp((q - from) / width, 0.0, static_cast<double>(intervals) - 1e-9);
+        const double w = v / speed;
+        return spline(of_position, (q - from) / width) - w * (linear + std::abs(w) * (quadratic + std::abs(w) * cubic));
+    }
+    /// Inertia at a time per inertia of the joint.
+    double inertia_factor(double t) const
+    {
+        constexpr double least = 0.05;
+        return std::max(least, 1 + spline(of_inertia, (t - time_from) / time_width));
+    }
+
+  private:
+    static double spline(const std::array<double, coefficients>& c, double intervals_from_start)
+    {
+        const double x = std::clamp(intervals_from_start, 0.0, static_cast<double>(intervals) - 1e-9);
         const auto i = static_cast<std::size_t>(x);
-        const double u = x - static_cast<double>(i), w = v / speed;
-        return 0.5 * (1 - u) * (1 - u) * of_position[i] + (0.5 + u * (1 - u)) * of_position[i + 1] +
-               0.5 * u * u * of_position[i + 2] - w * (linear + std::abs(w) * (quadratic + std::abs(w) * cubic));
+        const double u = x - static_cast<double>(i);
+        return 0.5 * (1 - u) * (1 - u) * c[i] + (0.5 + u * (1 - u)) * c[i + 1] + 0.5 * u * u * c[i + 2];
     }
 };
 

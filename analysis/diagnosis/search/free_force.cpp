@@ -19,7 +19,7 @@ constexpr EffectParameter coefficient(std::string_view name)
 /// A place or a size that is given, not fitted.
 constexpr EffectParameter given(std::string_view name, Scale scale)
 {
-    return {name, Quantity::position, scale, false, -1e9, 1e9, 0, "given"};
+    return {name, Quantity::position, scale, false, -1e12, 1e12, 0, "given"};
 }
 
 Effect effect_of(std::string_view name, std::vector<EffectParameter> parameters,
@@ -81,6 +81,23 @@ const Effect& of_velocity()
     return effect;
 }
 
+/// In every record another one: what is picked up when is no property of the joint.
+const Effect& of_time()
+{
+    static const Effect effect = [] {
+        std::vector<EffectParameter> p{given("from", Scale::one), given("width", Scale::one)};
+        p.resize(2 + parts, {"part", Quantity::number, Scale::one, false, -0.95, 10, 0.1, "part of the inertia"});
+        Effect e = effect_of("inertia", p, [](FreeForce& f, const double* x) {
+            f.present = f.moves_inertia = true;
+            f.time_from = x[0], f.time_width = x[1];
+            std::copy(x + 2, x + 2 + parts, f.of_inertia.begin());
+        });
+        e.forms[0].own = e.forms[0].parameters.size();
+        return e;
+    }();
+    return effect;
+}
+
 /// The reach of the link, on which the force acts, in intervals of the spline.
 std::pair<double, double> reach(const std::vector<Case>& cases)
 {
@@ -98,8 +115,10 @@ std::pair<double, double> reach(const std::vector<Case>& cases)
 
 struct Shape {
     const Effect* effect;
-    std::size_t given;                       ///< how many parameters in front are given, not fitted
-    std::vector<std::vector<double>> front;  ///< of every start: what stands before the parts of the force, which are 0
+    std::size_t given;  ///< how many parameters in front are given, not fitted
+    /// Of every start what stands before the parts of the force, which are 0; of a shape that every record has for
+    /// itself, one for each record behind the other.
+    std::vector<std::vector<double>> front;
 
     bool remembers() const { return effect == &of_follower(); }
 };
@@ -116,12 +135,32 @@ struct Beside {
         const Corrected corrected = corrections->beside(candidate);
         candidate = corrected.candidate, numbers = corrected.numbers;
     }
+    /// Where the numbers of the shape begin; of one that every record has for itself, where each record's do.
+    std::vector<std::size_t> blocks() const
+    {
+        const EffectForm& form = *candidate.forms.back();
+        std::vector<std::size_t> begin;
+        for (std::size_t r = 0; r < (form.own > 0 ? candidate.records : 1); ++r)
+            begin.push_back(numbers + r * form.own);
+        return begin;
+    }
     /// So many parameters of the shape keep their values.
     Kept kept(std::size_t first) const
     {
         Kept k(candidate.parameter_count(), 0);
-        std::fill_n(k.begin() + static_cast<std::ptrdiff_t>(numbers), first, 1);
+        for (const std::size_t begin : blocks()) std::fill_n(k.begin() + static_cast<std::ptrdiff_t>(begin), first, 1);
         return k;
+    }
+    /// A shape that does nothing yet.
+    Eigen::VectorXd start(const std::vector<double>& front) const
+    {
+        Eigen::VectorXd x = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(candidate.parameter_count()));
+        const auto begin = blocks();
+        const auto each = static_cast<std::ptrdiff_t>(front.size() / begin.size());
+        for (std::size_t b = 0; b < begin.size(); ++b)
+            std::copy_n(front.begin() + static_cast<std::ptrdiff_t>(b) * each, each,
+                        x.begin() + static_cast<std::ptrdiff_t>(begin[b]));
+        return x;
     }
 };
 
@@ -131,7 +170,12 @@ std::vector<Shape> shapes_of(const std::vector<Case>& cases)
     const double travel = FreeForce::intervals * width;
     Shape follower{&of_follower(), 2, {}};
     for (double play : {0.025, 0.075, 0.2}) follower.front.push_back({from, width, std::log(play * travel)});
-    return {{&of_position(), 2, {{from, width}}}, {&of_velocity(), 1, {{1}}}, follower};
+    Shape over_time{&of_time(), 2, {{}}};
+    for (const auto& c : cases) {
+        over_time.front[0].push_back(c.ticks.time.front());
+        over_time.front[0].push_back(c.ticks.duration() / FreeForce::intervals);
+    }
+    return {{&of_position(), 2, {{from, width}}}, {&of_velocity(), 1, {{1}}}, follower, over_time};
 }
 
 }  // namespace
@@ -157,12 +201,12 @@ std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scale
         const Beside beside(shape, cases.size(), corrections);
         const Candidate& candidate = beside.candidate;
         const auto& front = starts[i].front;
-        Eigen::VectorXd x = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(candidate.parameter_count()));
-        std::copy(front.begin(), front.end(), x.begin() + static_cast<std::ptrdiff_t>(beside.numbers));
         LevelFit& fit = starts[i].fit;
+        const std::size_t in_front = front.size() / beside.blocks().size();
         // first the force alone: a play without a force shows nothing
-        fit = descend_block(part(shape), candidate, scales, x, omega, iterations, beside.kept(front.size()));
-        if (front.size() > shape.given)
+        fit = descend_block(part(shape), candidate, scales, beside.start(front), omega, iterations,
+                            beside.kept(in_front));
+        if (in_front > shape.given)
             fit = descend_block(part(shape), candidate, scales, fit.x, omega, iterations, beside.kept(shape.given));
     });
     std::vector<FreeFit> fits(shapes.size());

@@ -1,7 +1,8 @@
 // Unmodelled forces: what shape-free functions of position or velocity alone can explain, or of a follower that the
-// position drags along (the play operator of hysteresis: Visintin 1994). They belong to no effect of the
-// catalogue, and to no joint file: where one explains the records clearly better than any cause, the cause is only the
-// nearest in shape, and is not named.
+// position drags along (the play operator of hysteresis: Visintin 1994), or an inertia that changes in the course of
+// every record (a load that is picked up or runs out). They belong to no effect of the catalogue, and to no joint file:
+// where one explains the records clearly better than any cause, the cause is only the nearest in shape, and is not
+// named.
 #pragma once
 #include "analysis/diagnosis/fit/corrections.h"
 #include "analysis/diagnosis/search/attribute.h"
@@ -11,11 +12,11 @@
 namespace stickslip::gap {
 
 struct FreeFit {
-    std::string_view of;  ///< "position" | "velocity" | "hysteresis"
+    std::string_view of;  ///< "position" | "velocity" | "hysteresis" | "inertia"
     Attribution fit;
 };
 
-/// One fit of each of the three shapes, at all levels, beside corrections of the joint's own numbers where they are
+/// One fit of each of the shapes, at all levels, beside corrections of the joint's own numbers where they are
 /// given; the best one first.
 std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
                                      const ParallelFor& parallel, const Corrections* corrections = nullptr);

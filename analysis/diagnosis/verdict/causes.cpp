@@ -34,7 +34,8 @@ Cause cause_of(const Prepared& p, const Attribution& a, double probability, std:
             continue;
         }
         if (std::find(c.names.begin(), c.names.end(), e.name) == c.names.end()) c.names.emplace_back(e.name);
-        c.tell_tale += (c.tell_tale.empty() ? "" : "; ") + std::string(e.signature);
+        const Effect* known = effect_named(e.name);  // a number of the document has the signature of its effect
+        c.tell_tale += (c.tell_tale.empty() ? "" : "; ") + std::string(known ? known->signature : e.signature);
         if (!a.candidate.forms[n]->name.empty())
             c.form += (c.form.empty() ? "" : " + ") + std::string(a.candidate.forms[n]->name);
         const EffectForm& form = *a.candidate.forms[n];

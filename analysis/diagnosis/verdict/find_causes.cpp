@@ -137,7 +137,10 @@ void find_causes(Prepared& p, std::size_t pair_partners, const std::function<voi
                 judge(f.judged, search.data(), p.scales, p.nominal, parallel);
             }
         }
-        if (!accepted(f.decision)) shorten_to_likely(search, p, parallel, f.judged);
+        if (!accepted(f.decision)) {
+            shorten_to_likely(search, p, parallel, f.judged);
+            if (f.judged.named) count_far_numbers(f.judged, search.far_off(f.judged.ladder));
+        }
     }
     if (accepted(f.decision) && !(f.by_ladder && f.judged.noise_left)) {
         f.by_ladder = false;

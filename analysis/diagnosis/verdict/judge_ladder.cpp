@@ -163,6 +163,52 @@ void hold_against(JudgedLadder& j, const FreeFit& force)
     j.named = j.only_corrections = false;
 }
 
+std::vector<std::string> JudgedLadder::with_numbers(std::vector<std::string> causes) const
+{
+    for (const auto& [effect, share] : numbers) causes.emplace_back(effect->name);
+    return causes;
+}
+
+namespace {
+
+/// Moves a correction of a fit behind its causes.
+void count_as_cause(Attribution& a, std::size_t& corrections, const Effect* effect)
+{
+    Candidate& c = a.candidate;
+    const auto from = std::ranges::find(c.effects, effect) - c.effects.begin();
+    Eigen::Index at = 0;
+    for (std::ptrdiff_t i = 0; i < from; ++i)
+        at += static_cast<Eigen::Index>(c.count_of(*c.forms[static_cast<std::size_t>(i)]));
+    const auto count = static_cast<Eigen::Index>(c.count_of(*c.forms[static_cast<std::size_t>(from)]));
+    std::vector<Eigen::Index> order;
+    for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(c.parameter_count()); ++i)
+        if (i < at || i >= at + count) order.push_back(i);
+    for (Eigen::Index i = at; i < at + count; ++i) order.push_back(i);
+    for (auto& x : a.x)
+        if (x.size() == static_cast<Eigen::Index>(order.size())) x = Eigen::VectorXd(x(order));
+    if (a.information.rows() == static_cast<Eigen::Index>(order.size()))
+        a.information = Eigen::MatrixXd(a.information(order, order));
+    c.prior_sd.erase(c.prior_sd.begin() + at, c.prior_sd.begin() + at + count);
+    std::rotate(c.effects.begin() + from, c.effects.begin() + from + 1, c.effects.end());
+    std::rotate(c.forms.begin() + from, c.forms.begin() + from + 1, c.forms.end());
+    --corrections;
+}
+
+}  // namespace
+
+void count_far_numbers(JudgedLadder& j, const std::vector<FarNumber>& far)
+{
+    if (!j.named || j.shares.rungs.empty()) return;
+    const double by_causes = j.shares.corrected - j.shares.rungs.back();
+    const auto& left = j.ladder.last().all_left();
+    for (const auto& number : far) {
+        if (beyond_noise(number.as_documented) - j.shares.rungs.back() < policy::as_much_as_causes * by_causes)
+            continue;
+        j.numbers.emplace_back(number.effect, share_between(j.ladder.documented, number.as_documented, left));
+        count_as_cause(j.winner, j.corrections, number.effect);
+    }
+}
+
 std::string_view signal_of(const Effect& effect)
 {
     const auto is = [&](std::initializer_list<std::string_view> names) {

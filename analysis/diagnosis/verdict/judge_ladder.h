@@ -18,6 +18,12 @@ struct Shares {
     double explainable_to = 0;  ///< what a flexible force leaves
 };
 
+/// Parts of the whole gap, with a bootstrap over windows.
+struct SharesWithInterval {
+    double share = 0;
+    double low = 0, high = 0;
+};
+
 struct JudgedLadder {
     Ladder ladder;
     Shares shares;
@@ -31,6 +37,12 @@ struct JudgedLadder {
     bool only_corrections = false;  ///< the document's own numbers are all that is wrong
     std::optional<Note> why_not;    ///< where nothing is named
     std::vector<double> chances;    ///< of every rung
+    /// Numbers of the document that are causes beside the rungs, and what they take. In the winner they stand behind
+    /// the causes, no longer among the corrections.
+    std::vector<std::pair<const Effect*, SharesWithInterval>> numbers;
+
+    /// A set of causes with those numbers.
+    std::vector<std::string> with_numbers(std::vector<std::string> causes) const;
 
     bool answers() const { return named || only_corrections; }
 };
@@ -52,6 +64,9 @@ bool small_against_corrections(const JudgedLadder& judged);
 /// has to take as much as a cause would, since small things that every machine has are no answer either.
 void hold_against(JudgedLadder& judged, const FreeFit& force);
 
+/// Makes causes of those numbers of the document that are far off and take as much as the causes beside them do.
+void count_far_numbers(JudgedLadder& judged, const std::vector<FarNumber>& far);
+
 /// A fitted set at all levels.
 Attribution at_all_levels(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
                           const FittedSet& set);
@@ -63,11 +78,6 @@ bool leaves_noise(const std::vector<Case>& cases, const Scales& scales, const No
 /// The signal that a force of this effect is a function of, in the words of Flexible.
 std::string_view signal_of(const Effect& effect);
 
-/// Parts of the whole gap, with a bootstrap over windows.
-struct SharesWithInterval {
-    double share = 0;
-    double low = 0, high = 0;
-};
 SharesWithInterval share_between(const std::vector<Window>& documented, const std::vector<Window>& above,
                                  const std::vector<Window>& below);
 

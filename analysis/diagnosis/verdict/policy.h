@@ -55,6 +55,7 @@ inline constexpr LadderRules ladder{
     .margin = 0.14,          // of held-out mean log square, i.e. 7 % of the RMS: rivals that near are model error apart
     .rows_of_margin = 60,    // four readings of 15 rows each, see rows_per_reading of verdict.cpp
     .ranges = physical_ranges,
+    .far_off = 2,          // of twenty documents one is so far off in a given number
     .worth_telling = 0.1,  // of the squares: what a signal explains less of is the scatter of blocks, not a dependence
 };
 
@@ -97,12 +98,27 @@ inline constexpr double least_chance_of_further_rung = 0.5;
 /// gap, and all but 4 % of what corrections of inertia and Coulomb friction left. The same part of what a finding about
 /// the controller takes lets causes in the mechanism stand with it first.
 inline constexpr double least_against_corrections = 0.25;
+/// Of what the causes of a ladder take: a number of the document that is `far_off`, and without which so much more
+/// would be left, has a rung with them. Reason: what shrinks the gap by as much as a cause belongs to the answer,
+/// whether it is called a cause or a document that is off; less, and it is one of the corrections that every joint
+/// needs. Evidence: an inertia of 1.10 of its document took 32 % of a gap of which the periodic force that was named
+/// alone took 44 %; in blind cases that look like machines all that a document is off by makes at most 0.44 of the
+/// squares of the cause.
+inline constexpr double as_much_as_causes = 0.5;
 /// Odds of a rival against the named cause from which on the records cannot tell the two apart: one margin, over which
 /// odds fall by e. Reason: what an answer calls indistinguishable must have its part of the probability. So
 /// `ambiguous_with` goes by the same odds as the probabilities do, and a cause beside such a rival has
 /// 1/(1 + 1/e) = 0.73 at most. Evidence: a cause at 0.985 "could not be told" from one with less than a thousandth
 /// of that, since the one number came from the likelihood of all rows and the other from scores that noise cuts off.
 inline constexpr double odds_of_indistinguishable = 0.368;  // 1/e
+/// Chance that a finding of the controller's audit is not what differs. Reason: it is read off the command, the reading
+/// and the reference alone, no model of the mechanism takes part, and it has to stand out from what the audited
+/// controller leaves of the command; what can still stand in for it is another term of the same controller.
+inline constexpr double doubt_of_finding = 0.02;
+/// That such a finding is all that causes the gap, where more than noise is left and no effect was found for it.
+inline constexpr double finding_and_more = 0.5;
+/// Chances that numbers of the document are all that is off: where only noise is left, and where more is.
+inline constexpr double numbers_to_noise = 0.9, numbers_and_more = 0.6;
 /// A correction is told as what is wrong with the document where leaving it out costs so much of what all of them take.
 inline constexpr double worth_correcting = 0.05;
 

@@ -87,13 +87,37 @@ std::vector<std::string> added_by(const Ladder& ladder, std::size_t rung, const 
 }
 
 /// All causes of the ladder, with those of a rival in place of its rung.
-std::vector<std::string> with_the_others(const Ladder& ladder, std::size_t rung, const Candidate& rival)
+std::vector<std::string> with_the_others(const JudgedLadder& j, std::size_t rung, const Candidate& rival)
 {
+    const Ladder& ladder = j.ladder;
     auto names = names_of(rival);
     for (const auto* e : ladder.last().causes.effects)
         if (std::ranges::count(ladder.rungs[rung].causes.effects, e) == 0 && std::ranges::count(rival.effects, e) == 0)
             names.emplace_back(e->name);
-    return names;
+    return j.with_numbers(std::move(names));
+}
+
+/// What of the gap all numbers of the document together take that are causes.
+double taken_by_numbers(const JudgedLadder& j)
+{
+    double sum = 0;
+    for (const auto& [effect, share] : j.numbers) sum += share.share;
+    return sum;
+}
+
+/// A number of the document as a rung. Several far numbers may make up for each other: together they take no more than
+/// all corrections do.
+LadderRung rung_of(const JudgedLadder& j, const Cause& whole, const Effect& number, const SharesWithInterval& share)
+{
+    LadderRung rung;
+    rung.names = {std::string(number.name)};
+    const double corrected = std::max(0.0, 1 - j.shares.corrected / std::max(1e-300, j.shares.documented));
+    const double part = std::min(1.0, corrected / std::max(1e-300, taken_by_numbers(j)));
+    rung.share = part * share.share, rung.interval = {part * share.low, part * share.high};
+    for (const auto& parameter : whole.parameters)
+        if (parameter.name.starts_with(rung.names[0] + ".")) rung.parameters.push_back(parameter);
+    rung.probability = 1 - policy::doubt_of_noise;
+    return rung;
 }
 
 LadderRung rung_of(const JudgedLadder& j, const Cause& whole, std::size_t i)
@@ -124,6 +148,21 @@ std::vector<std::string> signals_in(const Flexible& flexible)
     return signals;
 }
 
+/// What is explainable where nothing was climbed: what the audited joint takes, and what a flexible force of the
+/// signals still takes of what that leaves. A joint without a gap has nothing to explain.
+ExplainableShare beside_the_audit(const Prepared& p, double audited)
+{
+    ExplainableShare ceiling;
+    ceiling.share = not_set;
+    if (p.audit.findings.empty()) return ceiling;
+    const HeldOutData data(p.cases);
+    const Flexible rest = regress(data, p.scales, {}, {}, {});
+    const double more = rest.before > 0 ? std::clamp(1 - rest.after / rest.before, 0.0, 1.0) : 0;
+    ceiling.share = audited + (1 - audited) * more;
+    ceiling.depends_on = signals_in(rest);
+    return ceiling;
+}
+
 }  // namespace
 
 std::vector<RungRival> indistinguishable(const JudgedLadder& j)
@@ -135,11 +174,8 @@ std::vector<RungRival> indistinguishable(const JudgedLadder& j)
         for (std::size_t r = 0; r < odds.size(); ++r) {
             const FittedSet& set = j.ladder.rivals[i][r];
             if (odds[r] < policy::odds_of_indistinguishable) continue;
-            rivals.push_back({i,
-                              &set,
-                              odds[r],
-                              with_the_others(j.ladder, i, set.causes),
-                              {own[0], added_by(j.ladder, i, set.causes)[0]}});
+            rivals.push_back(
+                {i, &set, odds[r], with_the_others(j, i, set.causes), {own[0], added_by(j.ladder, i, set.causes)[0]}});
         }
     }
     return rivals;
@@ -150,10 +186,10 @@ void tell_ladder(const Prepared& p, const Findings& f, double audited, Diagnosis
     const double rest = 1 - audited;
     if (!p.audit.findings.empty()) {
         const Cause found = cause_of(p, f.none, 1);
-        d.ladder.push_back({found.names, audited, {}, found.parameters, {}, 0.99});
+        d.ladder.push_back({found.names, audited, {}, found.parameters, {}, 1 - policy::doubt_of_finding});
     }
     if (!f.climbed) {
-        d.ceiling.share = audited;
+        d.ceiling = beside_the_audit(p, audited);
         return;
     }
     const JudgedLadder& j = f.judged;
@@ -167,12 +203,22 @@ void tell_ladder(const Prepared& p, const Findings& f, double audited, Diagnosis
                 for (const auto* rival : f.decision.ambiguous)
                     if (i == 0) rung.ambiguous_with.push_back(names_of(rival->candidate));
             }
-            rung.share *= rest, rung.interval.low *= rest, rung.interval.high *= rest;
             d.ladder.push_back(std::move(rung));
         }
+    const auto first = static_cast<std::ptrdiff_t>(p.audit.findings.empty() ? 0 : 1);
     d.corrections = corrections_of(p, j);
     const double gap = std::max(1e-300, j.shares.documented);
-    d.corrected_share = rest * std::max(0.0, 1 - j.shares.corrected / gap);
+    d.corrected_share = std::max(0.0, 1 - j.shares.corrected / gap);
+    for (const auto& [effect, share] : j.numbers) {
+        auto rung = rung_of(j, whole, *effect, share);
+        d.corrected_share = std::max(0.0, d.corrected_share - rung.share);
+        const auto smaller = std::find_if(d.ladder.begin() + first, d.ladder.end(),
+                                          [&](const LadderRung& other) { return other.share < rung.share; });
+        d.ladder.insert(smaller, std::move(rung));
+    }
+    d.corrected_share *= rest;
+    for (auto rung = d.ladder.begin() + first; rung != d.ladder.end(); ++rung)
+        rung->share *= rest, rung->interval.low *= rest, rung->interval.high *= rest;
     const auto explainable = share_between(j.ladder.documented, j.ladder.documented, j.ladder.last().all_left());
     const double more = (beyond_noise(j.ladder.last().all_left()) - j.shares.explainable_to) / gap;
     d.ceiling.share = audited + rest * std::clamp(explainable.share + more, 0.0, 1.0);
@@ -185,12 +231,11 @@ void tell_ladder(const Prepared& p, const Findings& f, double audited, Diagnosis
 
 std::vector<Cause> causes_of(const Prepared& p, const JudgedLadder& j)
 {
-    constexpr double nothing_more = 0.9, something_more = 0.6;  // chances that a document's numbers are all
     std::vector<Cause> causes;
     if (j.ladder.rungs.empty()) {
         if (!j.only_corrections) return causes;
         // no cause, but numbers that the document has wrong
-        Cause c = cause_of(p, j.winner, j.noise_left ? nothing_more : something_more);
+        Cause c = cause_of(p, j.winner, j.noise_left ? policy::numbers_to_noise : policy::numbers_and_more);
         c.names = that_matter(p, j);
         c.tell_tale = "in proportion to the numbers that are off";
         std::erase_if(c.parameters, [&](const auto& parameter) {
@@ -202,6 +247,7 @@ std::vector<Cause> causes_of(const Prepared& p, const JudgedLadder& j)
     }
     double all = 1;
     for (const double chance : j.chances) all *= chance;
+    for (std::size_t i = 0; i < j.numbers.size(); ++i) all *= 1 - policy::doubt_of_noise;
     Cause first = cause_of(p, j.winner, j.named ? all : believed_unnamed * all, j.corrections);
     const auto gain = [&](const FittedSet& set) {
         return 1 - std::sqrt(beyond_noise(set.all_left()) / std::max(1e-300, j.shares.base));
@@ -235,7 +281,7 @@ std::vector<Cause> causes_of(const Prepared& p, const JudgedLadder& j)
     };
     const auto odds = odds_of_rivals(j, 0);
     for (std::size_t r = 0; r < odds.size(); ++r)
-        add(j.ladder.rivals[0][r], names_of(j.ladder.rivals[0][r].causes), j.chances[0] * odds[r]);
+        add(j.ladder.rivals[0][r], j.with_numbers(names_of(j.ladder.rivals[0][r].causes)), j.chances[0] * odds[r]);
     for (const auto& rival : indistinguishable(j))
         if (rival.rung > 0) add(*rival.set, rival.names, all * rival.odds);
     return causes;
@@ -250,13 +296,12 @@ void put_controller_in_order(Cause controller, bool noise_left, Diagnosis& d)
     // an encoder's coarser steps take nothing of the gap that they make, and corrections are no causes beside them
     const bool good_part = beside > 0 && beside >= policy::least_against_corrections * d.ladder[0].share;
     if (good_part && noise_left) return;
-    constexpr double half = 0.5;
-    if (good_part && d.effects[0].probability > half) {
+    if (good_part && d.effects[0].probability > policy::finding_and_more) {
         controller.probability = std::max(0.0, 1 - sum);
         d.effects.insert(d.effects.begin() + 1, std::move(controller));
         return;
     }
-    controller.probability = noise_left ? 1 - policy::doubt_of_noise : half;
+    controller.probability = noise_left ? 1 - policy::doubt_of_noise : policy::finding_and_more;
     for (auto& c : d.effects) c.probability *= 1 - controller.probability;
     d.effects.insert(d.effects.begin(), std::move(controller));
 }

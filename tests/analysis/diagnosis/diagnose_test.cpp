@@ -2,6 +2,7 @@
 #include "analysis/diagnosis/audit/audit.h"
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/verdict/locate.h"
+#include "analysis/diagnosis/verdict/policy.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 
 #include <algorithm>
@@ -134,6 +135,24 @@ TEST_CASE("a machine that is its document has no gap", "[gap]")
     const auto result = diagnose(nominal_joint(), records_of({}), in_order);
     CHECK(result.diagnosis.verdict == Verdict::no_gap);
     CHECK(result.diagnosis.effects.empty());
+    CHECK(std::isnan(result.diagnosis.ceiling.share));  // there is nothing to explain
+}
+
+TEST_CASE("what is explainable beside a wrong gain is measured, and the gain is as sure everywhere", "[gap][ladder]")
+{
+    Machine m;
+    m.k_p *= 1.07;
+    DiagnosisOptions options;
+    options.ensemble = 4;
+    const auto d = diagnose(nominal_joint(), records_of(m), in_order, options).diagnosis;
+    REQUIRE(d.verdict == Verdict::gap);
+    REQUIRE(d.ladder.size() == 1);
+    CHECK(d.effects[0].names == std::vector<std::string>{"gain-k_p"});
+    CHECK(d.ladder[0].probability == Approx(1 - policy::doubt_of_finding));
+    CHECK(d.effects[0].probability == d.ladder[0].probability);
+    CHECK(d.ceiling.share >= d.ladder[0].share);
+    CHECK(d.ceiling.share < 1);
+    CHECK(d.ceiling.share != d.ladder[0].share);  // the noise that is left is no copy of what the audit takes
 }
 
 TEST_CASE("more friction is named, sized and halves nothing but the gap; the order of the tasks does not matter",
@@ -245,6 +264,54 @@ TEST_CASE("a load with hysteresis is no cause of the catalogue, also where the d
     const auto d = diagnose(nominal_joint(), records_of(m), in_order, options).diagnosis;
     CHECK(d.verdict == Verdict::unknown);
     CHECK(std::ranges::any_of(d.reasons, [](const Note& note) { return note.code == Note::Code::nearer_force; }));
+}
+
+TEST_CASE("a number of the document that takes as much as the cause beside it is named with it", "[gap][ladder]")
+{
+    const auto answer = [](double inertia) {
+        Machine m;
+        m.inertia = 1.2 * inertia, m.coulomb = 2 * 0.93, m.viscous = 1.5 * 1.1, m.load = 0.1;
+        m.gravity = 0.4, m.amplitude = 3;
+        DiagnosisOptions options;
+        options.ensemble = 4;
+        return diagnose(nominal_joint(), records_of(m), in_order, options).diagnosis;
+    };
+    const auto is_correction = [](const Diagnosis& d) {
+        return std::ranges::any_of(d.corrections, [](const Correction& c) { return c.name == "inertia"; });
+    };
+    const auto sum = [](const Diagnosis& d) {
+        double all = d.corrected_share + d.remainder.share;
+        for (const auto& rung : d.ladder) all += rung.share;
+        return all;
+    };
+    const auto far = answer(1.10);
+    REQUIRE(far.verdict == Verdict::gap);
+    CHECK(std::ranges::count(far.effects[0].names, "inertia") == 1);
+    CHECK(far.effects[0].names.size() == 2);
+    for (const auto& rung : far.ladder) UNSCOPED_INFO(rung.names[0] << " " << rung.names.size() << " " << rung.share);
+    const auto rung = std::ranges::find(far.ladder, std::vector<std::string>{"inertia"}, &LadderRung::names);
+    REQUIRE(rung != far.ladder.end());
+    CHECK(rung->parameters.at(0).value == Approx(1.10).margin(0.01));
+    CHECK_FALSE(is_correction(far));
+    CHECK(sum(far) == Approx(1).margin(0.05));
+    const auto near = answer(1.04);
+    REQUIRE(near.verdict == Verdict::gap);
+    CHECK(std::ranges::count(near.effects[0].names, "inertia") == 0);
+    CHECK(is_correction(near));
+    CHECK(sum(near) == Approx(1).margin(0.05));
+}
+
+TEST_CASE("an inertia that changes on the way is no document that is off", "[gap][ladder]")
+{
+    Machine m;
+    m.inertia = 1.2 * 1.02, m.coulomb = 2 * 1.05;
+    m.picked_up = 0.3, m.picked_up_at = 2, m.amplitude = 3;
+    DiagnosisOptions options;
+    options.ensemble = 4;
+    const auto d = diagnose(nominal_joint(), records_of(m), in_order, options).diagnosis;
+    for (const auto& note : d.reasons) UNSCOPED_INFO(name_of(note.code));
+    CHECK(d.verdict == Verdict::unknown);
+    CHECK(std::ranges::any_of(d.reasons, [](const Note& note) { return note.signal == "inertia"; }));
 }
 
 TEST_CASE("a dead zone that no document tells is found without a logged command, with its size", "[gap]")

@@ -95,7 +95,7 @@ TEST_CASE("a hysteresis of another kind is nearer to a play than to any force of
     m.bellows = 20, m.bellows_play = 0.012, m.bellows_creeps = true;
     const Fitted fitted(m);
     REQUIRE(fitted.best().of == "hysteresis");
-    REQUIRE(fitted.fits.size() == 3);
+    REQUIRE(fitted.fits.size() == 4);
     CHECK(clearly_better(fitted.best(), fitted.fits[1].fit));
 }
 
@@ -110,4 +110,18 @@ TEST_CASE("a force without a name beats a cause only by a clear part of what the
     CHECK_FALSE(clearly_better({"position", leaving(1.0)}, leaving(1.003)));
     CHECK_FALSE(clearly_better({"position", leaving(2.7)}, leaving(3.0)));
     CHECK(clearly_better({"position", leaving(1.5)}, leaving(3.0)));
+}
+
+TEST_CASE("a load that is picked up on the way is found as an inertia that changes, with its size", "[gap]")
+{
+    test::Machine m;
+    m.picked_up = 0.5;
+    const Fitted fitted(m);
+    REQUIRE(fitted.best().of == "inertia");
+    CHECK(fitted.best().fit.explained > 0.95);
+    const FreeForce f = fitted.force();
+    for (const double t : {1.0, 1.5, 2.0}) CHECK(f.inertia_factor(t) == Approx(1).margin(0.05));
+    for (const double t : {4.5, 5.0, 5.5}) CHECK(f.inertia_factor(t) == Approx(1.7 / 1.2).margin(0.05));
+    for (const auto& other : fitted.fits)
+        if (other.of != "inertia") CHECK(clearly_better(fitted.best(), other.fit));
 }

@@ -26,6 +26,8 @@ struct Machine {
     double command_limit = 1e9;   ///< N, of the controller
     double dead_zone = 0;         ///< m: by this much less of a position error counts
     double gravity = 0;           ///< N, times the sine of the position
+    double picked_up = 0;         ///< kg, little by little from picked_up_at on for half a second
+    double picked_up_at = 3;      ///< s
     double one_way = 0;           ///< part of the viscous slope that changes its sign with the direction
 };
 
@@ -92,7 +94,8 @@ inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
                 continue;
             }
             const double direction = std::abs(v) < band ? std::copysign(1.0, push) : std::copysign(1.0, v);
-            const double next = v + h / m.inertia *
+            const double carried = m.picked_up * std::clamp((t + i * h - m.picked_up_at) / 0.5, 0.0, 1.0);
+            const double next = v + h / (m.inertia + carried) *
                                         (push - direction * m.coulomb - m.viscous * v - m.drag * v * std::abs(v) -
                                          m.one_way * std::abs(v));
             if (next * v < 0)

@@ -341,8 +341,7 @@ Ladder LadderSearch::finished(FittedSet set)
 std::vector<FarNumber> LadderSearch::far_off(const Ladder& ladder) const
 {
     std::vector<FarNumber> far;
-    if (ladder.rungs.empty()) return far;
-    const FittedSet& last = ladder.rungs.back();
+    const FittedSet& last = ladder.last();
     const Candidate& c = last.model.candidate;
     std::size_t at = 0;
     for (std::size_t i = 0; i < last.model.corrections; at += c.count_of(*c.forms[i++])) {

@@ -69,7 +69,7 @@ class LadderSearch {
     const FittedSet* first() const { return first_.empty() ? nullptr : &first_[0]; }
     /// At most so many rungs; pairs that a search of their own has found are tried as the first two.
     Ladder climb(const std::vector<Attribution>& pairs, std::size_t most_rungs, const OnlyNoise& only_noise = {});
-    /// The corrections of the last rung that are far off, and what keeping each one as documented costs.
+    /// The corrections beside the last rung, or alone, that are far off, and what keeping each one as documented costs.
     std::vector<FarNumber> far_off(const Ladder& ladder) const;
     /// Takes the last rung away.
     void shorten(Ladder& ladder) const;

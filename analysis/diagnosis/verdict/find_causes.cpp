@@ -139,7 +139,7 @@ void find_causes(Prepared& p, std::size_t pair_partners, const std::function<voi
         }
         if (!accepted(f.decision)) {
             shorten_to_likely(search, p, parallel, f.judged);
-            if (f.judged.named) count_far_numbers(f.judged, search.far_off(f.judged.ladder));
+            if (f.judged.answers()) count_far_numbers(f.judged, search.far_off(f.judged.ladder));
         }
     }
     if (accepted(f.decision) && !(f.by_ladder && f.judged.noise_left)) {

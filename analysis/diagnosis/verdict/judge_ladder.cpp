@@ -198,14 +198,14 @@ void count_as_cause(Attribution& a, std::size_t& corrections, const Effect* effe
 
 void count_far_numbers(JudgedLadder& j, const std::vector<FarNumber>& far)
 {
-    if (!j.named || j.shares.rungs.empty()) return;
-    const double by_causes = j.shares.corrected - j.shares.rungs.back();
-    const auto& left = j.ladder.last().all_left();
+    if (!j.answers()) return;
+    const double after = j.only_corrections ? j.shares.base : j.shares.rungs.back();
+    const double by_causes = (j.only_corrections ? j.shares.documented : j.shares.corrected) - after;
+    const auto left = j.ladder.last().all_left();
     for (const auto& number : far) {
-        if (beyond_noise(number.as_documented) - j.shares.rungs.back() < policy::as_much_as_causes * by_causes)
-            continue;
+        if (beyond_noise(number.as_documented) - after < policy::as_much_as_causes * by_causes) continue;
         j.numbers.emplace_back(number.effect, share_between(j.ladder.documented, number.as_documented, left));
-        count_as_cause(j.winner, j.corrections, number.effect);
+        if (!j.only_corrections) count_as_cause(j.winner, j.corrections, number.effect);
     }
 }
 

@@ -38,7 +38,7 @@ struct JudgedLadder {
     std::optional<Note> why_not;    ///< where nothing is named
     std::vector<double> chances;    ///< of every rung
     /// Numbers of the document that are causes beside the rungs, and what they take. In the winner they stand behind
-    /// the causes, no longer among the corrections.
+    /// the causes, no longer among the corrections. Where there are no rungs: those of the corrections that take most.
     std::vector<std::pair<const Effect*, SharesWithInterval>> numbers;
 
     /// A set of causes with those numbers.
@@ -64,7 +64,8 @@ bool small_against_corrections(const JudgedLadder& judged);
 /// has to take as much as a cause would, since small things that every machine has are no answer either.
 void hold_against(JudgedLadder& judged, const FreeFit& force);
 
-/// Makes causes of those numbers of the document that are far off and take as much as the causes beside them do.
+/// Makes causes of those numbers of the document that are far off and take as much as the causes beside them do; where
+/// there are none, and the corrections are the answer, finds those that take as much of what all corrections take.
 void count_far_numbers(JudgedLadder& judged, const std::vector<FarNumber>& far);
 
 /// A fitted set at all levels.

@@ -210,6 +210,7 @@ void tell_ladder(const Prepared& p, const Findings& f, double audited, Diagnosis
     const double gap = std::max(1e-300, j.shares.documented);
     d.corrected_share = std::max(0.0, 1 - j.shares.corrected / gap);
     for (const auto& [effect, share] : j.numbers) {
+        if (!j.named) break;  // numbers alone are corrections, however much they take
         auto rung = rung_of(j, whole, *effect, share);
         d.corrected_share = std::max(0.0, d.corrected_share - rung.share);
         const auto smaller = std::find_if(d.ladder.begin() + first, d.ladder.end(),
@@ -236,7 +237,7 @@ std::vector<Cause> causes_of(const Prepared& p, const JudgedLadder& j)
         if (!j.only_corrections) return causes;
         // no cause, but numbers that the document has wrong
         Cause c = cause_of(p, j.winner, j.noise_left ? policy::numbers_to_noise : policy::numbers_and_more);
-        c.names = that_matter(p, j);
+        c.names = j.numbers.empty() ? that_matter(p, j) : j.with_numbers({});
         c.tell_tale = "in proportion to the numbers that are off";
         std::erase_if(c.parameters, [&](const auto& parameter) {
             return std::ranges::none_of(c.names, [&](const auto& n) { return parameter.name.starts_with(n + "."); });

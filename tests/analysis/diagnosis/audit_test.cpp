@@ -298,9 +298,11 @@ TEST_CASE("velocities that the command is made of tell the filter where rows wer
 {
     Machine m;
     m.tau = GENERATE(0.003, 0.011);  // documented: 0.003
-    const bool own = GENERATE(true, false);
+    const bool own = GENERATE(true, false), referred = GENERATE(true, false);
+    if (!referred) m.step = 0.01;  // and its rate is no smooth one
     Record r = test::record_of(m, 1, 3);
-    CAPTURE(m.tau, own);
+    CAPTURE(m.tau, own, referred);
+    if (!referred) r.reference_position.clear(), r.reference_velocity.clear();
     if (!own)  // another filter of the logger's, which the command knows nothing of
         for (std::size_t k = 1; k < r.rows(); ++k)
             r.velocity[k] = r.velocity[k - 1] + 0.2 * ((r.position[k] - r.position[k - 1]) / 1e-3 - r.velocity[k - 1]);

@@ -166,9 +166,10 @@ void add_simulate(CLI::App& app, Invocation& invocation)
     verb->add_option("--set", options->settings, "change a number first: path=value");
     options->disturbance.add_to(*verb);
     options->surroundings.add_to(*verb);
-    options->surroundings.add_duration_to(*verb,
-                                          "fifty turns of the slowest mode, up to 400 where it grows slowly; with a "
-                                          "force until the mode has shown itself; a file's own");
+    options->surroundings.add_duration_to(
+        *verb,
+        "fifty turns of the slowest mode, up to 400 where it grows slowly, at most 100000 ticks; with a "
+        "force until the mode has shown itself; a file's own");
     verb->add_option("--reference", options->reference,
                      "follow this reference instead and write record.csv, which diagnose reads: CSV with time, "
                      "reference_position and, where it has them, reference_velocity and feed_forward")

@@ -17,6 +17,16 @@ enum class SetPointWay : std::uint8_t {
     dither_without_integral  ///< a vibration below the kinetic friction, k_i = 0
 };
 
+/// As JSON calls it.
+constexpr std::string_view name_of(SetPointWay way)
+{
+    constexpr std::string_view names[] = {
+        "as-described",           "no-integral", "dead-zone", "push", "push-without-integral", "push-and-dead-zone",
+        "dither-without-integral"};
+    static_assert(std::size(names) == static_cast<std::size_t>(SetPointWay::dither_without_integral) + 1);
+    return names[static_cast<std::size_t>(way)];
+}
+
 /// What a joint with one of the frictions that are reckoned with does.
 struct SetPointProof {
     double coulomb = missing, breakaway = missing;  ///< kinetic and static friction

@@ -12,7 +12,6 @@ namespace {
 
 constexpr std::size_t nodes_across = 6, nodes_up = 4, picture_points = 240;
 constexpr double picture_tolerance = 1e-6;
-constexpr long picture_ticks = 10'000;  ///< of a real loop
 
 /// The middle nodes of `count` equal stretches of an axis.
 std::vector<double> spread(const Axis& axis, std::size_t count)
@@ -70,7 +69,7 @@ std::vector<MapMotion> map_motions(const Joint& joint, const Slice& slice)
         *find_parameter(node, slice.x.path) = x;
         *find_parameter(node, slice.y.path) = y;
         SimulateOptions options;
-        options.rtol = picture_tolerance, options.most_ticks = picture_ticks;
+        options.rtol = picture_tolerance;
         const auto t = simulate(node, options);
         found[i] = thinned(t.time, t.velocity, picture_points);
         found[i].x = x;

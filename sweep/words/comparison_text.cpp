@@ -86,52 +86,6 @@ std::string moved_words(const DiagnosisComparison& c)
 
 }  // namespace
 
-std::string name_of(GapChange change)
-{
-    switch (change) {
-        case GapChange::none:
-            return "none";
-        case GapChange::same:
-            return "same";
-        case GapChange::appeared:
-            return "appeared";
-        case GapChange::gone:
-            return "gone";
-        case GapChange::grown:
-            return "grown";
-        case GapChange::shrunk:
-            return "shrunk";
-        case GapChange::not_comparable:
-            break;
-    }
-    return "not-comparable";
-}
-
-std::string name_of(Kind kind)
-{
-    switch (kind) {
-        case Kind::new_gap:
-            return "new-gap";
-        case Kind::grown:
-            return "grown";
-        case Kind::remainder:
-            return "remainder";
-        case Kind::new_cause:
-            return "new-cause";
-        case Kind::number_moved:
-            return "number-moved";
-        case Kind::no_answer:
-            break;
-    }
-    return "no-answer";
-}
-
-std::string name_of(FoundNumber::Of of)
-{
-    if (of == FoundNumber::Of::sheet) return "sheet";
-    return of == FoundNumber::Of::parameter ? "parameter" : "correction";
-}
-
 std::string outcome_name(const DiagnosisFacts& facts)
 {
     if (facts.interrupted) return "interrupted diagnosis";

@@ -8,13 +8,6 @@
 
 namespace stickslip {
 
-/// "none", "same", "appeared", "gone", "grown", "shrunk" or "not-comparable".
-std::string name_of(GapChange change);
-/// "new-gap", "grown", "remainder", "new-cause", "number-moved" or "no-answer".
-std::string name_of(GapRegression::Kind kind);
-/// "sheet", "parameter" or "correction".
-std::string name_of(FoundNumber::Of of);
-
 /// "gap by coulomb-level", "no gap", "too little data".
 std::string outcome_name(const DiagnosisFacts& facts);
 

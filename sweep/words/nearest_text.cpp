@@ -3,8 +3,6 @@
 #include "analysis/results/text.h"
 #include "sweep/words/symbols.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
 
@@ -109,20 +107,6 @@ std::string all_at_once(double distance, const std::vector<double>& scales)
     for (const double scale : scales) squares += 1 / (scale * scale);
     const double each = squares > 0 ? distance / std::sqrt(squares) : distance;
     return "±" + plain_number(100 * -std::expm1(-each), 2) + "\u00a0%";
-}
-
-nlohmann::ordered_json nearest_json(const NearestBoundary& n)
-{
-    nlohmann::ordered_json json = {{"decided", n.decided}, {"stable", n.stable}, {"found", n.found}};
-    json["distance"] = n.distance;
-    json["moves"] = nlohmann::ordered_json::array();
-    for (const auto& m : n.moves)
-        json["moves"].push_back({{"path", m.less.empty() ? m.path : m.path + " - " + m.less},
-                                 {"from", m.from},
-                                 {"to", m.to},
-                                 {"change", m.to / m.from - 1}});
-    json["evaluations"] = n.evaluations;
-    return json;
 }
 
 }  // namespace stickslip

@@ -1,9 +1,7 @@
-// The nearest boundary in words and numbers.
+// The nearest boundary in words.
 #pragma once
 #include "analysis/boundary/kinds/nearest.h"
 #include "analysis/results/report.h"
-
-#include <nlohmann/json_fwd.hpp>
 
 namespace stickslip {
 
@@ -25,7 +23,5 @@ void name_symbols(Report& report, const NearestBoundary& nearest, Motion motion)
 /// together stay within the distance: |ln(1 ± x)| √Σ 1/scale² ≤ d. `scales` are those of the coordinates in which it
 /// was measured.
 std::string all_at_once(double distance, const std::vector<double>& scales);
-
-nlohmann::ordered_json nearest_json(const NearestBoundary& nearest);
 
 }  // namespace stickslip

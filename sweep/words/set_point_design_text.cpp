@@ -63,14 +63,6 @@ std::string proof_text(const SetPointProof& p, Motion motion)
 
 }  // namespace
 
-std::string_view name_of(SetPointWay way)
-{
-    constexpr std::string_view names[] = {
-        "as-described",           "no-integral", "dead-zone", "push", "push-without-integral", "push-and-dead-zone",
-        "dither-without-integral"};
-    return names[static_cast<int>(way)];
-}
-
 std::string way_text(SetPointWay way)
 {
     switch (way) {

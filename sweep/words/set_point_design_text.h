@@ -9,9 +9,7 @@
 
 namespace stickslip {
 
-/// "push" and so on: the name of a way in JSON.
-std::string_view name_of(SetPointWay way);
-/// The same in words.
+/// "Coulomb push towards the set point" and so on.
 std::string way_text(SetPointWay way);
 
 /// What is best and why it does not hunt, mark-up.

@@ -35,6 +35,32 @@ Json change_json(const NumberChange& c)
 
 }  // namespace
 
+std::string name_of(GapRegression::Kind kind)
+{
+    using Kind = GapRegression::Kind;
+    switch (kind) {
+        case Kind::new_gap:
+            return "new-gap";
+        case Kind::grown:
+            return "grown";
+        case Kind::remainder:
+            return "remainder";
+        case Kind::new_cause:
+            return "new-cause";
+        case Kind::number_moved:
+            return "number-moved";
+        case Kind::no_answer:
+            break;
+    }
+    return "no-answer";
+}
+
+std::string name_of(FoundNumber::Of of)
+{
+    if (of == FoundNumber::Of::sheet) return "sheet";
+    return of == FoundNumber::Of::parameter ? "parameter" : "correction";
+}
+
 Json facts_json(const DiagnosisFacts& facts)
 {
     Json json = {{"file", facts.source},

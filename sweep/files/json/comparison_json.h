@@ -10,6 +10,11 @@
 
 namespace stickslip {
 
+/// "new-gap", "grown", "remainder", "new-cause", "number-moved" or "no-answer".
+std::string name_of(GapRegression::Kind kind);
+/// "sheet", "parameter" or "correction".
+std::string name_of(FoundNumber::Of of);
+
 /// "stickslip-comparison/1"
 nlohmann::ordered_json comparison_json(const DiagnosisComparison& comparison);
 

@@ -1,8 +1,8 @@
 #include "sweep/files/json/design_json.h"
 
+#include "sweep/files/json/nearest_json.h"
 #include "sweep/files/json/verdict_json.h"
 #include "sweep/words/design_text.h"
-#include "sweep/words/nearest_text.h"
 #include "sweep/words/verdict_text.h"
 
 namespace stickslip {

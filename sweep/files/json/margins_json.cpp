@@ -1,7 +1,7 @@
 #include "sweep/files/json/margins_json.h"
 
+#include "sweep/files/json/nearest_json.h"
 #include "sweep/words/margins_text.h"
-#include "sweep/words/nearest_text.h"
 #include "sweep/words/verdict_text.h"
 
 namespace stickslip {

@@ -101,4 +101,25 @@ DiagnosisComparison compare_diagnoses(DiagnosisFacts before, DiagnosisFacts afte
     return c;
 }
 
+std::string name_of(GapChange change)
+{
+    switch (change) {
+        case GapChange::none:
+            return "none";
+        case GapChange::same:
+            return "same";
+        case GapChange::appeared:
+            return "appeared";
+        case GapChange::gone:
+            return "gone";
+        case GapChange::grown:
+            return "grown";
+        case GapChange::shrunk:
+            return "shrunk";
+        case GapChange::not_comparable:
+            break;
+    }
+    return "not-comparable";
+}
+
 }  // namespace stickslip

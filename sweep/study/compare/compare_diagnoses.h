@@ -18,6 +18,9 @@ enum class GapChange {
     not_comparable  ///< one of the two has no answer
 };
 
+/// As JSON calls it.
+std::string name_of(GapChange change);
+
 /// One number in both diagnoses, or in one.
 struct NumberChange {
     std::string name, unit;

@@ -1,4 +1,5 @@
-# The analysis floor as a CMake package: find_package(stickslip) gives stickslip::analysis.
+# The analysis floor as a CMake package: find_package(stickslip) gives stickslip::analysis, and with COMPONENTS files also
+# stickslip::files, which reads and writes joints and records.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/stickslip)
@@ -6,10 +7,11 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/stickslip)
 # "libresults.a" would say nothing in a library folder that all programs share.
 set_target_properties(results PROPERTIES OUTPUT_NAME stickslip-results)
 set_target_properties(analysis PROPERTIES OUTPUT_NAME stickslip-analysis)
+set_target_properties(files PROPERTIES OUTPUT_NAME stickslip-files)
 target_compile_features(results PUBLIC cxx_std_20)
 target_include_directories(results INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 
-install(TARGETS results analysis EXPORT stickslip ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library)
+install(TARGETS results analysis files EXPORT stickslip ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library)
 install(EXPORT stickslip NAMESPACE stickslip:: FILE stickslip-targets.cmake DESTINATION ${package_dir} COMPONENT library)
 # public headers, and behind them only what they include
 install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\" -DSOURCE=${PROJECT_SOURCE_DIR}

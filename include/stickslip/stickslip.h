@@ -13,6 +13,7 @@
 #include <stickslip/friction_response.h>
 #include <stickslip/gains.h>
 #include <stickslip/joint.h>
+#include <stickslip/joint_file.h>
 #include <stickslip/keys.h>
 #include <stickslip/load_study.h>
 #include <stickslip/located.h>
@@ -27,7 +28,9 @@
 #include <stickslip/plan.h>
 #include <stickslip/quantity.h>
 #include <stickslip/record.h>
+#include <stickslip/record_file.h>
 #include <stickslip/reduction.h>
+#include <stickslip/reference_file.h>
 #include <stickslip/set_point.h>
 #include <stickslip/simulate.h>
 #include <stickslip/stable_gains.h>

@@ -26,6 +26,15 @@ grep -q '^k_p =  60 kN/m  stable-sliding' "$room/table"
 head -1 "$room/table" | grep -q '^gap$'
 sed -n 2p "$room/table" | grep -q '^constant-load .* = \(0\.2\|0\.19[5-9][0-9]*\|0\.20[0-4][0-9]*\) N·m'
 
+# the same from files, and what is wrong with a file, with its place
+(cd "$room" && "$room/out/from_files") | tee "$room/table"
+head -1 "$room/table" | grep -q '^gap$'
+sed -n 2p "$room/table" | grep -q '^constant-load '
+sed -i 's/^coulomb = .*/coulomb = -1/' "$room/joint.toml"
+if "$room/out/from_files" "$room/joint.toml" "$room/record.csv" 2>"$room/table"; then exit 1; fi
+cat "$room/table"
+grep -q '/joint.toml:[0-9]*:[0-9]*: friction.coulomb: ' "$room/table"
+
 for header in "$room"/prefix/include/stickslip/*.h; do
   name=$(basename "$header" .h)
   echo "#include <stickslip/$name.h>" >"$room/$name-alone.cpp"

@@ -1,6 +1,7 @@
 // A joint from TOML and back. The keys, units, ranges and help are those of Joint::fields; nothing is listed twice.
 #pragma once
 #include "analysis/joint/joint.h"
+#include "sweep/files/text/bad_input.h"
 
 #include <filesystem>
 #include <string>

@@ -2,7 +2,6 @@
 #include <catch2/catch.hpp>
 
 #include "analysis/simulation/sampled/loop_verdict.h"
-#include "analysis/simulation/simulate.h"
 #include "analysis/stability/verdict.h"
 #include "tests/analysis/simulation/joints.h"
 
@@ -49,18 +48,4 @@ TEST_CASE("a cycle beside a slow integral is waited for", "[sampled][integral]")
     CHECK(none == Approx(22.1829e-6).epsilon(1e-5));
     CHECK((whole - none) / (half - none) == Approx(2).epsilon(0.02));
     CHECK(whole == Approx(none).epsilon(0.03));
-}
-
-TEST_CASE("a motion whose slow integral would take hours is shown over a bounded number of ticks",
-          "[sampled][integral]")
-{
-    Joint joint = example_joint(9e4, 10, 1e-3);
-    joint.control.k_i = 1e3;  // fifty turns of −k_i/k_p: eight hours
-    SimulateOptions options;
-    options.most_ticks = 1000;
-    const auto motion = simulate(joint, options);
-    REQUIRE(motion.reason == Reason::none);
-    CHECK(motion.time.back() == Approx(1000 * tick_of(joint)));
-    options.duration = 1500 * tick_of(joint);  // what is asked for is given
-    CHECK(simulate(joint, options).time.back() == Approx(options.duration));
 }

@@ -208,12 +208,8 @@ Trajectory simulate(const Joint& asked, const SimulateOptions& options)
         !options.force.value.empty() || options.force.impulse != 0 || !options.normal_load.value.empty();
     if (has_real_loop(joint) || has_unsteady_terms(joint)) {
         if (!driven)
-            return loop_trajectory(joint, {.disturbance = options.disturbance,
-                                           .duration = options.duration,
-                                           .most_ticks = options.most_ticks,
-                                           .cycle_period = options.cycle_period,
-                                           .rtol = options.rtol,
-                                           .seed = options.seed});
+            return loop_trajectory(
+                joint, {options.disturbance, options.duration, options.cycle_period, options.rtol, options.seed});
         path.reason = Reason::unsupported;  // forces from outside act on the ideal loop only
         return path;
     }

@@ -16,8 +16,7 @@ struct SampledLoad {
 
 struct SimulateOptions {
     Disturbance disturbance;
-    double duration = missing;  ///< s; not set: fifty turns of the slowest mode, up to 400 where it grows slowly
-    long most_ticks = 100'000;  ///< of a real loop in a duration that is not set: a slow integral takes hours to die
+    double duration = missing;      ///< s; not set: fifty turns of the slowest mode, up to 400 where it grows slowly
     double cycle_period = missing;  ///< s, of the cycle that the motion ends in; not set: nothing waits for a cycle
     SampledForce force;             ///< d(t) of (9) on the link, on top of the disturbance
     SampledLoad normal_load;        ///< σ_n(t) of (1); empty: as the joint says

@@ -68,7 +68,6 @@ Trajectory loop_trajectory(const Joint& joint, const LoopMotionQuestion& questio
     if (!is_set(duration)) {
         duration = turns * turn;
         if (s.real() > 0) duration = std::clamp(lead / s.real() + 30 * turn, duration, most_turns * turn);
-        duration = std::min(duration, static_cast<double>(question.most_ticks) * loop.period());
         if (is_set(question.cycle_period)) duration = std::max(duration, shown_cycles * question.cycle_period);
     }
     const auto keep = [&](double t, const double* y, const DrivenJoint& j) {

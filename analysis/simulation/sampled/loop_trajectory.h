@@ -9,8 +9,7 @@ namespace stickslip {
 
 struct LoopMotionQuestion {
     Disturbance disturbance;
-    double duration = missing;  ///< s; not set: fifty turns, at most so many ticks
-    long most_ticks = 100'000;
+    double duration = missing;      ///< s; not set: fifty turns
     double cycle_period = missing;  ///< s, of the cycle that the motion ends in, where it is known
     double rtol = 1e-8;
     std::uint64_t seed = 1;  ///< of the noise

@@ -208,7 +208,8 @@ TEST_CASE("an interrupted diagnosis says what was not looked at, keeps what was 
     CHECK(late.reasons[0].names == std::vector<std::string>{"predicting held-out data"});
 }
 
-TEST_CASE("a wrong filter of the controller is the cause, and not the few per cent of the document beside it", "[gap]")
+TEST_CASE("a wrong filter of the controller is the cause, and not the few per cent of the document beside it",
+          "[gap][slow]")
 {
     Machine m;
     m.tau = 0.0051;
@@ -254,7 +255,8 @@ TEST_CASE("a record in which nothing of the controller is as documented is suspe
     CHECK(d.reasons[0].values.at(static_cast<std::size_t>(k_p - names.begin())) == Approx(1.083).epsilon(1e-3));
 }
 
-TEST_CASE("a load with hysteresis is no cause of the catalogue, also where the document is a few per cent off", "[gap]")
+TEST_CASE("a load with hysteresis is no cause of the catalogue, also where the document is a few per cent off",
+          "[gap][slow]")
 {
     Machine m;
     m.inertia = 1.2 * 1.05, m.coulomb = 2 * 0.95;
@@ -266,7 +268,7 @@ TEST_CASE("a load with hysteresis is no cause of the catalogue, also where the d
     CHECK(std::ranges::any_of(d.reasons, [](const Note& note) { return note.code == Note::Code::nearer_force; }));
 }
 
-TEST_CASE("a number of the document that takes as much as the cause beside it is named with it", "[gap][ladder]")
+TEST_CASE("a number of the document that takes as much as the cause beside it is named with it", "[gap][ladder][slow]")
 {
     const auto answer = [](double inertia) {
         Machine m;
@@ -301,7 +303,7 @@ TEST_CASE("a number of the document that takes as much as the cause beside it is
     CHECK(sum(near) == Approx(1).margin(0.05));
 }
 
-TEST_CASE("an inertia that changes on the way is no document that is off", "[gap][ladder]")
+TEST_CASE("an inertia that changes on the way is no document that is off", "[gap][ladder][slow]")
 {
     Machine m;
     m.inertia = 1.2 * 1.02, m.coulomb = 2 * 1.05;

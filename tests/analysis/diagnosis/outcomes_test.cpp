@@ -160,7 +160,7 @@ bool sticks_again(double k_p, double k_v, double V0)
 }  // namespace
 
 TEST_CASE("where nothing damps the amplitudes of kinetic and static friction are those of the closed form",
-          "[gap][outcomes]")
+          "[gap][outcomes][slow]")
 {
     // it breaks loose at ΔF/k before the middle and swings with √((ΔF/k)² + (V_0/ω)²) about it until it sticks again
     OutcomeTable table{"rows.csv", {"control.k_p", "control.k_v", "control.V0"}, {}};

@@ -109,7 +109,7 @@ TEST_CASE("a force that nobody modelled sets a joint in motion from rest: that i
     CHECK(prepare(test::record_of(m, 2), test::nominal_joint(), notes).ticks.at_rest);
 }
 
-TEST_CASE("the cause is found in logs with lost rows, with a hole, and cut out of longer ones", "[gap]")
+TEST_CASE("the cause is found in logs with lost rows, with a hole, and cut out of longer ones", "[gap][slow]")
 {
     const Record whole = heavier();
     names_inertia(answer(whole));

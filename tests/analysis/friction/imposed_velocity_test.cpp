@@ -26,7 +26,7 @@ TEST_CASE("a velocity step jumps by A ln(V_1/V_0) and decays over L to the stead
     CHECK(motion.slip.back() == Approx(1.0 * slow + 0.05 * fast).epsilon(1e-12));
 }
 
-TEST_CASE("slow oscillations trace the steady curve of every law with states", "[friction]")
+TEST_CASE("slow oscillations trace the steady curve of every law with states", "[friction][slow]")
 {
     for (const auto& sample : samples::laws()) {
         Friction friction;

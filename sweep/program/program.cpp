@@ -133,23 +133,24 @@ int exit_after_failure(const CLI::App& app, const std::vector<std::string>& word
 
 namespace {
 
-/// For verbs of seconds, which do not ask whether somebody wants them to stop.
+std::string_view last_words;
+
 void leave_at_once(int)
 {
-    constexpr std::string_view told = "interrupted before the answer was complete\n";
-    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, told.data(), told.size());
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, last_words.data(), last_words.size());
     ::_exit(exit_interrupted);
 }
 
-void leave_on_interrupts()
+}  // namespace
+
+void leave_on_interrupts(std::string_view told)
 {
+    last_words = told;
     struct sigaction action {};
     action.sa_handler = leave_at_once;
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
 }
-
-}  // namespace
 
 void catch_interrupts(Invocation& invocation)
 {
@@ -163,7 +164,7 @@ void catch_interrupts(Invocation& invocation)
 
 int run_program(int argc, char** argv, Cluster* cluster)
 {
-    leave_on_interrupts();
+    leave_on_interrupts("interrupted before the answer was complete\n");
     Invocation invocation;
     invocation.cluster = cluster;
     invocation.command = "stickslip";

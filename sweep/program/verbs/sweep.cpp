@@ -126,6 +126,7 @@ int sweep(const Options& options, Invocation& invocation)
         return exit_done;
     }
 
+    leave_on_interrupts("interrupted: the results are kept, their page is not drawn; stickslip report draws it\n");
     const ResultsFile results(run.results);
     auto summary = summarise(spec, results);
     if (!date.empty()) summary.provenance.emplace_back("drawn", date);

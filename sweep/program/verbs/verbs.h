@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <string>
+#include <string_view>
 
 namespace stickslip {
 
@@ -19,6 +20,10 @@ struct Invocation {
 
 /// Marks the running program as interrupted instead of ending it, so that what is in flight can be kept.
 void catch_interrupts(Invocation& invocation);
+
+/// Ends the program at an interruption, with these words and code 3: where nothing more is in flight that could be
+/// kept. As every verb begins.
+void leave_on_interrupts(std::string_view told);
 
 void add_sweep(CLI::App& app, Invocation& invocation);
 void add_boundary(CLI::App& app, Invocation& invocation);

@@ -239,8 +239,12 @@ std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scale
 
 bool clearly_better(const FreeFit& free, const Attribution& cause)
 {
+    return clearly_better(free, mean_log_misfit(cause.evaluation));
+}
+
+bool clearly_better(const FreeFit& free, double left)
+{
     constexpr double part = 0.25;  // of what the cause leaves
-    const double left = mean_log_misfit(cause.evaluation);
     return mean_log_misfit(free.fit.evaluation) < left - std::max(least_of_free_force, part * left);
 }
 

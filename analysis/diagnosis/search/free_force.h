@@ -27,5 +27,7 @@ inline constexpr double least_of_free_force = 0.004;
 /// Whether a shape-free force leaves clearly less of the misfit than a cause does. Its many parameters cost nothing
 /// here: on tens of thousands of rows they fit next to no noise.
 bool clearly_better(const FreeFit& free, const Attribution& cause);
+/// Less than what a cause leaves of the mean log misfit.
+bool clearly_better(const FreeFit& free, double left);
 
 }  // namespace stickslip::gap

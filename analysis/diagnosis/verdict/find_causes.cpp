@@ -84,6 +84,8 @@ void shorten_to_likely(const LadderSearch& search, const Prepared& p, const Para
     while (small_against_corrections(j) || unlikely()) {
         JudgedLadder shorter;
         shorter.noise_below = j.noise_left || j.noise_below;
+        shorter.with_small_terms = j.with_small_terms;
+        if (j.usual) shorter.with_small_terms = std::min(j.with_small_terms, mean_log_misfit(j.winner.evaluation));
         shorter.ladder = std::move(j.ladder);
         search.shorten(shorter.ladder);
         judge(shorter, search.data(), p.scales, p.nominal, parallel);

@@ -150,7 +150,8 @@ bool small_against_corrections(const JudgedLadder& j)
 
 void hold_against(JudgedLadder& j, const FreeFit& force)
 {
-    if (!clearly_better(force, j.winner)) return;
+    // a free force takes the small terms that every machine has along: the cause is held against it with its own
+    if (!clearly_better(force, std::min(mean_log_misfit(j.winner.evaluation), j.with_small_terms))) return;
     if (j.only_corrections) {
         const double more = force.fit.explained - j.winner.explained;
         if (more < policy::least_against_corrections * j.winner.explained) return;

@@ -28,15 +28,16 @@ struct JudgedLadder {
     Ladder ladder;
     Shares shares;
     Flexible of_corrected, of_last;
-    Attribution winner;             ///< the last rung, or the corrections alone, at all levels; corrections come first
-    std::size_t corrections = 0;    ///< effects at the head of the winner that are corrections
-    bool noise_left = false;        ///< all that the winner leaves is noise
-    bool noise_below = false;       ///< or was, with rungs below the last that were taken away
-    bool usual = false;             ///< the last cause is a small term that every machine has
-    bool named = false;             ///< causes are named
-    bool only_corrections = false;  ///< the document's own numbers are all that is wrong
-    std::optional<Note> why_not;    ///< where nothing is named
-    std::vector<double> chances;    ///< of every rung
+    Attribution winner;           ///< the last rung, or the corrections alone, at all levels; corrections come first
+    std::size_t corrections = 0;  ///< effects at the head of the winner that are corrections
+    bool noise_left = false;      ///< all that the winner leaves is noise
+    bool noise_below = false;     ///< or was, with rungs below the last that were taken away
+    double with_small_terms = infinity;  ///< mean log misfit with small terms of machines that were taken away
+    bool usual = false;                  ///< the last cause is a small term that every machine has
+    bool named = false;                  ///< causes are named
+    bool only_corrections = false;       ///< the document's own numbers are all that is wrong
+    std::optional<Note> why_not;         ///< where nothing is named
+    std::vector<double> chances;         ///< of every rung
     /// Numbers of the document that are causes beside the rungs, and what they take. In the winner they stand behind
     /// the causes, no longer among the corrections. Where there are no rungs: those of the corrections that take most.
     std::vector<std::pair<const Effect*, SharesWithInterval>> numbers;

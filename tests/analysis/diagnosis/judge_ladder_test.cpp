@@ -180,6 +180,10 @@ TEST_CASE("corrections alone are held against free forces, which have to take as
     j.only_corrections = false, j.named = true;  // a rung has taken as much
     j.ladder.rungs.push_back(rung({"gravity"}, 0.1, 5));
     CHECK_FALSE(answers(force(0.7, 1.3)));
+    // with its own ripple and cogging the cause came as near, and a free force only took those along
+    j.with_small_terms = mean_log_misfit(force(0, 1.35).fit.evaluation);
+    CHECK(answers(force(0.7, 1.3)));
+    CHECK_FALSE(answers(force(0.7, 1.05)));
 }
 
 TEST_CASE("a cause that takes little beside the corrections is not what the gap comes from", "[gap][ladder]")

@@ -1,6 +1,15 @@
 #include "analysis/diagnosis/effects/catalogue.h"
 
 namespace stickslip::gap {
+namespace {
+
+bool integrates(const Joint& j)
+{
+    const auto& c = j.control;
+    return c.k_i != 0 || is_set(c.velocity_integral_gain) || is_set(c.velocity_reset_time);
+}
+
+}  // namespace
 
 Effect gain_k_i()
 {
@@ -23,10 +32,20 @@ Effect gain_k_i()
             if (is_set(c.velocity_reset_time)) c.velocity_reset_time /= p[0];
         };
         f.seeds = {{1.1}, {0.9}};
-        f.applies = [](const Joint& j) {
-            const auto& c = j.control;
-            return c.k_i != 0 || is_set(c.velocity_integral_gain) || is_set(c.velocity_reset_time);
+        f.applies = integrates;
+        e.forms.push_back(f);
+    }
+    {
+        EffectForm f;
+        f.name = "limit";
+        f.parameters = {
+            {"integral_limit", Quantity::effort, Scale::peak_effort, true, 0.02, 2, 0.7,
+             "limit of the integral's share"},
         };
+        f.apply = [](Joint& j, const double* p) { j.control.integral_limit = p[0]; };
+        f.seeds = {{0.7}, {0.4}, {0.2}, {0.1}};
+        f.applies = integrates;
+        f.rough = true;
         e.forms.push_back(f);
     }
     return e;

@@ -316,6 +316,24 @@ TEST_CASE("an inertia that changes on the way is no document that is off", "[gap
     CHECK(std::ranges::any_of(d.reasons, [](const Note& note) { return note.signal == "inertia"; }));
 }
 
+TEST_CASE("a limit of the integral that no document tells is found without a logged command", "[gap]")
+{
+    Machine m;
+    m.k_i = 3 * m.k_p;
+    m.integral_limit = 0.5 * m.coulomb;
+    auto records = records_of(m);
+    for (auto& r : records) r.effort_command.clear();
+    Joint documented = nominal_joint();
+    documented.control.k_i = m.k_i;
+    DiagnosisOptions options;
+    options.ensemble = 4;
+    const auto d = diagnose(documented, records, in_order, options).diagnosis;
+    REQUIRE(d.verdict == Verdict::gap);
+    REQUIRE(d.effects.at(0).names == std::vector<std::string>{"gain-k_i"});
+    REQUIRE(d.effects[0].parameters[0].name == "gain-k_i.integral_limit");
+    CHECK(d.effects[0].parameters[0].value == Approx(m.integral_limit).epsilon(0.02));
+}
+
 TEST_CASE("a dead zone that no document tells is found without a logged command, with its size", "[gap]")
 {
     Machine m;

@@ -28,6 +28,8 @@ struct Machine {
     double gravity = 0;           ///< N, times the sine of the position
     double picked_up = 0;         ///< kg, little by little from picked_up_at on for half a second
     double picked_up_at = 3;      ///< s
+    double k_i = 0;               ///< N/(m·s)
+    double integral_limit = 1e9;  ///< N, of the integral's share of the command
     double one_way = 0;           ///< part of the viscous slope that changes its sign with the direction
 };
 
@@ -56,7 +58,7 @@ inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
     std::mt19937 random(seed);
     std::normal_distribution<double> normal;
     constexpr double period = 1e-3, h = 1e-5, band = 1e-6;
-    double q = 0, v = 0, estimate = 0, last = 0, followed = 0;
+    double q = 0, v = 0, estimate = 0, last = 0, followed = 0, share = 0;
     const double slow = 1.3 + 0.2 * seed, quick = 5.1 + seed;
     for (int k = 0; k < static_cast<int>(seconds / period); ++k) {
         const double t = k * period;
@@ -71,7 +73,8 @@ inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
         const double rate = (reference(t + 1e-5) - reference(std::max(0.0, t - 1e-5))) / (t > 0 ? 2e-5 : 1e-5);
         const double error = reference(t) - y;
         const double counted = std::copysign(std::max(0.0, std::abs(error) - m.dead_zone), error);
-        double u = m.k_p * counted + m.k_v * (rate - estimate);
+        share = std::clamp(share + m.k_i * period * counted, -m.integral_limit, m.integral_limit);
+        double u = m.k_p * counted + m.k_v * (rate - estimate) + share;
         if (m.command_step > 0) u = m.command_step * std::round(u / m.command_step);
         u = std::clamp(u, -m.command_limit, m.command_limit);
         r.time.push_back(t);

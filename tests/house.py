@@ -4,7 +4,8 @@ and functions that are longer than a reader likes.
 
 Checks that arrows between floors go down only, that no folders include each other in a circle (a pair is the smallest
 circle), that the headers of heavy libraries stay behind ours, that a header which says "Internal to FOLDER" is included
-from there only, that programs outside see public headers only, and that a function of more than 60 lines says why.
+from there only, that programs outside see public headers only, that a function of more than 60 lines says why, and that
+comments name no file that is gone.
 """
 import re
 import sys
@@ -86,6 +87,20 @@ def internal_complaints():
 LONGEST_FILE, LONGEST_FUNCTION = 250, 60
 # A function that is longer says why in the comment above it.
 IN_ONE_PIECE = re.compile(r"// In one piece: (.+)\.$")
+
+
+NAMED_FILE = re.compile(r"\b(?:" + "|".join(ROOMS) + r")/[\w/.-]+\.(?:h|cpp)\b")
+
+
+def comment_complaints():
+    """A comment that sends its reader to a file names one that is there."""
+    for path in files():
+        for number, line in enumerate((SOURCE / path).read_text(encoding="utf-8").splitlines(), 1):
+            if "#include" in line or "//" not in line:
+                continue
+            for name in NAMED_FILE.findall(line[line.index("//"):]):
+                if not (SOURCE / name).exists():
+                    yield f"{path}:{number}: names {name}, which is not there"
 
 
 def functions(lines):
@@ -199,6 +214,7 @@ def main():
     wrong += internal_complaints()
     wrong += public_complaints()
     wrong += size_complaints()
+    wrong += comment_complaints()
     for line in wrong:
         print(line)
     print(f"{sum(counted.values())} files in {len(counted)} folders, {sum(map(len, arrows.values()))} arrows, {len(wrong)} complaints")

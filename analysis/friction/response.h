@@ -5,7 +5,7 @@
 //   double steady_force(double V) const;                   f_ss(V), the friction-velocity curve of steady sliding
 //   States steady_state(double V) const;                   the fixed point θ_ss(V)
 //   FrictionResponse respond(double V, const States&) const;   force, derivatives and state rates from one call
-//   template <...> static void fields(Self&, Visitor&)     its parameters (analysis/joint/field.h)
+//   template <...> static void fields(Self&, Visitor&)     its parameters (analysis/base/field.h)
 //
 // and, where it applies,
 //

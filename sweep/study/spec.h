@@ -14,7 +14,7 @@
 
 namespace stickslip {
 
-/// The disturbance of analysis/simulation/disturbance.h as it stands in a file.
+/// The disturbance of analysis/simulation/flows/disturbance.h as it stands in a file.
 struct DisturbanceSpec {
     static constexpr Choice<DisturbanceKind> kinds[] = {
         {"position", DisturbanceKind::position}, {"velocity", DisturbanceKind::velocity},

@@ -42,7 +42,7 @@ struct Uncertainty {
 
 /// The least stable joint within an uncertainty.
 struct WorstCase {
-    double instability = missing;    ///< of the theory, as in analysis/boundary/locate.h
+    double instability = missing;    ///< of the theory, as in analysis/boundary/trace/locate.h
     std::vector<double> deviations;  ///< per coordinate, as a share of its value
     int evaluations = 0;
 };

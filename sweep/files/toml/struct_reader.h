@@ -1,4 +1,4 @@
-// Fills any self-describing struct (analysis/joint/field.h) from a TOML table and complains about everything that does
+// Fills any self-describing struct (analysis/base/field.h) from a TOML table and complains about everything that does
 // not fit: unknown and missing keys, wrong types, units and ranges. Internal to sweep/files.
 #pragma once
 #include "analysis/base/field.h"

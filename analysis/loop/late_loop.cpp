@@ -292,13 +292,19 @@ AxisCrossings axis_crossings(const LateLoop& loop)
 {
     AxisCrossings found;
     if (!loop.A.allFinite()) return found;
-    const Reach reach = features(loop);
+    constexpr long most_steps = 500'000;  // half a second; a dead time of 5000 radians of the fastest mode
+    Reach reach = features(loop);
     const Opened open(loop);
     const auto phase = [&](double omega) { return std::arg(towards_axis(open, omega)); };
     const double widest = loop.delay > 0 ? 0.3 / loop.delay : reach.to;
     double omega = reach.from, at = phase(omega), step = 0.1 * omega;
     const auto turn = [](double from, double to) { return std::remainder(to - from, 2 * pi); };
-    while (omega < reach.to) {
+    for (long steps = 0; omega < reach.to; ++steps) {
+        if (steps == most_steps) {
+            found.doubtful.push_back({omega, reach.to});
+            reach.to = omega;
+            break;
+        }
         const double next = std::min(reach.to, omega + std::min(step, widest));
         const double middle = phase(0.5 * (omega + next)), there = phase(next);
         const double first = turn(at, middle), second = turn(middle, there);

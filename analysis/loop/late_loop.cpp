@@ -293,7 +293,7 @@ AxisCrossings axis_crossings(const LateLoop& loop)
     AxisCrossings found;
     if (!loop.A.allFinite()) return found;
     constexpr long most_steps = 500'000;  // half a second; a dead time of 5000 radians of the fastest mode
-    Reach reach = features(loop);
+    const Reach reach = features(loop);
     const Opened open(loop);
     const auto phase = [&](double omega) { return std::arg(towards_axis(open, omega)); };
     const double widest = loop.delay > 0 ? 0.3 / loop.delay : reach.to;
@@ -302,7 +302,6 @@ AxisCrossings axis_crossings(const LateLoop& loop)
     for (long steps = 0; omega < reach.to; ++steps) {
         if (steps == most_steps) {
             found.doubtful.push_back({omega, reach.to});
-            reach.to = omega;
             break;
         }
         const double next = std::min(reach.to, omega + std::min(step, widest));
@@ -322,8 +321,11 @@ AxisCrossings axis_crossings(const LateLoop& loop)
         omega = next, at = there;
         step *= 1.6;
     }
-    // further up each turn of the dead time asks for more gain still
-    if (loop.delay > 0) found.searched_to = 0.5 / std::abs(towards_axis(open, reach.to));
+    // further up each turn of the dead time asks for more gain still; a search that was cut short excludes no gain
+    if (omega < reach.to)
+        found.searched_to = 0;
+    else if (loop.delay > 0)
+        found.searched_to = 0.5 / std::abs(towards_axis(open, reach.to));
     std::erase_if(found.crossings, [&](const Crossing& c) { return c.k_p > found.searched_to; });
     std::sort(found.crossings.begin(), found.crossings.end(),
               [](const Crossing& a, const Crossing& b) { return a.k_p < b.k_p; });

@@ -19,7 +19,9 @@ ROOT = pathlib.Path(__file__).parent.parent
 MADE = "<!-- Made by `cmake --build build --target docs_text`; a change here is overwritten. -->\n\n"
 POLICY = "analysis/diagnosis/verdict/policy.h"
 SCHEMAS = ("evaluate", "sweep-run", "boundary", "margins", "design", "baseline", "diagnosis", "robot-diagnosis",
-           "gap-baseline", "gap-check", "comparison", "timeline", "set-point-design")
+           "gap-baseline", "gap-check", "comparison", "timeline", "set-point-design", "plan", "motion", "import", "export",
+           "list", "figures", "answers", "score", "sweep-plan", "run")
+DRAWN_AGAIN = ("sweep-answer", "drawn-charts")  # long, and for the program alone
 REFERENCE = """# Reference
 
 Every key of a joint file, a spec and a `[record]` table, every column and every field of the JSON answers. Units are SI, those of
@@ -31,7 +33,8 @@ JSON_HEAD = """
 ## Fields of the JSON answers
 
 A number that does not exist is `null`. `[]` stands for the entries of a list, `*` for a name. The schemas are in `docs/schema`;
-`answer.json`, from which pages of sweeps are drawn again, has its own: `sweep-answer.schema.json`, and so has `charts/drawn.json`: `drawn-charts.schema.json`.
+`answer.json`, from which pages of sweeps are drawn again, has its own: `sweep-answer.schema.json`, and so has `charts/drawn.json`: `drawn-charts.schema.json`. Every answer has a
+`format` with a version, but for `answers.json`, whose names are those of the cases.
 """
 METHOD = """# Method: the thresholds of the diagnosis
 

@@ -82,7 +82,7 @@ class Joint:
         """Every key with value, unit, default, what it takes and what it means."""
         if self._keys is None:
             with self.as_file() as file:
-                listed = program.answer_of(["list", "keys", "--joint", file])
+                listed = program.answer_of(["list", "keys", "--joint", file])["entries"]
             self._keys = [Key(e["path"], _typed(e), e["unit"], e["default"], e["allowed"], e["help"]) for e in listed]
         return list(self._keys)
 

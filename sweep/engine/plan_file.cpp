@@ -8,7 +8,7 @@ namespace stickslip {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr int format_version = 1;
+constexpr char format[] = "stickslip-sweep-plan/1";
 
 Json axis_json(const Axis& axis, Motion motion)
 {
@@ -46,7 +46,7 @@ std::string to_json(const Plan& plan)
 {
     Json axes = Json::array();
     for (const Axis& axis : plan.axes) axes.push_back(axis_json(axis, plan.motion));
-    const Json json = {{"format", format_version},
+    const Json json = {{"format", format},
                        {"id", to_text(plan.id)},
                        {"points", plan.points},
                        {"chunk_size", plan.chunk_size},
@@ -70,7 +70,7 @@ Plan plan_from_json(std::string_view text)
     std::string id;
     try {
         const Json json = Json::parse(text);
-        if (json.at("format") != format_version) throw std::runtime_error("the plan is of another format version");
+        if (json.at("format") != format) throw std::runtime_error("the plan is of another format version");
         json.at("id").get_to(id);
         json.at("points").get_to(plan.points);
         json.at("chunk_size").get_to(plan.chunk_size);

@@ -32,7 +32,7 @@ TEST_CASE("list keys shows words as well as numbers without a file")
     for (const char* text : {"control.reference_velocity", "true, false", "friction.motor.law", "single-mass, two-mass",
                              "joint.transmission.stiffness", "required"})
         CHECK_THAT(listed.output, Catch::Contains(text));
-    const auto json = nlohmann::json::parse(stickslip("list keys --json").output);
+    const auto json = nlohmann::json::parse(stickslip("list keys --json").output).at("entries");
     CHECK(json.at(0).at("path") == "joint.motion");
     CHECK(json.at(0).at("value") == "prismatic");
 }

@@ -15,7 +15,7 @@ TEST_CASE("figures writes the page, the charts and the drawings, and meets every
     program::Folder folder;
     const auto run = stickslip("figures --json -o '" + (folder / "paper") + "'");
     CHECK(run.exit_code == 0);
-    const auto numbers = nlohmann::json::parse(run.output);
+    const auto numbers = nlohmann::json::parse(run.output).at("numbers");
     CHECK(numbers.size() >= 16);
     for (const auto& n : numbers) CHECK(n.at("relative_difference").get<double>() < 1e-6);
     for (const char* file : {"paper/report.html", "paper/charts/fig-3.svg", "paper/charts/regions.csv",

@@ -11,6 +11,7 @@ import copy
 import json
 import math
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -23,7 +24,7 @@ OF_CODES = str(pathlib.Path(sys.argv[2]).resolve()) if len(sys.argv) > 2 else No
 SENTENCES = {"reasons", "notes", "reason", "sentence", "text", "answer", "could_be_missed", "why", "searched_from",
              "growth_reason", "fold_reason", "error_reason", "eigenvalues_note", "description"}
 TIMES = {"seconds", "computed"}  # what a run cost: the second program finds what the first has computed
-told = set()
+told, held = set(), set()
 SPEC = """
 [joint]
 motion = "prismatic"
@@ -103,19 +104,23 @@ def check(name, value):
     validator = jsonschema.Draft202012Validator(schema)
     for error in validator.iter_errors(value):
         sys.exit(f"{name}: {'.'.join(map(str, error.path))}: {error.message[:200]}")
-    for key in schema["required"]:
+    held.add(name)
+    for key in schema.get("required", ()):
         broken = copy.deepcopy(value)
         del broken[key]
         assert not validator.is_valid(broken), f"{name}: {key} is not missed"
         broken[key] = {"another": "thing"} if not isinstance(value[key], dict) else 1
         assert not validator.is_valid(broken), f"{name}: {key} may be anything"
-    print(f"{name}: {value['format']} holds")
+    print(f"{name}: {value.get('format', 'without a format')} holds")
 
 
 with tempfile.TemporaryDirectory() as folder:
     spec, out = pathlib.Path(folder, "spec.toml"), str(pathlib.Path(folder, "out"))
     spec.write_text(SPEC, encoding="utf-8")
     check("sweep-run", json.loads(stickslip("sweep", str(spec), "-o", out, "--json")))
+    check("sweep-plan", json.loads(pathlib.Path(out, "plan.json").read_text(encoding="utf-8")))
+    check("run", json.loads(pathlib.Path(out, "run.json").read_text(encoding="utf-8")))
+    check("sweep-run", json.loads(stickslip("sweep", str(spec), "-o", out, "--no-report", "--json")))
     check("sweep-answer", json.loads(pathlib.Path(out, "answer.json").read_text(encoding="utf-8")))
     check("drawn-charts", json.loads(pathlib.Path(out, "charts", "drawn.json").read_text(encoding="utf-8")))
     ball_screw = "examples/02-ball-screw/joint-with-memory.toml"
@@ -189,11 +194,36 @@ with tempfile.TemporaryDirectory() as folder:
         check("evaluate", json.loads(stickslip("evaluate", joint, *changes, "--json")))
     check("boundary", json.loads(stickslip("boundary", "examples/08-hunting-arm/joint.toml", "--kind", "hunting", "--along",
                                            "control.k_i=1..1e4", "--json")))
-    # what has no schema of its own answers the same, too
     for simulator in ("mjcf", "urdf", "sdf", "isaaclab", "ros2_control"):
-        stickslip("export", str(loop), "--to", simulator, "--json")
-    stickslip("plan", str(loop), str(motion), "--json")
-    stickslip("list", "effects", "--json")
+        check("export", json.loads(stickslip("export", str(loop), "--to", simulator, "--json")))
+    robot = pathlib.Path(folder, "elbow.xml")
+    robot.write_text(stickslip("export", str(loop), "--to", "mjcf", "--name", "elbow"), encoding="utf-8")
+    check("import", json.loads(stickslip("import", str(robot), "--joint", "elbow", "--json")))
+    check("plan", json.loads(stickslip("plan", str(loop), str(motion), "--json", "-o", str(pathlib.Path(folder, "planned")))))
+    check("motion", json.loads((record / "motion.json").read_text(encoding="utf-8")))
+    for what in ("laws", "joints", "effects", "parameters", "keys"):
+        check("list", json.loads(stickslip("list", what, "--json")))
+    check("figures", json.loads(stickslip("figures", "--json", "-o", str(pathlib.Path(folder, "figures")))))
+    # a sealed case, answered and scored
+    cases, truth, score = (pathlib.Path(folder, name) for name in ("cases", "truth.json", "score.json"))
+    (cases / "case-00").mkdir(parents=True)
+    (cases / "case-00" / "joint.toml").write_text(LOOP, encoding="utf-8")
+    (cases / "case-00" / "record.csv").write_bytes((pathlib.Path(folder, "record-0.2") / "record.csv").read_bytes())
+    truth.write_text(json.dumps({"case-00": {"verdict": "gap", "effects": ["gravity"], "kind": "single"}}), encoding="utf-8")
+    stickslip("blind", str(cases), "--truth", str(truth), "--score", str(score))
+    check("score", json.loads(score.read_text(encoding="utf-8")))
+    check("answers", json.loads((cases / "answers.json").read_text(encoding="utf-8")))
+# every JSON that the program writes says its format, every format has a schema, every schema was held against real output
+schemas = {file.name.removesuffix(".schema.json"): json.loads(file.read_text(encoding="utf-8"))
+           for file in (ROOT / "docs/schema").glob("*.json")}
+assert held == schemas.keys(), f"held against no output: {', '.join(sorted(schemas.keys() - held))}"
+formats = {schema["properties"]["format"]["const"] for schema in schemas.values() if "format" in schema.get("required", ())}
+written = {name for room in ("sweep", "analysis") for file in (ROOT / room).rglob("*.[ch]*")
+           for name in re.findall(r'"(stickslip[- ][a-z -]+[/ ]\d+)"', file.read_text(encoding="utf-8"))}
+written.discard("stickslip plan 1")  # salt of the id of a plan
+assert written == formats, f"formats with a schema or in the code alone: {', '.join(sorted(written ^ formats))}"
+assert [name for name, schema in schemas.items() if "format" not in schema.get("required", ())] == ["answers"]
+
 # every reason for people has its code beside it
 for name in ("evaluate", "boundary", "set-point-design", "robot-diagnosis", "diagnosis"):
     def without_code(schema, place=""):

@@ -33,22 +33,23 @@ int figures(const Options& options)
     }
 
     bool met = true;
-    auto json = nlohmann::ordered_json::array();
+    auto numbers = nlohmann::ordered_json::array();
     for (const auto& n : paper_numbers()) {
         const double difference = std::abs(n.computed / n.printed - 1);
         met = met && difference < figure_tolerance;
-        json.push_back({{"equation", n.equation},
-                        {"statement", plain_text(n.statement)},
-                        {"paper", n.printed},
-                        {"computed", n.computed},
-                        {"relative_difference", difference},
-                        {"unit", unit_of(n.quantity, Motion::prismatic)}});
+        numbers.push_back({{"equation", n.equation},
+                           {"statement", plain_text(n.statement)},
+                           {"paper", n.printed},
+                           {"computed", n.computed},
+                           {"relative_difference", difference},
+                           {"unit", unit_of(n.quantity, Motion::prismatic)}});
         if (!options.json)
             fmt::print("{:<8} {:<66} {:>16.10g} {:>16.10g} {:<8} {:.1e}\n", n.equation, plain_text(n.statement),
                        n.printed, n.computed, unit_of(n.quantity, Motion::prismatic), difference);
     }
     if (options.json)
-        fmt::print("{}\n", json.dump(2));
+        fmt::print("{}\n",
+                   nlohmann::ordered_json{{"format", "stickslip-figures/1"}, {"numbers", std::move(numbers)}}.dump(2));
     else
         fmt::print("page: {}\n", page.string());
     return met ? exit_done : exit_check_failed;

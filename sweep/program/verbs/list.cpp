@@ -228,7 +228,8 @@ void add_list(CLI::App& app, Invocation&)
                               ? key_list(options->joint, options->model, options->law, options->json)
                               : parameter_list(options->joint, options->law);
         if (options->json)
-            fmt::print("{}\n", list.dump(2));
+            fmt::print("{}\n",
+                       Json{{"format", "stickslip-list/1"}, {"what", options->what}, {"entries", list}}.dump(2));
         else
             print_columns(list);
     });

@@ -7,8 +7,8 @@
 #include "analysis/diagnosis/heldout/heldout.h"
 #include "analysis/diagnosis/records/pieces.h"
 #include "analysis/diagnosis/rig/rig.h"
+#include "analysis/diagnosis/tell_findings.h"
 #include "analysis/diagnosis/verdict/causes.h"
-#include "analysis/diagnosis/verdict/experiment.h"
 #include "analysis/diagnosis/verdict/find_causes.h"
 #include "analysis/diagnosis/verdict/locate.h"
 #include "analysis/diagnosis/verdict/policy.h"
@@ -16,7 +16,6 @@
 #include "analysis/diagnosis/verdict/withdraw.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <stdexcept>
 
@@ -92,99 +91,6 @@ void judge_quiet(const Prepared& p, const ParallelFor& parallel, Diagnosis& d)
 {
     d.verdict = could_have_shown(p.cases, p.scales, parallel) ? Verdict::no_gap : Verdict::insufficient_data;
     d.reasons.push_back({d.verdict == Verdict::no_gap ? Note::Code::within_noise : Note::Code::nothing_would_show});
-}
-
-/// The ladder's answer, the drive force that it leaves included.
-void tell_named(const Prepared& p, const ParallelFor& parallel, const Findings& f, Diagnosis& d)
-{
-    const JudgedLadder& j = f.judged;
-    if (j.only_corrections && j.noise_left && !p.audit.findings.empty()) {
-        // what the controller's regression found is the cause, and what is left beside it are a document's few per cent
-        d.effects = {cause_of(p, f.none, 1 - policy::doubt_of_noise)};
-        d.reasons.push_back({Note::Code::controller_and_numbers});
-        return;
-    }
-    d.effects = causes_of(p, j);
-    if (!j.answers()) return;
-    Note note{.code = Note::Code::cause_predicts_best, .names = d.effects[0].names};
-    if (j.only_corrections)
-        note.code = j.noise_left ? Note::Code::numbers_to_noise : Note::Code::numbers_and_rest;
-    else if (j.noise_left)
-        note.code = Note::Code::cause_to_noise;
-    d.reasons.push_back(note);
-    if (j.only_corrections) return;
-    if (const double corner = drive_force_corner(p.cases); corner > 0) {
-        const auto base = at_all_levels(p.cases, p.scales, p.nominal, j.ladder.corrected);
-        std::vector<Attribution> rivals;
-        for (const auto& rival : j.ladder.rivals[0])
-            rivals.push_back(at_all_levels(p.cases, p.scales, p.nominal, rival));
-        std::vector<const Attribution*> models{&base, &j.winner};
-        for (const auto& rival : rivals) models.push_back(&rival);
-        const auto forces = hold_out_drive_force(p.cases, p.scales, models, parallel);
-        d.drive_force = {std::string(unit_of(Quantity::effort, d.motion)), corner, forces[0].rms, forces[1].rms};
-        for (std::size_t i = 1; i < forces.size() && i <= d.effects.size(); ++i) {
-            d.effects[i - 1].force_gain = forces[i].gain;
-            d.effects[i - 1].force_gain_interval = forces[i].spread;
-        }
-    }
-}
-
-void tell_unexplained(const Findings& f, Diagnosis& d)
-{
-    d.reasons.push_back({.code = Note::Code::unexplained, .values = {1 - f.decision.best_explained}});
-    constexpr double worth_telling = 0.5;
-    if (f.free.empty() || !(f.free[0].fit.explained > worth_telling)) return;
-    d.reasons.push_back(
-        {.code = Note::Code::free_force, .signal = std::string(f.free[0].of), .values = {f.free[0].fit.explained}});
-}
-
-/// With what the audit found, which belongs to every named set.
-std::vector<std::string> with_findings(const Prepared& p, const std::vector<std::string>& causes)
-{
-    std::vector<std::string> names;
-    for (const auto& f : p.audit.findings)
-        if (std::ranges::count(names, f.effect) == 0) names.push_back(f.effect);
-    for (const auto& name : causes)
-        if (std::ranges::count(names, name) == 0) names.push_back(name);
-    return names;
-}
-
-/// What it could be confused with, and the experiment that would tell.
-void tell_rivals(const Prepared& p, const Findings& f, const std::vector<Ranked>& ranked, const Attribution& winner,
-                 Diagnosis& d)
-{
-    if (f.by_ladder) {
-        if (!f.judged.named) return;
-        const auto near = indistinguishable(f.judged);
-        for (const auto& rival : near)
-            if (const auto names = with_findings(p, rival.names); std::ranges::count(d.ambiguous_with, names) == 0)
-                d.ambiguous_with.push_back(names);
-        // the refitted numbers are no part of what is distinguished
-        const auto& others = f.judged.ladder.rivals[0];
-        if (near.empty() && others.empty()) return;
-        const auto rival = at_all_levels(p.cases, p.scales, p.nominal, near.empty() ? others[0] : *near.front().set);
-        d.next_experiment = design_experiment(p.cases[0], p.scales, winner, rival);
-        if (!d.next_experiment.separates.empty())
-            d.next_experiment.separates = {
-                near.empty() ? std::pair{names_of(f.judged.ladder.rungs[0].causes)[0], names_of(others[0].causes)[0]}
-                             : near.front().separates};
-        return;
-    }
-    for (const auto* rival : f.decision.ambiguous)
-        d.ambiguous_with.push_back(with_findings(p, names_of(rival->candidate)));
-    const Attribution* rival = !f.decision.ambiguous.empty() ? f.decision.ambiguous.front()
-                               : ranked.size() > 1           ? ranked[1].attribution
-                                                             : nullptr;
-    if (rival && !winner.candidate.effects.empty())
-        d.next_experiment = design_experiment(p.cases[0], p.scales, winner, *rival);
-}
-
-/// The causes beside the ladder's, which names none: everything that was fitted, by probability.
-void list_effects(const Prepared& p, const std::vector<Ranked>& ranked, Diagnosis& d)
-{
-    constexpr std::size_t most_listed = 8;
-    for (const auto& r : ranked)
-        if (d.effects.size() < most_listed) d.effects.push_back(cause_of(p, *r.attribution, r.probability));
 }
 
 /// Writes down what was found, held against data that no fit has seen.

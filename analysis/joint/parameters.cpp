@@ -156,6 +156,13 @@ double* find_parameter(Joint& joint, std::string_view path)
     return found;
 }
 
+double& number_at(Joint& joint, const std::string& path)
+{
+    double* number = find_parameter(joint, path);
+    if (!number) throw std::invalid_argument("the joint has no number " + path);
+    return *number;
+}
+
 std::vector<std::string> nearest_names(std::string_view given, const std::vector<std::string>& known)
 {
     std::vector<std::pair<int, std::string>> ranked;

@@ -24,6 +24,9 @@ std::vector<Parameter> parameters(Joint& joint);
 /// The number at a path such as "control.k_p", or nullptr. The pointer lives as long as the joint and its law are kept.
 double* find_parameter(Joint& joint, std::string_view path);
 
+/// The same. Throws std::invalid_argument for a path that the joint lacks.
+double& number_at(Joint& joint, const std::string& path);
+
 /// A table of samples that a law takes from a file: `name` is the file as it stands in joint.toml (empty: none),
 /// `table` is to be filled by whoever reads files. check() complains about a named table that was not filled.
 struct TableSlot {

@@ -31,13 +31,6 @@ bool within(const Axis& axis, double value)
 
 }  // namespace
 
-double& number_at(Joint& joint, const std::string& path)
-{
-    double* number = find_parameter(joint, path);
-    if (!number) throw std::invalid_argument("the joint has no number " + path);
-    return *number;
-}
-
 std::string held_text(const std::vector<Held>& held, Motion motion)
 {
     std::string text;

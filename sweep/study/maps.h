@@ -1,6 +1,7 @@
 // From numbers of a sweep to the charts of a report.
 #pragma once
 #include "analysis/joint/joint.h"
+#include "analysis/joint/parameters.h"
 #include "analysis/results/stability_map.h"
 
 #include <span>
@@ -37,9 +38,6 @@ struct Profile {
 
 /// "k_{v} = 10 N·s/m, V_{0} = 1 mm/s"
 std::string held_text(const std::vector<Held>& held, Motion motion);
-
-/// The number at a path of the joint. Throws std::invalid_argument for a path that it lacks.
-double& number_at(Joint& joint, const std::string& path);
 
 /// The joint with each held parameter at its value. Throws std::invalid_argument for a path that it lacks.
 Joint joint_at(Joint joint, const std::vector<Held>& held);

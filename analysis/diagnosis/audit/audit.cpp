@@ -2,6 +2,7 @@
 
 #include "analysis/diagnosis/audit/after_hole.h"
 #include "analysis/diagnosis/audit/audit_filter.h"
+#include "analysis/diagnosis/audit/audit_readings.h"
 #include "analysis/diagnosis/audit/audit_reference.h"
 #include "analysis/diagnosis/audit/audit_terms.h"
 #include "analysis/diagnosis/audit/regression.h"
@@ -95,141 +96,12 @@ bool find_missing_k_v(std::vector<Case>& cases, double limit, double misfit_with
     return true;
 }
 
-void audit_grid(std::vector<Case>& cases, Audit& result)
-{
-    double quantum = infinity;
-    for (const auto& c : cases) {
-        std::vector<double> readings;
-        for (std::size_t k = 0; k < c.ticks.size(); ++k)
-            if (c.ticks.logged[k]) readings.push_back(c.ticks.position[k]);
-        quantum = std::min(quantum, grid_of(readings));
-    }
-    const Sensor documented = cases[0].joint.sensor;
-    const bool coarser = quantum < infinity && coarser_grid(quantum, documented);
-    const double known = std::hypot(documented.position_noise, documented.encoder_quantum / std::sqrt(12.0));
-    if (!coarser || quantum / std::sqrt(12.0) < 0.1 * known) return;
-    if (!cases[0].noise_documented) {
-        // without a documented sensor a fine or a round grid may be nothing but the digits of the file
-        constexpr double visible = 1e-3, round = 1e-3;  // of the span; of the digit
-        double span = 0;
-        for (const auto& c : cases) {
-            const auto [low, high] = std::minmax_element(c.ticks.position.begin(), c.ticks.position.end());
-            span = std::max(span, *high - *low);
-        }
-        const double digit = quantum / std::pow(10, std::floor(std::log10(quantum) + round));
-        const bool decimal = std::min({std::abs(digit - 1), std::abs(digit - 2), std::abs(digit - 5)}) < round * digit;
-        if (decimal || quantum < visible * span) return;
-    }
-    result.findings.push_back({"quantisation", "quantisation.quantum", quantum, 0, Quantity::position, 1});
-    for (auto& c : cases) {
-        c.joint.sensor.encoder_quantum = quantum;
-        c.sigma = std::max(c.sigma, std::hypot(documented.position_noise, quantum / std::sqrt(12.0)));
-    }
-}
-
-/// A logged supply that falls with the motor's current: the source has a resistance. The record's own supply then gives
-/// way to the documented one and the resistance, so that the joint after the audit explains what the joint before does
-/// not.
-void audit_supply(std::vector<Case>& cases, Audit& result)
-{
-    double drop_current = 0, current_current = 0, drop_drop = 0, rows = 0;
-    for (const auto& c : cases) {
-        const Actuator& a = c.joint.actuator;
-        if (a.kind != ActuatorKind::dc_motor || !is_set(a.supply_voltage) || !c.supply_logged) return;
-        Innovation innovation;
-        const Plant plant = flatten(c.joint);
-        predict(plant, c.ticks, known_command(plant, c.ticks), levels[1], innovation);
-        for (std::size_t k = 0; k < c.ticks.size(); ++k) {
-            if (!c.ticks.logged[k] || !c.ticks.enabled[k]) continue;
-            const double effort = is_set(c.ticks.effort[k]) ? c.ticks.effort[k] : innovation.predicted_effort[k];
-            const double current = std::abs(effort / (a.effort_gain * a.k_t));
-            const double drop = a.supply_voltage - c.ticks.supply[k];
-            drop_current += drop * current, current_current += current * current, drop_drop += drop * drop, rows += 1;
-        }
-    }
-    if (rows == 0 || current_current == 0 || drop_drop == 0) return;
-    const double resistance = drop_current / current_current;
-    const double explained = drop_current * drop_current / current_current / drop_drop;
-    const double part = std::sqrt(drop_drop / rows) / cases[0].joint.actuator.supply_voltage;
-    constexpr double follows = 0.8, matters = 0.002;
-    if (resistance <= 0 || explained < follows || part < matters) return;
-    result.findings.push_back({"supply-sag", "supply-sag.resistance", resistance, 0, Quantity::resistance, explained});
-    for (auto& c : cases) {
-        c.joint.actuator.supply_resistance += resistance;
-        c.ticks.supply.assign(c.ticks.size(), c.joint.actuator.supply_voltage);
-    }
-}
-
-/// The step in which commands are given, as a part of their rms; the largest of all records.
-double command_rounding(const std::vector<Case>& cases)
-{
-    double largest = 0;
-    for (const auto& c : cases) {
-        double square = 0, n = 0;
-        for (double u : c.ticks.command)
-            if (is_set(u)) square += u * u, n += 1;
-        if (square > 0) largest = std::max(largest, command_step(c.ticks) / std::sqrt(square / n));
-    }
-    return largest;
-}
-
-/// A plateau of the command below the documented limit, where the controller wanted more.
-double observed_limit(const std::vector<Case>& cases)
-{
-    double highest = 0;
-    for (const auto& c : cases)
-        for (double u : c.ticks.command)
-            if (is_set(u)) highest = std::max(highest, std::abs(u));
-    int at = 0;
-    for (const auto& c : cases)
-        for (double u : c.ticks.command) at += is_set(u) && std::abs(u) > (1 - 1e-9) * highest;
-    return at >= 10 ? highest : infinity;
-}
-
 }  // namespace
 
 bool filters_differently(double documented_tau, double tau, double tick)
 {
     const double documented = tick / (documented_tau + tick), now = tick / (tau + tick);
     return std::abs(now - documented) > flagged_gain * documented;
-}
-
-bool coarser_grid(double quantum, const Sensor& documented)
-{
-    return quantum > 1.3 * documented.encoder_quantum && quantum > 0.5 * documented.position_noise;
-}
-
-double grid_of(const std::vector<double>& readings)
-{
-    std::vector<double> sorted = readings;
-    std::sort(sorted.begin(), sorted.end());
-    if (sorted.empty()) return 0;
-    const double span = sorted.back() - sorted.front();
-    double least = infinity;
-    for (std::size_t k = 1; k < sorted.size(); ++k)
-        if (const double d = sorted[k] - sorted[k - 1]; d > 1e-9 * span) least = std::min(least, d);
-    if (least == infinity) return 0;
-    // refine the step by the farthest reading it can count to
-    double step = least;
-    for (std::size_t k = 0; k < sorted.size(); ++k) {
-        const double count = std::round((sorted[k] - sorted.front()) / step);
-        if (count > 0 && std::abs(sorted[k] - sorted.front() - count * step) < 0.1 * step)
-            step = (sorted[k] - sorted.front()) / count;
-    }
-    std::size_t off = 0;
-    for (double y : sorted) {
-        const double count = (y - sorted.front()) / step;
-        off += std::abs(count - std::round(count)) > 0.05;
-    }
-    return off * 1000 < sorted.size() ? step : 0;
-}
-
-double command_step(const Ticks& ticks)
-{
-    std::vector<double> logged;
-    for (std::size_t k = 0; k < ticks.size(); ++k)
-        if (ticks.logged[k] && is_set(ticks.command[k])) logged.push_back(ticks.command[k]);
-    return grid_of(logged);
 }
 
 namespace {

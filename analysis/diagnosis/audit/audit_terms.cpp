@@ -1,8 +1,9 @@
 #include "analysis/diagnosis/audit/audit_terms.h"
 
+#include "analysis/diagnosis/audit/audit_numbers.h"
 #include "analysis/diagnosis/audit/command_terms.h"
+#include "analysis/diagnosis/audit/term_sets.h"
 #include "analysis/joint/gains.h"
-#include "analysis/numerics/line_search.h"
 
 #include <algorithm>
 
@@ -10,151 +11,9 @@ namespace stickslip::gap {
 namespace {
 
 constexpr std::size_t most_changes = 3;
-constexpr double enough = 1.2;        ///< times what every term together leaves: no further term is needed
-constexpr double digits = 2e-5;       ///< of the command's rms, below which what is left is the file's digits
-constexpr double understood = 2e-3;   ///< of the command's rms, below which the controller counts as understood
-constexpr double much_better = 0.25;  ///< of what plain gains leave, before an undocumented term is believed
-constexpr int zones = 28;
-
-/// A dead zone and the linear changes beside it.
-struct Changed {
-    double dead_zone = 0;
-    std::vector<int> terms;
-    TermFit fit;
-    std::size_t count(double documented) const { return terms.size() + (dead_zone != documented); }
-};
-
-/// All sets of `size` of the possible terms, `visit`ed in order.
-template <class Visit>
-void each_set(const CommandTerms& all, std::size_t size, std::vector<int>& chosen, int from, const Visit& visit)
-{
-    if (chosen.size() == size) return visit(chosen);
-    for (int i = from; i < linear_terms; ++i) {
-        if (!all.possible[static_cast<std::size_t>(i)]) continue;
-        chosen.push_back(i);
-        each_set(all, size, chosen, i + 1, visit);
-        chosen.pop_back();
-    }
-}
-
-/// The best set of at most `size` changes at this dead zone.
-Changed best_set(const CommandTerms& all, double dead_zone, std::size_t size)
-{
-    Changed best;
-    best.dead_zone = dead_zone;
-    std::vector<int> chosen;
-    each_set(all, size, chosen, 0, [&](const std::vector<int>& set) {
-        const auto fit = fit_terms(all, set);
-        if (fit.misfit < best.fit.misfit) best.fit = fit, best.terms = set;
-    });
-    return best;
-}
-
-/// The dead zone that leaves least, with at most one other change.
-Changed best_zone(const std::vector<Case>& cases, double limit, double largest_error)
-{
-    const auto judged = [&](double zone) {
-        const auto all = command_terms(cases, zone, limit);
-        auto none = best_set(all, zone, 0);
-        const auto one = best_set(all, zone, 1);
-        return one.fit.misfit < 0.5 * none.fit.misfit ? one : none;
-    };
-    Changed best = judged(0);
-    double low = 0, high = 0;
-    double last = 0;
-    for (int i = 0; i < zones; ++i) {
-        const double zone = largest_error * std::pow(10, -3.0 * (zones - 1 - i) / (zones - 1));
-        const auto at = judged(zone);
-        if (at.fit.misfit < best.fit.misfit) best = at, low = last, high = zone * std::pow(10, 3.0 / (zones - 1));
-        last = zone;
-    }
-    if (high == 0) return best;
-    const double refined = least_between(low, high, [&](double zone) { return judged(zone).fit.misfit; });
-    const auto at = judged(refined);
-    return at.fit.misfit < best.fit.misfit ? at : best;
-}
-
-/// What is left with at most one change of the terms.
-double left_by_one(const std::vector<Case>& cases, double limit)
-{
-    const double zone = cases[0].joint.control.dead_zone;
-    const auto all = command_terms(cases, zone, limit);
-    return std::min(best_set(all, zone, 0).fit.misfit, best_set(all, zone, 1).fit.misfit);
-}
-
-/// Sets a number of the controller, which enters the terms themselves, to what leaves least: `first`, or a value
-/// between `from` and `to`. Back to `documented` where that leaves more than half of what the documented one does.
-/// Gives the value, and the part of the squares that it takes.
-template <class Set>
-std::pair<double, double> best_number(std::vector<Case>& cases, double limit, double documented, double first,
-                                      std::pair<double, double> range, const Set& set)
-{
-    constexpr double ratio = 1.4, much_less = 0.5;
-    const auto set_all = [&](double value) {
-        for (auto& c : cases) set(c.joint.control, value);
-    };
-    const auto misfit = [&](double value) {
-        set_all(value);
-        return left_by_one(cases, limit);
-    };
-    const double before = misfit(documented);
-    double best = first, least = misfit(first), low = first, high = range.first;
-    for (double value = range.first; value < range.second; value *= ratio)
-        if (const double m = misfit(value); m < least)
-            least = m, best = value, low = value / ratio, high = value * ratio;
-    if (const double refined = least_between(low, high, misfit); misfit(refined) < least) best = refined;
-    least = misfit(best);
-    if (least < much_less * before) return {best, 1 - std::pow(least / before, 2)};
-    set_all(documented);
-    return {documented, 0};
-}
-
-/// A filter of the velocity that is not the documented one. Corrected in the cases.
-void find_filter(std::vector<Case>& cases, double limit, Audit& result)
-{
-    const double documented = cases[0].joint.control.velocity_estimate.tau, tick = cases[0].ticks.step[0];
-    const auto set = [](Control& c, double tau) { c.velocity_estimate.tau = tau; };
-    const auto [tau, gain] = best_number(cases, limit, documented, 0, {0.1 * tick, 400 * tick}, set);
-    if (gain > 0 && filters_differently(documented, tau, tick))
-        result.findings.push_back({"velocity-filter", "velocity-filter.tau", tau, 0, Quantity::time, gain});
-    else
-        for (auto& c : cases) set(c.joint.control, documented);
-}
-
-/// A limit of the integral's share that is not the documented one. Corrected in the cases.
-void find_integral_limit(std::vector<Case>& cases, double limit, Audit& result)
-{
-    constexpr double smallest = 0.01, largest = 2, unreached = 1e3;  // of the largest command
-    double most = 0;
-    for (const auto& c : cases)
-        for (std::size_t k = 0; k < c.ticks.size(); ++k)
-            if (is_set(c.ticks.command[k])) most = std::max(most, std::abs(c.ticks.command[k]));
-    if (!(most > 0)) return;
-    const double documented = cases[0].joint.control.integral_limit;
-    const auto set = [](Control& c, double value) { c.integral_limit = value; };
-    const auto set_all = [&](double value) {
-        for (auto& c : cases) set(c.joint.control, value);
-    };
-    const auto [found, gain] = best_number(cases, limit, std::min(documented, unreached * most), unreached * most,
-                                           {smallest * most, largest * most}, set);
-    if (1 - gain > much_better * much_better) return set_all(documented);
-    const double limit_of_integral = found < largest * most ? found : infinity;
-    set_all(limit_of_integral);
-    result.findings.push_back({"gain-k_i", "gain-k_i.integral_limit", limit_of_integral, 0, Quantity::effort, gain});
-}
-
-/// How fast the reference has to be for a Coulomb feed-forward that the document lacks. Set in the cases.
-void find_coulomb_speed(std::vector<Case>& cases, double limit)
-{
-    double fastest = 0;
-    for (const auto& c : cases)
-        for (const double rate : c.ticks.reference_rate) fastest = std::max(fastest, std::abs(rate));
-    if (!(fastest > 0)) return;
-    const double usual = cases[0].joint.control.feed_forward.coulomb_speed;
-    best_number(cases, limit, usual, usual, {1e-4 * fastest, 2 * fastest},
-                [](Control& c, double speed) { c.feed_forward.coulomb_speed = speed; });
-}
-
+constexpr double enough = 1.2;       ///< times what every term together leaves: no further term is needed
+constexpr double digits = 2e-5;      ///< of the command's rms, below which what is left is the file's digits
+constexpr double understood = 2e-3;  ///< of the command's rms, below which the controller counts as understood
 double largest_error(const std::vector<Case>& cases)
 {
     double largest = 0;

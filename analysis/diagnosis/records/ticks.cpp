@@ -1,5 +1,8 @@
 #include "analysis/diagnosis/records/ticks.h"
 
+#include "analysis/diagnosis/records/between_rows.h"
+#include "analysis/diagnosis/records/lost_rows.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,71 +14,6 @@ bool equal_steps(const std::vector<double>& time, double step)
     for (std::size_t k = 1; k < time.size(); ++k)
         if (std::abs(time[k] - time[k - 1] - step) > 0.02 * step) return false;
     return true;
-}
-
-double at_or(const std::vector<double>& column, std::size_t k, double otherwise)
-{
-    return column.empty() ? otherwise : column[k];
-}
-
-/// Four-point interpolation inside the row interval k … k+1 at the fraction s, linear at the ends.
-double between(const std::vector<double>& x, std::size_t k, double s)
-{
-    if (k == 0 || k + 2 >= x.size()) return x[k] + s * (x[k + 1] - x[k]);
-    const double a = x[k - 1], b = x[k], c = x[k + 1], d = x[k + 2];
-    return b + 0.5 * s * (c - a + s * (2 * a - 5 * b + 4 * c - d + s * (3 * (b - c) + d - a)));
-}
-
-/// How a reference goes on inside a row interval: smoothly, straight, or along the line on its left or right up to
-/// where both meet.
-enum class Course { smooth, straight, left, right };
-
-/// A ramp has kinks, next to which a polynomial would ring. Where both neighbours of an interval are straight lines
-/// that do not continue each other, they meet inside.
-Course course_of(const std::vector<double>& x, std::size_t k, double s)
-{
-    if (k < 2 || k + 3 >= x.size()) return Course::smooth;
-    constexpr double little = 0.1;  // of the bend; in a smooth curve neighbouring bends are alike
-    const double before = x[k - 1] - x[k - 2], left = x[k] - x[k - 1], here = x[k + 1] - x[k],
-                 right = x[k + 2] - x[k + 1], after = x[k + 3] - x[k + 2];
-    const double bend = right - left;
-    const auto small = [](double a, double of) { return std::abs(a) <= little * std::abs(of); };
-    if (bend != 0 && small(left - before, bend) && small(after - right, bend) && (here - left) * (right - here) >= 0) {
-        const double from_left = x[k] + s * left, from_right = x[k + 1] - (1 - s) * right;
-        return (bend > 0) == (from_left > from_right) ? Course::left : Course::right;
-    }
-    const bool bent_before = here != left && small(right - here, here - left);
-    const bool bent_after = here != right && small(here - left, right - here);
-    return bent_before || bent_after ? Course::straight : Course::smooth;
-}
-
-double reference_between(const std::vector<double>& x, std::size_t k, double s)
-{
-    switch (course_of(x, k, s)) {
-        case Course::left:
-            return x[k] + s * (x[k] - x[k - 1]);
-        case Course::right:
-            return x[k + 1] - (1 - s) * (x[k + 2] - x[k + 1]);
-        case Course::straight:
-            return x[k] + s * (x[k + 1] - x[k]);
-        default:
-            return between(x, k, s);
-    }
-}
-
-/// Rate of the same reference from its rates at the rows.
-double rate_between(const std::vector<double>& x, const std::vector<double>& rate, std::size_t k, double s)
-{
-    switch (course_of(x, k, s)) {
-        case Course::left:
-            return rate[k];
-        case Course::right:
-            return rate[k + 1];
-        case Course::straight:
-            return rate[k] + s * (rate[k + 1] - rate[k]);
-        default:
-            return between(rate, k, s);
-    }
 }
 
 void fill_reference_rate(const Record& r, Ticks& t)
@@ -102,55 +40,6 @@ void fill_reference_rate(const Record& r, Ticks& t)
             t.reference_rate[k] = b > a ? (t.reference[b] - t.reference[a]) / (t.time[b] - t.time[a]) : 0;
         }
     }
-}
-
-/// How many rows of a regular log each interval stands for; empty where the rows are not on such a grid.
-std::vector<std::size_t> strides(const std::vector<double>& time, double step)
-{
-    std::vector<std::size_t> of;
-    for (std::size_t k = 1; k < time.size(); ++k) {
-        const double rows = (time[k] - time[k - 1]) / step;
-        if (rows > most_lost_rows || std::abs(rows - std::round(rows)) > 0.02 || std::round(rows) < 1) return {};
-        of.push_back(static_cast<std::size_t>(std::round(rows)));
-    }
-    return of;
-}
-
-/// The record with rows in place of the lost ones: motion and reference go on between their neighbours, everything else
-/// is unknown or, of the surroundings, as before.
-Record with_lost_rows(const Record& r, const std::vector<std::size_t>& strides, std::vector<std::uint8_t>& logged)
-{
-    Record full = r;
-    const auto fill = [&](std::vector<double>& column, auto&& value) {
-        if (column.empty()) return;
-        const std::vector<double> was = std::move(column);
-        column.clear();
-        for (std::size_t k = 0; k < was.size(); ++k) {
-            column.push_back(was[k]);
-            for (std::size_t i = 1; k < strides.size() && i < strides[k]; ++i)
-                column.push_back(value(was, k, static_cast<double>(i) / static_cast<double>(strides[k])));
-        }
-    };
-    const auto straight = [](const std::vector<double>& x, std::size_t k, double s) {
-        return x[k] + s * (x[k + 1] - x[k]);
-    };
-    const auto unknown = [](const std::vector<double>&, std::size_t, double) { return not_set; };
-    const auto as_before = [](const std::vector<double>& x, std::size_t k, double) { return x[k]; };
-    fill(full.time, straight);
-    fill(full.position, between);
-    fill(full.reference_position, reference_between);
-    for (auto* column :
-         {&full.reference_velocity, &full.link_position, &full.feed_forward, &full.load_effort, &full.inertia})
-        fill(*column, straight);
-    for (auto* column : {&full.velocity, &full.effort_command, &full.drive, &full.effort_measured, &full.current})
-        fill(*column, unknown);
-    for (auto* column : {&full.supply_voltage, &full.temperature, &full.torque_enable, &full.normal_load})
-        fill(*column, as_before);
-    for (std::size_t k = 0; k < r.rows(); ++k) {
-        logged.push_back(1);
-        if (k < strides.size()) logged.insert(logged.end(), strides[k] - 1, 0);
-    }
-    return full;
 }
 
 }  // namespace

@@ -1,15 +1,14 @@
 #include "analysis/diagnosis/verdict/judge_ladder.h"
 
+#include "analysis/diagnosis/verdict/chances.h"
+
 #include "analysis/diagnosis/search/search.h"
 #include "analysis/diagnosis/verdict/experiment.h"
 #include "analysis/diagnosis/verdict/policy.h"
 #include "analysis/diagnosis/verdict/verdict.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <functional>
-#include <numeric>
 
 namespace stickslip::gap {
 namespace {
@@ -62,91 +61,6 @@ std::optional<Note> why_not(const JudgedLadder& j)
 }
 
 }  // namespace
-
-std::vector<double> odds_of_rivals(const JudgedLadder& j, std::size_t i)
-{
-    const FittedSet& rung = j.ladder.rungs[i];
-    const auto& named = j.ladder.last().causes.effects;
-    const auto in_the_set = [&](const Effect* e) { return std::ranges::count(named, e) > 0; };
-    // what a lower rung leaves is no doubt once all is explained
-    const bool settled = j.noise_left && i + 1 < j.ladder.rungs.size();
-    std::vector<double> odds;
-    for (const auto& rival : j.ladder.rivals[i])
-        // another rung of this ladder is no rival
-        odds.push_back(settled || std::ranges::all_of(rival.causes.effects, in_the_set)
-                           ? 0
-                           : std::exp(std::min(0.0, rung.misfit - rival.misfit) / margin_of(rung, policy::ladder)));
-    return odds;
-}
-
-std::vector<double> chances_of(const JudgedLadder& j)
-{
-    std::vector<double> chances;
-    const double whole = std::max(1e-300, j.shares.base - j.shares.explainable_to);
-    const double left = std::clamp((j.shares.rungs.back() - j.shares.explainable_to) / whole, 0.0, 1.0);
-    const double rest = j.shares.rungs.back() / std::max(1e-300, j.shares.base) / policy::nearest_in_shape;
-    const double doubt =
-        policy::doubt_of_noise + (j.noise_left ? 0 : policy::doubt_of_rest * std::clamp(rest, 0.0, 1.0) + left);
-    for (std::size_t i = 0; i < j.ladder.rungs.size(); ++i) {
-        const auto odds = odds_of_rivals(j, i);
-        const double sum = std::accumulate(odds.begin(), odds.end(), 1.0);
-        // a rest speaks against the last cause that was found: the others take more than it does
-        const bool last = i + 1 == j.ladder.rungs.size();
-        chances.push_back(std::max(0.0, 1 - (last ? doubt : policy::doubt_of_noise)) / sum);
-    }
-    return chances;
-}
-
-namespace {
-
-/// Whether this holds for every cause of the last rung, by its place among all causes.
-bool every_last_cause(const Ladder& ladder, const std::function<bool(std::size_t)>& holds)
-{
-    if (!ladder.corrections || ladder.rungs.empty()) return false;
-    const Candidate& causes = ladder.rungs.back().causes;
-    for (std::size_t i = 0; i < causes.effects.size(); ++i) {
-        const bool below = ladder.rungs.size() > 1 &&
-                           std::ranges::count(ladder.rungs[ladder.rungs.size() - 2].causes.effects, causes.effects[i]);
-        if (!below && !holds(i)) return false;
-    }
-    return true;
-}
-
-/// Whether the last rung is a number of the document's own.
-bool corrects_the_document(const Ladder& ladder)
-{
-    const auto number = [&](std::size_t i) {
-        const Candidate& causes = ladder.rungs.back().causes;
-        return ladder.corrections->same_number(*causes.effects[i], *causes.forms[i]);
-    };
-    return every_last_cause(ladder, number);
-}
-
-/// Whether the last rung is a small term that every machine has.
-bool usual_of_machines(const Ladder& ladder)
-{
-    const auto usual = [&](std::size_t i) {
-        const FittedSet& last = ladder.rungs.back();
-        return ladder.corrections->is_usual(last.causes, last.of_causes(last.fit.x), *last.causes.effects[i]);
-    };
-    return every_last_cause(ladder, usual);
-}
-
-}  // namespace
-
-bool small_against_corrections(const JudgedLadder& j)
-{
-    const Shares& s = j.shares;
-    // what is needed to leave noise is there; small terms that every machine has are not what the gap comes from
-    if ((j.noise_left || j.noise_below) && !j.usual) return false;
-    // a number of the document that needs no rung for what its uncertainty allows has one because it is further off
-    // than documents are: corrections beside it that are held back by their own take on its part
-    if (s.rungs.empty() || corrects_the_document(j.ladder)) return false;
-    const double above = s.rungs.size() > 1 ? s.rungs[s.rungs.size() - 2] : s.corrected;
-    // such a term is as little what the gap comes from beside another cause
-    const double others = s.documented - (j.usual ? above : s.corrected);
-    return above - s.rungs.back() < policy::least_against_corrections * others;
-}
 
 void hold_against(JudgedLadder& j, const FreeFit& force)
 {

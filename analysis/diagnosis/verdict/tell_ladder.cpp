@@ -3,6 +3,7 @@
 #include "analysis/diagnosis/verdict/causes.h"
 #include "analysis/diagnosis/verdict/experiment.h"
 #include "analysis/diagnosis/verdict/policy.h"
+#include "analysis/diagnosis/verdict/tell_corrections.h"
 #include "analysis/diagnosis/verdict/withdraw.h"
 
 #include <algorithm>
@@ -10,72 +11,6 @@
 
 namespace stickslip::gap {
 namespace {
-
-/// The corrections of a fit as numbers of the document.
-std::vector<Correction> corrections_of(const Prepared& p, const JudgedLadder& j)
-{
-    std::vector<Correction> all;
-    const Candidate& c = j.winner.candidate;
-    const auto quality = quality_of(p.cases, j.winner, p.scales);
-    const auto si = in_si(c, j.winner.x[ladder_level], p.scales);
-    const Motion motion = p.documented[0].mechanism.motion;
-    std::size_t i = 0;
-    for (std::size_t n = 0; n < j.corrections; ++n)
-        for (std::size_t k = 0; k < c.count_of(*c.forms[n]); ++k, ++i) {
-            const auto& parameter = c.parameter(i);
-            std::string name = std::string(c.effects[n]->name) + "." + std::string(parameter.name);
-            if (c.forms[n]->own > 0) name = "coulomb-level.change in " + p.cases[k].ticks.name;
-            const double sd = c.sd_of(i) * (parameter.logarithmic ? 1 : unit_of(parameter.scale, p.scales));
-            all.push_back({c.forms[n]->own > 0 ? "coulomb-level" : std::string(c.effects[n]->name),
-                           {name, si[i], quality.standard_error[i], std::string(unit_of(parameter.quantity, motion))},
-                           sd});
-        }
-    return all;
-}
-
-/// The correction that is largest against its prior.
-std::vector<std::string> furthest_off(const JudgedLadder& j)
-{
-    const Candidate& c = j.winner.candidate;
-    const Eigen::VectorXd& x = j.winner.x[ladder_level];
-    std::size_t i = 0;
-    double largest = 0;
-    std::vector<std::string> name;
-    for (std::size_t n = 0; n < j.corrections; ++n)
-        for (std::size_t k = 0; k < c.count_of(*c.forms[n]); ++k, ++i)
-            if (const double off = std::abs(x[static_cast<Eigen::Index>(i)]) / c.sd_of(i); off > largest) {
-                largest = off;
-                name = {c.forms[n]->own > 0 ? "coulomb-level" : std::string(c.effects[n]->name)};
-            }
-    return name;
-}
-
-/// Which corrections, left out, cost a part of what all of them take.
-std::vector<std::string> that_matter(const Prepared& p, const JudgedLadder& j)
-{
-    std::vector<std::string> names;
-    const Candidate& c = j.winner.candidate;
-    const auto squares = [&](const Eigen::VectorXd& x) {
-        double sum = 0;
-        for (const auto& m : evaluate(p.cases, c, in_si(c, x, p.scales), levels[ladder_level]).records)
-            sum += m.position + m.effort;
-        return sum;
-    };
-    const Eigen::VectorXd& x = j.winner.x[ladder_level];
-    const double all = squares(x), none = squares(Eigen::VectorXd::Zero(x.size()));
-    Eigen::Index at = 0;
-    for (std::size_t n = 0; n < c.effects.size(); ++n) {
-        const auto count = static_cast<Eigen::Index>(c.count_of(*c.forms[n]));
-        Eigen::VectorXd less = x;
-        less.segment(at, count).setZero();
-        at += count;
-        const std::string name = c.forms[n]->own > 0 ? "coulomb-level" : std::string(c.effects[n]->name);
-        if (squares(less) - all > policy::worth_correcting * (none - all) &&
-            std::find(names.begin(), names.end(), name) == names.end())
-            names.push_back(name);
-    }
-    return names.empty() ? furthest_off(j) : names;
-}
 
 /// The causes of a set in place of this rung that the rung below does not have.
 std::vector<std::string> added_by(const Ladder& ladder, std::size_t rung, const Candidate& causes)
@@ -95,14 +30,6 @@ std::vector<std::string> with_the_others(const JudgedLadder& j, std::size_t rung
         if (std::ranges::count(ladder.rungs[rung].causes.effects, e) == 0 && std::ranges::count(rival.effects, e) == 0)
             names.emplace_back(e->name);
     return j.with_numbers(std::move(names));
-}
-
-/// What of the gap all numbers of the document together take that are causes.
-double taken_by_numbers(const JudgedLadder& j)
-{
-    double sum = 0;
-    for (const auto& [effect, share] : j.numbers) sum += share.share;
-    return sum;
 }
 
 /// A number of the document as a rung. Several far numbers may make up for each other: together they take no more than

@@ -2,6 +2,7 @@
 
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/records/ticks.h"
+#include "sweep/files/records/signal_measures.h"
 #include "sweep/files/text/toml_input.h"
 
 #include <algorithm>
@@ -11,61 +12,8 @@
 namespace stickslip::files {
 namespace {
 
-constexpr double degrees = 180 / std::numbers::pi;
-constexpr double near_factor = 1.3;                  // two signals that agree up to noise and lag stay within this
 constexpr double many_turns = 4 * std::numbers::pi;  // two turns of a joint: more is a wheel, or degrees
 constexpr double long_axis = 10;                     // m; more is a crane, or millimetres
-
-/// Standard deviation of the values that are there.
-double spread(const std::vector<double>& values)
-{
-    double sum = 0, squares = 0, n = 0;
-    for (double v : values) {
-        if (std::isnan(v)) continue;
-        sum += v;
-        squares += v * v;
-        ++n;
-    }
-    return n > 1 ? std::sqrt(std::max(0.0, squares / n - sum / n * (sum / n))) : 0;
-}
-
-/// The factor of a wrong unit that the ratio comes close to, or 0.
-double wrong_factor(double ratio, Motion motion)
-{
-    const double unit = motion == Motion::revolute ? degrees : 1000;
-    for (const double factor : {unit, 1 / unit})
-        if (ratio > factor / near_factor && ratio < factor * near_factor) return factor;
-    return 0;
-}
-
-/// Central differences, as many as rows; NaN at both ends.
-std::vector<double> differentiated(const std::vector<double>& time, const std::vector<double>& values)
-{
-    std::vector<double> rate(values.size(), not_set);
-    for (std::size_t k = 1; k + 1 < values.size(); ++k)
-        rate[k] = (values[k + 1] - values[k - 1]) / (time[k + 1] - time[k - 1]);
-    return rate;
-}
-
-double median(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
-/// Correlation of two signals where both have values; 0 where one stands still.
-double correlation(const std::vector<double>& a, const std::vector<double>& b)
-{
-    double n = 0, sum_a = 0, sum_b = 0, squares_a = 0, squares_b = 0, products = 0;
-    for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
-        if (!std::isfinite(a[k]) || !std::isfinite(b[k])) continue;
-        n += 1, sum_a += a[k], sum_b += b[k];
-        squares_a += a[k] * a[k], squares_b += b[k] * b[k], products += a[k] * b[k];
-    }
-    const double square = (n * squares_a - sum_a * sum_a) * (n * squares_b - sum_b * sum_b);
-    return square > 0 ? (n * products - sum_a * sum_b) / std::sqrt(square) : 0;
-}
 
 class Checks {
   public:

@@ -16,6 +16,7 @@
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/report/pages/diagnosis_first_screen.h"
 #include "sweep/report/pages/diagnosis_report.h"
 #include "sweep/report/pages/outcome_report.h"
 #include "sweep/report/pages/write_report.h"

@@ -5,6 +5,7 @@
 #include "sweep/report/figures/ladder_drawing.h"
 #include "sweep/report/figures/moved_boundary.h"
 #include "sweep/report/figures/where_drawing.h"
+#include "sweep/report/pages/diagnosis_first_screen.h"
 #include "sweep/words/cause_text.h"
 #include "sweep/words/diagnosis_tables.h"
 #include "sweep/words/diagnosis_text.h"
@@ -13,206 +14,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace stickslip {
 namespace {
 
 using Tone = Headline::Tone;
-
-const Share* largest(const std::vector<Share>& shares, std::size_t among)
-{
-    const Share* best = nullptr;
-    for (std::size_t i = 0; i < std::min(among, shares.size()); ++i)
-        if (!best || shares[i].share > best->share) best = &shares[i];
-    return best;
-}
-
-bool judged_by_force(const Diagnosis& d)
-{
-    return d.verdict == Verdict::gap && d.drive_force.corner > 0 && d.drive_force.after < d.drive_force.before;
-}
-
-/// "2.31", "2.4e+04": a gap in noise floors, which can be anything.
-std::string floors(double gap)
-{
-    constexpr double long_number = 1000;
-    return gap < long_number ? fmt::format("{:.2f}", gap) : fmt::format("{:.2g}", gap);
-}
-
-std::string rivals_text(const Diagnosis& d)
-{
-    std::string text;
-    for (const auto& names : d.ambiguous_with) {
-        const bool same = !d.effects.empty() && names == d.effects[0].names;
-        text += (text.empty() ? "" : ", ") + together(names) + (same ? " by another law" : "");
-    }
-    return text;
-}
-
-/// The named cause, then those that the records cannot distinguish from it; one name where only its law is open.
-std::vector<std::string> one_of(const Diagnosis& d)
-{
-    std::vector<std::string> causes{together(d.effects[0].names)};
-    for (const auto& names : d.ambiguous_with)
-        if (names != d.effects[0].names) causes.push_back(together(names));
-    return causes;
-}
-
-/// From which probability on a cause is told flatly, and from which on as probable. Reason: nine in ten is what the
-/// answers at that probability kept in blind cases; below one half the rest together is likelier than the cause.
-constexpr double told_flatly = 0.9, told_as_probable = 0.5;
-
-/// That it is one of the causes that the first sentence names.
-double probability_of_named(const Diagnosis& d)
-{
-    const auto sorted = [](std::vector<std::string> names) {
-        std::ranges::sort(names);
-        return names;
-    };
-    double sum = d.effects[0].probability;
-    for (std::size_t i = 1; i < d.effects.size(); ++i)
-        if (std::ranges::any_of(d.ambiguous_with, [&](const auto& names) {
-                return sorted(names) == sorted(d.effects[i].names) && sorted(names) != sorted(d.effects[0].names);
-            }))
-            sum += d.effects[i].probability;
-    return std::min(sum, 1.0);
-}
-
-/// The cause, or the few that the records cannot distinguish, as sure as they are.
-std::string said_by_probability(const Diagnosis& d)
-{
-    const auto causes = one_of(d);
-    const std::string which =
-        causes.size() > 1 ? fmt::format("one of {}, which these records cannot distinguish", fmt::join(causes, ", "))
-                          : causes[0];
-    const double sure = probability_of_named(d);
-    if (sure >= told_flatly) return "The gap comes from " + which;
-    if (sure >= told_as_probable) return fmt::format("The gap probably comes from {} ({})", which, whole_percent(sure));
-    return fmt::format("The likeliest cause of the gap is {} ({}; that it is none of those listed: {})", which,
-                       whole_percent(sure), whole_percent(probability_of_none(d)));
-}
-
-/// What the joint has, for somebody who will change it, as sure as the first cause is.
-std::string heading_of(const Diagnosis& d, const Joint& before, const Joint& after)
-{
-    const std::string text = cause_text(d.effects[0], before, after);
-    const double sure = d.effects[0].probability;
-    if (sure >= told_flatly) return text;
-    return fmt::format("{} ({}): {}", sure >= told_as_probable ? "Probable" : "Likeliest, not certain",
-                       whole_percent(sure), text);
-}
-
-Headline what_card(const Diagnosis& d)
-{
-    if (d.verdict == Verdict::no_gap) return {Tone::good, "nothing", "what: the nominal joint is enough"};
-    if (d.interrupted) return {Tone::neutral, "not known", "what: the search was interrupted; nothing is ruled out"};
-    if (d.verdict == Verdict::unknown || d.effects.empty())
-        return {Tone::bad, "none of the catalogue", "what: no named effect explains the gap"};
-    if (const auto causes = one_of(d); causes.size() > 1)
-        return {Tone::warning, fmt::format("one of {}", fmt::join(causes, ", ")),
-                "what: these data cannot distinguish them; the numbers above are those of the first"};
-    return {Tone::warning, together(d.effects[0].names),
-            "what: the most probable cause, by its name in the catalogue; its numbers stand above"};
-}
-
-std::string when_text(const std::string& regime)
-{
-    return regime == "low speed" ? "at low speed" : "while " + regime;
-}
-
-Headline where_card(const Diagnosis& d)
-{
-    if (d.verdict == Verdict::no_gap) return {Tone::good, "nowhere", "where: no stage errs by more than its noise"};
-    constexpr std::size_t exclusive = 3;  // stuck, low speed, sliding
-    const Share* s = largest(d.signals, d.signals.size());
-    const Share* r = largest(d.regimes, exclusive);
-    std::string meaning = fmt::format("where: the stage that holds {} of the gap", whole_percent(s->share));
-    if (r && r->share > 0)
-        meaning += fmt::format("; of the motion's part {} {}", whole_percent(r->share), when_text(r->name));
-    return {Tone::neutral, s->name, meaning};
-}
-
-/// Of the gap's held-out squares beyond the noise: the rungs of the causes that are named. What corrections of the
-/// document or rungs that are not named take is not theirs. NaN where the named ones are no rungs.
-double explained_by_named(const Diagnosis& d)
-{
-    double share = std::numeric_limits<double>::quiet_NaN();
-    if (d.effects.empty()) return share;
-    const auto& named = d.effects[0].names;
-    for (const auto& rung : d.ladder)
-        if (std::all_of(rung.names.begin(), rung.names.end(),
-                        [&](const auto& n) { return std::find(named.begin(), named.end(), n) != named.end(); }))
-            share = (std::isnan(share) ? 0 : share) + rung.share;
-    return share;
-}
-
-bool has_remainder(const Diagnosis& d)
-{
-    return !d.ladder.empty() && std::isfinite(d.remainder.share);
-}
-
-/// A cause that is itself noise cannot bring two simulations closer: it explains why they differ.
-bool adds_noise(const Diagnosis& d)
-{
-    return d.overall.after >= d.overall.before;
-}
-
-/// The gap before and after, on held-out data, noise included.
-std::string held_out_text(const Diagnosis& d)
-{
-    if (judged_by_force(d))
-        return fmt::format("held-out drive force that the model gets wrong, {:.3g} → {:.3g} {}", d.drive_force.before,
-                           d.drive_force.after, d.drive_force.unit);
-    return fmt::format("held-out gap, {} → {} × the noise floor", floors(d.overall.before), floors(d.overall.after));
-}
-
-Headline how_much_card(const Diagnosis& d)
-{
-    if (const double share = explained_by_named(d); d.verdict == Verdict::gap && !adds_noise(d) && std::isfinite(share))
-        return {Tone::neutral, whole_percent(share),
-                "how much: of the gap beyond the noise it explains; " + held_out_text(d) + ", noise included"};
-    if (judged_by_force(d))
-        return {Tone::neutral, fmt::format("− {}", whole_percent(1 - d.drive_force.after / d.drive_force.before)),
-                "how much: " + held_out_text(d)};
-    if (d.verdict == Verdict::gap && adds_noise(d))
-        return {
-            Tone::neutral, floors(d.overall.after) + " × noise floor",
-            fmt::format("how much: the gap on held-out data; simulations with the cause differ by {} among themselves",
-                        floors(d.overall.own_floor))};
-    if (d.verdict == Verdict::gap)
-        return {Tone::neutral, fmt::format("− {}", whole_percent(1 - d.overall.after / d.overall.before)),
-                "how much: " + held_out_text(d)};
-    return {Tone::neutral, floors(d.overall.before) + " × noise floor",
-            "how much: the gap on held-out data; noise alone makes 1"};
-}
-
-Headline how_sure_card(const Diagnosis& d)
-{
-    const auto& first = d.effects[0];
-    std::string meaning = "how sure: its probability; ";
-    if (!d.ambiguous_with.empty())
-        meaning += "these data cannot distinguish it from " + rivals_text(d);
-    else if (d.effects.size() > 1)
-        meaning += fmt::format("next best is {} with {}", together(d.effects[1].names),
-                               whole_percent(d.effects[1].probability));
-    else
-        meaning += "no rival was left";
-    constexpr double worth_telling = 0.05;
-    if (const double none = probability_of_none(d); none >= worth_telling)
-        meaning += fmt::format("; that it is none of those listed has {}", whole_percent(none));
-    return {Tone::neutral, whole_percent(first.probability), meaning};
-}
-
-/// What the ladder leaves of the gap, where there is one.
-std::vector<Headline> remains_card(const Diagnosis& d)
-{
-    if (!has_remainder(d)) return {};
-    std::string meaning = "what remains: of the gap's held-out squares beyond the noise";
-    if (!d.remainder.structure.empty())
-        meaning += fmt::format("; it still depends on {}", fmt::join(d.remainder.structure, ", "));
-    return {{Tone::neutral, whole_percent(std::max(0.0, d.remainder.share)), meaning}};
-}
 
 /// What a machine must bear to follow the motion.
 std::string reach_text(const NextExperiment& e, Motion motion)
@@ -268,43 +74,6 @@ Section next_section(const Diagnosis& d)
 }
 
 }  // namespace
-
-std::string diagnosis_sentence(const Diagnosis& d)
-{
-    switch (d.verdict) {
-        case Verdict::gap: {
-            std::string text = said_by_probability(d);
-            if (judged_by_force(d))
-                text += fmt::format(
-                    ": on held-out data the drive force that the model gets wrong shrinks from {:.3g} "
-                    "to {:.3g} {}",
-                    d.drive_force.before, d.drive_force.after, d.drive_force.unit);
-            else if (d.overall.before > 0 && adds_noise(d))
-                text += fmt::format(
-                    ": it makes noise, and simulations with it differ by {} times the noise floor among themselves, "
-                    "the records from them by {}",
-                    floors(d.overall.own_floor), floors(d.overall.after));
-            else if (d.overall.before > 0)
-                text += fmt::format(": on held-out data it shrinks from {} to {} times the noise floor",
-                                    floors(d.overall.before), floors(d.overall.after));
-            if (one_of(d).size() == 1 && !d.ambiguous_with.empty())
-                text += "; these records cannot distinguish it from " + rivals_text(d);
-            return text + ".";
-        }
-        case Verdict::no_gap:
-            return "No gap: the nominal joint predicts the records to the noise.";
-        case Verdict::unknown:
-            if (d.interrupted)
-                return "Interrupted before the search was done: what causes the gap is not known, and nothing is ruled "
-                       "out.";
-            return "There is a gap, and nothing in the catalogue explains it.";
-        default: {
-            const bool suspected = std::any_of(d.reasons.begin(), d.reasons.end(), contradicts);
-            return suspected ? "Nothing was concluded: records and joint do not fit together."
-                             : "These records do not hold enough to conclude anything.";
-        }
-    }
-}
 
 namespace {
 

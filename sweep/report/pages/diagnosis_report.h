@@ -13,7 +13,4 @@ Report diagnosis_report(const Diagnosis& diagnosis, const Joint& before, const J
                         std::vector<std::pair<std::string, std::string>> provenance, std::vector<Snippet> snippets = {},
                         bool rig = false);
 
-/// The answer in one sentence.
-std::string diagnosis_sentence(const Diagnosis& diagnosis);
-
 }  // namespace stickslip

@@ -1,4 +1,5 @@
 #include "sweep/report/pages/diagnosis_report.h"
+#include "sweep/report/pages/diagnosis_first_screen.h"
 #include "sweep/words/diagnosis_text.h"
 
 #include "sweep/files/json/diagnosis_json.h"

@@ -1,0 +1,172 @@
+#include "analysis/boundary/kinds/ray.h"
+
+#include "analysis/boundary/kinds/boundary.h"
+#include "analysis/boundary/kinds/outcome.h"
+#include "analysis/boundary/trace/climb.h"
+#include "analysis/boundary/trace/follow.h"
+#include "analysis/joint/joint.h"
+#include "analysis/joint/parameters.h"
+#include "analysis/numerics/root.h"
+#include "analysis/simulation/flows/disturbance.h"
+
+#include <algorithm>
+
+namespace stickslip {
+namespace {
+
+class Ray {
+  public:
+    Ray(const Joint& joint, const Axis& axis, const BoundaryRequest& request)
+        : joint_(joint), request_(request), unit_(axis)
+    {
+        ray_.kind = request.kind;
+        ray_.axis = axis;
+        ray_.axis.values = {axis.values.front(), axis.values.back()};
+    }
+
+    LocatedRay run()
+    {
+        scan();
+        const auto n = values_.size();
+        ray_.nodes = static_cast<int>(n);
+        ray_.evaluations = ray_.nodes;
+        int stable = 0, neutral = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            ray_.undecided += std::isnan(sides_[i]);
+            stable += sides_[i] < 0;
+            neutral += neutral_at(i);
+            if (i + 1 < n && !neutral_at(i) && !neutral_at(i + 1))
+                bracket(values_[i], sides_[i], values_[i + 1], sides_[i + 1]);
+            if (neutral_at(i) && (i == 0 || !neutral_at(i - 1))) {
+                std::size_t last = i;
+                while (last + 1 < n && neutral_at(last + 1)) ++last;
+                judge_neutral(i, last);
+            }
+            if (i + 2 < n && is_linear(request_.kind)) climb(i);
+        }
+        ray_.stable_share = static_cast<double>(stable) / static_cast<double>(n);
+        ray_.neutral_share = static_cast<double>(neutral) / static_cast<double>(n);
+        std::sort(ray_.points.begin(), ray_.points.end(),
+                  [](const BoundaryPoint& a, const BoundaryPoint& b) { return a.value < b.value; });
+        return std::move(ray_);
+    }
+
+  private:
+    static constexpr double single_value = 1e-9;  ///< of the distance between nodes: as wide as a number to a user
+
+    bool neutral_at(std::size_t node) const { return is_linear(request_.kind) && sides_[node] == 0; }
+
+    double side(double value)
+    {
+        Joint joint = joint_;
+        number_at(joint, ray_.axis.path) = value;
+        return side_of(joint, request_);
+    }
+
+    void scan()
+    {
+        const auto n = static_cast<std::size_t>(request_.scan) + 1;
+        values_.resize(n), sides_.resize(n);
+        for (std::size_t i = 0; i < n; ++i) values_[i] = unit_.value(static_cast<double>(i) / request_.scan);
+        if (request_.kind != BoundaryKind::outcome)
+            return request_.parallel(n, [&](std::size_t i) { sides_[i] = side(values_[i]); });
+        std::vector<Joint> joints(n, joint_);
+        for (std::size_t i = 0; i < n; ++i) number_at(joints[i], ray_.axis.path) = values_[i];
+        sides_ = outcome_sides(joints, request_.disturbance, request_.parallel);
+    }
+
+    void bracket(double a, double fa, double b, double fb)
+    {
+        if (std::isnan(fa) || std::isnan(fb) || (fa < 0) == (fb < 0)) return;
+        auto root =
+            bracketed_root([&](double v) { return side(v); }, a, fa, b, fb, request_.precision, unit_.least_width());
+        // a boundary at zero is met within rounding only
+        if (a < 0 && b > 0 && std::abs(root.value) <= single_value * (b - a) && is_linear(request_.kind) &&
+            side(0) == 0)
+            root.low = std::min(root.low, 0.0), root.high = std::max(root.high, 0.0), root.value = 0;
+        ray_.evaluations += root.evaluations;
+        ray_.points.push_back({root.value, root.low, root.high, fb > fa ? 1 : -1, root.converged, root.evaluations,
+                               is_linear(request_.kind) ? LocationMethod::interpolation : LocationMethod::bisection});
+    }
+
+    /// Nodes from `first` to `last` are neutral, those beside them not. A boundary lies there if stability changes
+    /// across them, or if neutral sliding is the single value at an end of the range: where it goes on, what was left
+    /// of growth or decay has faded into rounding, and nothing turns.
+    void judge_neutral(std::size_t first, std::size_t last)
+    {
+        const double left = first > 0 ? sides_[first - 1] : missing;
+        const double right = last + 1 < values_.size() ? sides_[last + 1] : missing;
+        if (std::isnan(left) && std::isnan(right)) return;
+        if (!std::isnan(left) && !std::isnan(right) && (left < 0) == (right < 0)) return;
+        BoundaryPoint point;
+        point.low = std::isnan(left) ? values_[first] : end_of_neutral(values_[first], values_[first - 1]);
+        point.high = std::isnan(right) ? values_[last] : end_of_neutral(values_[last], values_[last + 1]);
+        const double width = point.high - point.low;
+        const double apart =
+            std::abs(std::isnan(left) ? values_[last + 1] - values_[last] : values_[first] - values_[first - 1]);
+        const bool single =
+            first == last && width <= std::max(single_value * apart, request_.precision * std::abs(values_[first]));
+        if ((std::isnan(left) || std::isnan(right)) && !single) return;
+        point.value = single ? values_[first] : 0.5 * (point.low + point.high);
+        const bool rises = std::isnan(left) ? right > 0 : left < 0;
+        point.direction = rises ? 1 : -1;
+        point.converged = point.value == 0 ? single : width <= request_.precision * std::abs(point.value);
+        ray_.points.push_back(point);
+    }
+
+    /// How far neutral sliding reaches from a neutral node towards another one, by bisection.
+    double end_of_neutral(double neutral, double other)
+    {
+        const double fine = 1e-3 * single_value * std::abs(other - neutral);
+        const auto root = bracketed_root(
+            [&](double v) {
+                ++ray_.evaluations;
+                return side(v) == 0 ? 1.0 : -1.0;
+            },
+            neutral, 1, other, -1, 0, neutral == 0 ? fine : 0.25 * request_.precision * std::abs(neutral));
+        return other > neutral ? root.high : root.low;
+    }
+
+    /// A pair of boundaries between three nodes of one side shows itself as an extremum towards zero.
+    void climb(std::size_t i)
+    {
+        const double a = sides_[i], b = sides_[i + 1], c = sides_[i + 2];
+        if (std::isnan(a + b + c) || (a < 0) != (b < 0) || (c < 0) != (b < 0)) return;
+        if (!(std::abs(b) < std::abs(a) && std::abs(b) < std::abs(c))) return;
+        ++ray_.climbed;
+        const double sign = b < 0 ? -1 : 1;
+        const double u = unit_.unit(values_[i + 1]);
+        double best = b, at = values_[i + 1];
+        climb_to_zero(
+            [&](double p) {
+                const double v = unit_.value(p), f = side(v);
+                ++ray_.evaluations;
+                if (sign * f < sign * best) best = f, at = v;
+                return sign * f;
+            },
+            u, unit_.unit(values_[i]), unit_.unit(values_[i + 2]));
+        if ((best < 0) == (b < 0)) return;
+        bracket(values_[i], a, at, best);
+        bracket(at, best, values_[i + 2], c);
+    }
+
+    const Joint& joint_;
+    const BoundaryRequest& request_;
+    UnitAxis unit_;
+    std::vector<double> values_, sides_;
+    LocatedRay ray_;
+};
+
+}  // namespace
+
+bool is_linear(BoundaryKind kind)
+{
+    return kind != BoundaryKind::fold && kind != BoundaryKind::outcome && kind != BoundaryKind::hunting;
+}
+
+LocatedRay locate_on_ray(const Joint& joint, const Axis& axis, const BoundaryRequest& request)
+{
+    return Ray(joint, axis, request).run();
+}
+
+}  // namespace stickslip

@@ -1,0 +1,14 @@
+// Boundaries along one axis of a joint, between the nodes of a scan. Internal to analysis/boundary/kinds.
+#pragma once
+#include "analysis/boundary/kinds/boundary.h"
+
+namespace stickslip {
+
+/// Of a kind that the linear theory decides.
+bool is_linear(BoundaryKind kind);
+
+/// With a request whose precision, scan and parallel are set. Throws std::invalid_argument for a path that the joint
+/// lacks.
+LocatedRay locate_on_ray(const Joint& joint, const Axis& axis, const BoundaryRequest& request);
+
+}  // namespace stickslip

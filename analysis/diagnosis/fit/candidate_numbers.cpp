@@ -1,0 +1,83 @@
+#include "analysis/diagnosis/fit/candidate_numbers.h"
+
+#include "analysis/diagnosis/fit/effect.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace stickslip::gap {
+namespace {
+
+double bounded(const EffectParameter& p, double x)
+{
+    if (p.logarithmic) return std::clamp(x, std::log(p.low), std::log(p.high));
+    return std::clamp(x, p.low, p.high);
+}
+
+/// The parameters of one form, which begin at `first`, as they hold in a record.
+std::vector<double> held_in(std::size_t record, const EffectForm& form, std::vector<double>::const_iterator first,
+                            const Candidate& candidate)
+{
+    const auto shared = static_cast<std::ptrdiff_t>(form.parameters.size() - form.own);
+    const auto own = first + shared + static_cast<std::ptrdiff_t>(form.own * std::min(record, candidate.records - 1));
+    std::vector<double> p(first, first + shared);
+    p.insert(p.end(), own, own + static_cast<std::ptrdiff_t>(form.own));
+    return p;
+}
+
+}  // namespace
+
+Eigen::VectorXd bounded(const Candidate& c, Eigen::VectorXd x)
+{
+    for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = bounded(c.parameter(static_cast<std::size_t>(i)), x[i]);
+    return x;
+}
+
+std::vector<double> in_si(const Candidate& candidate, const Eigen::VectorXd& x, const Scales& scales)
+{
+    std::vector<double> si(static_cast<std::size_t>(x.size()));
+    for (std::size_t i = 0; i < si.size(); ++i) {
+        const auto& p = candidate.parameter(i);
+        const double value = bounded(p, x[static_cast<Eigen::Index>(i)]);
+        si[i] = unit_of(p.scale, scales) * (p.logarithmic ? std::exp(value) : value);
+    }
+    return si;
+}
+
+Eigen::VectorXd to_fit(const Candidate& candidate, const std::vector<double>& scaled)
+{
+    Eigen::VectorXd x(static_cast<Eigen::Index>(scaled.size()));
+    for (std::size_t i = 0; i < scaled.size(); ++i) {
+        const auto& p = candidate.parameter(i);
+        const double value = std::clamp(scaled[i], p.low, p.high);
+        x[static_cast<Eigen::Index>(i)] = p.logarithmic ? std::log(value) : value;
+    }
+    return x;
+}
+
+Joint edited(const Joint& joint, const Candidate& candidate, const std::vector<double>& si, std::size_t record)
+{
+    Joint j = joint;
+    auto first = si.begin();
+    for (const auto* form : candidate.forms) {
+        if (form->apply) form->apply(j, held_in(record, *form, first, candidate).data());
+        first += static_cast<std::ptrdiff_t>(candidate.count_of(*form));
+    }
+    return j;
+}
+
+Plant edited_plant(const Joint& joint, const Candidate& candidate, const std::vector<double>& si, std::size_t record)
+{
+    Plant plant = flatten(edited(joint, candidate, si, record));
+    auto first = si.begin();
+    for (const auto* form : candidate.forms) {
+        if (form->apply_free) form->apply_free(plant.free, held_in(record, *form, first, candidate).data());
+        first += static_cast<std::ptrdiff_t>(candidate.count_of(*form));
+    }
+    return plant;
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,157 @@
+// The search for the next rung of a ladder: which causes go on top of a set, and whether they earn their place.
+// Internal to analysis/diagnosis/ladder.
+#pragma once
+#include "analysis/diagnosis/ladder/climb.h"
+#include "analysis/diagnosis/ladder/fit_set.h"
+#include "analysis/diagnosis/ladder/rules.h"
+#include "analysis/diagnosis/ladder/windows.h"
+#include "analysis/diagnosis/search/attribute.h"
+#include "analysis/diagnosis/search/search.h"
+
+#include <algorithm>
+
+namespace stickslip::gap {
+
+constexpr std::size_t near = 3, dear_looks = 6;  // singles, best first
+
+/// Whether the causes beyond those of `without` earn their place.
+bool earns(const FittedSet& without, const FittedSet& with, const LadderRules& rules);
+
+class Climber {
+  public:
+    Climber(const std::vector<Attribution>& singles, SetFitter& fitter, const LadderRules& rules,
+            const ParallelFor& parallel)
+        : singles_(singles), fitter_(fitter), rules_(rules), parallel_(parallel)
+    {
+    }
+
+    /// Every cause that is not yet in the set on top of it; the best few of a first look, judged, best first.
+    std::vector<FittedSet> next(const FittedSet& below)
+    {
+        std::vector<Start> looks;
+        // divided masses cost ten times as much: beside another cause only those that come near alone, and beside them
+        // only what does. With the document's numbers as they are anything that mends those comes nearer: the first
+        // rung looks at all
+        const std::size_t most = two_mass_edit(below.causes) ? dear_looks : rules_.first_look;
+        for (std::size_t i = 0; i < singles_.size() && looks.size() < most; ++i) {
+            const Candidate& single = singles_[i].candidate;
+            const auto& in = below.causes.effects;
+            const bool too_dear = two_mass_edit(single) && i >= near && !in.empty();
+            if (std::find(in.begin(), in.end(), single.effects[0]) != in.end() || too_dear) continue;
+            looks.push_back({below.causes, single.effects[0], single.forms[0], singles_[i].x});
+            looks.back().causes.records = single.records;
+        }
+        parallel_(looks.size(), [&](std::size_t i) { fitter_.look(looks[i], below); });  // adds the cause
+        std::stable_sort(looks.begin(), looks.end(),
+                         [](const Start& a, const Start& b) { return a.objective < b.objective; });
+        std::erase_if(looks, [](const Start& s) { return s.x0.size() == 0; });
+        if (looks.size() > rules_.finalists) looks.resize(rules_.finalists);
+        return judged(looks);
+    }
+
+    std::vector<FittedSet> judged(const std::vector<Start>& starts)
+    {
+        std::vector<FittedSet> sets(starts.size());
+        parallel_(starts.size(), [&](std::size_t i) { sets[i] = fitter_.fit(starts[i].causes, starts[i].x0); });
+        std::stable_sort(sets.begin(), sets.end(), [](const auto& a, const auto& b) { return a.misfit < b.misfit; });
+        pool_.insert(pool_.end(), sets.begin(), sets.end());
+        return sets;
+    }
+
+    /// The best of those that could not be told from the first, each fitted anew to the lower floor that it has left.
+    FittedSet compared(const std::vector<FittedSet>& rivals)
+    {
+        std::vector<Start> again;
+        for (const auto& set : rivals) again.push_back({set.causes, nullptr, nullptr, {}, 0, set.fit.x});
+        const auto sets = judged(again);
+        const auto best = std::ranges::find_if(sets, [](const auto& s) { return s.plausible && !s.correction; });
+        return best == sets.end() ? rivals[0] : *best;
+    }
+
+    /// The set with one of its causes exchanged for another that was judged on the way, best first: what came nearest
+    /// beside others, or alone, need not be what belongs beside these.
+    std::vector<FittedSet> exchanged(const FittedSet& set)
+    {
+        constexpr std::size_t most = 3;  // go on after a first look
+        std::vector<FittedSet> less;
+        for (std::size_t i = 0; i < set.causes.effects.size(); ++i) less.push_back(unfitted_without(set, i));
+        std::vector<std::pair<Start, const FittedSet*>> looks;
+        for (const auto& below : less)
+            for (const auto& single : singles_) {
+                const Candidate& other = single.candidate;
+                if (two_mass_edit(other) || !worth_an_exchange(set, below, *other.effects[0])) continue;
+                looks.emplace_back(Start{below.causes, other.effects[0], other.forms[0], single.x}, &below);
+                looks.back().first.causes.records = other.records;
+            }
+        parallel_(looks.size(), [&](std::size_t i) { fitter_.look(looks[i].first, *looks[i].second); });
+        std::vector<Start> starts;
+        for (auto& [start, below] : looks)
+            if (start.x0.size() > 0) starts.push_back(std::move(start));
+        std::ranges::stable_sort(starts, {}, &Start::objective);
+        if (starts.size() > most) starts.resize(most);
+        return judged(starts);
+    }
+
+    /// The set without one of its causes.
+    FittedSet without(const FittedSet& set, std::size_t member) const
+    {
+        const FittedSet less = unfitted_without(set, member);
+        return fitter_.fit(less.causes, less.fit.x);
+    }
+
+    /// Other sets of as many causes as this one that hold all causes of the one below it, best first.
+    std::vector<FittedSet> in_place_of(const FittedSet& set, const Candidate& below) const
+    {
+        std::vector<FittedSet> others;
+        for (const auto& other : pool_) {
+            const auto& in = other.causes.effects;
+            const bool same_size = in.size() == set.causes.effects.size() && in != set.causes.effects;
+            const bool holds =
+                std::ranges::all_of(below.effects, [&](const auto* e) { return std::ranges::count(in, e) > 0; });
+            if (!same_size || !holds || other.correction) continue;
+            const auto again = std::ranges::find_if(others, [&](const auto& o) { return o.causes.effects == in; });
+            if (again == others.end())
+                others.push_back(other);
+            else if (other.misfit < again->misfit)
+                *again = other;
+        }
+        std::stable_sort(others.begin(), others.end(),
+                         [](const auto& a, const auto& b) { return a.misfit < b.misfit; });
+        return others;
+    }
+
+  private:
+    /// The causes but one, with the numbers that they have in the set.
+    FittedSet unfitted_without(const FittedSet& set, std::size_t member) const
+    {
+        Candidate causes;
+        causes.records = set.causes.records;
+        const Eigen::VectorXd own = set.of_causes(set.fit.x);
+        Eigen::VectorXd x;
+        Eigen::Index at = 0;
+        for (std::size_t i = 0; i < set.causes.effects.size(); ++i) {
+            const auto count = static_cast<Eigen::Index>(set.causes.count_of(*set.causes.forms[i]));
+            if (i != member) x = insert(causes, set.causes.effects[i], set.causes.forms[i], x, own.segment(at, count));
+            at += count;
+        }
+        return fitter_.unfitted(causes, set, x);
+    }
+    /// Whether this cause was judged before, and not yet in the place of the one that the set has beside `below`.
+    bool worth_an_exchange(const FittedSet& set, const FittedSet& below, const Effect& other) const
+    {
+        if (std::ranges::count(set.causes.effects, &other) > 0) return false;
+        auto effects = below.causes.effects;
+        effects.insert(std::ranges::upper_bound(effects, &other), &other);
+        const auto holds = [&](const FittedSet& s) { return std::ranges::count(s.causes.effects, &other) > 0; };
+        const auto same = [&](const FittedSet& s) { return s.causes.effects == effects; };
+        return std::ranges::any_of(pool_, holds) && std::ranges::none_of(pool_, same);
+    }
+
+    std::vector<FittedSet> pool_;  ///< all sets that were judged
+    const std::vector<Attribution>& singles_;
+    SetFitter& fitter_;
+    const LadderRules& rules_;
+    const ParallelFor& parallel_;
+};
+
+}  // namespace stickslip::gap

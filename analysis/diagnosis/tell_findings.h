@@ -1,0 +1,29 @@
+// What the findings of a diagnosis say in its answer: the named cause, rivals, what is unexplained. Internal to
+// analysis/diagnosis.
+#pragma once
+#include "analysis/diagnosis/diagnose.h"
+#include "analysis/diagnosis/search/attribute.h"
+#include "analysis/diagnosis/verdict/find_causes.h"
+
+#include <exception>
+#include <string>
+#include <vector>
+
+namespace stickslip::gap {
+
+/// The ladder's answer, the drive force that it leaves included.
+void tell_named(const Prepared& p, const ParallelFor& parallel, const Findings& f, Diagnosis& d);
+
+void tell_unexplained(const Findings& f, Diagnosis& d);
+
+/// With what the audit found, which belongs to every named set.
+std::vector<std::string> with_findings(const Prepared& p, const std::vector<std::string>& causes);
+
+/// What it could be confused with, and the experiment that would tell.
+void tell_rivals(const Prepared& p, const Findings& f, const std::vector<Ranked>& ranked, const Attribution& winner,
+                 Diagnosis& d);
+
+/// The causes beside the ladder's, which names none: everything that was fitted, by probability.
+void list_effects(const Prepared& p, const std::vector<Ranked>& ranked, Diagnosis& d);
+
+}  // namespace stickslip::gap

@@ -1,0 +1,27 @@
+// Measures of a signal by which a record gives away its units. Internal to sweep/files/records.
+#pragma once
+#include "analysis/results/quantity.h"
+#include <numbers>
+#include <vector>
+
+namespace stickslip::files {
+
+inline constexpr double degrees = 180 / std::numbers::pi;
+
+inline constexpr double near_factor = 1.3;  // two signals that agree up to noise and lag stay within this
+
+/// Standard deviation of the values that are there.
+double spread(const std::vector<double>& values);
+
+/// The factor of a wrong unit that the ratio comes close to, or 0.
+double wrong_factor(double ratio, Motion motion);
+
+/// Central differences, as many as rows; NaN at both ends.
+std::vector<double> differentiated(const std::vector<double>& time, const std::vector<double>& values);
+
+double median(std::vector<double> values);
+
+/// Correlation of two signals where both have values; 0 where one stands still.
+double correlation(const std::vector<double>& a, const std::vector<double>& b);
+
+}  // namespace stickslip::files

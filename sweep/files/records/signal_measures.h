@@ -1,8 +1,8 @@
 // Measures of a signal by which a record gives away its units. Internal to sweep/files/records.
 #pragma once
-#include "analysis/results/quantity.h"
 #include <numbers>
 #include <vector>
+#include "analysis/results/quantity.h"
 
 namespace stickslip::files {
 

@@ -27,6 +27,7 @@ enum class Detail : std::uint8_t {
     no_level,  ///< a law without a level that place, time or load could change
     // a motion that was followed
     limit_of_turns,
+    limit_of_work,        ///< of one verdict; more is to be asked for
     larger_not_followed,  ///< a larger disturbance, to its end
     stopped,              ///< it could not be followed any further
     // no growth rate
@@ -45,7 +46,7 @@ enum class Detail : std::uint8_t {
     law_at_rest  ///< has no meaning there
 };
 
-inline constexpr std::array<std::string_view, 30> detail_names{"none",
+inline constexpr std::array<std::string_view, 31> detail_names{"none",
                                                                "late-with-memory",
                                                                "moving-normal-load",
                                                                "neighbours",
@@ -62,6 +63,7 @@ inline constexpr std::array<std::string_view, 30> detail_names{"none",
                                                                "bristles-with-memory",
                                                                "no-level",
                                                                "limit-of-turns",
+                                                               "limit-of-work",
                                                                "larger-not-followed",
                                                                "stopped",
                                                                "growth-unmeasured",

@@ -41,6 +41,9 @@ std::string detail_text(Detail detail)
             return "this law has no level that place, time or load could change";
         case Detail::limit_of_turns:
             return "the motion was followed to the limit of turns";
+        case Detail::limit_of_work:
+            return "the motion neither repeated nor settled within the usual work; --effort 10 follows it ten times as "
+                   "long";
         case Detail::larger_not_followed:
             return "a larger disturbance could not be followed to its end";
         case Detail::stopped:

@@ -122,3 +122,15 @@ TEST_CASE("a spec may ask for boundaries by itself", "[program][boundary]")
     REQUIRE(own["lines"].size() == 1);
     CHECK(own["lines"][0]["kind"] == "velocity-only");
 }
+
+TEST_CASE("an evaluation that the usual work does not decide says how to allow more", "[program][impossible]")
+{
+    const std::string joint = "evaluate tests/sweep/found/w12-stribeck.toml ";
+    const auto cut = stickslip(joint + "--effort 0.02");
+    INFO(cut.output);
+    CHECK(cut.exit_code == 4);
+    CHECK_THAT(cut.output, Contains("undecided") && Contains("--effort 10"));
+    const auto json = Json::parse(stickslip(joint + "--effort 0.02 --json").output);
+    CHECK(json["nonlinear"]["reason_detail"] == "limit-of-work");
+    CHECK(stickslip(joint).exit_code == 0);
+}

@@ -2,6 +2,7 @@
 #pragma once
 #include "analysis/simulation/attractor/cycle.h"
 #include "analysis/simulation/solvers/motion.h"
+#include "analysis/simulation/solvers/work.h"
 
 namespace stickslip {
 
@@ -10,6 +11,7 @@ struct FollowOptions {
     double rtol = 1e-8;
     int turn_limit = 3000;
     bool accelerate = true;  ///< shooting and amplitude jumps; without them the motion is only watched
+    Work* work = nullptr;    ///< that is left for this motion and others; none: only turns are counted
 };
 
 struct Attractor {
@@ -22,6 +24,7 @@ struct Attractor {
     double position_min = missing, position_max = missing, rest_time = missing;
     bool reversed = false;
     bool diverged = false;         ///< failed because the speed overflowed
+    bool cut_short = false;        ///< undecided because the work was spent
     int repeats = 1;               ///< turns after which a period-n motion repeats
     int turns = 0;                 ///< that were followed
     double first_peak = missing;   ///< largest position excess of the first turn

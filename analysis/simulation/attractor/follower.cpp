@@ -1,4 +1,5 @@
 #include "analysis/simulation/attractor/follower.h"
+#include "analysis/numerics/lasting.h"
 #include "analysis/simulation/attractor/orbit.h"
 #include "analysis/simulation/attractor/repeats.h"
 #include "analysis/simulation/flows/mode.h"
@@ -33,9 +34,10 @@ constexpr int most_settling = 8;        ///< turns that a scaled motion gets to 
 constexpr double settled_growth = 0.3;  ///< change of growth, relative, of one that has
 constexpr double near_return = 1e-3;    ///< gap after several turns, per amplitude, from which an orbit is looked for
 constexpr int patient_turns = 600;      ///< before what only watching says of repeats is believed
-constexpr int most_steps = 3'000'000;   ///< of a motion; 3000 turns of the irregular one of the tests take 2.1 million
-constexpr int wild_turns = 600;         ///< before a motion that neither closes nor settles is called irregular
-constexpr int settling_turns = 60;      ///< before a motion that neither closes nor settles is tested for repeats
+constexpr int most_steps =
+    3'000'000;  ///< of a motion without a limit of work; 3000 turns of an irregular one took 2.1 million
+constexpr int wild_turns = 600;     ///< before a motion that neither closes nor settles is called irregular
+constexpr int settling_turns = 60;  ///< before a motion that neither closes nor settles is tested for repeats
 
 }  // namespace
 
@@ -172,9 +174,24 @@ bool Follower::repeats()
     }
     // what creeps seems closed: its growth decides
     if (m == 0 || (m == 1 && fine_ && smooth(turns_.back()))) return false;
+    take_repeat(m);
+    return true;
+}
+
+void Follower::take_repeat(int m)
+{
     from_turn(merged(turns_, m));
     result_.repeats = full_turns(turns_, m);
-    return true;
+}
+
+/// Of a motion that there is no work left to watch; what creeps is not scaled any more.
+bool Follower::comes_back()
+{
+    if (points_.size() < 2) return false;
+    const auto gap = [this](int i, int j) { return distance(points_[i], points_[j]); };
+    const int m = turns_to_repeat_nearly(static_cast<int>(points_.size()), gap, amplitude());
+    if (m > 0) take_repeat(m);
+    return m > 0;
 }
 
 // In one piece: one motion until it is judged: the order of its tests is the method.
@@ -203,8 +220,9 @@ Attractor Follower::run(const FlowVector& y)
         }
         idle_turns_ = turn.period() > least_turn_ ? 0 : idle_turns_ + 1;
         steps_ += turn.steps;
+        spend(turn);
         if (idle_turns_ > most_idle_turns) return ended(Kind::undecided, Reason::not_converged);
-        if (steps_ > most_steps) break;
+        if (options_.work ? options_.work->spent() : steps_ > most_steps) break;
         if (idle_turns_ > 0) continue;  // the motion never left the section
         points_.push_back(turn.state);
         turns_.push_back(turn);
@@ -251,18 +269,28 @@ Attractor Follower::run(const FlowVector& y)
         linear_turns_ = linear ? linear_turns_ + 1 : 0;
         if (steady_attracts_ && linear_turns_ >= linear_turns) return ended(Kind::steady);
     }
-    if (!wild()) return ended(Kind::undecided, Reason::not_converged);
+    const bool cut_short = result_.turns < options_.turn_limit;
+    if (cut_short && comes_back()) return ended(result_.repeats > 1 ? Kind::period_n : Kind::cycle);
+    if (!wild(cut_short)) {
+        result_.cut_short = cut_short;
+        return ended(Kind::undecided, Reason::not_converged);
+    }
     from_turn(merged(turns_, static_cast<int>(turns_.size())));
     return ended(Kind::irregular);
 }
 
 /// Bounded, and neither creeping nor in a flow too small for chaos.
-bool Follower::wild() const
+bool Follower::wild(bool cut_short) const
 {
-    if (flow_.size() <= 3 || result_.turns < wild_turns || points_.size() < 3) return false;
+    if (flow_.size() <= 3 || points_.size() < 3) return false;
     std::vector<double> sizes;
     for (const auto& point : points_) sizes.push_back(distance(point, steady_));
-    return grows_and_shrinks(sizes);
+    return result_.turns < wild_turns ? cut_short && lasts(sizes) : grows_and_shrinks(sizes);
+}
+
+void Follower::spend(const Turn& turn)
+{
+    if (options_.work) options_.work->spend(turn.steps * Work::of_step(flow_.size()));
 }
 
 Attractor follow(const Flow& flow, const FlowVector& y, bool steady_attracts, const FollowOptions& options)

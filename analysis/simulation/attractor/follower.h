@@ -36,7 +36,10 @@ class Follower {
     double amplitude() const { return distance(points_.back(), steady_); }
     bool repeats();
     bool shoot_repeat(int watched_turns);
-    bool wild() const;
+    bool comes_back();
+    void take_repeat(int turns);
+    bool wild(bool cut_short) const;
+    void spend(const Turn& turn);
     bool smooth(const Turn& turn) const { return turn.sticks == 0 && !turn.reversed; }
 
     const Flow& flow_;

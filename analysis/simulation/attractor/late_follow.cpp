@@ -2,7 +2,9 @@
 #include <cmath>
 #include <deque>
 #include <numbers>
+#include <vector>
 
+#include "analysis/numerics/lasting.h"
 #include "analysis/simulation/attractor/attractor.h"
 #include "analysis/simulation/attractor/repeats.h"
 #include "analysis/simulation/flows/late_flow.h"
@@ -31,6 +33,28 @@ Attractor from_turns(const std::deque<Turn>& turns, int newest, Attractor result
     return result;
 }
 
+/// A motion that has neither closed nor settled. One that was cut short for want of work tells less, and is asked less.
+Attractor unclosed(const LateFlow& flow, const std::deque<Turn>& turns, bool cut_short, Attractor result)
+{
+    using Kind = Attractor::Kind;
+    const int count = static_cast<int>(turns.size());
+    const auto gap = [&](int i, int j) { return distance(flow, turns[i].state, turns[j].state); };
+    std::vector<double> sizes;
+    for (const auto& turn : turns) sizes.push_back(distance(flow, turn.state, flow.steady()));
+    if (const int m = cut_short ? turns_to_repeat_nearly(count, gap, sizes.back()) : 0; m > 0) {
+        result = from_turns(turns, m, result);
+        result.kind = result.repeats > 1 ? Kind::period_n : Kind::cycle;
+    } else if (cut_short ? lasts(sizes) : grows_and_shrinks(sizes)) {
+        result.take(merged(turns, count));
+        result.kind = Kind::irregular;
+    } else {
+        result.kind = Kind::undecided;
+        result.reason = Reason::not_converged;
+        result.cut_short = cut_short;
+    }
+    return result;
+}
+
 }  // namespace
 
 Attractor follow(const LateFlow& flow, const FlowVector& from, bool steady_attracts, const FollowOptions& options)
@@ -55,11 +79,12 @@ Attractor follow(const LateFlow& flow, const FlowVector& from, bool steady_attra
         return flow.clock(y) - quiet_since > flow.longest_lag() + slow_turn;
     };
     std::deque<Turn> turns;  // newest last
+    const double longest = longest_turn * slow_turn + flow.wind_up_time();
     const auto gap = [&](int i, int j) { return distance(flow, turns[i].state, turns[j].state); };
     double last_size = missing;
     int turns_at_the_linear_rate = 0;
     for (; result.turns < options.turn_limit; ++result.turns) {
-        const Turn turn = motion.turn(motion.time() + longest_turn * slow_turn + flow.wind_up_time(), settled);
+        const Turn turn = motion.turn(motion.time() + longest, settled);
         if (result.turns == 0) result.first_peak = turn.position_max;
         if (turn.end == Turn::End::settled) return ended(Kind::steady);
         if (turn.end == Turn::End::failure) return ended(Kind::failure, Reason::solver_failed);
@@ -80,12 +105,10 @@ Attractor follow(const LateFlow& flow, const FlowVector& from, bool steady_attra
         turns_at_the_linear_rate = decays ? turns_at_the_linear_rate + 1 : 0;
         if (turns_at_the_linear_rate >= linear_turns) return ended(Kind::steady);
         last_size = size;
+        if (options.work) options.work->spend(turn.steps * Work::of_late_step(flow.size()));
+        if (options.work && options.work->spent()) break;
     }
-    std::vector<double> sizes;
-    for (const auto& turn : turns) sizes.push_back(distance(flow, turn.state, steady));
-    if (!grows_and_shrinks(sizes)) return ended(Kind::undecided, Reason::not_converged);
-    result = from_turns(turns, static_cast<int>(turns.size()), result);
-    return ended(Kind::irregular);
+    return unclosed(flow, turns, result.turns < options.turn_limit, result);
 }
 
 }  // namespace stickslip

@@ -122,6 +122,8 @@ void judge(const Joint& joint, const AnyFlow& flow, const NonlinearOptions& opti
     follow_options.rtol = options.rtol;
     follow_options.turn_limit = options.turn_limit;
     follow_options.accelerate = options.accelerate;
+    Work work(options.effort);
+    if (options.accelerate) follow_options.work = &work;
 
     const auto mode = slow_mode(flow);
     if (!mode.shows_itself()) verdict.growth_missing = Detail::not_followed;
@@ -169,6 +171,7 @@ void judge(const Joint& joint, const AnyFlow& flow, const NonlinearOptions& opti
     verdict.reason = stated.reason;
     verdict.path = stated.path;
     verdict.used_fallback |= stated.used_fallback;
+    if (stated.cut_short) verdict.detail = Detail::limit_of_work;
     // fmax ignores what is missing
     if (!stated.diverged)
         verdict.overshoot = std::fmax(0, std::fmax(stated.first_peak, stated.position_max)) / std::abs(deflection);
@@ -199,7 +202,10 @@ void judge(const Joint& joint, const AnyFlow& flow, const NonlinearOptions& opti
             describe_cycle(large, verdict);
             cycle_start = large.start;
         }
-        if (verdict.region == NonlinearRegion::undecided) verdict.reason = large.reason;
+        if (verdict.region == NonlinearRegion::undecided) {
+            verdict.reason = large.reason;
+            if (large.cut_short) verdict.detail = Detail::limit_of_work;
+        }
     }
     if (!options.bifurcation || answers_late(joint)) return;
     add_bifurcation(joint, flow, cycle_start, verdict);
@@ -232,6 +238,7 @@ LoopQuestion loop_question(const NonlinearOptions& options)
     question.rtol = options.rtol;
     question.turn_limit = options.turn_limit;
     question.region = options.region;
+    question.effort = options.effort;
     return question;
 }
 

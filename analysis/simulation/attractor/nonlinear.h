@@ -22,6 +22,7 @@ struct NonlinearOptions {
     bool bifurcation = false;    ///< also criticality of the Hopf point and fold of limit cycles
     bool accelerate = true;      ///< shooting and amplitude jumps; off: the motion is watched until it repeats
     bool fallback_only = false;  ///< Rodas5P in place of CVODE
+    double effort = 1;           ///< how much a verdict may compute, per the usual
 };
 
 /// Mirrored by the nonlinear fields of PointResult. The cycle is the one that the disturbance ends in or, in the

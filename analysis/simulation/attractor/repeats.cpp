@@ -13,6 +13,7 @@ constexpr double distinct = 10;            ///< of neighbours that differ, per w
 constexpr double wandering = 2;            ///< gaps that many rounds of mere noise add up to at most
 constexpr int most_rounds = 16;
 constexpr double least_turn = 0.1;  ///< range of position, per largest, of a turn that counts
+constexpr double as_long = 0.5;     ///< per the shortest of those: a smaller turn that takes as long is none that rings
 
 /// Turns that are to differ keep their difference, in every part of their repeat; those that close in alternating lose
 /// it.
@@ -50,6 +51,13 @@ int turns_to_repeat(int count, const std::function<double(int, int)>& gap, doubl
     return 0;
 }
 
+int turns_to_repeat_nearly(int count, const std::function<double(int, int)>& gap, double size)
+{
+    for (const double share : {1e-5, 1e-4, 1e-3})
+        if (const int m = turns_to_repeat(count, gap, share * size); m > 0) return m;
+    return 0;
+}
+
 int nearest_return(int count, const std::function<double(int, int)>& gap, double allowed)
 {
     for (int m = 1; m <= longest_repeat && m < count; ++m)
@@ -78,8 +86,12 @@ int full_turns(const std::deque<Turn>& turns, int newest)
 {
     const Turn all = merged(turns, newest);
     const double least = least_turn * (all.position_max - all.position_min);
+    const auto large = [&](const Turn& t) { return t.position_max - t.position_min > least; };
+    double shortest = infinity;
+    for (auto t = turns.end() - newest; t != turns.end(); ++t)
+        if (large(*t)) shortest = std::min(shortest, t->period());
     return static_cast<int>(std::count_if(turns.end() - newest, turns.end(),
-                                          [&](const Turn& t) { return t.position_max - t.position_min > least; }));
+                                          [&](const Turn& t) { return large(t) || t.period() > as_long * shortest; }));
 }
 
 bool grows_and_shrinks(const std::vector<double>& sizes)

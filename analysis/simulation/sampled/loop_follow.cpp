@@ -1,5 +1,7 @@
 #include "analysis/simulation/sampled/loop_follow.h"
 
+#include "analysis/numerics/lasting.h"
+
 #include <cmath>
 
 namespace stickslip {
@@ -98,6 +100,22 @@ LoopEnd LoopFollower::ended(LoopEnd::Kind kind, Reason reason) const
     return end;
 }
 
+/// Turns that go on as they are tell of the motion what twelve blocks of them would; others leave it open.
+LoopEnd LoopFollower::cut_short() const
+{
+    std::vector<double> sizes;
+    for (const auto& turn : turns_) sizes.push_back(turn.amplitude());
+    const bool like_steady = !turns_.empty() && options_.steady_attracts && speed_of(turns_.back(), V0_) < small_turn;
+    if (!options_.uneven && !like_steady && lasts(sizes)) {
+        if (const int repeats = turns_to_repeat(turns_); repeats > 1) return repeated(repeats);
+        const bool alike = means(turns_, 0, turns_.size()).spread < uneven_turns;
+        return measured(alike ? LoopEnd::Kind::cycle : LoopEnd::Kind::irregular, turns_.size());
+    }
+    LoopEnd end = ended(LoopEnd::Kind::undecided, Reason::not_converged);
+    end.cut_short = true;
+    return end;
+}
+
 /// The newest turns shrink as small disturbances do.
 bool LoopFollower::decays_linearly() const
 {
@@ -168,6 +186,14 @@ LoopEnd LoopFollower::measured(LoopEnd::Kind kind, std::size_t count) const
     return end;
 }
 
+LoopEnd LoopFollower::repeated(int turns) const
+{
+    LoopEnd end = measured(LoopEnd::Kind::period_n, 4 * block);
+    end.repeats = turns;
+    end.period *= turns;
+    return end;
+}
+
 /// A slow integral is on its way beside the cycle and gets there within the limit of turns: scaled, it would begin
 /// anew.
 bool LoopFollower::waits_for_integral(const LoopTurn& turn) const
@@ -201,10 +227,7 @@ std::optional<LoopEnd> LoopFollower::decide()
         return measured(LoopEnd::Kind::cycle, still && std::abs(change) > closed ? block : 2 * block);
     if (now.spread > uneven_turns && blocks_ >= rounds_before_uneven && std::abs(change) < now.spread) {
         const int repeats = turns_to_repeat(turns_);
-        LoopEnd end = measured(repeats > 1 ? LoopEnd::Kind::period_n : LoopEnd::Kind::irregular, 4 * block);
-        end.repeats = std::max(repeats, 1);
-        if (repeats > 1) end.period *= repeats;
-        return end;
+        return repeats > 1 ? repeated(repeats) : measured(LoopEnd::Kind::irregular, 4 * block);
     }
     // what still shrinks from block to block gets there by itself, and sooner than a scaled motion
     if (ratio > waits && !waits_for_integral(last) && std::abs(growth) < slow_growth &&

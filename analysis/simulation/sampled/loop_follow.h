@@ -28,8 +28,9 @@ struct LoopEnd {
     double amplitude_spread = 0;  ///< from turn to turn, per amplitude: largest less smallest
     double first_peak = missing;  ///< largest position excess of the first turn
     bool reversed = false;
-    int turns = 0;    ///< that were followed
-    int repeats = 1;  ///< turns after which a period-n motion repeats
+    int turns = 0;           ///< that were followed
+    int repeats = 1;         ///< turns after which a period-n motion repeats
+    bool cut_short = false;  ///< undecided because the work was spent
 
     bool oscillates() const { return kind != Kind::steady && kind != Kind::undecided; }
     Outcome outcome() const;
@@ -60,6 +61,8 @@ class LoopFollower {
     /// After a tick; `moved` is false where it could not be followed. May put the loop into another state, on the way
     /// to a cycle far away.
     std::optional<LoopEnd> after_tick(bool moved);
+    /// Where the work is spent.
+    LoopEnd cut_short() const;
     /// The last turn changed so much of the motion that its own errors do not count.
     bool on_its_way() const;
     bool has_peak() const { return first_peak_ == first_peak_; }
@@ -77,6 +80,7 @@ class LoopFollower {
     std::optional<LoopEnd> decide();
     void scale_motion(double by);
     LoopEnd measured(LoopEnd::Kind kind, std::size_t count) const;
+    LoopEnd repeated(int turns) const;
     LoopEnd measured_unevenly() const;
 
     SampledLoop& loop_;

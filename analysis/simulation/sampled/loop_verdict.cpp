@@ -4,6 +4,7 @@
 #include "analysis/loop/loop_use.h"
 #include "analysis/simulation/sampled/loop_start.h"
 #include "analysis/simulation/sampled/loop_trajectory.h"
+#include "analysis/simulation/solvers/work.h"
 #include "analysis/stability/steady.h"
 
 #include "analysis/stability/real_loop.h"
@@ -218,7 +219,8 @@ void LoopInquiry::judge_stated()
     const auto& stated = verdict_.stated;
     verdict_.reason = stated.reason;
     verdict_.cycle = stated;
-    if (stated.reason == Reason::not_converged) verdict_.detail = Detail::limit_of_turns;
+    if (stated.reason == Reason::not_converged)
+        verdict_.detail = stated.cut_short ? Detail::limit_of_work : Detail::limit_of_turns;
     const double deflection = std::abs(steady_sliding(joint_).deflection);
     verdict_.overshoot = std::fmax(0, stated.first_peak) / deflection;
     if (!follow_.steady_attracts) {
@@ -259,18 +261,25 @@ void LoopInquiry::judge_search(const LoopEnd& large)
     if (large.oscillates()) verdict_.region = LoopRegion::bistable, verdict_.cycle = large;
     if (verdict_.region != LoopRegion::undecided) return;
     verdict_.reason = large.reason;
-    verdict_.detail = Detail::larger_not_followed;
+    verdict_.detail = large.cut_short ? Detail::limit_of_work : Detail::larger_not_followed;
 }
 
 LoopVerdict loop_verdict(const Joint& joint, const LoopQuestion& question)
 {
     LoopInquiry inquiry(joint, question);
+    Work work(question.effort);
     while (inquiry.open()) {
         auto& loop = inquiry.loop();
         auto& follower = inquiry.follower();
         const auto watch = [&follower](const DrivenStep& s) { follower.watch(s); };
         std::optional<LoopEnd> end;
-        while (!end) end = follower.after_tick(loop.tick(0, loop.reference_velocity(), 0, watch));
+        const double of_step = Work::of_driven_step(loop.motion.joint.size());
+        while (!end) {
+            const long before = loop.motion.steps;
+            end = follower.after_tick(loop.tick(0, loop.reference_velocity(), 0, watch));
+            work.spend(static_cast<double>(loop.motion.steps - before) * of_step);
+            if (!end && work.spent()) end = follower.cut_short();
+        }
         inquiry.ended(*end);
     }
     return inquiry.verdict();

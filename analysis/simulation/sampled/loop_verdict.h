@@ -11,6 +11,7 @@ struct LoopQuestion {
     int turn_limit = 3000;
     bool region = true;      ///< also look for stick-slip that a larger disturbance reaches
     std::uint64_t seed = 1;  ///< of the noise
+    double effort = 1;       ///< how much a verdict may compute, per the usual; lanes count ticks only
 };
 
 enum class LoopRegion : std::uint8_t { undecided, stable, bistable, stick_slip };

@@ -112,6 +112,7 @@ void SlidingMotion::restart()
 {
     clock_ = t_;
     steps_of_clock_ = 0;
+    rate_known_ = false;
     stepper_->start(*flow_, 0, y_, events_);
 }
 
@@ -201,9 +202,11 @@ void SlidingMotion::measure_step(double from, const FlowVector& before, const St
     turn.velocity_max = std::max(turn.velocity_max, V);
     turn.position_min = std::min(turn.position_min, flow_->position(y_));
     turn.position_max = std::max(turn.position_max, flow_->position(y_));
-    FlowVector r0, r1;
-    flow_->rate(before, r0);
+    FlowVector r0 = rate_known_ ? rate_ : FlowVector(), r1;
+    if (!rate_known_) flow_->rate(before, r0);
     flow_->rate(y_, r1);
+    rate_ = r1;
+    rate_known_ = !late_;  // its rate at one instant depends on the piece of its past
     const double h = stepper_->time() - from;
     const double m0 = flow_->speed_measure(before), m1 = flow_->speed_measure(y_);
     const double s0 = flow_->speed_gradient(before).dot(r0), s1 = flow_->speed_gradient(y_).dot(r1);

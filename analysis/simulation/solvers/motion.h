@@ -85,6 +85,8 @@ class SlidingMotion {
     double rtol_;
     double t_ = 0, clock_ = 0;  ///< now, and the instant that the solver counts from
     int steps_of_clock_ = 0;    ///< since it was started
+    FlowVector rate_;           ///< at the end of the last step
+    bool rate_known_ = false;
     FlowVector y_;
     bool stuck_ = false, used_fallback_ = false;
     bool became_slow_ = false;  ///< the last step ended where V fell below near_rest

@@ -123,6 +123,7 @@ Evaluated evaluated(const Options& options)
     nonlinear.bifurcation = true;
     nonlinear.disturbance = options.disturbance.disturbance(asked.spec.nonlinear);
     nonlinear.rtol = asked.spec.nonlinear.tolerance;
+    nonlinear.effort = options.effort;
     e.nonlinear = nonlinear_verdict(e.joint, nonlinear);
     if (options.json || !options.directory.empty()) e.study = linear_study(e.summed);
     if (e.decided()) {
@@ -231,8 +232,10 @@ void add_evaluate(CLI::App& app, Invocation& invocation)
                      "also write a page with charts: both theories, disturbances, force ramps, reductions");
     options->surroundings.add_to(*verb);
     options->surroundings.add_duration_to(*verb, "until the slowest mode has shown itself, or the file's");
-    verb->add_option("--effort", options->effort,
-                     "how much searching, per the usual: more crossings and reductions of friction that answers late")
+    verb->add_option(
+            "--effort", options->effort,
+            "how much work, per the usual second: motions are followed longer, and more crossings and reductions "
+            "of friction that answers late are searched")
         ->check(CLI::PositiveNumber);
     verb->add_flag("--ideal-loop", options->ideal_loop,
                    "the paper's loop: no sampling, dead time, filter, lag or integral");

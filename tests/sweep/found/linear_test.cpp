@@ -146,3 +146,18 @@ TEST_CASE("W8: the list of late eigenvalues begins with the root that makes the 
     CHECK(verdict.eigenvalues[0].real() == verdict.spectral_abscissa);
     CHECK(verdict.spectral_abscissa == Approx(75.64).epsilon(1e-4));
 }
+
+TEST_CASE("W10: gains and lengths far outside any machine are answered by the closed form")
+{
+    auto joint = found("w7");
+    auto& law = std::get<Ageing>(joint.friction.law);
+    joint.control.k_p = 1e300;
+    const auto stiff = linear_verdict(joint).state_variable;
+    CHECK(stiff.stable);
+    CHECK(stiff.spectral_abscissa == Approx(-100));  // −V_0/L of the contact, where the spring holds the mass
+    CHECK(holds(stiff.stable_intervals, 1e300));
+    joint.control.k_p = 6e4;
+    const double m = 1, V0 = 1e-3, A = 1, B = 1.5, L = 1e-20, C = A / V0;
+    law.L[0] = L;
+    CHECK(linear_verdict(joint).state_variable.k_cr == Approx((B - A) / L * (1 + m * V0 / (L * C))).epsilon(1e-9));
+}

@@ -74,3 +74,37 @@ TEST_CASE("W11: undamped kinetic and static friction answers for the disturbance
     options.disturbance = {};
     CHECK(nonlinear_verdict(found("w11"), options).reason == Reason::neutral);
 }
+
+TEST_CASE("W9: every turn of a motion counts among those after which it repeats, however small")
+{
+    const auto verdict = nonlinear_verdict(found("w9"), {});
+    CHECK(verdict.outcome == Outcome::period_n);
+    CHECK(verdict.repeats == 13);  // largest positions per period, by an integration of its own
+    CHECK(verdict.period == Approx(835.7777).epsilon(1e-6));
+    CHECK(verdict.amplitude == Approx(161.183).epsilon(1e-5));
+}
+
+TEST_CASE("W12: what a motion comes to is judged within the work of one verdict, or what it takes is said")
+{
+    const auto with = [](const std::string& name, double effort) {
+        NonlinearOptions options;
+        options.effort = effort;
+        return nonlinear_verdict(found(name), options);
+    };
+    const auto verdict = with("w12-stribeck", 1);
+    CHECK(verdict.outcome == Outcome::irregular);
+    CHECK(verdict.repeats == 1);
+    CHECK(verdict.amplitude == Approx(0.28e-3).epsilon(0.1));
+    const auto cut = with("w12-stribeck", 0.02);
+    CHECK(cut.outcome == Outcome::undecided);
+    CHECK(cut.reason == Reason::not_converged);
+    CHECK(cut.detail == Detail::limit_of_work);
+    CHECK(cut.region == NonlinearRegion::stick_slip);  // small disturbances grow all the same
+    // a sampled loop, followed tick by tick
+    auto sampled = found("w12-stribeck");
+    sampled.control.period = 1e-4, sampled.control.velocity_estimate.form = EstimateForm::exact;
+    NonlinearOptions options;
+    CHECK(nonlinear_verdict(sampled, options).outcome != Outcome::undecided);
+    options.effort = 1e-3;
+    CHECK(nonlinear_verdict(sampled, options).detail == Detail::limit_of_work);
+}

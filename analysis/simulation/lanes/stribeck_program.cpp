@@ -25,10 +25,10 @@ class Dense {
     double c_[5];
 };
 
-/// Where within the step the speed takes a level, which it has on one side only.
-double crossing(const Dense& u, double level, bool falls)
+/// Where within the step, up to `end`, the speed takes a level, which it has on one side only.
+double crossing(const Dense& u, double level, bool falls, double end = 1)
 {
-    double low = 0, high = 1;
+    double low = 0, high = end;
     for (int i = 0; i < 52; ++i) {
         const double middle = 0.5 * (low + high);
         ((u(middle) > level) == falls ? low : high) = middle;
@@ -193,6 +193,13 @@ Action StribeckProgram::handle(const StribeckView& step, EventFlags flags)
         if (const auto at = hermite_turning(step.y0[1], step.y1[1], step.k[0][1], step.k[6][1], step.h)) {
             answer_.u_max = std::max(answer_.u_max, u(*at));
             answer_.u_min = std::min(answer_.u_min, u(*at));
+            // rest between two ends that both move
+            if (!flags.rest && !flags.section && step.y0[1] > -1 && u(*at) <= -1) {
+                if (step.y0[1] > near_rest - 1) rested_since_ = now(crossing(u, near_rest - 1, true, *at));
+                const double fraction = crossing(u, -1, true, *at);
+                elapsed_ = now(fraction);
+                return arrive_at_rest(Dense(step, 0)(fraction));
+            }
         }
     }
     if (flags.slow) {

@@ -1,10 +1,12 @@
 #include "analysis/simulation/solvers/motion.h"
 
 #include "analysis/numerics/hermite.h"
+#include "analysis/numerics/root.h"
 #include "analysis/simulation/flows/break_away.h"
 #include "analysis/simulation/flows/late_flow.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace stickslip {
@@ -39,6 +41,10 @@ constexpr int settled_steps = 20;
 /// Fresh starts after failures, with less than settled_steps between them, before the other solver has its try: where
 /// the speed stands on the section to the last bit, CVODE's search for roots finds the same one for ever.
 constexpr int most_restarts = 5;
+
+constexpr double may_touch = 1;        ///< an event value that is larger at both ends of a step does not vanish between
+constexpr double slope_share = 1e-3;   ///< of a step, over which the slope of an event at its ends is told
+constexpr double touch_width = 1e-12;  ///< of a step, to which the instant of a touch is located
 
 /// Times that one turn may come to rest; a motion that rests more often than that chatters, and would for ever.
 constexpr int most_rests = 10'000;
@@ -193,7 +199,40 @@ bool SlidingMotion::fall_back()
     return true;
 }
 
-void SlidingMotion::measure_step(double from, const FlowVector& before, const StepReport& report, Turn& turn)
+std::optional<SlidingMotion::Touch> SlidingMotion::touched(double from, const FlowVector& before) const
+{
+    const double to = stepper_->time(), h = to - from;
+    using Values = std::array<double, max_events>;
+    const auto values = [&](const FlowVector& y) {
+        Values v{};
+        events_.values(y, v.data());
+        return v;
+    };
+    const Values first = values(before), last = values(y_);
+    std::optional<Touch> earliest;
+    std::optional<Values> after_first, before_last;
+    for (int i = rest; i < events_.count; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        if (!(first[k] * last[k] > 0 && std::min(std::abs(first[k]), std::abs(last[k])) < may_touch)) continue;
+        if (!after_first) {
+            after_first = values(stepper_->at(from + slope_share * h));
+            before_last = values(stepper_->at(to - slope_share * h));
+        }
+        const double s0 = ((*after_first)[k] - first[k]) / (slope_share * h);
+        const double s1 = (last[k] - (*before_last)[k]) / (slope_share * h);
+        if (!(s0 * first[k] < 0)) continue;
+        const auto xi = hermite_turning(first[k], last[k], s0, s1, h);
+        const auto value_at = [&](double t) { return values(stepper_->at(t))[k]; };
+        if (!xi || value_at(from + *xi * h) * first[k] > 0) continue;
+        const double turning = from + *xi * h;
+        const auto root =
+            bracketed_root(value_at, from, first[k], turning, value_at(turning), 0, touch_width * (turning - from));
+        if (!earliest || root.high < earliest->time) earliest = {i, root.high};
+    }
+    return earliest;
+}
+
+void SlidingMotion::measure_step(double from, double to, const FlowVector& before, const StepReport& report, Turn& turn)
 {
     const double V0 = flow_->commanded_velocity();
     double V = flow_->velocity(y_);
@@ -207,7 +246,7 @@ void SlidingMotion::measure_step(double from, const FlowVector& before, const St
     flow_->rate(y_, r1);
     rate_ = r1;
     rate_known_ = !late_;  // its rate at one instant depends on the piece of its past
-    const double h = stepper_->time() - from;
+    const double h = to - from;
     const double m0 = flow_->speed_measure(before), m1 = flow_->speed_measure(y_);
     const double s0 = flow_->speed_gradient(before).dot(r0), s1 = flow_->speed_gradient(y_).dot(r1);
     // the slopes of a stiff motion are no better than its tolerance times its stiffness: good enough to say where
@@ -274,26 +313,31 @@ Turn SlidingMotion::run(double t_end, const std::function<bool(const FlowVector&
         const FlowVector before = y_;
         const double limit = late_ ? std::min(t_end, t_ + late_->step_limit(y_) - late_->clock(y_)) : t_end;
         ++turn.steps;
-        const auto report = stepper_->step(limit - clock_);
+        auto report = stepper_->step(limit - clock_);
         if (report.end == StepEnd::failure) {
             if (step_failed()) return finish(Turn::End::failure);
             continue;
         }
         t_ = report.end == StepEnd::time ? limit : clock_ + stepper_->time();
         y_ = stepper_->state();
-        if (late_)
-            late_->remember(before, y_, [&](double f) { return stepper_->at(from + f * (stepper_->time() - from)); });
-        if (stepper_->time() > from) idle_switches_ = 0;
+        double to = stepper_->time();
+        const auto touch = to > from ? touched(from, before) : std::nullopt;
+        if (touch && touch->time < to) {
+            report = {StepEnd::event, touch->event, -1};
+            to = touch->time, t_ = clock_ + to, y_ = stepper_->at(to);
+        }
+        if (late_) late_->remember(before, y_, [&](double f) { return stepper_->at(from + f * (to - from)); });
+        if (to > from) idle_switches_ = 0;
         if (steps_of_clock_ > settled_steps) restarts_ = 0;
         const bool at_rest = mutable_flow_ && report.end == StepEnd::event && report.event == rest;
         if (at_rest) y_[1] = 0;
-        measure_step(from, before, report, turn);
+        measure_step(from, to, before, report, turn);
         const bool switched = switching_ && report.end == StepEnd::event && report.event >= rest;
         if (at_rest)
             arrive_at_rest();
         else if (switched && !pass_switch(report.event - rest))
             return finish(Turn::End::failure);
-        else if (!switched && ++steps_of_clock_ > settled_steps && stepper_->time() - from < resolved_step * from)
+        else if (!switched && ++steps_of_clock_ > settled_steps && to - from < resolved_step * from)
             restart();
         tell();
         if (report.end == StepEnd::event && report.event == section && report.direction < 0)

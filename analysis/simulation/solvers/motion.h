@@ -70,9 +70,16 @@ class SlidingMotion {
     void begin_slide(Branch branch);
     void arrive_at_rest();
     bool pass_switch(int which);
+    /// An event that a solver cannot see, which looks at the ends of its steps: a speed, or what is left to a
+    /// break-away, that meets zero and comes back within one step.
+    struct Touch {
+        int event;
+        double time;  ///< the solver's
+    };
+    std::optional<Touch> touched(double from, const FlowVector& before) const;
     bool stick(double t_end);
     Turn run(double t_end, const std::function<bool(const FlowVector&)>& settled);
-    void measure_step(double from, const FlowVector& before, const StepReport& report, Turn& turn);
+    void measure_step(double from, double to, const FlowVector& before, const StepReport& report, Turn& turn);
     void tell();
 
     std::unique_ptr<Flow> flow_;

@@ -3,6 +3,7 @@
 #include "analysis/numerics/lasting.h"
 
 #include <cmath>
+#include <utility>
 
 namespace stickslip {
 namespace {
@@ -64,12 +65,12 @@ int turns_to_repeat(const std::vector<LoopTurn>& turns)
 
 }  // namespace
 
-double CreepSearch::next(double at, double growth)
+double CreepSearch::next(double at, double growth, double ahead)
 {
     const bool grows = growth > 0;
     (grows ? below_ : above_) = {at, growth, true};
     const bool bracketed = below_.known && above_.known && below_.at < above_.at;
-    if (!bracketed) return at + (grows ? jump : -jump);
+    if (!bracketed) return at + (grows ? jump : -std::min(jump, ahead));
     const double share = below_.growth / (below_.growth - above_.growth);
     return below_.at + std::clamp(share, 0.05, 0.95) * (above_.at - below_.at);
 }
@@ -219,7 +220,7 @@ std::optional<LoopEnd> LoopFollower::decide()
     const double blur = now.spread / static_cast<double>(block);
     const bool still = std::abs(change) < closed || (to_come < closed && std::abs(change) < 100 * closed);
     const bool alternates = std::abs(change) < blur && std::abs(last_change_) < blur && now.spread < uneven_turns;
-    last_change_ = change;
+    const double before_change = std::exchange(last_change_, change);
     const bool rests = last.velocity_min < 0.5 * std::abs(V0_);
     const bool like_steady = speed_of(last, V0_) < small_turn && options_.steady_attracts;
     // of the turns before those that were compared nothing is known: they may still have been on their way
@@ -233,7 +234,8 @@ std::optional<LoopEnd> LoopFollower::decide()
     if (ratio > waits && !waits_for_integral(last) && std::abs(growth) < slow_growth &&
         now.spread < 10 * std::abs(change) && !steady_.empty()) {
         const double at = std::log(now.amplitude);
-        scale_motion(std::exp(creep_.next(at, growth) - at));
+        const double ahead = std::abs(0.5 * change * (change + before_change) / (change - before_change));
+        scale_motion(std::exp(creep_.next(at, growth, ahead) - at));
     }
     return {};
 }

@@ -39,8 +39,10 @@ struct LoopEnd {
 /// A motion that creeps towards a cycle or away from one: growth per turn over ln amplitude, and where it vanishes.
 class CreepSearch {
   public:
-    /// The ln amplitude to look at next.
-    double next(double at, double growth);
+    /// The ln amplitude to look at next. `ahead`: how far from here growth, extrapolated, vanishes; a motion that
+    /// shrinks is taken no further inwards. Beside a fold the stable cycle at which it would stop has an unstable one
+    /// close inside, and growth bends so that its extrapolation falls short of both.
+    double next(double at, double growth, double ahead);
 
   private:
     struct Side {

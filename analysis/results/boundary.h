@@ -98,6 +98,9 @@ struct LocatedRay {
     int evaluations = 0;
     double stable_share = 0;   ///< of the scanned nodes: tells all stable from none where there is no boundary
     double neutral_share = 0;  ///< of the scanned nodes: a root on the imaginary axis
+    /// Folds that only simulation tells: as a share of the range, the widest strip of cycles beside a linear boundary
+    /// that could be missed; 0 where the branch of cycles is followed from there.
+    double narrowest_strip = 0;
     std::optional<OutsideOfRay> outside;  ///< where there is none: what lies beyond, if that was looked for
 };
 
@@ -107,7 +110,8 @@ struct FollowedBoundary {
     Axis x, y;  ///< values: only the ends
     std::vector<CurvePiece> pieces;
     CurveGuard guard;
-    int evaluations = 0;  ///< all, guard included
+    bool by_sides = false;  ///< folds that only simulation tells
+    int evaluations = 0;    ///< all, guard included
 
     int points() const;
     double precision() const;  ///< the coarsest of its points

@@ -89,7 +89,11 @@ bool beyond_ray(const Joint& design, const LocatedRay& ray)
     Joint joint = design;
     const double own = number_at(joint, ray.axis.path);
     const auto* p = nearest_point(ray, own);
-    if (!p || p->direction == 0) return false;
+    if (!p) {  // a cycle or the stated disturbance's end in stick-slip all along the axis, the design included
+        const bool on_axis = own >= ray.axis.values.front() && own <= ray.axis.values.back();
+        return on_axis && ray.stable_share == 0 && ray.undecided == 0 && linear_point(joint).spectral_abscissa < 0;
+    }
+    if (p->direction == 0) return false;
     const bool cycles = (own > p->value) == (p->direction > 0);
     return cycles && stable_between(joint, ray.axis, own, p->value);
 }

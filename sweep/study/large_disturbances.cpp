@@ -46,11 +46,15 @@ LargeDisturbances large_disturbances(const Joint& design, const Slice& slice)
     }
     if (found.bistable == 0) return found;
     found.of_linearly_stable = found.bistable / stable;
-    BoundaryRequest request;
-    request.kind = BoundaryKind::fold;
-    auto fold = curve_of(follow_boundaries(joint_at(design, slice.held), slice.x, slice.y, request));
-    if (!fold.x.empty()) found.folds.push_back(std::move(fold));
-    found.reach = farthest(design, slice, found.folds);
+    // folds that only simulation tells take some ten motions a point: the map shows the area, `boundary` its edge
+    const Joint held = joint_at(design, slice.held);
+    if (has_smooth_orbits(held, {slice.x, slice.y})) {
+        BoundaryRequest request;
+        request.kind = BoundaryKind::fold;
+        auto fold = curve_of(follow_boundaries(held, slice.x, slice.y, request));
+        if (!fold.x.empty()) found.folds.push_back(std::move(fold));
+        found.reach = farthest(design, slice, found.folds);
+    }
     // rows of the gain without a single linearly unstable point, but with bistable ones
     if (slice.x.path == gain_path)
         for (std::size_t row = 0; row < slice.y.values.size(); ++row) {

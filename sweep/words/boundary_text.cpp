@@ -26,11 +26,14 @@ std::string outside_text(const LocatedRay& ray, Motion motion)
 /// What the scanned points of a ray without boundaries say.
 std::string throughout(const LocatedRay& ray)
 {
-    if (ray.kind == BoundaryKind::fold) return "";
     const double judged = 1 - static_cast<double>(ray.undecided) / ray.nodes;
-    const bool rests = ray.kind == BoundaryKind::hunting;
-    const char* side = ray.stable_share == 0               ? (rests ? ": hunts " : ": unstable ")
-                       : ray.stable_share > judged - 1e-12 ? (rests ? ": does not hunt " : ": stable ")
+    const bool rests = ray.kind == BoundaryKind::hunting, cycles = ray.kind == BoundaryKind::fold;
+    const char* side = ray.stable_share == 0               ? (rests    ? ": hunts "
+                                                              : cycles ? ": cycles "
+                                                                       : ": unstable ")
+                       : ray.stable_share > judged - 1e-12 ? (rests    ? ": does not hunt "
+                                                              : cycles ? ": no cycles "
+                                                                       : ": stable ")
                                                            : nullptr;
     if (!side) return "";
     if (ray.neutral_share > 0 && ray.stable_share == 0)
@@ -56,7 +59,12 @@ std::string could_be_missed(const LocatedRay& ray)
 {
     std::string text = fmt::format("two boundaries of one kind within 1/{} of the range", ray.nodes - 1);
     if (ray.climbed > 0) text += fmt::format(" ({} near touches were searched)", ray.climbed);
-    if (ray.kind == BoundaryKind::fold)
+    if (ray.kind == BoundaryKind::fold && ray.narrowest_strip > 0)
+        text += fmt::format(
+            "; a strip of cycles beside a linear boundary, narrower than 1/{:.0f} of the range; cycles that no start "
+            "from near rest leads to",
+            1 / ray.narrowest_strip);
+    else if (ray.kind == BoundaryKind::fold)
         text += "; cycles that neither a subcritical linear boundary nor a start from near rest leads to";
     if (ray.undecided > 0) text += fmt::format("; {} of {} scanned points have no verdict", ray.undecided, ray.nodes);
     return text;
@@ -68,7 +76,11 @@ std::string could_be_missed(const FollowedBoundary& c)
     if (c.guard.climbed > 0)
         text += fmt::format(" that none of {} climbs between the nodes met ({} islands found so)", c.guard.climbed,
                             c.guard.islands);
-    if (c.kind == BoundaryKind::fold)
+    if (c.by_sides)
+        text +=
+            "; a strip of cycles beside a linear boundary, narrower than that; cycles that no start from near rest "
+            "leads to";
+    else if (c.kind == BoundaryKind::fold)
         text += "; cycles that neither a subcritical linear boundary nor a start from near rest leads to";
     if (c.guard.unexplained > 0)
         text += fmt::format("; {} of {} changes of side on the grid were not followed", c.guard.unexplained,

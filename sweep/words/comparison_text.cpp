@@ -19,11 +19,6 @@ std::string floors(double gap)
     return plain_number(gap, 3) + " times the noise floor";
 }
 
-std::string unit_after(const std::string& unit)
-{
-    return unit == "1" ? "" : " " + unit;
-}
-
 std::string number_text(const std::optional<FittedParameter>& number)
 {
     return number ? with_error(number->value, number->standard_error, number->unit) : "–";

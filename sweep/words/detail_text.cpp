@@ -59,9 +59,9 @@ std::string detail_text(Detail detail)
         case Detail::branch_lost:
             return "the branch of limit cycles could not be followed to its end";
         case Detail::branch_not_smooth:
-            return "folds are followed for cycles of one body with memory that never rests";
+            return "such a fold is located by simulation: ask for boundary --kind fold";
         case Detail::fold_of_ideal_loop:
-            return "folds are followed for the ideal loop";
+            return "the fold of a real loop is located by simulation: ask for boundary --kind fold";
         case Detail::few_rows:
             return "a reference needs at least two rows";
         case Detail::uneven_rows:

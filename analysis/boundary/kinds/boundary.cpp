@@ -1,6 +1,8 @@
 #include "analysis/boundary/kinds/boundary.h"
 
+#include "analysis/boundary/kinds/coexistence.h"
 #include "analysis/boundary/kinds/fold.h"
+#include "analysis/boundary/kinds/fold_by_sides.h"
 #include "analysis/boundary/kinds/outcome.h"
 #include "analysis/boundary/kinds/ray.h"
 #include "analysis/boundary/trace/chart.h"
@@ -18,9 +20,12 @@ namespace stickslip {
 namespace {
 
 /// The request as it stands after its defaults.
-BoundaryRequest completed(BoundaryRequest request)
+BoundaryRequest completed(BoundaryRequest request, const Joint& joint, const std::vector<Axis>& axes)
 {
-    if (!is_set(request.precision)) request.precision = default_precision(request.kind);
+    if (!is_set(request.precision)) {
+        const bool by_sides = request.kind == BoundaryKind::fold && !has_smooth_orbits(joint, axes);
+        request.precision = by_sides ? by_sides_precision : default_precision(request.kind);
+    }
     if (request.following.guard == 0) request.following.guard = default_guard(is_linear(request.kind));
     if (!request.parallel)
         request.parallel = [](std::size_t n, const std::function<void(std::size_t)>& task) {
@@ -179,8 +184,12 @@ double side_of(const Joint& joint, const BoundaryRequest& request)
             return as_one_task(request, [&] { return outcome_side(joint, request.disturbance); });
         case BoundaryKind::hunting:
             return as_one_task(request, [&] { return hunting_side(joint); });
-        case BoundaryKind::fold:
-            break;
+        case BoundaryKind::fold: {
+            const auto alone = [](std::size_t n, const std::function<void(std::size_t)>& task) {
+                for (std::size_t i = 0; i < n; ++i) task(i);
+            };
+            return cycle_sides({joint}, request.parallel ? request.parallel : alone).front();
+        }
     }
     return missing;
 }
@@ -199,11 +208,11 @@ Reason reason_of_no_verdict(Joint joint, const LocatedRay& ray)
 
 LocatedRay locate_boundaries(const Joint& given, const Axis& axis, const BoundaryRequest& asked)
 {
-    auto request = completed(asked);
-    if (request.scan == 0) request.scan = scan_of(request.kind, axis);
-    const Joint joint = prepared(given, request.kind);
+    const Joint joint = prepared(given, asked.kind);
     Joint probe = joint;
     number_at(probe, axis.path);
+    auto request = completed(asked, joint, {axis});
+    if (request.scan == 0) request.scan = scan_of(request.kind, axis);
     auto ray =
         request.kind == BoundaryKind::fold ? locate_folds(joint, axis, request) : locate_on_ray(joint, axis, request);
     ray.reason = reason_of_no_verdict(given, ray);
@@ -219,10 +228,10 @@ LocatedRay locate_boundaries(const Joint& given, const Axis& axis, const Boundar
 
 FollowedBoundary follow_boundaries(const Joint& given, const Axis& x, const Axis& y, const BoundaryRequest& asked)
 {
-    const auto request = completed(asked);
-    const Joint joint = prepared(given, request.kind);
+    const Joint joint = prepared(given, asked.kind);
     Joint probe = joint;
     number_at(probe, x.path), number_at(probe, y.path);
+    const auto request = completed(asked, joint, {x, y});
     if (request.kind == BoundaryKind::v_min && y.path != "control.V0")
         throw std::invalid_argument("the least velocity is followed over control.V0 as the y axis, got " + y.path);
     if (request.kind == BoundaryKind::fold) return follow_folds(joint, x, y, request);

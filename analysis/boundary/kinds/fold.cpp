@@ -1,6 +1,9 @@
 #include "analysis/boundary/kinds/fold.h"
 
+#include "analysis/boundary/kinds/coexistence.h"
+#include "analysis/boundary/kinds/fold_by_sides.h"
 #include "analysis/boundary/kinds/fold_chart.h"
+#include "analysis/boundary/kinds/fold_seed.h"
 #include "analysis/boundary/trace/paths.h"
 #include "analysis/joint/parameters.h"
 
@@ -9,109 +12,8 @@
 namespace stickslip {
 namespace {
 
-constexpr double same_fold = 1e-6;   ///< relative: two seeds that led to one point
-constexpr double same_place = 2e-3;  ///< the same on a chart
+constexpr double same_place = 2e-3;  ///< relative: two seeds that led to one place of a chart
 constexpr int hopf_samples = 24;     ///< points of a linear boundary at which its criticality is asked
-
-/// An axis of the joint beside the given one, to be held: folds are solved over two.
-Axis held_axis(const Joint& joint, const Axis& axis)
-{
-    Joint copy = joint;
-    Axis held;
-    for (const char* path : {"control.k_p", "joint.inertia", "joint.motor_inertia", "joint.link_inertia"}) {
-        const double* number = find_parameter(copy, path);
-        if (!number || number == find_parameter(copy, axis.path) || !(*number > 0)) continue;
-        held.path = path;
-        held.log = true;
-        held.values = {*number / 2, *number * 2};
-        return held;
-    }
-    return held;
-}
-
-}  // namespace
-
-// In one piece: one walk along an axis whose steps share their bracket.
-LocatedRay locate_folds(const Joint& joint, const Axis& axis, const BoundaryRequest& request)
-{
-    LocatedRay ray;
-    ray.kind = BoundaryKind::fold;
-    ray.axis = axis;
-    ray.axis.values = {axis.values.front(), axis.values.back()};
-    const UnitAxis unit(axis);
-    const OrbitSystem along(joint, {ray.axis});
-    const Axis held = held_axis(joint, axis);
-    if (held.path.empty()) {  // nothing spans a chart with the axis
-        ray.nodes = ray.undecided = request.scan + 1;
-        return ray;
-    }
-    const FoldChart chart(joint, ray.axis, held);
-    const auto keep_on = [&](const FoldChart& on, const std::optional<FoldSeed>& seed) {
-        if (!seed) return false;
-        Eigen::VectorXd guess(on.section() + 2);
-        guess << seed->w, seed->q, 0.5;
-        const auto fold = on.solve(guess, 1);
-        if (!fold || !on.place(*fold).inside()) return false;
-        const int before = on.turns() + along.turns();
-        auto point = on.located(*fold, false, request.precision).at;
-        if (!(unit.unit(point.value) >= 0 && unit.unit(point.value) <= 1)) return true;  // found, but off the axis
-        point.evaluations += before - ray.evaluations;
-        for (const auto& known : ray.points)
-            if (std::abs(known.value - point.value) <= same_fold * std::abs(point.value)) return true;
-        ray.points.push_back(point);
-        return true;
-    };
-    const auto keep = [&](const std::optional<FoldSeed>& seed) { return keep_on(chart, seed); };
-    // a branch that turns back close to its Hopf point is too short for the steps of a wide axis
-    const auto keep_near = [&](double value) {
-        for (const double reach : {2.0, 1.1, 1.01}) {
-            Axis near = ray.axis;
-            near.log = value > 0;
-            near.values =
-                value > 0 ? std::vector{value / reach, value * reach} : std::vector{value * reach, value / reach};
-            const OrbitSystem along_near(joint, {near});
-            const FoldChart chart_near(joint, near, held);
-            if (keep_on(chart_near, fold_beyond_hopf(along_near, UnitAxis(near).unit(value)))) return true;
-        }
-        return false;
-    };
-    // branches of small cycles
-    BoundaryRequest linear = request;
-    linear.kind = BoundaryKind::state_variable;
-    linear.precision = not_set;
-    linear.scan = 0;
-    for (const auto& crossing : locate_boundaries(joint, axis, linear).points) {
-        const double q = unit.unit(crossing.value);
-        if (!is_subcritical(along.joint_at(Eigen::VectorXd::Constant(1, q)))) continue;
-        if (!keep(fold_beyond_hopf(along, q)) && !keep_near(crossing.value)) ++ray.undecided;
-    }
-    // cycles that only a large disturbance reaches
-    std::vector<Joint> joints;
-    for (int i = 0; i <= request.scan; ++i)
-        joints.push_back(along.joint_at(Eigen::VectorXd::Constant(1, static_cast<double>(i) / request.scan)));
-    const auto sides = coexistence(joints, request.parallel);
-    int stable = 0;
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-        ray.undecided += std::isnan(sides[i]);
-        stable += sides[i] < 0;
-        if (i == 0) continue;
-        const double q0 = static_cast<double>(i - 1) / request.scan, q1 = static_cast<double>(i) / request.scan;
-        const bool known = std::any_of(ray.points.begin(), ray.points.end(), [&](const BoundaryPoint& p) {
-            return unit.unit(p.value) >= q0 && unit.unit(p.value) <= q1;
-        });
-        if (known) continue;
-        if (sides[i - 1] == 0 && sides[i] == -1) keep(fold_beyond_cycle(along, q0, 1));
-        if (sides[i - 1] == -1 && sides[i] == 0) keep(fold_beyond_cycle(along, q1, -1));
-    }
-    ray.nodes = static_cast<int>(sides.size());
-    ray.stable_share = static_cast<double>(stable) / static_cast<double>(sides.size());
-    ray.evaluations = ray.nodes + chart.turns() + along.turns();
-    std::sort(ray.points.begin(), ray.points.end(),
-              [](const BoundaryPoint& a, const BoundaryPoint& b) { return a.value < b.value; });
-    return ray;
-}
-
-namespace {
 
 /// Folds over a chart: seeds from the linear boundary and from the guarding grid.
 class FoldSearch {
@@ -236,6 +138,7 @@ class FoldSearch {
 
 FollowedBoundary follow_folds(const Joint& joint, const Axis& x, const Axis& y, const BoundaryRequest& request)
 {
+    if (!has_smooth_orbits(joint, {x, y})) return follow_folds_by_sides(joint, x, y, request);
     return FoldSearch(joint, x, y, request).run();
 }
 

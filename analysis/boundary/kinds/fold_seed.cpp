@@ -4,8 +4,6 @@
 #include "analysis/simulation/attractor/bifurcation.h"
 #include "analysis/simulation/attractor/large_disturbance.h"
 #include "analysis/simulation/flows/mode.h"
-#include "analysis/simulation/points.h"
-#include "analysis/stability/verdict.h"
 
 #include <algorithm>
 
@@ -16,7 +14,6 @@ constexpr double small_orbit = 0.05;     ///< per scale, at which a branch is en
 constexpr double least_orbit = 0.01;     ///< below which a branch has come to an end
 constexpr double beyond = 0.3;           ///< share of the axis by which a branch may leave it
 constexpr double share_of_orbit = 0.15;  ///< weight of a relative change of the orbit against one of the axis
-constexpr std::size_t batch = 64;
 
 /// Along a branch of orbits until the parameter turns back; nothing if it ends before.
 std::optional<FoldSeed> to_the_turn(const OrbitSystem& system, const CurveState& start)
@@ -88,29 +85,6 @@ std::optional<FoldSeed> fold_beyond_cycle(const OrbitSystem& system, double q, i
     const Eigen::VectorXd parameter = Eigen::VectorXd::Unit(n + 1, n);
     const auto start = solve_on(system.orbits(), z, parameter, orbit_weight(z, 1), towards * parameter);
     return start ? to_the_turn(system, *start) : std::nullopt;
-}
-
-std::vector<double> coexistence(const std::vector<Joint>& joints, const ParallelFor& parallel)
-{
-    std::vector<PointResult> points(joints.size());
-    const NonlinearOptions options;
-    parallel((joints.size() + batch - 1) / batch, [&](std::size_t b) {
-        const std::size_t from = b * batch, count = std::min(batch, joints.size() - from);
-        for (std::size_t i = from; i < from + count; ++i) points[i] = linear_point(joints[i]);
-        nonlinear_points(std::span(joints).subspan(from, count), options, std::span(points).subspan(from, count));
-    });
-    std::vector<double> sides;
-    for (const auto& p : points) {
-        // where the start from near rest is undecided, a reason stands beside the outcome of the small disturbance
-        const bool told = p.outcome != Outcome::undecided && p.outcome != Outcome::solver_failure &&
-                          p.outcome != Outcome::not_asked && p.outcome != Outcome::linear_only &&
-                          p.reason == Reason::none;
-        sides.push_back(!told                                  ? missing
-                        : p.region == Region::bistable         ? 0
-                        : p.outcome == Outcome::stable_sliding ? -1
-                                                               : 1);
-    }
-    return sides;
 }
 
 }  // namespace stickslip

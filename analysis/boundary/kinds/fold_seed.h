@@ -23,9 +23,6 @@ std::optional<FoldSeed> fold_beyond_hopf(const OrbitSystem& one_parameter, doubl
 /// The fold towards which the cycle leads that a start from near rest reaches; `towards` is ±1 along the axis.
 std::optional<FoldSeed> fold_beyond_cycle(const OrbitSystem& one_parameter, double q, int towards);
 
-/// What each joint does: −1 no cycle reached, 0 a cycle beside stable sliding, +1 sliding is unstable, NaN unknown.
-std::vector<double> coexistence(const std::vector<Joint>& joints, const ParallelFor& parallel);
-
 /// The weights of a walk among orbits with the given number of parameters.
 Eigen::VectorXd orbit_weight(const Eigen::VectorXd& z, int parameters);
 

@@ -1,6 +1,6 @@
 #include "analysis/boundary/kinds/outcome.h"
 
-#include "analysis/boundary/kinds/fold_seed.h"
+#include "analysis/boundary/kinds/coexistence.h"
 #include "analysis/simulation/attractor/large_disturbance.h"
 #include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/simulation/flows/flow.h"

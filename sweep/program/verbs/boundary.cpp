@@ -185,7 +185,7 @@ void add_boundary(CLI::App& app, Invocation& invocation)
                      "commanded")
         ->check(finite_number());
     verb->add_option("--precision", options->precision,
-                     "relative width of brackets; default: 1e-10 linear, 1e-6 fold, 1e-4 outcome")
+                     "relative width of brackets; default: 1e-10 linear, 1e-6 fold (3e-4 by simulation), 1e-4 outcome")
         ->check(finite_number())
         ->check(between(1e-12, 0.1));
     verb->add_option("--guard", options->guard,

@@ -132,3 +132,93 @@ TEST_CASE("a fold is followed to where the linear boundary takes over", "[bounda
     const double k_cr = (0.5 - k_v * 1e-2) / 1e-5 * (1 + 1e-2 / (1e-5 * (k_v + 100)));
     CHECK(end == Approx(k_cr).epsilon(2e-3));
 }
+
+namespace {
+
+// With kinetic and static friction and k_v, a slip begins at rest with the spring beyond its steady stretch by
+// (F_s − F_k − k_v V_0)/k_p and swings as a damped oscillator; the cycle ends where the least velocity of that swing is
+// zero: below, the next stick erases what was before.
+double least_velocity_of_slip(double k_p, double k_v, double V0, double excess)
+{
+    const double w0 = std::sqrt(k_p), decay = k_v / 2, w = std::sqrt(w0 * w0 - decay * decay);
+    const double e0 = -(excess - k_v * V0) / k_p, a = e0, b = (-V0 + decay * e0) / w;
+    const auto velocity = [&](double t) {
+        return std::exp(-decay * t) * ((-decay * a + w * b) * std::cos(w * t) + (-decay * b - w * a) * std::sin(w * t));
+    };
+    // acceleration vanishes once a half turn: at the peak, then at the least
+    double least = infinity;
+    constexpr int steps = 200'000;
+    const double turn = 2 * 3.14159265358979 / w;
+    for (int i = steps / 4; i <= steps; ++i) least = std::min(least, velocity(turn * i / steps));
+    return V0 + least;
+}
+
+Joint kinetic_static_joint(double k_p, double V0)
+{
+    Joint joint = dimensionless_joint(k_p, 1, 1.5, 5);
+    joint.control.V0 = V0;
+    joint.friction.law = KineticStatic{2, 3};
+    return joint;
+}
+
+}  // namespace
+
+TEST_CASE("the last cycle of kinetic and static friction grazes rest where its closed form does", "[boundary][fold]")
+{
+    const auto along_V0 = locate_boundaries(kinetic_static_joint(1000, 0.02), axis("control.V0", 1e-3, 1), folds());
+    REQUIRE(along_V0.points.size() == 1);
+    const auto& v = along_V0.points[0];
+    CHECK(least_velocity_of_slip(1000, 5, v.low, 1) < 0);
+    CHECK(least_velocity_of_slip(1000, 5, v.high, 1) > 0);
+    CHECK((v.converged && v.method == LocationMethod::bisection && v.direction == -1));
+    const auto along_k_p = locate_boundaries(kinetic_static_joint(1000, 0.02), axis("control.k_p", 1e2, 1e6), folds());
+    REQUIRE(along_k_p.points.size() == 1);
+    CHECK(least_velocity_of_slip(along_k_p.points[0].low, 5, 0.02, 1) < 0);
+    CHECK(least_velocity_of_slip(along_k_p.points[0].high, 5, 0.02, 1) > 0);
+    CHECK(along_k_p.points[0].value == Approx(4084.6408394).epsilon(1e-4));
+}
+
+TEST_CASE("the fold of kinetic and static friction is followed over a chart", "[boundary][fold]")
+{
+    auto request = folds();
+    request.following.guard = 4;
+    const auto curve = follow_boundaries(kinetic_static_joint(1000, 0.02), axis("control.k_p", 3e2, 1e4),
+                                         axis("control.V0", 5e-3, 0.1), request);
+    REQUIRE(curve.pieces.size() == 1);
+    REQUIRE(curve.pieces[0].points.size() > 10);
+    const auto least = [](const CurvePoint& p, double value) {
+        return least_velocity_of_slip(p.along_y ? p.x : value, 5, p.along_y ? value : p.y, 1);
+    };
+    for (const auto& p : curve.pieces[0].points) {
+        CHECK(least(p, p.at.low) < 0);
+        CHECK(least(p, p.at.high) > 0);
+    }
+}
+
+TEST_CASE("the fold of a sampled loop is its own, not that of the ideal one", "[boundary][fold][loop]")
+{
+    // the paper's loop: 24 848.67 N/m; the linear boundary of this one: 32 220 N/m
+    Joint joint = example_joint(2.2e4, 47.5, 1e-2);
+    joint.control.period = 1e-4;
+    joint.control.velocity_estimate.form = EstimateForm::backward_difference;
+    const auto ray = locate_boundaries(joint, axis("control.k_p", 5e3, 2e5), folds());
+    REQUIRE(ray.points.size() == 1);
+    const auto& fold = ray.points[0];
+    // an independent integration (Runge-Kutta in ln V, 1200 s): the cycle lasts at 34 132 and is gone at 34 134 N/m
+    CHECK(fold.low < 34134);
+    CHECK(fold.high > 34132);
+    CHECK(fold.converged);
+    CHECK(fold.method == LocationMethod::bisection);
+    for (const double at : {fold.low, fold.high}) {
+        joint.control.k_p = at;
+        const auto region = nonlinear_verdict(joint, {}).region;
+        CHECK(region == (at == fold.low ? NonlinearRegion::bistable : NonlinearRegion::stable));
+    }
+    CHECK(ray.narrowest_strip > 0);
+}
+
+TEST_CASE("an axis that brings a delay has no orbits of the ideal loop", "[boundary][fold][loop]")
+{
+    CHECK(has_smooth_orbits(example_joint(2.2e4, 47.5, 1e-2), {axis("control.k_p", 1, 2)}));
+    CHECK_FALSE(has_smooth_orbits(example_joint(2.2e4, 47.5, 1e-2), {axis("control.delay", 0, 1e-3, false)}));
+}

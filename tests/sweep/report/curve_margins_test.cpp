@@ -83,4 +83,12 @@ TEST_CASE("a ray tells how far each boundary is and on which side of it the desi
     CHECK_FALSE(beyond_ray(example_joint(1.8e4, 47.5, 1e-2), fold));
     CHECK_FALSE(beyond_ray(design, ray(BoundaryKind::outcome, 1.5e4, 1)));
     CHECK_FALSE(beyond_ray(design, linear));
+    // no boundary, as there are cycles at every node
+    auto throughout = fold;
+    throughout.points.clear();
+    throughout.nodes = 41, throughout.stable_share = 0;
+    CHECK(beyond_ray(design, throughout));
+    CHECK_FALSE(beyond_ray(example_joint(1.8e4, 47.5, 1e-2), throughout));
+    throughout.stable_share = 1;
+    CHECK_FALSE(beyond_ray(design, throughout));
 }

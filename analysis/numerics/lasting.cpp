@@ -27,7 +27,8 @@ bool lasts(const std::vector<double>& sizes)
         h.spread = std::sqrt(h.spread);
         return h;
     };
-    const Half before = measure(sizes.end() - 2 * half, sizes.end() - half), now = measure(sizes.end() - half, sizes.end());
+    const Half before = measure(sizes.end() - 2 * half, sizes.end() - half),
+               now = measure(sizes.end() - half, sizes.end());
     const double error = std::hypot(before.spread, now.spread) / std::sqrt(n);
     return std::abs(now.mean - before.mean) < same_mean * error && now.spread * same_spread > before.spread &&
            before.spread * same_spread > now.spread;

@@ -1,6 +1,7 @@
 // What `evaluate --json` and `margins` take in CPU time, over random joints of every law, model and control. Usage:
 // reliability_times [--joints N] [--from K] [--margins] [--limit SECONDS] [--slow FOLDER], for the joints K … N − 1,
-// drawn as reliability_consistency draws them. Joints above the limit are printed, and written to FOLDER for `stickslip`.
+// drawn as reliability_consistency draws them. Joints above the limit are printed, and written to FOLDER for
+// `stickslip`.
 #include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/stability/integral_cost.h"
 #include "analysis/stability/neighbour_modes.h"

@@ -1,6 +1,6 @@
 // What a motion is that there is no work left to watch.
-#include "analysis/numerics/lasting.h"
 #include "analysis/simulation/attractor/repeats.h"
+#include "analysis/numerics/lasting.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -31,7 +31,8 @@ double wild(int i)
 
 }  // namespace
 
-TEST_CASE("turns that come back within the noise of their steps repeat, those that creep or wander do not", "[nonlinear]")
+TEST_CASE("turns that come back within the noise of their steps repeat, those that creep or wander do not",
+          "[nonlinear]")
 {
     CHECK(nearly(turns(40, [](int i) { return 1 + 1e-6 * wild(i); })) == 1);
     CHECK(nearly(turns(40, [](int i) { return 1 + 0.1 * (i % 4) + 1e-6 * wild(i); })) == 4);

@@ -4,7 +4,7 @@ and functions that are longer than a reader likes.
 
 Checks that arrows between floors go down only, that no folders include each other in a circle (a pair is the smallest
 circle), that the headers of heavy libraries stay behind ours, that a header which says "Internal to FOLDER" is included
-from there only, that programs outside see public headers only, that a function of more than 60 lines says why, and that
+from there only, that programs outside see public headers only, that a file of more than 250 lines and a function of more than 60 say why, and that
 comments name no file that is gone.
 """
 import re
@@ -85,7 +85,8 @@ def internal_complaints():
 
 
 LONGEST_FILE, LONGEST_FUNCTION = 250, 60
-# A function that is longer says why in the comment above it.
+# A file that is longer says why in the comment at its head, a function in the comment above it.
+IN_ONE_FILE = re.compile(r"^// In one file: (.+)\.$", re.MULTILINE)
 IN_ONE_PIECE = re.compile(r"// In one piece: (.+)\.$")
 
 
@@ -126,7 +127,8 @@ def sizes():
     for path in files():
         lines = (SOURCE / path).read_text(encoding="utf-8").split("\n")
         if len(lines) - 1 > LONGEST_FILE:
-            yield len(lines) - 1, f"{path}"
+            why = IN_ONE_FILE.search("\n".join(lines))
+            yield len(lines) - 1, f"{path}: {why.group(1) if why else 'no reason given'}"
         for name, count, why in functions(lines):
             if count > LONGEST_FUNCTION:
                 yield count, f"{path} {name}(): {why or 'no reason given'}"
@@ -135,6 +137,12 @@ def sizes():
 def size_complaints():
     for path in files():
         text = (SOURCE / path).read_text(encoding="utf-8")
+        count, whys = text.count("\n"), IN_ONE_FILE.findall(text)
+        if count > LONGEST_FILE and not whys:
+            yield (f"{path}: has {count} lines; part it where it holds two things, or say at its head "
+                   f"\"// In one file: WHY.\"")
+        if whys and (count <= LONGEST_FILE or len(whys) > 1 or not IN_ONE_FILE.search(text.split("#include")[0])):
+            yield f"{path}: a reason to stay in one file is not needed, stands twice or not at its head"
         reasons = 0
         for name, count, why in functions(text.split("\n")):
             reasons += bool(why)

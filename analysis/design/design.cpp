@@ -1,3 +1,4 @@
+// In one file: one search for gains, its front and the report of what each demand costs.
 #include "analysis/design/design.h"
 
 #include "analysis/design/check_requirements.h"

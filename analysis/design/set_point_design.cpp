@@ -1,3 +1,4 @@
+// In one file: one search over ways to hold a set point, with the proofs that each way needs.
 #include "analysis/design/set_point_design.h"
 
 #include "analysis/joint/gains.h"

@@ -1,3 +1,4 @@
+// In one file: one proof: the crossings of the unit circle, band by band.
 #include "analysis/loop/discrete_search.h"
 
 #include <Eigen/Dense>

@@ -1,3 +1,4 @@
+// In one file: one loop behind dead time: its matrix, its roots and the crossings that prove them complete.
 #include "analysis/loop/late_loop.h"
 
 #include <Eigen/Dense>

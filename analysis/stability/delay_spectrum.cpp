@@ -1,3 +1,4 @@
+// In one file: one proof: the edge of the spectrum, found and confirmed by counting.
 #include "analysis/stability/delay_spectrum.h"
 
 #include <algorithm>

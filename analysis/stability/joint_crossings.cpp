@@ -1,3 +1,4 @@
+// In one file: one question: the gains at which roots cross the axis, and the intervals between them.
 #include "analysis/stability/joint_crossings.h"
 
 #include <Eigen/Eigenvalues>

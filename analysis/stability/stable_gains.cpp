@@ -1,3 +1,4 @@
+// In one file: one scan over a gain that moves the sliding itself.
 #include "analysis/stability/stable_gains.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// In one file: one verdict with its two theories, for a joint and for a point of a map.
 #include "analysis/stability/verdict.h"
 
 #include <algorithm>

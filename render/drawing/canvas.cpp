@@ -1,3 +1,4 @@
+// In one file: one device: everything that is drawn passes through its units and its SVG.
 #include "render/drawing/canvas.h"
 
 #include "render/drawing/letters.h"

@@ -1,3 +1,4 @@
+// In one file: one overload for each kind of picture: the data that its reader sees.
 #include "render/page/figure_data.h"
 
 #include "analysis/results/text.h"

@@ -1,3 +1,4 @@
+// In one file: one search for the nearest boundary, which worst cases and robust boundaries repeat.
 #include "analysis/boundary/kinds/nearest.h"
 
 #include "analysis/boundary/trace/locate.h"

@@ -1,3 +1,4 @@
+// In one file: one walk along a boundary, whose steps (predict, correct, step, close) share its state.
 #include "analysis/boundary/trace/tracer.h"
 
 #include "analysis/boundary/trace/foretell.h"

@@ -1,3 +1,4 @@
+// In one file: a record becomes a case: its noise, its start and its scales rely on each other.
 #include "analysis/diagnosis/audit/prepare.h"
 
 #include "analysis/diagnosis/audit/audit.h"

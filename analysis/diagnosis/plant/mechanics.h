@@ -1,4 +1,5 @@
 // Mechanisms and actuators from tick to tick, a pack of joints side by side, each along its own record.
+// In one file: one time step of the mechanics, written once for every width of lanes.
 #pragma once
 #include "analysis/diagnosis/plant/held_command.h"
 #include "analysis/diagnosis/plant/step.h"

@@ -1,3 +1,4 @@
+// In one file: a record on the clock of its controller, and the halves of its ticks.
 #include "analysis/diagnosis/records/ticks.h"
 
 #include "analysis/diagnosis/records/between_rows.h"

@@ -1,3 +1,4 @@
+// In one file: the laws that a rig is held against and their fit to its record.
 #include "analysis/diagnosis/rig/rig_laws.h"
 
 #include "analysis/joint/joint.h"

@@ -1,3 +1,4 @@
+// In one file: the free shapes and the one fit that they share.
 #include "analysis/diagnosis/search/free_force.h"
 
 #include "analysis/diagnosis/fit/block.h"

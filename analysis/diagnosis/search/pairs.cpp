@@ -1,3 +1,4 @@
+// In one file: one search for pairs, from first looks to finalists.
 #include "analysis/diagnosis/fit/block.h"
 #include "analysis/diagnosis/fit/excerpt.h"
 #include "analysis/diagnosis/fit/seeds.h"

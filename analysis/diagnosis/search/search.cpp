@@ -1,3 +1,4 @@
+// In one file: one search for the numbers of a cause, from screening to polish.
 #include "analysis/diagnosis/search/search.h"
 
 #include "analysis/diagnosis/fit/block.h"

@@ -1,3 +1,4 @@
+// In one file: one table: the regimes, how rows belong to them, and their shares.
 #include "analysis/diagnosis/verdict/locate.h"
 #include "analysis/diagnosis/verdict/shares.h"
 

@@ -1,3 +1,4 @@
+// In one file: the decision between causes and the checks that it relies on, in their order.
 #include "analysis/diagnosis/verdict/verdict.h"
 
 #include "analysis/diagnosis/fit/moment.h"

@@ -1,3 +1,4 @@
+// In one file: one branch of cycles, from its Hopf point to its fold.
 #include "analysis/simulation/attractor/bifurcation.h"
 
 #include <algorithm>

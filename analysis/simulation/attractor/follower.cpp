@@ -1,3 +1,4 @@
+// In one file: one method: a motion until it is judged, with the numbers that its tests share.
 #include "analysis/simulation/attractor/follower.h"
 #include "analysis/numerics/lasting.h"
 #include "analysis/simulation/attractor/orbit.h"

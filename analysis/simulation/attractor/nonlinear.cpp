@@ -1,3 +1,4 @@
+// In one file: one verdict: its outcomes, each tried where those before did not decide.
 #include "analysis/simulation/attractor/nonlinear.h"
 
 #include "analysis/simulation/attractor/attractor.h"

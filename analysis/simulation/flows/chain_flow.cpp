@@ -1,3 +1,4 @@
+// In one file: the equations of one chain and the switches between which they hold.
 #include "analysis/simulation/flows/chain_flow.h"
 
 #include "analysis/stability/steady.h"

@@ -1,3 +1,4 @@
+// In one file: the two flows of one body, with inertia and without.
 #include "analysis/simulation/flows/flow.h"
 
 #include "analysis/stability/linear_joint.h"

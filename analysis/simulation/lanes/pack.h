@@ -2,6 +2,7 @@
 // vectors side by side, since two independent vectors hide the latency of one another; wider GCC vectors than the
 // hardware has would be split badly. Every operation is element by element, so that a lane's bits never depend on its
 // neighbours. A pack of one lane is a bare double under the same names.
+// In one file: one vector type with its operators.
 #pragma once
 #include <bit>
 #include <cstdint>

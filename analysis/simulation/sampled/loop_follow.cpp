@@ -1,3 +1,4 @@
+// In one file: one method: the ways in which a motion of a sampled loop ends, with the numbers that separate them.
 #include "analysis/simulation/sampled/loop_follow.h"
 
 #include "analysis/numerics/lasting.h"

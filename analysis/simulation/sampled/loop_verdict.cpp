@@ -1,3 +1,4 @@
+// In one file: one inquiry, phase by phase.
 #include "analysis/simulation/sampled/loop_verdict.h"
 
 #include "analysis/joint/gains.h"

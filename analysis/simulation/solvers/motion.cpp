@@ -1,3 +1,4 @@
+// In one file: one motion with stick and slip: its events and limits hold only together.
 #include "analysis/simulation/solvers/motion.h"
 
 #include "analysis/numerics/hermite.h"

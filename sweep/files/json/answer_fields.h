@@ -1,4 +1,5 @@
 // The fields of every struct of an answer, each once: what answer.json says and how it is read back.
+// In one file: a declaration: the fields of one answer, each type once.
 #pragma once
 #include "sweep/files/json/answer_names.h"
 #include "sweep/study/sweep_answer.h"

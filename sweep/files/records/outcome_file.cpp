@@ -1,3 +1,4 @@
+// In one file: one reader of one format.
 #include "sweep/files/records/outcome_file.h"
 
 #include "analysis/joint/parameters.h"

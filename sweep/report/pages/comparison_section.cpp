@@ -1,3 +1,4 @@
+// In one file: three sections of one page that share their words.
 #include "sweep/report/pages/comparison_section.h"
 
 #include "analysis/results/text.h"

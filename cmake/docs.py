@@ -3,7 +3,7 @@
 Run: docs.py write|check PROGRAM, docs.py site PROGRAM FOLDER
 
 reference.md: what the program says of its keys (stickslip list keys --markdown), then every field of its JSON answers from
-docs/schema. method.md: every threshold of analysis/diagnosis/verdict/policy.h with the comment that gives its reason. site: a copy of docs/ in FOLDER/docs with the
+docs/schema. method.md: every threshold of analysis/diagnosis/policy/policy.h with the comment that gives its reason. site: a copy of docs/ in FOLDER/docs with the
 pictures that the program draws for it, and FOLDER/site where mkdocs is installed.
 """
 import json
@@ -17,7 +17,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).parent.parent
 MADE = "<!-- Made by `cmake --build build --target docs_text`; a change here is overwritten. -->\n\n"
-POLICY = "analysis/diagnosis/verdict/policy.h"
+POLICY = "analysis/diagnosis/policy/policy.h"
 SCHEMAS = ("evaluate", "sweep-run", "boundary", "margins", "design", "baseline", "diagnosis", "robot-diagnosis",
            "gap-baseline", "gap-check", "comparison", "timeline", "set-point-design", "plan", "motion", "import", "export",
            "list", "figures", "answers", "score", "sweep-plan", "run")

@@ -4,8 +4,8 @@ and functions that are longer than a reader likes.
 
 Checks that arrows between floors go down only, that no folders include each other in a circle (a pair is the smallest
 circle), that the headers of heavy libraries stay behind ours, that a header which says "Internal to FOLDER" is included
-from there only, that programs outside see public headers only, that a file of more than 250 lines and a function of more than 60 say why, and that
-comments name no file that is gone.
+from there only, that programs outside see public headers only, that a file of more than 250 lines and a function of more
+than 60 say why, that thresholds of the diagnosis stand in its policy, and that comments name no file that is gone.
 """
 import re
 import sys
@@ -155,6 +155,39 @@ def size_complaints():
             yield f"{path}: a reason to stay in one piece stands above no function"
 
 
+# What decides an answer of the diagnosis has a name, a reason and its evidence in one file.
+POLICY = "analysis/diagnosis/policy/policy.h"
+DECIMAL = r"\d+(?:\.\d+(?:e[-+]?\d+)?|e[-+]?\d+)"
+COMPARED = re.compile(rf"(?:[<>]=?|[!=]=)\s*-?(?:[\w.:\[\]()]+ \* )?{DECIMAL}\b|\b{DECIMAL}(?: \* [\w.:\[\]()]+)?\s*(?:[<>]=?|[!=]=)")
+OWN_THRESHOLD = re.compile(r"constexpr double ")
+VERDICT = "analysis/diagnosis/verdict"
+
+
+def policy_complaints():
+    """In the diagnosis no decimal number is compared with but by a name; the room of the verdict defines none of its own;
+    every threshold of the policy says its reason."""
+    for path in (p for p in files() if p.is_relative_to("analysis/diagnosis") and p.as_posix() != POLICY):
+        for number, line in enumerate((SOURCE / path).read_text(encoding="utf-8").splitlines(), 1):
+            code = re.sub(r'"[^"]*"', "", line.split("//")[0])
+            if COMPARED.search(code) and "constexpr" not in code:
+                yield f"{path}:{number}: compares with a bare number; name it here (numerical limit) or in {POLICY} (threshold)"
+            if path.is_relative_to(VERDICT) and path.suffix == ".cpp" and OWN_THRESHOLD.search(code) and "//" not in line:
+                yield f"{path}:{number}: a number of the verdict without a word; thresholds stand in {POLICY}"
+    if not (SOURCE / POLICY).exists():
+        return
+    comment = ""
+    for number, line in enumerate((SOURCE / POLICY).read_text(encoding="utf-8").splitlines(), 1):
+        if line.startswith("///"):
+            comment += line[3:]
+        elif line.startswith("inline constexpr"):
+            single = line.startswith("inline constexpr double")
+            if single and "Reason:" not in comment and "Evidence:" not in comment:
+                yield f"{POLICY}:{number}: a threshold without a reason"
+            comment = ""
+        elif not line.strip():
+            comment = ""
+
+
 def files():
     for room in ROOMS:
         for path in sorted((SOURCE / room).rglob("*")):
@@ -223,6 +256,7 @@ def main():
     wrong += public_complaints()
     wrong += size_complaints()
     wrong += comment_complaints()
+    wrong += policy_complaints()
     for line in wrong:
         print(line)
     print(f"{sum(counted.values())} files in {len(counted)} folders, {sum(map(len, arrows.values()))} arrows, {len(wrong)} complaints")

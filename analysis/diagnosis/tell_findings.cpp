@@ -1,9 +1,9 @@
 #include "analysis/diagnosis/tell_findings.h"
 
 #include "analysis/diagnosis/heldout/drive_force.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/verdict/causes.h"
 #include "analysis/diagnosis/verdict/experiment.h"
-#include "analysis/diagnosis/verdict/policy.h"
 #include "analysis/diagnosis/verdict/tell_ladder.h"
 
 #include <algorithm>

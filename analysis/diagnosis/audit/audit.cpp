@@ -7,6 +7,7 @@
 #include "analysis/diagnosis/audit/audit_terms.h"
 #include "analysis/diagnosis/audit/regression.h"
 #include "analysis/diagnosis/plant/controller.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/numerics/line_search.h"
 
 #include <algorithm>
@@ -14,11 +15,6 @@
 
 namespace stickslip::gap {
 namespace {
-
-constexpr double exact_command = 2e-3;  // misfit over rms below which the controller is taken as understood
-// A controller between the samples of a slow log, or with a coarse output, is reproduced roughly at best: it is judged
-// all the same, but only a gain that is off by many times what remains is a finding.
-constexpr double rough_command = 0.05, rough_multiple = 5, rough_gain = 0.03;
 
 /// The rows that no limit touches, with this filter time constant: what the gains multiply, and the logged command.
 GainRegression regression_of(const Case& c, double tau, double limit)
@@ -45,7 +41,8 @@ GainRegression regression_of(const Case& c, double tau, double limit)
         const double exact = is_set(t.velocity[k]) ? t.velocity[k] : 0;
         controller.read(t.position[k], k == 0 ? t.step[0] : t.step[k - 1], exact);
         if (believed && is_set(t.velocity[k])) controller.believe(t.velocity[k]);
-        if (blind || !is_set(t.command[k]) || std::abs(t.command[k]) > 0.999 * limit || !t.enabled[k]) continue;
+        if (blind || !is_set(t.command[k]) || std::abs(t.command[k]) > policy::below_limit * limit || !t.enabled[k])
+            continue;
         if (control.reference_velocity && control.k_v != 0 && kinked(k)) continue;
         const double rate = control.reference_velocity ? t.reference_rate[k] : 0;
         rows.add(t.reference[k] - t.position[k], rate - controller.velocity(), t.command[k] - t.added(k));
@@ -73,7 +70,6 @@ double best_tau(const std::vector<Case>& cases, double limit)
 /// A controller that is documented without a derivative part may have one: it is a term then, and no factor names it.
 bool find_missing_k_v(std::vector<Case>& cases, double limit, double misfit_without, Audit& result)
 {
-    constexpr double most = 0.5;  // of what the proportional part alone leaves
     double k_v = 0, misfit = 0;
     std::vector<double> each;
     for (const auto& c : cases) {
@@ -83,8 +79,9 @@ bool find_missing_k_v(std::vector<Case>& cases, double limit, double misfit_with
         k_v += answer.k_v / static_cast<double>(cases.size()),
             misfit += answer.misfit / static_cast<double>(cases.size());
     }
-    const bool agree = std::all_of(each.begin(), each.end(), [&](double x) { return x > 0.5 * k_v && x < 2 * k_v; });
-    if (!(k_v > 0) || !agree || !(misfit < most * misfit_without)) return false;
+    const bool agree = std::all_of(each.begin(), each.end(),
+                                   [&](double x) { return x > k_v / policy::agreeing && x < policy::agreeing * k_v; });
+    if (!(k_v > 0) || !agree || !(misfit < policy::much_less * misfit_without)) return false;
     double square = 0;
     for (const double x : each) square += (x - k_v) * (x - k_v);
     const double n = static_cast<double>(each.size());
@@ -101,7 +98,7 @@ bool find_missing_k_v(std::vector<Case>& cases, double limit, double misfit_with
 bool filters_differently(double documented_tau, double tau, double tick)
 {
     const double documented = tick / (documented_tau + tick), now = tick / (tau + tick);
-    return std::abs(now - documented) > flagged_gain * documented;
+    return std::abs(now - documented) > policy::flagged_gain * documented;
 }
 
 namespace {
@@ -152,7 +149,7 @@ void find_saturation(std::vector<Case>& cases, double limit, Audit& result)
             wanted = std::max(wanted, std::abs(controller.wanted()));
         }
     }
-    if (wanted > 1.01 * limit) {
+    if (wanted > policy::wanted_more * limit) {
         result.findings.push_back({"saturation", "saturation.limit", limit, 0, Quantity::effort, 1});
         for (auto& c : cases) c.joint.control.effort_limit = limit;
     }
@@ -201,10 +198,11 @@ Audit audit(std::vector<Case>& cases)
     double tau = documented.velocity_estimate.tau;
     auto answers = regress(tau);
     if (documented.k_v == 0 && find_missing_k_v(cases, limit, mean_misfit(answers), result)) answers = regress(tau);
-    if (filtered && !result.filter_seen && mean_misfit(answers) > exact_command) {
+    if (filtered && !result.filter_seen && mean_misfit(answers) > policy::understood) {
         const double found = best_tau(cases, limit);
         const auto with = regress(found);
-        if (mean_misfit(with) < 0.5 * mean_misfit(answers) && filters_differently(tau, found, cases[0].ticks.step[0])) {
+        if (mean_misfit(with) < policy::much_less * mean_misfit(answers) &&
+            filters_differently(tau, found, cases[0].ticks.step[0])) {
             result.findings.push_back({"velocity-filter", "velocity-filter.tau", found, 0, Quantity::time,
                                        1 - std::pow(mean_misfit(with) / mean_misfit(answers), 2)});
             tau = found;
@@ -213,15 +211,14 @@ Audit audit(std::vector<Case>& cases)
     }
     result.residual_after = mean_misfit(answers);
     const double rounding = command_rounding(cases);
-    const bool exact = result.residual_after < exact_command;
-    constexpr double slack = 1.2;  // what is left is rounding where it is no more than rounding makes
-    const bool rounded = !exact && result.residual_after < slack * rounding / std::sqrt(12.0);
+    const bool exact = result.residual_after < policy::understood;
+    const bool rounded = !exact && result.residual_after < policy::enough * rounding / std::sqrt(12.0);
     result.command_explained = exact || rounded;
     // a command that is cut off instead of rounded loses half a step wherever it is: no gain is known better than that
-    const double flagged = exact     ? flagged_gain
-                           : rounded ? std::max(flagged_gain, rounding)
-                                     : std::max(rough_gain, rough_multiple * result.residual_after);
-    if (result.residual_after > rough_command) {
+    const double flagged = exact     ? policy::flagged_gain
+                           : rounded ? std::max(policy::flagged_gain, rounding)
+                                     : std::max(policy::rough_gain, policy::rough_multiple * result.residual_after);
+    if (result.residual_after > policy::rough_command) {
         result.notes.push_back({.code = Note::Code::gains_not_judged, .values = {result.residual_after}});
         return result;
     }
@@ -230,7 +227,7 @@ Audit audit(std::vector<Case>& cases)
         result.notes.push_back({.code = Note::Code::gains_to, .values = {100 * result.residual_after}});
     correct_gains(cases, answers, flagged, result);
     for (auto& c : cases) c.joint.control.velocity_estimate.tau = tau;
-    if (limit < 0.999 * documented.effort_limit) find_saturation(cases, limit, result);
+    if (limit < policy::below_limit * documented.effort_limit) find_saturation(cases, limit, result);
     return result;
 }
 

@@ -8,9 +8,6 @@
 
 namespace stickslip::gap {
 
-inline constexpr double flagged_gain = 0.004;  ///< a gain this far from its document is a finding, and an added term
-                                               ///< that makes up this part of the command
-
 /// A parameter of the controller or the encoder that differs from its documentation.
 struct AuditFinding {
     std::string effect;     ///< catalogue name

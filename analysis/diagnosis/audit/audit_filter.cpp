@@ -2,6 +2,7 @@
 
 #include "analysis/diagnosis/audit/regression.h"
 #include "analysis/diagnosis/plant/controller.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/numerics/line_search.h"
 
 #include <algorithm>
@@ -53,7 +54,8 @@ bool changes_make_the_command(const Case& c)
     const Ticks& t = c.ticks;
     GainRegression rows;
     const auto usable = [&](std::size_t k) {
-        return t.logged[k] && t.enabled[k] && std::abs(t.command[k]) <= 0.999 * c.joint.control.effort_limit;
+        return t.logged[k] && t.enabled[k] &&
+               std::abs(t.command[k]) <= policy::below_limit * c.joint.control.effort_limit;
     };
     std::size_t in_a_row = 0;
     for (std::size_t k = 0; k < t.size(); ++k) {
@@ -88,7 +90,7 @@ bool velocities_make_the_command(const Case& c)
     for (std::size_t k = 0; k < t.size(); ++k) {
         const double rate = control.reference_velocity ? t.reference_rate[k] : 0;
         const double a = t.reference[k] - t.position[k], b = rate - t.velocity[k], u = t.command[k] - t.added(k);
-        const bool cut = std::abs(t.command[k]) > 0.999 * control.effort_limit;
+        const bool cut = std::abs(t.command[k]) > policy::below_limit * control.effort_limit;
         if (t.logged[k] && t.enabled[k] && !cut && std::isfinite(a + b + u)) rows.add(a, b, u);
     }
     const auto found = rows.solve(true);

@@ -2,6 +2,7 @@
 
 #include "analysis/diagnosis/audit/command_terms.h"
 #include "analysis/diagnosis/audit/term_sets.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/joint/gains.h"
 #include "analysis/numerics/line_search.h"
 
@@ -72,7 +73,7 @@ void find_integral_limit(std::vector<Case>& cases, double limit, Audit& result)
     };
     const auto [found, gain] = best_number(cases, limit, std::min(documented, unreached * most), unreached * most,
                                            {smallest * most, largest * most}, set);
-    if (1 - gain > much_better * much_better) return set_all(documented);
+    if (1 - gain > policy::much_better * policy::much_better) return set_all(documented);
     const double limit_of_integral = found < largest * most ? found : infinity;
     set_all(limit_of_integral);
     result.findings.push_back({"gain-k_i", "gain-k_i.integral_limit", limit_of_integral, 0, Quantity::effort, gain});

@@ -5,9 +5,6 @@
 
 namespace stickslip::gap {
 
-/// Of what plain gains leave, before an undocumented term is believed.
-inline constexpr double much_better = 0.25;
-
 /// What is left with at most one change of the terms.
 double left_by_one(const std::vector<Case>& cases, double limit);
 

@@ -2,6 +2,7 @@
 
 #include "analysis/diagnosis/audit/regression.h"
 #include "analysis/diagnosis/plant/controller.h"
+#include "analysis/diagnosis/policy/policy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,7 @@ void audit_grid(std::vector<Case>& cases, Audit& result)
     const Sensor documented = cases[0].joint.sensor;
     const bool coarser = quantum < infinity && coarser_grid(quantum, documented);
     const double known = std::hypot(documented.position_noise, documented.encoder_quantum / std::sqrt(12.0));
-    if (!coarser || quantum / std::sqrt(12.0) < 0.1 * known) return;
+    if (!coarser || quantum / std::sqrt(12.0) < policy::felt_grid * known) return;
     if (!cases[0].noise_documented) {
         // without a documented sensor a fine or a round grid may be nothing but the digits of the file
         constexpr double visible = 1e-3, round = 1e-3;  // of the span; of the digit
@@ -61,8 +62,7 @@ void audit_supply(std::vector<Case>& cases, Audit& result)
     const double resistance = drop_current / current_current;
     const double explained = drop_current * drop_current / current_current / drop_drop;
     const double part = std::sqrt(drop_drop / rows) / cases[0].joint.actuator.supply_voltage;
-    constexpr double follows = 0.8, matters = 0.002;
-    if (resistance <= 0 || explained < follows || part < matters) return;
+    if (resistance <= 0 || explained < policy::supply_follows || part < policy::supply_matters) return;
     result.findings.push_back({"supply-sag", "supply-sag.resistance", resistance, 0, Quantity::resistance, explained});
     for (auto& c : cases) {
         c.joint.actuator.supply_resistance += resistance;
@@ -96,30 +96,33 @@ double observed_limit(const std::vector<Case>& cases)
 
 bool coarser_grid(double quantum, const Sensor& documented)
 {
-    return quantum > 1.3 * documented.encoder_quantum && quantum > 0.5 * documented.position_noise;
+    return quantum > policy::coarser_grid * documented.encoder_quantum &&
+           quantum > policy::grid_over_noise * documented.position_noise;
 }
 
 double grid_of(const std::vector<double>& readings)
 {
+    constexpr double rounding = 1e-9;            // of the span: equal readings
+    constexpr double near = 0.1, beside = 0.05;  // of a step: refines it; a reading that is not on the grid
     std::vector<double> sorted = readings;
     std::sort(sorted.begin(), sorted.end());
     if (sorted.empty()) return 0;
     const double span = sorted.back() - sorted.front();
     double least = infinity;
     for (std::size_t k = 1; k < sorted.size(); ++k)
-        if (const double d = sorted[k] - sorted[k - 1]; d > 1e-9 * span) least = std::min(least, d);
+        if (const double d = sorted[k] - sorted[k - 1]; d > rounding * span) least = std::min(least, d);
     if (least == infinity) return 0;
     // refine the step by the farthest reading it can count to
     double step = least;
     for (std::size_t k = 0; k < sorted.size(); ++k) {
         const double count = std::round((sorted[k] - sorted.front()) / step);
-        if (count > 0 && std::abs(sorted[k] - sorted.front() - count * step) < 0.1 * step)
+        if (count > 0 && std::abs(sorted[k] - sorted.front() - count * step) < near * step)
             step = (sorted[k] - sorted.front()) / count;
     }
     std::size_t off = 0;
     for (double y : sorted) {
         const double count = (y - sorted.front()) / step;
-        off += std::abs(count - std::round(count)) > 0.05;
+        off += std::abs(count - std::round(count)) > beside;
     }
     return off * 1000 < sorted.size() ? step : 0;
 }

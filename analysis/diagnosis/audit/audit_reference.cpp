@@ -3,6 +3,7 @@
 #include "analysis/diagnosis/audit/regression.h"
 #include "analysis/diagnosis/fit/reference.h"
 #include "analysis/diagnosis/plant/controller.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/numerics/line_search.h"
 
 #include <algorithm>
@@ -11,8 +12,7 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double well_explained = 0.05;  // misfit of the differences over their rms at which the audit is believed
-constexpr double least_change = 0.004, deviations = 5;
+constexpr double deviations = 5;
 
 /// Fourth differences of the command, and of what it is computed from; rows whose stencil a limit touches are left
 /// out.
@@ -27,7 +27,8 @@ GainRegression differences(const Case& c, double tau, double limit)
         const double exact = is_set(t.velocity[k]) ? t.velocity[k] : 0;
         controller.read(t.position[k], k == 0 ? t.step[0] : t.step[k - 1], exact);
         if (!t.logged[k]) continue;
-        const bool usable = is_set(t.command[k]) && std::abs(t.command[k]) < 0.999 * limit && t.enabled[k];
+        const bool usable =
+            is_set(t.command[k]) && std::abs(t.command[k]) < policy::below_limit * limit && t.enabled[k];
         y.push_back(t.position[k]), v.push_back(controller.velocity());
         u.push_back(usable ? t.command[k] - t.added(k) : not_set);
     }
@@ -57,7 +58,7 @@ GainRegression::Answer regress(const GainRegression& d, bool with_k_v)
     for (int round = 0; round < 3; ++round) {
         const auto last = g;
         g = d.solve(with_k_v, [&](const auto& row) { return std::abs(GainRegression::left(row, last)) <= within; });
-        if (g.used < 0.5 * static_cast<double>(n) || g.both != with_k_v) return {};
+        if (g.used < policy::most_rows * static_cast<double>(n) || g.both != with_k_v) return {};
         std::vector<double> sizes;
         for (const auto& row : d.rows()) sizes.push_back(std::abs(GainRegression::left(row, g)));
         const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(n / 2);
@@ -91,7 +92,7 @@ double best_tau(const std::vector<Case>& cases, double limit)
 /// One gain of all records: mean factor on the documented one, and the error of that mean.
 struct Factor {
     double value = 1, error = 0;
-    bool off() const { return std::abs(value - 1) > std::max(least_change, deviations * error); }
+    bool off() const { return std::abs(value - 1) > std::max(policy::flagged_gain, deviations * error); }
 };
 
 }  // namespace
@@ -105,7 +106,8 @@ void audit_without_reference(std::vector<Case>& cases, double limit, Audit& resu
     if (filtered && !result.filter_seen) {
         const double before = misfit_of(cases, tau, limit), found = best_tau(cases, limit);
         const double after = misfit_of(cases, found, limit);
-        if (after < 0.5 * before && after < well_explained && filters_differently(tau, found, cases[0].ticks.step[0])) {
+        if (after < policy::much_less * before && after < policy::rough_command &&
+            filters_differently(tau, found, cases[0].ticks.step[0])) {
             tau = found;
             result.findings.push_back(
                 {"velocity-filter", "velocity-filter.tau", tau, 0, Quantity::time, 1 - std::pow(after / before, 2)});
@@ -115,7 +117,7 @@ void audit_without_reference(std::vector<Case>& cases, double limit, Audit& resu
     const auto n = static_cast<double>(cases.size());
     for (const auto& c : cases) {
         const auto g = regress(differences(c, tau, limit), damped);
-        if (g.misfit > well_explained || c.joint.control.k_p == 0) return;
+        if (g.misfit > policy::rough_command || c.joint.control.k_p == 0) return;
         k_p.value += g.k_p / c.joint.control.k_p / n;
         k_p.error = std::hypot(k_p.error, g.k_p_error / c.joint.control.k_p / n);
         if (!damped) continue;

@@ -3,6 +3,7 @@
 #include "analysis/diagnosis/audit/audit_numbers.h"
 #include "analysis/diagnosis/audit/command_terms.h"
 #include "analysis/diagnosis/audit/term_sets.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/joint/gains.h"
 
 #include <algorithm>
@@ -11,9 +12,6 @@ namespace stickslip::gap {
 namespace {
 
 constexpr std::size_t most_changes = 3;
-constexpr double enough = 1.2;       ///< times what every term together leaves: no further term is needed
-constexpr double digits = 2e-5;      ///< of the command's rms, below which what is left is the file's digits
-constexpr double understood = 2e-3;  ///< of the command's rms, below which the controller counts as understood
 double largest_error(const std::vector<Case>& cases)
 {
     double largest = 0;
@@ -31,14 +29,14 @@ Changed fewest_changes(const std::vector<Case>& cases, double limit)
     std::vector<Changed> found;
     for (std::size_t size = 0; size <= most_changes; ++size) {
         found.push_back(best_set(all, documented, size));
-        if (found.back().fit.misfit < digits) return found.back();
+        if (found.back().fit.misfit < policy::digits) return found.back();
     }
     found.push_back(best_zone(cases, limit, largest_error(cases)));
     double least = infinity;
     for (const auto& f : found) least = std::min(least, f.fit.misfit);
     const Changed* best = nullptr;
     for (const auto& f : found)
-        if (f.fit.misfit <= std::max(enough * least, digits) &&
+        if (f.fit.misfit <= std::max(policy::enough * least, policy::digits) &&
             (!best || f.count(documented) < best->count(documented)))
             best = &f;
     return *best;
@@ -142,21 +140,23 @@ bool audit_terms(std::vector<Case>& cases, double limit, Audit& result)
     if (as_documented.rows.empty()) return false;
     const double before = fit_terms(as_documented, {}).misfit;
     const double with_gains = plain ? fit_terms(as_documented, {k_p_term, k_v_term}).misfit : before;
-    if (plain && std::min(before, with_gains) < digits) return false;
+    if (plain && std::min(before, with_gains) < policy::digits) return false;
     const bool filtered = gains_of(documented).k_v != 0 && documented.velocity_estimate.form != EstimateForm::exact &&
                           !result.filter_seen;
-    if (!plain && filtered && before > digits) find_filter(cases, limit, result);
-    if (as_documented.integrates && left_by_one(cases, limit) > digits) find_integral_limit(cases, limit, result);
-    if (documented.feed_forward.coulomb == 0 && left_by_one(cases, limit) > digits) find_coulomb_speed(cases, limit);
+    if (!plain && filtered && before > policy::digits) find_filter(cases, limit, result);
+    if (as_documented.integrates && left_by_one(cases, limit) > policy::digits)
+        find_integral_limit(cases, limit, result);
+    if (documented.feed_forward.coulomb == 0 && left_by_one(cases, limit) > policy::digits)
+        find_coulomb_speed(cases, limit);
     const Changed changed = fewest_changes(cases, limit);
-    const bool believed = changed.fit.misfit < std::min(understood, much_better * with_gains);
+    const bool believed = changed.fit.misfit < std::min(policy::understood, policy::much_better * with_gains);
     const bool of_coulomb = std::ranges::count(changed.terms, coulomb_term) > 0;
     if (!of_coulomb || (plain && !believed))
         for (auto& c : cases) c.joint.control.feed_forward.coulomb_speed = documented.feed_forward.coulomb_speed;
     if (plain && (of_plain_gains(changed) || !believed)) return false;
     result.residual_after = changed.fit.misfit;
-    result.command_explained = changed.fit.misfit < understood;
-    if (!result.command_explained && changed.fit.misfit > much_better * before) {
+    result.command_explained = changed.fit.misfit < policy::understood;
+    if (!result.command_explained && changed.fit.misfit > policy::much_better * before) {
         result.notes.push_back({.code = Note::Code::command_unknown, .values = {before}});
         return true;
     }
@@ -166,7 +166,7 @@ bool audit_terms(std::vector<Case>& cases, double limit, Audit& result)
         const auto i = static_cast<std::size_t>(term);
         const bool factor = all.factor[i];
         const double size = factor ? std::abs(changed.fit.value[i]) : part_of_command(all, term, changed.fit.value[i]);
-        if (size < flagged_gain) continue;
+        if (size < policy::flagged_gain) continue;
         for (auto& c : cases) correct(c.joint.control, term, changed.fit.value[i], factor);
         result.findings.push_back(finding_of(term, changed.fit, factor, cases[0].joint.control, gain));
     }

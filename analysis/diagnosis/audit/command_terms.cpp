@@ -4,6 +4,7 @@
 
 #include "analysis/diagnosis/audit/after_hole.h"
 #include "analysis/diagnosis/plant/controller.h"
+#include "analysis/diagnosis/policy/policy.h"
 
 namespace stickslip::gap {
 namespace {
@@ -83,7 +84,8 @@ void add_record(CommandTerms& terms, const Case& c, std::size_t record, double d
         own_integral += step * (cascaded(control) ? control.position_gain * now.error + now.rate_error : now.error);
         now.integral = controller.integrates() ? controller.integral() : own_integral;
         now.error_integral = error_integral;
-        if (blind || !is_set(t.command[k]) || std::abs(t.command[k]) > 0.999 * limit || !t.enabled[k] || !c.judged(k))
+        if (blind || !is_set(t.command[k]) || std::abs(t.command[k]) > policy::below_limit * limit || !t.enabled[k] ||
+            !c.judged(k))
             continue;
         if (kinked(t, k, fastest)) continue;
         terms.rows.push_back(

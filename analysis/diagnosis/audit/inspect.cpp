@@ -71,7 +71,7 @@ Inspection inspect(const Record& r, const Joint& joint)
     if (span_of(r.position) <= 8 * resolution || span_of(r.position) == 0)
         result.shortages.push_back({Note::Code::position_still, r.name});
     const double ticks = r.rows() > 1 && is_set(joint.control.period) ? median_step(r.time) / joint.control.period : 1;
-    if (ticks > 1.5 && (ticks >= most_ticks_per_row || std::abs(ticks - std::round(ticks)) > 0.02))
+    if (ticks > slower_log && (ticks >= most_ticks_per_row || std::abs(ticks - std::round(ticks)) > whole_ticks))
         result.notes.push_back({.code = Note::Code::uneven_ticks, .record = r.name, .values = {ticks}});
     const bool command = !r.effort_command.empty() || !r.drive.empty();
     if (!command && r.reference_position.empty()) result.shortages.push_back({Note::Code::nothing_drives, r.name});

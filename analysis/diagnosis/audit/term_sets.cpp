@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/audit/term_sets.h"
 
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/numerics/line_search.h"
 
 namespace stickslip::gap {
@@ -40,7 +41,7 @@ Changed best_zone(const std::vector<Case>& cases, double limit, double largest_e
         const auto all = command_terms(cases, zone, limit);
         auto none = best_set(all, zone, 0);
         const auto one = best_set(all, zone, 1);
-        return one.fit.misfit < 0.5 * none.fit.misfit ? one : none;
+        return one.fit.misfit < policy::much_less * none.fit.misfit ? one : none;
     };
     Changed best = judged(0);
     double low = 0, high = 0;

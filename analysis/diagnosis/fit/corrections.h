@@ -2,21 +2,11 @@
 // comparison as numbers with a prior, refitted on both sides. They are corrections of the document, no causes.
 #pragma once
 #include "analysis/diagnosis/fit/fit.h"
+#include "analysis/diagnosis/policy/rules.h"
 
 #include <deque>
 
 namespace stickslip::gap {
-
-/// Standard deviations of what a joint file says, as parts of each number.
-struct CorrectionPrior {
-    double inertia, coulomb, viscous;
-    double coulomb_of_record;  ///< from record to record
-    double load;               ///< of the Coulomb level
-    double gravity;            ///< of the documented amplitude
-    double least;              ///< of the usual effort: a number that is documented as less counts as that
-    double small_term;         ///< of the Coulomb level: ripple, cogging, asymmetry and drift that nobody documents
-    double widest;             ///< standard deviations at which the prior is cut off
-};
 
 /// A cause, or several, with the corrections in front.
 struct Corrected {

@@ -167,7 +167,8 @@ LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidat
         }
         if (fit.evaluation.objective <= best.evaluation.objective)
             best.x = fit.x, best.evaluation = fit.evaluation, best.information = fit.information;
-        const bool done = !better || before - fit.evaluation.objective < 2e-4 * before;
+        constexpr double least_fall = 2e-4;  // of the objective in one step: less is its end
+        const bool done = !better || before - fit.evaluation.objective < least_fall * before;
         if (done && age == 0) break;
         if (!better) damping = 1e-3;  // worn slopes failed, not the step
         age = done || age + 1 == worn_after ? 0 : candidate.prior_weight > 0 ? age + 1 : 0;

@@ -75,7 +75,8 @@ std::vector<double> powers_of(const std::vector<Residual>& all, double low, doub
                 cosine[i] = b * turn_cosine[i] - a * turn_sine[i];
             }
             const double cc = static_cast<double>(n) - ss, determinant = ss * cc - sc * sc;
-            if (determinant > 1e-6 * (ss + cc) * (ss + cc))
+            constexpr double collinear = 1e-6;  // of the largest determinant
+            if (determinant > collinear * (ss + cc) * (ss + cc))
                 total[f] += (s * s * cc - 2 * s * c * sc + c * c * ss) / determinant / square;
         }
     }

@@ -3,6 +3,7 @@
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/fit/jumps.h"
 #include "analysis/diagnosis/fit/reference.h"
+#include "analysis/diagnosis/policy/policy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,6 @@ namespace stickslip::gap {
 namespace {
 
 constexpr int closed_loop_runs = 4;
-constexpr double slack = 1.25;  // of the mean square, for what so few runs do not know of their spread
 
 /// A simulated run through the log and back onto the clock: between the rows of a slow log nothing is known of it
 /// either. What is known of the surroundings is known of it, too, tick by tick.
@@ -94,13 +94,15 @@ NoiseSpread spread_of(const std::vector<Case>& cases, const Candidate& candidate
 
 bool within(const NoiseSpread& spread, const std::array<Evaluation, levels.size()>& evaluation, std::size_t levels_used)
 {
-    // two integrators and a documented noise that is a little off account for the constant parts
-    constexpr double slack = 0.06, deviations = 4;
     for (std::size_t l = 0; l < levels_used; ++l)
         for (std::size_t i = 0; i < evaluation[l].records.size(); ++i) {
             const auto &m = evaluation[l].records[i], &mean = spread.mean[l][i], &deviation = spread.deviation[l][i];
-            if (m.position > std::max(1.0, mean.position) + slack + deviations * deviation.position) return false;
-            if (m.effort > std::max(1.0, mean.effort) + slack + deviations * deviation.effort) return false;
+            if (m.position > std::max(1.0, mean.position) + policy::slack_of_floor +
+                                 policy::deviations_of_floor * deviation.position)
+                return false;
+            if (m.effort >
+                std::max(1.0, mean.effort) + policy::slack_of_floor + policy::deviations_of_floor * deviation.effort)
+                return false;
         }
     return true;
 }
@@ -214,9 +216,9 @@ namespace {
 /// would then be within what it does.
 bool own_runs_agree(const std::vector<SignalSquares>& signals, double span, double sigma)
 {
-    constexpr double part = 0.02, readings = 20;  // of the span; standard deviations of a reading
     for (const auto& s : signals)
-        if (s.signal == "position" && !(std::sqrt(0.5 * s.floor) < std::max(part * span, readings * sigma)))
+        if (s.signal == "position" &&
+            !(std::sqrt(s.floor / 2) < std::max(policy::own_part * span, policy::own_readings * sigma)))
             return false;
     return true;
 }
@@ -232,9 +234,9 @@ bool closed_loop_at_floor(const std::vector<Case>& cases, const Candidate& candi
     parallel(cases.size(), [&](std::size_t i) {
         const auto signals = compare(cases[i], edited(cases[i].joint, candidate, si, cases[i].number), closed_loop_runs,
                                      -infinity, infinity);
-        fine[i] =
-            own_runs_agree(signals, span_of(cases[i].ticks.position), cases[i].sigma) &&
-            std::all_of(signals.begin(), signals.end(), [](const auto& s) { return s.difference <= slack * s.floor; });
+        fine[i] = own_runs_agree(signals, span_of(cases[i].ticks.position), cases[i].sigma) &&
+                  std::all_of(signals.begin(), signals.end(),
+                              [](const auto& s) { return s.difference <= policy::slack_of_runs * s.floor; });
     });
     return std::all_of(fine.begin(), fine.end(), [](int yes) { return yes != 0; });
 }

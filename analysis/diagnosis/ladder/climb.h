@@ -1,8 +1,9 @@
 // The ladder of causes: in the order in which they pay on data that no fit has seen, each given those above it, with
 // the corrections of the joint's own numbers refitted on both sides of every comparison.
 #pragma once
-#include "analysis/diagnosis/ladder/rules.h"
+#include "analysis/diagnosis/fit/corrections.h"
 #include "analysis/diagnosis/ladder/windows.h"
+#include "analysis/diagnosis/policy/rules.h"
 #include "analysis/diagnosis/search/attribute.h"
 
 #include <functional>

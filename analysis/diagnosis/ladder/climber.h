@@ -3,8 +3,8 @@
 #pragma once
 #include "analysis/diagnosis/ladder/climb.h"
 #include "analysis/diagnosis/ladder/fit_set.h"
-#include "analysis/diagnosis/ladder/rules.h"
 #include "analysis/diagnosis/ladder/windows.h"
+#include "analysis/diagnosis/policy/rules.h"
 #include "analysis/diagnosis/search/attribute.h"
 #include "analysis/diagnosis/search/search.h"
 

@@ -3,6 +3,7 @@
 #include "analysis/diagnosis/fit/excerpt.h"
 #include "analysis/diagnosis/fit/seeds.h"
 #include "analysis/diagnosis/ladder/plausible.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/search/search.h"
 
 #include <algorithm>
@@ -127,8 +128,9 @@ FittedSet SetFitter::fit_folds(Corrected model, const Candidate& causes, LevelFi
     }
     set.plausible = plausible(causes, set.of_causes(set.fit.x), scales_, data_.cases()[0].joint, ranges_);
     set.correction = corrections_.is_one(causes, set.of_causes(set.fit.x));
-    set.misfit = mean_log(set.all_left()) + prior_cost(c, set.fit.x) +
-                 price_of_parameter * static_cast<double>(causes.effects.empty() ? 0 : causes.parameter_count());
+    set.misfit =
+        mean_log(set.all_left()) + prior_cost(c, set.fit.x) +
+        policy::price_of_parameter * static_cast<double>(causes.effects.empty() ? 0 : causes.parameter_count());
     return set;
 }
 

@@ -1,6 +1,7 @@
 // Whether the numbers of a fitted cause can be those of a joint.
 #pragma once
-#include "analysis/diagnosis/ladder/rules.h"
+#include "analysis/diagnosis/fit/fit.h"
+#include "analysis/diagnosis/policy/rules.h"
 
 namespace stickslip::gap {
 

@@ -130,7 +130,7 @@ void confirm_by_motion(const Outcomes& o, LawFit& fit)
         if (!memory || !otherwise) continue;
         ++fit.beyond_linear;
         // a motion that was followed outweighs the linear side of a row
-        const bool sided = (fit.probability[i] > 0.5) == !linear_slides;
+        const bool sided = (fit.probability[i] > likelier_than_not) == !linear_slides;
         if (sided) fit.probability[i] = 1 - fit.probability[i];
     }
     judge(o, fit);

@@ -3,6 +3,7 @@
 #include "analysis/diagnosis/outcomes/rows.h"
 #include "analysis/diagnosis/outcomes/share.h"
 #include "analysis/diagnosis/outcomes/side.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/verdict/withdraw.h"
 
 #include <algorithm>
@@ -13,8 +14,6 @@ namespace stickslip::gap {
 namespace {
 
 constexpr std::size_t fewest_rows = 8, fewest_of_either = 3;
-constexpr double most_misjudged = 0.12;  // of the rows, beyond those that contradict each other
-constexpr double most_contradicting = 0.15;
 
 /// The place within three times the range of the rows where two explanations differ most.
 NextOutcome next_of(const OutcomeAnswer& a, const LawFit& one, const LawFit& two)
@@ -62,7 +61,7 @@ void decide(OutcomeAnswer& a)
     Diagnosis& d = a.diagnosis;
     const auto& o = a.outcomes;
     const auto n = static_cast<double>(o.size());
-    const auto explains = [&](const LawFit& f) { return f.misjudged <= a.contradictions + most_misjudged * n; };
+    const auto explains = [&](const LawFit& f) { return f.misjudged <= a.contradictions + policy::most_misjudged * n; };
     const LawFit& winner = a.laws.front();
     std::set<std::string_view> effects{winner.rival->effect};
     for (const auto& f : a.laws) {
@@ -74,7 +73,7 @@ void decide(OutcomeAnswer& a)
                 {.code = Note::Code::laws_alike, .names = {std::string(winner.rival->law), std::string(f.rival->law)}});
     }
     constexpr std::size_t too_many = 3;
-    if (a.contradictions > most_contradicting * n) {
+    if (a.contradictions > policy::most_contradicting * n) {
         d.verdict = Verdict::insufficient_data;
         d.reasons.push_back(
             {.code = Note::Code::rows_contradict, .values = {static_cast<double>(a.contradictions), n}});
@@ -87,7 +86,7 @@ void decide(OutcomeAnswer& a)
                       .names = {std::string(winner.rival->law)},
                       .values = {static_cast<double>(winner.misjudged), n}}};
         // their odds among each other say nothing of whether it is one of them
-        if (const double factor = believed_unnamed / winner.posterior; factor < 1)
+        if (const double factor = policy::believed_unnamed / winner.posterior; factor < 1)
             for (auto& f : a.laws) f.posterior *= factor;
     } else if (effects.size() >= too_many) {
         d.verdict = Verdict::insufficient_data;

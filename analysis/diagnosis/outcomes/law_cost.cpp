@@ -89,7 +89,7 @@ void judge(const Outcomes& o, LawFit& fit)
     for (std::size_t i = 0; i < o.size(); ++i) {
         const bool stick_slip = o.table.rows[i].stick_slip;
         fit.held_out += log_probability(fit.probability[i], stick_slip);
-        fit.misjudged += (fit.probability[i] > 0.5) != stick_slip;
+        fit.misjudged += (fit.probability[i] > likelier_than_not) != stick_slip;
     }
 }
 

@@ -32,7 +32,7 @@ double row_cost(const Outcomes& o, const LawFit& f, std::size_t i)
 }
 bool row_wrong(const Outcomes& o, const LawFit& f, std::size_t i)
 {
-    return (f.probability[i] > 0.5) != o.table.rows[i].stick_slip;
+    return (f.probability[i] > likelier_than_not) != o.table.rows[i].stick_slip;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/fit/fit.h"
 #include "analysis/diagnosis/plant/simulator.h"
+#include "analysis/diagnosis/policy/policy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -159,11 +160,11 @@ void audited(const Joint& joint, std::vector<EffectPower>& effects)
 {
     const double tick = joint.control.period, tau = joint.control.velocity_estimate.tau;
     for (auto& e : effects) {
-        if (e.name == "gain-k_p") e.least_size = flagged_gain;
-        if (joint.control.k_v != 0 && e.name == "gain-k_v") e.least_size = flagged_gain;
+        if (e.name == "gain-k_p") e.least_size = policy::flagged_gain;
+        if (joint.control.k_v != 0 && e.name == "gain-k_v") e.least_size = policy::flagged_gain;
         // g = T/(τ + T) differs by as much
         if (joint.control.k_v != 0 && e.name == "velocity-filter")
-            e.least_size = tau + (tau + tick) * flagged_gain / (1 - flagged_gain);
+            e.least_size = tau + (tau + tick) * policy::flagged_gain / (1 - policy::flagged_gain);
         if (e.name == "quantisation")
             e.least_size = std::max(1.3 * joint.sensor.encoder_quantum, 0.5 * joint.sensor.position_noise);
     }

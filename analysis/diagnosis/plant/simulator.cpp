@@ -138,6 +138,7 @@ void respond(double omega, double step, Take&& take)
 {
     const double T = std::min(step, 0.5 / std::max(omega, 1e-9));
     const double g = 1.6 * omega * T, k = omega * omega * T;
+    constexpr double settled = 1e-9;  // of the step that is answered
     double q = 0, v = 0;
     for (int i = 0; i < 100000; ++i) {
         const double e = (i == 0 ? 1 : 0) - q;
@@ -145,7 +146,7 @@ void respond(double omega, double step, Take&& take)
         v += k * e;
         take(e, v);
         q += step * v;
-        if (i > 10 && std::abs(q) + std::abs(v) * step < 1e-9) break;
+        if (i > 10 && std::abs(q) + std::abs(v) * step < settled) break;
     }
 }
 

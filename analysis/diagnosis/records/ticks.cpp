@@ -13,7 +13,7 @@ namespace {
 bool equal_steps(const std::vector<double>& time, double step)
 {
     for (std::size_t k = 1; k < time.size(); ++k)
-        if (std::abs(time[k] - time[k - 1] - step) > 0.02 * step) return false;
+        if (std::abs(time[k] - time[k - 1] - step) > whole_ticks * step) return false;
     return true;
 }
 
@@ -140,7 +140,7 @@ std::vector<double> at_every_tick(const std::vector<double>& rows, int per_row, 
 int ticks_per_row(double step, double period)
 {
     const double fold = step / period;
-    return fold > 1.5 && std::abs(fold - std::round(fold)) < 0.02 && fold < most_ticks_per_row
+    return fold > slower_log && std::abs(fold - std::round(fold)) < whole_ticks && fold < most_ticks_per_row
                ? static_cast<int>(std::round(fold))
                : 1;
 }
@@ -161,6 +161,9 @@ void reserve_ticks(Ticks& t, std::size_t n, double step, double supply)
 }
 
 /// Rows at their ticks, and between them what is known of motion, reference and supply. `logged` has an entry a row.
+/// Between 0 and 1, which a log writes for off and on.
+constexpr double on = 0.5;
+
 void fill_from_rows(const Record& r, const std::vector<double>& commanded, const std::vector<std::uint8_t>& logged,
                     Ticks& t)
 {
@@ -191,7 +194,7 @@ void fill_from_rows(const Record& r, const std::vector<double>& commanded, const
             if (t.has_reference && near_jump(row)) t.reference[k] = r.reference_position[row];
         }
         if (!r.supply_voltage.empty()) t.supply[k] = r.supply_voltage[row];
-        if (!r.torque_enable.empty()) t.enabled[k] = r.torque_enable[row] > 0.5;
+        if (!r.torque_enable.empty()) t.enabled[k] = r.torque_enable[row] > on;
     }
     for (std::size_t k = 0; k + 1 < t.size(); ++k) t.step[k] = t.time[k + 1] - t.time[k];
 }

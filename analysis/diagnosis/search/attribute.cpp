@@ -1,5 +1,7 @@
 #include "analysis/diagnosis/search/attribute.h"
 
+#include "analysis/diagnosis/policy/policy.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -42,7 +44,8 @@ Nominal judge_nominal(const std::vector<Case>& cases)
 
 void judge(Attribution& a, const Nominal& nominal)
 {
-    a.score = mean_log_misfit(a.evaluation) + price_of_parameter * static_cast<double>(a.candidate.parameter_count());
+    a.score =
+        mean_log_misfit(a.evaluation) + policy::price_of_parameter * static_cast<double>(a.candidate.parameter_count());
     a.evidence = mean_log_square(a.evaluation);
     const auto excess = [](const Evaluation& e) {
         double sum = 0;
@@ -57,10 +60,10 @@ void judge(Attribution& a, const Nominal& nominal)
     std::size_t middle = 0;
     const auto& records = a.evaluation[0].records;
     for (std::size_t i = 0; i < records.size(); ++i) {
-        fast = fast && records[i].position < 1.12 && records[i].effort < 1.12;
-        middle += a.evaluation[1].records[i].position < 1.15;
+        fast = fast && records[i].position < policy::accepted_fast && records[i].effort < policy::accepted_fast;
+        middle += a.evaluation[1].records[i].position < policy::accepted_middle;
     }
-    a.accepted = fast && 3 * middle >= 2 * records.size() && a.explained > 0.8;
+    a.accepted = fast && 3 * middle >= 2 * records.size() && a.explained > policy::accepted_part;
 }
 
 std::vector<Candidate> single_candidates(const std::vector<Case>& cases, const Audit& audit)

@@ -65,6 +65,4 @@ double mean_log_misfit(const std::array<Evaluation, levels.size()>& evaluations)
 /// to a constant. Rivals that both explain to within noise are distinguished by it, a floor that is too high or not.
 double mean_log_square(const std::array<Evaluation, levels.size()>& evaluations);
 
-inline constexpr double price_of_parameter = 0.003;
-
 }  // namespace stickslip::gap

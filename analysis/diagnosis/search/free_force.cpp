@@ -3,6 +3,7 @@
 
 #include "analysis/diagnosis/fit/block.h"
 #include "analysis/diagnosis/fit/excerpt.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/search/search.h"
 
 #include <algorithm>
@@ -232,7 +233,7 @@ std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scale
     });
     // a follower with next to no play is the position
     const auto misfit = [](const FreeFit& f) {
-        return mean_log_misfit(f.fit.evaluation) + (f.of == of_follower().name ? least_of_free_force : 0);
+        return mean_log_misfit(f.fit.evaluation) + (f.of == of_follower().name ? policy::least_of_free_force : 0);
     };
     std::stable_sort(fits.begin(), fits.end(), [&](const auto& a, const auto& b) { return misfit(a) < misfit(b); });
     return fits;
@@ -245,8 +246,8 @@ bool clearly_better(const FreeFit& free, const Attribution& cause)
 
 bool clearly_better(const FreeFit& free, double left)
 {
-    constexpr double part = 0.25;  // of what the cause leaves
-    return mean_log_misfit(free.fit.evaluation) < left - std::max(least_of_free_force, part * left);
+    return mean_log_misfit(free.fit.evaluation) <
+           left - std::max(policy::least_of_free_force, policy::better_than_cause * left);
 }
 
 }  // namespace stickslip::gap

@@ -21,9 +21,6 @@ struct FreeFit {
 std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
                                      const ParallelFor& parallel, const Corrections* corrections = nullptr);
 
-/// Of mean log misfit: a better fit by less says nothing.
-inline constexpr double least_of_free_force = 0.004;
-
 /// Whether a shape-free force leaves clearly less of the misfit than a cause does. Its many parameters cost nothing
 /// here: on tens of thousands of rows they fit next to no noise.
 bool clearly_better(const FreeFit& free, const Attribution& cause);

@@ -3,6 +3,7 @@
 
 #include "analysis/diagnosis/fit/block.h"
 #include "analysis/diagnosis/fit/excerpt.h"
+#include "analysis/diagnosis/policy/policy.h"
 
 #include <algorithm>
 
@@ -256,7 +257,7 @@ double screening_level(const Nominal& nominal)
     for (std::size_t l = 0; l < levels.size(); ++l) {
         double excess = 0;
         for (const auto& m : nominal.evaluation[l].records) excess = std::max({excess, m.position - 1, m.effort - 1});
-        if (excess > 0.3) return levels[l];
+        if (excess > policy::visible_excess) return levels[l];
     }
     return levels.back();
 }

@@ -1,7 +1,7 @@
 #include "analysis/diagnosis/verdict/chances.h"
 
 #include "analysis/diagnosis/ladder/climb.h"
-#include "analysis/diagnosis/verdict/policy.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/results/diagnosis.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "analysis/diagnosis/verdict/find_causes.h"
 
 #include "analysis/diagnosis/fit/jumps.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/search/search.h"
 #include "analysis/diagnosis/verdict/experiment.h"
-#include "analysis/diagnosis/verdict/policy.h"
 
 #include <algorithm>
 
@@ -42,7 +42,7 @@ void hold_against_free_forces(const Prepared& p, const std::function<void(const 
                               const ParallelFor& parallel, Findings& f)
 {
     const Attribution& nearest = *f.decision.winner;
-    if (mean_log_misfit(nearest.evaluation) < least_of_free_force) return;
+    if (mean_log_misfit(nearest.evaluation) < policy::least_of_free_force) return;
     progress("fitting unmodelled forces", 0.85);
     f.free = fit_free_forces(p.cases, p.scales, p.nominal, parallel);
     if (!clearly_better(f.free[0], nearest)) return;
@@ -58,7 +58,7 @@ void hold_ladder_against_free_forces(const Prepared& p, const std::function<void
 {
     JudgedLadder& j = f.judged;
     const bool only_noise = j.noise_left || j.noise_below;
-    if (!j.answers() || only_noise || mean_log_misfit(j.winner.evaluation) < least_of_free_force) return;
+    if (!j.answers() || only_noise || mean_log_misfit(j.winner.evaluation) < policy::least_of_free_force) return;
     progress("fitting unmodelled forces", 0.85);
     f.free = fit_free_forces(p.cases, p.scales, p.nominal, parallel, j.ladder.corrections.get());
     hold_against(j, f.free[0]);

@@ -2,9 +2,9 @@
 
 #include "analysis/diagnosis/verdict/chances.h"
 
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/search/search.h"
 #include "analysis/diagnosis/verdict/experiment.h"
-#include "analysis/diagnosis/verdict/policy.h"
 #include "analysis/diagnosis/verdict/verdict.h"
 
 #include <algorithm>

@@ -38,7 +38,7 @@ std::vector<Share> locate_signals(const std::vector<Case>& cases, const std::vec
         Block block(3, 0);
         double started = t.size() ? t.time[0] : 0;
         // what a controller had filtered before the first row was not logged; it forgets
-        constexpr double memories = 15;
+        constexpr double memories = 15;  // e⁻¹⁵ of it is left
         const double forgotten = t.at_rest || t.size() == 0
                                      ? -infinity
                                      : t.time[0] + memories * (plant.control.velocity_estimate.tau + t.step[0]);

@@ -1,4 +1,5 @@
 // In one file: one table: the regimes, how rows belong to them, and their shares.
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/verdict/locate.h"
 #include "analysis/diagnosis/verdict/shares.h"
 
@@ -156,7 +157,7 @@ struct Predicted {
     {
         return c.ticks.has_effort ? c.ticks.effort : innovation.predicted_effort;
     }
-    bool moves(std::size_t k) const { return std::abs(innovation.velocity[k]) > 0.005 * fast; }
+    bool moves(std::size_t k) const { return std::abs(innovation.velocity[k]) > policy::standing * fast; }
     /// The regimes of tick k, which comes so long after the last reversal [s].
     std::array<bool, regimes> regimes_at(std::size_t k, double since_reversal) const
     {
@@ -164,11 +165,11 @@ struct Predicted {
         const Ticks& t = c.ticks;
         const double v = innovation.velocity[k], speed = std::abs(v);
         std::array<bool, regimes> in{};
-        in[speed < 0.005 * fast ? stuck : speed < 0.2 * fast ? low_speed : sliding] = true;
+        in[speed < policy::standing * fast ? stuck : speed < policy::slow * fast ? low_speed : sliding] = true;
         in[reversal] = since_reversal < after_reversal;
         in[positive] = moves(k) && v > 0, in[negative] = moves(k) && v < 0;
         in[high_acceleration] = accelerations[k] > hard;
-        in[saturated] = std::abs(command[k]) >= 0.999 * limit;
+        in[saturated] = std::abs(command[k]) >= policy::below_limit * limit;
         in[low_positions + static_cast<std::size_t>(around.travel.third(t.position[k]))] = true;
         in[light_load] = std::abs(carried()[k]) < heaviest / 3;
         in[heavy_load] = std::abs(carried()[k]) > 2 * heaviest / 3;

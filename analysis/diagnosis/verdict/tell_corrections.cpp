@@ -1,6 +1,6 @@
 #include "analysis/diagnosis/verdict/tell_corrections.h"
 
-#include "analysis/diagnosis/verdict/policy.h"
+#include "analysis/diagnosis/policy/policy.h"
 
 #include <algorithm>
 #include <cmath>

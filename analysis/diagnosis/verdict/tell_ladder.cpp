@@ -1,8 +1,8 @@
 #include "analysis/diagnosis/verdict/tell_ladder.h"
 
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/verdict/causes.h"
 #include "analysis/diagnosis/verdict/experiment.h"
-#include "analysis/diagnosis/verdict/policy.h"
 #include "analysis/diagnosis/verdict/tell_corrections.h"
 #include "analysis/diagnosis/verdict/withdraw.h"
 
@@ -176,7 +176,7 @@ std::vector<Cause> causes_of(const Prepared& p, const JudgedLadder& j)
     double all = 1;
     for (const double chance : j.chances) all *= chance;
     for (std::size_t i = 0; i < j.numbers.size(); ++i) all *= 1 - policy::doubt_of_noise;
-    Cause first = cause_of(p, j.winner, j.named ? all : believed_unnamed * all, j.corrections);
+    Cause first = cause_of(p, j.winner, j.named ? all : policy::believed_unnamed * all, j.corrections);
     const auto gain = [&](const FittedSet& set) {
         return 1 - std::sqrt(beyond_noise(set.all_left()) / std::max(1e-300, j.shares.base));
     };
@@ -196,7 +196,7 @@ std::vector<Cause> causes_of(const Prepared& p, const JudgedLadder& j)
         c.plausible = rival.plausible;
         c.heldout_gain = gain(rival);
         c.misfit = rival.misfit;
-        c.probability = (j.named ? 1 : believed_unnamed) * probability;
+        c.probability = (j.named ? 1 : policy::believed_unnamed) * probability;
         std::size_t i = 0;
         const auto si = in_si(rival.causes, rival.of_causes(rival.fit.x), p.scales);
         for (std::size_t n = 0; n < rival.causes.effects.size(); ++n)

@@ -2,8 +2,8 @@
 #include "analysis/diagnosis/verdict/verdict.h"
 
 #include "analysis/diagnosis/fit/moment.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/search/search.h"
-#include "analysis/diagnosis/verdict/policy.h"
 
 #include <algorithm>
 #include <array>
@@ -14,25 +14,7 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double margin = 0.02;  // of score: among causes this close the likelihood decides
-// From evidence to probabilities. Innovations of a true joint would be white, every row a reading of its own; so many
-// rows count as one, which the nine nearest ties in two draws of sealed cases bear out. Far above the floor margins are
-// model error, and grow with the best score itself.
-constexpr double rows_per_reading = 15, relative_temperature = 0.007;
-// A rival with one more parameter that gains nothing by it holds the winner as a special case. A true one would have
-// used its parameter: the odds against it, Schwarz's √n for a thousand independent readings.
-constexpr double needless_parameter = 30;
-// The chance that a cause is not the one although it is named, where what is left is noise and where it is not.
-constexpr double doubt_of_accepted = 0.015, doubt = 0.15;
 constexpr int runs = 3;
-
-/// Stick-slip amplifies what two integrators do differently, so slower levels get more room. Scores of misfit at which
-/// a cause still counts as found although a rest remains.
-constexpr double explained_single = 0.97, explained_pair = 0.985;
-/// Backlash leaves a little wherever its contact is not quite the simulated one: so little is no second effect.
-constexpr double explained_by_backlash = 0.99;
-/// A single that leaves so much counts where a second effect hardly helps it: what is left is then not the second.
-constexpr double explained_alone = 0.9;
 
 /// Two free functions of position, or of time, are a short Fourier series: together they come near any smooth force.
 bool flexible(const Attribution& a)
@@ -49,10 +31,9 @@ bool flexible(const Attribution& a)
 /// is none of the ones that can be simulated, so a rest remains of both.
 bool completes(const Attribution& pair, const Attribution& single)
 {
-    constexpr double most = 0.75, enough = 0.94;
     const bool holds = std::ranges::count(pair.candidate.effects, single.candidate.effects[0]) > 0;
-    return holds && two_mass_edit(single.candidate) && pair.explained > enough && !flexible(pair) &&
-           1 - pair.explained < (1 - most) * (1 - single.explained);
+    return holds && two_mass_edit(single.candidate) && pair.explained > policy::completed && !flexible(pair) &&
+           1 - pair.explained < (1 - policy::taken_by_partner) * (1 - single.explained);
 }
 
 /// Best score first. Of the leading ones that explain to within noise, within the margin, the likeliest: their scores
@@ -61,10 +42,10 @@ void put_likeliest_first(std::vector<Attribution>& ranked)
 {
     std::stable_sort(ranked.begin(), ranked.end(), better);
     const auto end = std::find_if(ranked.begin(), ranked.end(), [&](const auto& a) {
-        return !a.accepted || !a.refined || a.score > ranked[0].score + margin;
+        return !a.accepted || !a.refined || a.score > ranked[0].score + policy::margin_of_score;
     });
     const auto priced = [](const Attribution& a) {
-        return a.evidence + price_of_parameter * static_cast<double>(a.candidate.parameter_count());
+        return a.evidence + policy::price_of_parameter * static_cast<double>(a.candidate.parameter_count());
     };
     std::stable_sort(ranked.begin(), end, [&](const auto& a, const auto& b) { return priced(a) < priced(b); });
 }
@@ -104,9 +85,10 @@ double needless_parameters(const Attribution& winner, const Attribution& rival)
 /// Of a rival against the winner: the likelihood of their innovations over so many rows, less for needless parameters.
 double odds_against(const Attribution& winner, const Attribution& rival, double rows)
 {
-    const double width = std::max(2 * rows_per_reading / rows, relative_temperature * winner.score);
+    const double width = std::max(2 * policy::rows_per_reading / rows, policy::relative_temperature * winner.score);
     const double worse = rival.evidence - winner.evidence - by_chance(winner, rival);
-    return std::exp(-std::max(0.0, worse) / width) * std::pow(needless_parameter, -needless_parameters(winner, rival));
+    return std::exp(-std::max(0.0, worse) / width) *
+           std::pow(policy::needless_parameter, -needless_parameters(winner, rival));
 }
 
 }  // namespace
@@ -114,14 +96,14 @@ double odds_against(const Attribution& winner, const Attribution& rival, double 
 bool at_floor(const std::vector<Case>& cases, const Attribution& a, const Nominal& nominal, const Scales& scales,
               const ParallelFor& parallel)
 {
-    if (a.candidate.effects.empty() && (nominal.worst <= 1.06 || closed_loop_at_floor(cases, {}, {}, parallel)))
+    if (a.candidate.effects.empty() &&
+        (nominal.worst <= 1 + policy::slack_of_floor || closed_loop_at_floor(cases, {}, {}, parallel)))
         return true;
     const auto si = a.candidate.effects.empty() ? std::vector<double>{} : in_si(a.candidate, a.x[1], scales);
-    constexpr double mostly = 0.9;
-    if (!a.candidate.effects.empty() && a.explained > mostly && closed_loop_at_floor(cases, a.candidate, si, parallel))
+    if (!a.candidate.effects.empty() && a.explained > policy::mostly_explained &&
+        closed_loop_at_floor(cases, a.candidate, si, parallel))
         return true;
-    constexpr double hopeless = 3;  // no joint's own noise does this at the fastest level
-    if (worst_at(a, 0) > hopeless) return false;
+    if (worst_at(a, 0) > policy::hopeless) return false;
     return within(spread_of(cases, a.candidate, si, runs, parallel), a.evaluation, levels.size());
 }
 
@@ -140,14 +122,13 @@ double explained_beyond(const NoiseSpread& own, const Evaluation& middle, const 
 
 bool bends_only(const Candidate& candidate, const Eigen::VectorXd& x, const Scales& scales)
 {
-    constexpr double turn = 2.0 / 3;  // of a period: the wave has turned back
     const auto si = in_si(candidate, x, scales);
     for (std::size_t i = 0; i < si.size(); ++i) {
         const FrequencyGrid grid = candidate.parameter(i).grid;
         if (grid == FrequencyGrid::none) continue;
         const double seen = grid == FrequencyGrid::time ? si[i] * scales.duration
                                                         : si[i] / unit_of(candidate.parameter(i).scale, scales);
-        if (seen < turn * 2 * std::numbers::pi) return true;
+        if (seen < policy::turned_back * 2 * std::numbers::pi) return true;
     }
     return false;
 }
@@ -171,8 +152,7 @@ void confirm(const std::vector<Case>& cases, std::vector<Attribution>& ranked, c
             continue;
         }
         a.accepted = at_floor(cases, a, nominal, scales, parallel);
-        constexpr double most = 0.75;  // less is never named: the runs would be wasted
-        if (!a.accepted && a.explained > most)
+        if (!a.accepted && a.explained > policy::nameable)
             a.explained = explained_beyond(spread_of(cases, a.candidate, si, runs, parallel), a.evaluation[1], nominal);
     }
     put_likeliest_first(ranked);
@@ -192,19 +172,22 @@ Decision decide(const std::vector<Attribution>& singles, const std::vector<Attri
     if (single && best_single->accepted) {
         d.winner = best_single;
         from = &singles;
-    } else if (best_pair && (best_pair->accepted || (best_pair->explained > explained_pair && !flexible(*best_pair)) ||
-                             (best_single && completes(*best_pair, *best_single)))) {
+    } else if (best_pair &&
+               (best_pair->accepted || (best_pair->explained > policy::explained_pair && !flexible(*best_pair)) ||
+                (best_single && completes(*best_pair, *best_single)))) {
         // a second effect must earn its place: else the first alone is the answer with a rest
-        const bool all_but =
-            best_single && two_mass_edit(best_single->candidate) && best_single->explained > explained_by_backlash;
+        const bool all_but = best_single && two_mass_edit(best_single->candidate) &&
+                             best_single->explained > policy::explained_by_backlash;
         const double worth = best_pair->accepted && !all_but ? 0.06 : 0.15;
-        const bool alone = best_single &&
-                           best_single->explained > (best_pair->accepted ? explained_single : explained_alone) &&
-                           best_single->score < best_pair->score + worth;
+        const bool alone =
+            best_single &&
+            best_single->explained > (best_pair->accepted ? policy::explained_single : policy::explained_alone) &&
+            best_single->score < best_pair->score + worth;
         d.winner = alone ? best_single : best_pair;
         from = alone ? &singles : &pairs;
     } else if (best_single &&
-               best_single->explained > (two_mass_edit(best_single->candidate) ? 0.75 : explained_single)) {
+               best_single->explained >
+                   (two_mass_edit(best_single->candidate) ? policy::nameable : policy::explained_single)) {
         d.winner = best_single;
         from = &singles;
     }
@@ -241,10 +224,9 @@ std::vector<Ranked> rank(const std::vector<Attribution>& singles, const std::vec
                      [](const Ranked& a, const Ranked& b) { return a.probability > b.probability; });
     // what the best leaves unexplained is the chance that it is something else
     const double unexplained = std::clamp(1 - first.explained, 0.0, 1.0);
-    constexpr double unnamed = 0.9, most = 0.95;
-    const double else_ = !decision.named  ? unnamed
-                         : first.accepted ? doubt_of_accepted + 0.5 * unexplained
-                                          : std::min(most, doubt + unexplained);
+    const double else_ = !decision.named  ? 1 - policy::believed_unnamed
+                         : first.accepted ? policy::doubt_of_accepted + 0.5 * unexplained
+                                          : std::min(policy::most_doubt, policy::doubt + unexplained);
     for (auto& r : all) r.probability *= (1 - else_) / sum;
     return all;
 }
@@ -275,8 +257,10 @@ Quality quality_of(const std::vector<Case>& cases, const Attribution& a, const S
     for (Eigen::Index i = 0; i < n; ++i) {
         const auto& p = a.candidate.parameter(static_cast<std::size_t>(i));
         const double value = p.logarithmic ? std::exp(a.x[1][i]) : a.x[1][i];
-        const bool at_bound = value > p.high * (p.high > 0 ? 0.999 : 1.001) || (p.logarithmic && value < p.low * 1.001);
-        if (at_bound || (!p.logarithmic && p.prior > 0 && std::abs(value) > 10 * std::max(p.prior, 0.1)))
+        const bool at_bound = value > p.high * (p.high > 0 ? 1 - policy::beside_bound : 1 + policy::beside_bound) ||
+                              (p.logarithmic && value < p.low * (1 + policy::beside_bound));
+        if (at_bound || (!p.logarithmic && p.prior > 0 &&
+                         std::abs(value) > policy::implausible_size * std::max(p.prior, policy::least_prior)))
             q.plausible = false;
     }
     // the pattern that the effect takes out of the residual, against the residual itself, second by second
@@ -298,12 +282,12 @@ Quality quality_of(const std::vector<Case>& cases, const Attribution& a, const S
                 }
                 mm += m * m, rr += r * r, mr += m * r;
             }
-            if (mm < 4 * static_cast<double>(block)) continue;  // does not act here
+            if (mm < policy::acting_square * static_cast<double>(block)) continue;  // does not act here
             ++acts;
-            found += mr > 0.7 * std::sqrt(mm * rr);
+            found += mr > policy::signature_correlation * std::sqrt(mm * rr);
         }
     }
-    q.signature = acts > 0 ? 3 * found >= 2 * acts : a.explained > 0.9;
+    q.signature = acts > 0 ? 3 * found >= 2 * acts : a.explained > policy::mostly_explained;
     return q;
 }
 
@@ -325,8 +309,7 @@ bool could_have_shown(const std::vector<Case>& cases, const Scales& scales, cons
         for (const auto& m : evaluate(cases, all[i], si, levels.back()).records)
             shown[i] = std::max({shown[i], m.position, m.effort});
     });
-    constexpr double five_times_noise = 25;
-    return *std::max_element(shown.begin(), shown.end()) > five_times_noise;
+    return *std::max_element(shown.begin(), shown.end()) > policy::shown * policy::shown;
 }
 
 }  // namespace stickslip::gap

@@ -5,9 +5,6 @@
 
 namespace stickslip::gap {
 
-/// Believed at most of a cause that comes nearest and is not named.
-inline constexpr double believed_unnamed = 0.1;
-
 /// What was known of the named cause before it was simulated.
 struct Standing {
     /// Its predictions explain to within noise, the controller's audit found it, or a cross-validated comparison.

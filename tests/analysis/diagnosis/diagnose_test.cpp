@@ -1,8 +1,8 @@
 #include "analysis/diagnosis/diagnose.h"
 #include "analysis/diagnosis/audit/audit.h"
 #include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/verdict/locate.h"
-#include "analysis/diagnosis/verdict/policy.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "analysis/diagnosis/verdict/judge_ladder.h"
 #include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/verdict/experiment.h"
-#include "analysis/diagnosis/verdict/policy.h"
 #include "analysis/diagnosis/verdict/tell_ladder.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 

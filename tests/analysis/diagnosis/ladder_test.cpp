@@ -2,7 +2,7 @@
 #include "analysis/diagnosis/ladder/climb.h"
 #include "analysis/diagnosis/ladder/flexible.h"
 #include "analysis/diagnosis/ladder/plausible.h"
-#include "analysis/diagnosis/verdict/policy.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 
 #include <catch2/catch.hpp>

@@ -1,11 +1,21 @@
-// The numbers that a ladder of causes goes by. Their values, with reasons and evidence, stand in verdict/policy.h.
+// The numbers that a ladder of causes goes by. Their values, with reasons and evidence, stand in policy.h.
 #pragma once
-#include "analysis/diagnosis/fit/corrections.h"
-
+#include <cstddef>
 #include <span>
 #include <string_view>
 
 namespace stickslip::gap {
+
+/// Standard deviations of what a joint file says, as parts of each number.
+struct CorrectionPrior {
+    double inertia, coulomb, viscous;
+    double coulomb_of_record;  ///< from record to record
+    double load;               ///< of the Coulomb level
+    double gravity;            ///< of the documented amplitude
+    double least;              ///< of the usual effort: a number that is documented as less counts as that
+    double small_term;         ///< of the Coulomb level: ripple, cogging, asymmetry and drift that nobody documents
+    double widest;             ///< standard deviations at which the prior is cut off
+};
 
 /// What a physical range is counted in.
 enum class Per {

@@ -42,6 +42,17 @@ inline constexpr Range whole_positive{1, 1e9, false, false, true};
 
 enum class Need { required, optional };
 
+/// What a number is to those that move numbers of a joint about, whatever its path. Numbers of a friction law are `law`
+/// unless they say otherwise.
+enum class Role {
+    plain,
+    inertia,    ///< of a body of the mechanism
+    stiffness,  ///< of its transmission
+    speed,      ///< commanded velocity, or the rate of the force that stands for it
+    law,        ///< of a friction law: it may be off, and stability depends on it
+    label       ///< of a law, but only names a unit or a level: the linear theory does not read it
+};
+
 /// What is known of one numeric leaf. `help` is half a sentence; the unit follows from quantity and motion.
 struct Field {
     std::string_view key;
@@ -49,6 +60,7 @@ struct Field {
     Range range = any_finite;
     Need need = Need::optional;
     std::string_view help;
+    Role role = Role::plain;
 };
 
 /// A short list of numbers inside a parameter struct (the states of a law); plain data, no allocation.

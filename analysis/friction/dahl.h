@@ -49,7 +49,7 @@ struct Dahl {
         visit.number({"coulomb", Quantity::effort, positive, Need::required, "Coulomb friction"}, self.coulomb);
         visit.number({"sigma0", Quantity::stiffness, positive, Need::required, "bristle stiffness"}, self.sigma0);
         visit.number({"exponent", Quantity::number, Range{1, infinity, false, true}, Need::optional,
-                      "shape of the approach to the Coulomb level"},
+                      "shape of the approach to the Coulomb level", Role::label},
                      self.exponent);
     }
 };

@@ -114,9 +114,9 @@ struct Friction {
         visit.number({"normal_load", Quantity::number, positive, Need::optional,
                       "normal load per the one at which the numbers of the law hold; multiplies the friction"},
                      self.normal_load);
-        visit.number(
-            {"load_coefficient", Quantity::number, not_negative, Need::optional, "friction per transmitted effort"},
-            self.load_coefficient);
+        visit.number({"load_coefficient", Quantity::number, not_negative, Need::optional,
+                      "friction per transmitted effort", Role::law},
+                     self.load_coefficient);
         visit.table("ripple", "position dependence of the Coulomb level", self.ripple);
         visit.table("drift", "warm-up of the Coulomb level", self.drift);
         visit.table("bristle", "presliding stiffness under the law", self.bristle);

@@ -45,15 +45,17 @@ struct RateStateParameters {
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number({"f0", Quantity::effort, any_finite, Need::required, "friction at the reference velocity"},
-                     self.f0);
+        visit.number(
+            {"f0", Quantity::effort, any_finite, Need::required, "friction at the reference velocity", Role::label},
+            self.f0);
         visit.number({"A", Quantity::effort, positive, Need::required, "direct velocity effect"}, self.A);
         visit.numbers({"B", Quantity::effort, not_negative, Need::required, "evolution effect, one value a state"},
                       self.B);
         visit.numbers(
             {"L", Quantity::position, positive, Need::required, "characteristic slip distance, one value a state"},
             self.L);
-        visit.number({"V_star", Quantity::velocity, positive, Need::required, "reference velocity V*"}, self.V_star);
+        visit.number({"V_star", Quantity::velocity, positive, Need::required, "reference velocity V*", Role::label},
+                     self.V_star);
     }
 };
 

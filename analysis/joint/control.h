@@ -79,10 +79,11 @@ struct Control {
         else
             cascade_fields(self, visit);
         integral_fields(self, visit);
-        visit.number({"V0", Quantity::velocity, any_finite, Need::optional, "commanded velocity (maps need it)"},
-                     self.V0);
+        visit.number(
+            {"V0", Quantity::velocity, any_finite, Need::optional, "commanded velocity (maps need it)", Role::speed},
+            self.V0);
         visit.number({"force_rate", Quantity::effort_rate, any_finite, Need::optional,
-                      "force control: rate of the contact force, in place of V0"},
+                      "force control: rate of the contact force, in place of V0", Role::speed},
                      self.force_rate);
         visit.number({"contact_stiffness", Quantity::stiffness, not_negative, Need::optional,
                       "stiffness k_c between link and surroundings, beside k_p"},

@@ -19,7 +19,7 @@ struct Transmission {
     static void fields(Self& self, Visitor& visit)
     {
         visit.number({"stiffness", Quantity::stiffness, positive, Need::required,
-                      "stiffness at the joint side (lever: motor_transmission at the motor side)"},
+                      "stiffness at the joint side (lever: motor_transmission at the motor side)", Role::stiffness},
                      self.stiffness);
         visit.number(
             {"damping", Quantity::damping, not_negative, Need::optional, "damping, at the side of the stiffness"},
@@ -49,19 +49,22 @@ struct Mechanism {
         visit.choice("motion", "what the joint does; units follow", self.motion, motions);
         visit.choice("model", "lumped model of the paper", self.model, models);
         if (self.model == Model::single_mass) {
-            visit.number({"inertia", Quantity::inertia, positive, Need::required, "moving inertia m"}, self.inertia);
+            visit.number({"inertia", Quantity::inertia, positive, Need::required, "moving inertia m", Role::inertia},
+                         self.inertia);
             return;
         }
-        visit.number({"motor_inertia", Quantity::inertia, positive, Need::required, "motor inertia at the motor side"},
+        visit.number({"motor_inertia", Quantity::inertia, positive, Need::required, "motor inertia at the motor side",
+                      Role::inertia},
                      self.motor_inertia);
-        visit.number({"link_inertia", Quantity::inertia, positive, Need::required, "link inertia"}, self.link_inertia);
+        visit.number({"link_inertia", Quantity::inertia, positive, Need::required, "link inertia", Role::inertia},
+                     self.link_inertia);
         if (self.model == Model::two_mass) {
             visit.table("transmission", "between motor and link", self.transmission);
             return;
         }
         const bool lever = self.model == Model::lever;
         visit.number({"transmission_inertia", lever ? Quantity::rotary_inertia : Quantity::inertia, positive,
-                      Need::required, "transmission inertia (lever: J_tr about its pivot)"},
+                      Need::required, "transmission inertia (lever: J_tr about its pivot)", Role::inertia},
                      self.transmission_inertia);
         if (lever)
             visit.number({"lever_arm", Quantity::length, positive, Need::required, "joint-side lever arm d"},

@@ -36,6 +36,7 @@ struct LeafCollector {
     };  // a flag, choice or text
 
     std::string prefix;
+    bool in_law = false;  ///< in the numbers of a law itself or in a row of its lists, not in a term or curve below it
     std::vector<Parameter> numbers_;
     std::vector<Other> others;
     std::vector<Problem> problems;
@@ -46,16 +47,17 @@ struct LeafCollector {
         return prefix.empty() ? std::string(key) : prefix + "." + std::string(key);
     }
 
+    Role role_of(const Field& f) const { return f.role == Role::plain && in_law ? Role::law : f.role; }
     void number(const Field& f, double& value)
     {
-        numbers_.push_back({path(f.key), f.quantity, f.range, f.need, std::string(f.help), &value});
+        numbers_.push_back({path(f.key), f.quantity, f.range, f.need, std::string(f.help), &value, role_of(f)});
     }
     void numbers(const Field& f, NumberList& list)
     {
         if (list.size == 0 && f.need == Need::required) problems.push_back({path(f.key), "is missing"});
         for (int i = 0; i < list.size; ++i) {
             const std::string name = list.size == 1 ? path(f.key) : path(f.key) + "." + std::to_string(i);
-            numbers_.push_back({name, f.quantity, f.range, f.need, std::string(f.help), &list[i]});
+            numbers_.push_back({name, f.quantity, f.range, f.need, std::string(f.help), &list[i], role_of(f)});
         }
         others.push_back({path(f.key) + ".size", std::to_string(list.size)});
     }
@@ -85,21 +87,29 @@ struct LeafCollector {
     template <class Struct>
     void table(std::string_view key, std::string_view, Struct& s)
     {
-        const std::string outer = prefix;
-        prefix = path(key);
-        Struct::fields(s, *this);
-        if (auto text = problem_of(s); !text.empty()) problems.push_back({prefix, text});
-        prefix = outer;
+        below(key, s, false);
     }
     template <class Struct, int capacity>
-    void rows(std::string_view key, std::string_view help, ShortList<Struct, capacity>& list)
+    void rows(std::string_view key, std::string_view, ShortList<Struct, capacity>& list)
     {
         others.push_back({path(key) + ".size", std::to_string(list.size)});
-        for (int i = 0; i < list.size; ++i) table(std::string(key) + "." + std::to_string(i), help, list[i]);
+        for (int i = 0; i < list.size; ++i) below(std::string(key) + "." + std::to_string(i), list[i], in_law);
+    }
+    template <class Struct>
+    void below(std::string_view key, Struct& s, bool of_law)
+    {
+        const std::string outer = prefix;
+        const bool was_in_law = in_law;
+        prefix = path(key), in_law = of_law;
+        Struct::fields(s, *this);
+        if (auto text = problem_of(s); !text.empty()) problems.push_back({prefix, text});
+        prefix = outer, in_law = was_in_law;
     }
     template <class Law>
     void law(Law& law)
     {
+        const bool was_in_law = in_law;
+        in_law = true;
         others.push_back({path("law"), std::string(std::visit([](auto& l) { return l.info.name; }, law))});
         std::visit(
             [this](auto& l) {
@@ -107,6 +117,7 @@ struct LeafCollector {
                 if (auto text = problem_of(l); !text.empty()) problems.push_back({prefix, text});
             },
             law);
+        in_law = was_in_law;
     }
 };
 

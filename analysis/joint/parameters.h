@@ -16,6 +16,7 @@ struct Parameter {
     Need need = Need::optional;
     std::string help;
     double* value = nullptr;  ///< into the joint that was walked
+    Role role = Role::plain;
 };
 
 /// Every numeric leaf of the joint in file order, pointing into it (model and laws decide which leaves there are).

@@ -4,35 +4,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <stdexcept>
-#include <string_view>
 
 namespace stickslip {
 namespace {
 
-/// Numbers that only name a unit or a level: the linear theory does not read them.
-bool idle(const std::string& path)
+/// The numbers of a role that the linear theory reads and that are there: friction, stiffness, inertia, speed.
+std::vector<Coordinate> of_roles(Joint joint, std::initializer_list<Role> roles)
 {
-    for (const char* name : {".f0", ".V_star", ".temperature", ".exponent", "average"})
-        if (path.ends_with(name)) return true;
-    return false;
-}
-
-/// A number of a law itself, "friction.L" or "friction.motor.B.0", not of a term beside the law such as a ripple. The
-/// normal load is a factor of all of them, which move by themselves.
-bool is_law(std::string_view path)
-{
-    if (!path.starts_with("friction.") || path.ends_with(".normal_load")) return false;
-    path.remove_prefix(std::string_view("friction.").size());
-    for (const std::string_view body : {"motor.", "transmission.", "link."})
-        if (path.starts_with(body)) path.remove_prefix(body.size());
-    const auto dot = path.find('.');
-    return dot == path.npos || (dot + 1 < path.size() && path[dot + 1] >= '0' && path[dot + 1] <= '9');
-}
-
-bool is_friction(const Coordinate& c)
-{
-    return c.path.starts_with("friction");
+    std::vector<Coordinate> found;
+    for (const auto& leaf : parameters(joint)) {
+        if (std::find(roles.begin(), roles.end(), leaf.role) == roles.end()) continue;
+        if (!(*leaf.value > 0) || !std::isfinite(*leaf.value)) continue;
+        found.push_back({leaf.path, ""});
+    }
+    // with one state, B matters by what it exceeds A by
+    const double* A = find_parameter(joint, "friction.A");
+    const double* B = find_parameter(joint, "friction.B");
+    for (auto& c : found)
+        if (A && B && find_parameter(joint, c.path) == B && *B > *A) c = {"friction.B", "friction.A"};
+    return found;
 }
 
 }  // namespace
@@ -75,32 +67,14 @@ Joint moved(const Joint& joint, const std::vector<Coordinate>& coordinates, cons
     return MovableJoint(joint, coordinates).at(q);
 }
 
-std::vector<Coordinate> natural_coordinates(const Joint& given)
+std::vector<Coordinate> natural_coordinates(const Joint& joint)
 {
-    Joint joint = given;
-    std::vector<Coordinate> found;
-    for (const auto& leaf : parameters(joint)) {
-        const auto& path = leaf.path;
-        const bool stiffness = path.starts_with("joint.") && path.ends_with("stiffness");
-        const bool inertia = path.starts_with("joint.") && path.ends_with("inertia");
-        const bool velocity = path == "control.V0" || path == "control.force_rate";
-        if (!(is_law(path) || stiffness || inertia || velocity) || idle(path)) continue;
-        if (!(*leaf.value > 0) || !std::isfinite(*leaf.value)) continue;
-        found.push_back({path, ""});
-    }
-    // with one state, B matters by what it exceeds A by
-    const double* A = find_parameter(joint, "friction.A");
-    const double* B = find_parameter(joint, "friction.B");
-    for (auto& c : found)
-        if (A && B && find_parameter(joint, c.path) == B && *B > *A) c = {"friction.B", "friction.A"};
-    return found;
+    return of_roles(joint, {Role::law, Role::stiffness, Role::inertia, Role::speed});
 }
 
 std::vector<Coordinate> friction_coordinates(const Joint& joint)
 {
-    auto found = natural_coordinates(joint);
-    std::erase_if(found, [](const Coordinate& c) { return !is_friction(c); });
-    return found;
+    return of_roles(joint, {Role::law});
 }
 
 }  // namespace stickslip

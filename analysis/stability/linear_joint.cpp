@@ -142,7 +142,7 @@ void load_by_effort(LinearJoint& linear, const Joint& joint, const Chain& chain,
         double per_effort = chain.body[i].friction->load_coefficient;
         if (i == linear.link() && joint.normal.from_load != 0)
             per_effort += joint.normal.from_load * friction_per_load(joint, V);
-        const bool along = effort[static_cast<std::size_t>(spring_of(i) + 1)] * V > 0;
+        const bool along = effort[static_cast<std::size_t>(spring_of(i)) + 1] * V > 0;
         linear.carried[i] = along ? per_effort : -per_effort;
     }
 }

@@ -73,7 +73,8 @@ Drawn draw(const StabilityPanels& p, const std::string& description, const Fonts
     for (std::size_t i = 0; i < p.panels.size(); ++i) {
         const auto& panel = p.panels[i];
         const double left = all.left + static_cast<double>(i % columns) * (width + gap);
-        const double above = all.top + static_cast<double>(i / columns) * (title_height + height + row_gap);
+        const auto row = i / columns;
+        const double above = all.top + static_cast<double>(row) * (title_height + height + row_gap);
         const Frame frame{{left, above + title_height, width, height}, x_axis, y_axis};
         bodies.push_back({p.x, p.y, panel.abscissa, panel.region, panel.curves});
         draw_body(canvas, frame, bodies.back(), scale, p.title);

@@ -217,7 +217,7 @@ TEST_CASE("an encoder on the motor turns as many times farther as the reduction 
     CHECK_THAT(run.output, !Contains("suspected"));
 }
 
-TEST_CASE("line ends, separators, marks and remarks do not change the answer", "[program][diagnose]")
+TEST_CASE("line ends, separators, marks and remarks do not change the answer", "[program][diagnose][slow]")
 {
     const auto replaced = [](std::string text, const std::string& a, const std::string& b) {
         for (std::size_t i = 0; (i = text.find(a, i)) != std::string::npos; i += b.size()) text.replace(i, a.size(), b);
@@ -330,7 +330,7 @@ TEST_CASE("a table of outcomes is diagnosed alone, and too few rows are said to 
     CHECK_THAT(both.output, Contains("is diagnosed alone"));
 }
 
-TEST_CASE("a person at a terminal sees what a diagnosis is busy with, a pipe does not", "[program][diagnose]")
+TEST_CASE("a person at a terminal sees what a diagnosis is busy with, a pipe does not", "[program][diagnose][slow]")
 {
     if (program::shell("command -v script >/dev/null").exit_code != 0) {
         WARN("skipped: script is not installed here");

@@ -26,7 +26,7 @@ std::set<std::string> example_specs()
 
 }  // namespace
 
-TEST_CASE("every example runs and says what it said", "[program][examples]")
+TEST_CASE("every example runs and says what it said", "[program][examples][slow]")
 {
     const auto specs = example_specs();
     REQUIRE(specs.size() >= 4);

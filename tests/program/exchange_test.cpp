@@ -7,7 +7,7 @@
 using program::shell;
 using program::stickslip;
 
-TEST_CASE("a new file of every model and law runs")
+TEST_CASE("a new file of every model and law runs", "[slow]")
 {
     const TemporaryDirectory room;
     const std::string file = (room / "joint.toml").string(), spec = (room / "spec.toml").string();

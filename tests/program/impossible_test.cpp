@@ -61,7 +61,7 @@ TEST_CASE("points without a verdict are not counted to either side", "[program][
     CHECK_THAT(run.output, !Contains("throughout"));
 }
 
-TEST_CASE("demands that no gains meet are answered with what could be", "[program][impossible]")
+TEST_CASE("demands that no gains meet are answered with what could be", "[program][impossible][slow]")
 {
     const auto margin = stickslip(design + "--require margin=60");
     INFO(margin.output);

@@ -76,7 +76,7 @@ void check_page(const std::string& page, const std::string& harmless)
 
 }  // namespace
 
-TEST_CASE("titles and file names inject nothing into pages and leave their folder nowhere", "[program]")
+TEST_CASE("titles and file names inject nothing into pages and leave their folder nowhere", "[program][slow]")
 {
     Folder harmless;
     const auto plain = harmless.write("spec.toml", "title = \"plain\"\n# plain\n" + joint + axes);

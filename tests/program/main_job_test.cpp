@@ -95,7 +95,7 @@ TEST_CASE("the shipped baseline holds, and a changed joint is caught", "[program
     CHECK(stickslip("check '" + spec + "' '" + (folder / "nothing.json") + "'").exit_code == 2);
 }
 
-TEST_CASE("the page can be drawn again from the results alone", "[program]")
+TEST_CASE("the page can be drawn again from the results alone", "[program][slow]")
 {
     Folder folder;
     // The default sweep: its first page once had two labels shifted by what was drawn before them.

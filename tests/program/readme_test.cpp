@@ -59,7 +59,7 @@ std::string redirected(const std::string& arguments, const program::Folder& fold
 
 }  // namespace
 
-TEST_CASE("every command of the README runs and says what it said", "[program]")
+TEST_CASE("every command of the README runs and says what it said", "[program][slow]")
 {
     int ran = 0;
     for (const auto& command : shown_commands(program::read(std::string(SOURCE_ROOT) + "/README.md"))) {

@@ -58,7 +58,7 @@ TEST_CASE("two sweeps are compared: boundaries, regions, numbers", "[program]")
     CHECK_THAT(same.output, Contains("Nothing changed"));
 }
 
-TEST_CASE("charts of two sweeps that are cut at different values name both", "[program]")
+TEST_CASE("charts of two sweeps that are cut at different values name both", "[program][slow]")
 {
     Folder folder;
     for (const std::string k_v : {"200", "400"}) {

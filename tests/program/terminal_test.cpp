@@ -22,7 +22,7 @@ constexpr const char* coloured = "\033[3";
 
 }  // namespace
 
-TEST_CASE("a terminal gets progress with a rate, and colours unless they are unwanted", "[program]")
+TEST_CASE("a terminal gets progress with a rate, and colours unless they are unwanted", "[program][slow]")
 {
     if (shell("command -v script >/dev/null").exit_code != 0) {
         WARN("skipped: script is not installed here");

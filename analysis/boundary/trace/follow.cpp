@@ -48,7 +48,10 @@ class Guard {
     }
 
   private:
-    std::size_t at(int i, int j) const { return static_cast<std::size_t>(j * (cells_ + 1) + i); }
+    std::size_t at(int i, int j) const
+    {
+        return static_cast<std::size_t>(j) * (static_cast<std::size_t>(cells_) + 1) + static_cast<std::size_t>(i);
+    }
     bool differ(std::size_t a, std::size_t b) const
     {
         return !std::isnan(values_[a]) && !std::isnan(values_[b]) && (values_[a] < 0) != (values_[b] < 0);

@@ -82,7 +82,7 @@ class Predictions {
         Plant plant = edited_plant(c.joint, candidate_, place.si, c.number);
         plant.step_factor = c.step_factor;
         const auto command = command_of(c, plant);
-        all_.push_back({std::move(plant), &c.ticks, command, place.omega, &innovations_.emplace_back(),
+        all_.push_back({plant, &c.ticks, command, place.omega, &innovations_.emplace_back(),
                         c.effort_sigma > 0 ? Wanted::effort : Wanted::position});
     }
     /// Whether a place needs this record anew.

@@ -181,7 +181,7 @@ std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, 
     if (!t.has_reference) return predicted_squares(c, joint, inside);
     const Plant plant = flatten(joint);
     std::vector<Trace> traces;
-    for (int r = 0; r < runs; ++r) traces.push_back(closed_loop(plant, t, static_cast<std::uint64_t>(1 + r)));
+    for (int r = 0; r < runs; ++r) traces.push_back(closed_loop(plant, t, 1 + static_cast<std::uint64_t>(r)));
     std::vector<SignalSquares> squares;
     const auto add = [&](const char* name, std::string unit, const std::vector<double>& measured,
                          std::vector<double> Trace::*column, double factor = 1) {

@@ -46,7 +46,7 @@ std::vector<bool> at_yield(const SampledLoop& loop)
     for (int body = 0; body < joint.bodies(); ++body)
         for (int k = 0; k < joint.states(body); ++k) {
             const auto row = J.begin() + static_cast<std::ptrdiff_t>(size) * (joint.first_state(body) + k);
-            held[static_cast<std::size_t>(joint.first_state(body) + k)] =
+            held[static_cast<std::size_t>(joint.first_state(body)) + static_cast<std::size_t>(k)] =
                 std::all_of(row, row + static_cast<std::ptrdiff_t>(size), [](double x) { return x == 0; });
         }
     return held;

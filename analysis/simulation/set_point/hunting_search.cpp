@@ -103,7 +103,7 @@ SetPoint hunting_by_events(const StopToStop& motion, double natural, double dead
 SetPoint hunting_without_integral(const StopToStop& motion, double band)
 {
     constexpr double far_away = 100, same = 1e-9;
-    constexpr int most = 10'000;
+    constexpr int most = 10'000;  // slips: a motion that neither settles nor stops within them is left undecided
     SetPoint s;
     s.method = SetPointMethod::event_driven;
     s.searched_from = band, s.searched_to = far_away * band;

@@ -10,9 +10,9 @@ namespace stickslip {
 namespace {
 
 constexpr double rtol = 1e-10;
-constexpr int most_steps = 200'000, most_turns = 10'000;
-constexpr double far = 1e4;        ///< times the start: no loop that settles goes there
-constexpr double nothing = 1e-10;  ///< share of the start and of the speed that counts as none
+constexpr int most_steps = 200'000, most_turns = 10'000;  ///< of one motion: beyond them it is left undecided
+constexpr double far = 1e4;                               ///< times the start: no loop that settles goes there
+constexpr double nothing = 1e-10;                         ///< share of the start and of the speed that counts as none
 constexpr double long_time = 1e3;  ///< times the slowest time constant: whatever creeps has arrived by then
 
 double slowest_time(const Regulator& r, double viscous)

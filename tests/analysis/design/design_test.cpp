@@ -158,7 +158,7 @@ TEST_CASE("a front holds no choice that another one beats in both", "[design]")
     }
 }
 
-TEST_CASE("a design under a sampled loop holds in that loop, and no gains of a grid beat it", "[design]")
+TEST_CASE("a design under a sampled loop holds in that loop, and no gains of a grid beat it", "[design][slow]")
 {
     Joint joint = example_joint(9e4, 10, 1e-3);
     joint.control.period = 1e-3;

@@ -176,7 +176,8 @@ TEST_CASE("more friction is named, sized and halves nothing but the gap; the ord
     CHECK(again.diagnosis.overall.after == d.overall.after);
 }
 
-TEST_CASE("an interrupted diagnosis says what was not looked at, keeps what was fitted and names nothing", "[gap]")
+TEST_CASE("an interrupted diagnosis says what was not looked at, keeps what was fitted and names nothing",
+          "[gap][slow]")
 {
     Machine m;
     m.coulomb = 9;
@@ -316,7 +317,7 @@ TEST_CASE("an inertia that changes on the way is no document that is off", "[gap
     CHECK(std::ranges::any_of(d.reasons, [](const Note& note) { return note.signal == "inertia"; }));
 }
 
-TEST_CASE("a limit of the integral that no document tells is found without a logged command", "[gap]")
+TEST_CASE("a limit of the integral that no document tells is found without a logged command", "[gap][slow]")
 {
     Machine m;
     m.k_i = 3 * m.k_p;
@@ -334,7 +335,7 @@ TEST_CASE("a limit of the integral that no document tells is found without a log
     CHECK(d.effects[0].parameters[0].value == Approx(m.integral_limit).epsilon(0.02));
 }
 
-TEST_CASE("a dead zone that no document tells is found without a logged command, with its size", "[gap]")
+TEST_CASE("a dead zone that no document tells is found without a logged command, with its size", "[gap][slow]")
 {
     Machine m;
     m.dead_zone = 8e-4;

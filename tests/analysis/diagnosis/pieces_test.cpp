@@ -92,7 +92,7 @@ TEST_CASE("a hole in time parts a record, and what comes after it starts as it m
     CHECK(prepare(parts[0], test::nominal_joint(), notes).ticks.at_rest);
 }
 
-TEST_CASE("what the controller had filtered before a hole is no gap of the command", "[gap]")
+TEST_CASE("what the controller had filtered before a hole is no gap of the command", "[gap][slow]")
 {
     const auto d = answer(chosen(heavier(), [](std::size_t k) { return k < 3000 || k >= 3700; }));
     REQUIRE(d.signals.size() == 2);

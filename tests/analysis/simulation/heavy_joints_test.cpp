@@ -69,7 +69,7 @@ TEST_CASE("the cycle of a heavy mass is the one in which friction does no work",
         }
 }
 
-TEST_CASE("above the boundary of a supercritical joint everything decays, however slowly", "[nonlinear]")
+TEST_CASE("above the boundary of a supercritical joint everything decays, however slowly", "[nonlinear][slow]")
 {
     for (const double V0 : {1.0, 0.1, 1e-2, 1e-5})
         for (const double excess : {1e-6, 1e-3}) {
@@ -80,7 +80,7 @@ TEST_CASE("above the boundary of a supercritical joint everything decays, howeve
         }
 }
 
-TEST_CASE("a growth rate is right to 1e-5 or not given", "[nonlinear]")
+TEST_CASE("a growth rate is right to 1e-5 or not given", "[nonlinear][slow]")
 {
     int given = 0;
     for (const double V0 : {1.0, 0.1, 1e-2, 1e-3, 1e-4, 1e-5})

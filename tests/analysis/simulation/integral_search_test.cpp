@@ -7,7 +7,7 @@
 
 using namespace stickslip;
 
-TEST_CASE("stable loops that integrate are followed from large disturbances to their end", "[sampled][integral]")
+TEST_CASE("stable loops that integrate are followed from large disturbances to their end", "[sampled][integral][slow]")
 {
     struct Loop {
         double k_i, k_p;
@@ -22,7 +22,7 @@ TEST_CASE("stable loops that integrate are followed from large disturbances to t
     }
 }
 
-TEST_CASE("the slow mode of an integral is found beside what steady sliding holds", "[sampled][integral]")
+TEST_CASE("the slow mode of an integral is found beside what steady sliding holds", "[sampled][integral][slow]")
 {
     // −k_i/k_p to first order: a thousandth of a tick's digits, which drowned in an integral of 60 N/k_i
     for (const double k_i : {1e3, 1e4, -1e3, -1e4}) {

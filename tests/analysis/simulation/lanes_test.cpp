@@ -165,7 +165,7 @@ TEST_CASE("lanes against CVODE at rtol 1e-11: random joints", "[lanes]")
     check_against_cvode(random_stribeck_joints(60, 24), true, 0.7);
 }
 
-TEST_CASE("lanes against CVODE at rtol 1e-11: disturbances of stated kind and size", "[lanes]")
+TEST_CASE("lanes against CVODE at rtol 1e-11: disturbances of stated kind and size", "[lanes][slow]")
 {
     // two joints beside each other's fold (PHYSICS of the bistable strip), so that both ends of a disturbance are met
     std::vector<Joint> strip;

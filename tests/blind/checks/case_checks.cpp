@@ -19,7 +19,7 @@ TEST_CASE("the catalogue is the one of the interface", "[blind]")
         CHECK(std::count(names.begin(), names.end(), name) == 1);
 }
 
-TEST_CASE("the same seed makes the same case, another seed another one", "[blind]")
+TEST_CASE("the same seed makes the same case, another seed another one", "[blind][slow]")
 {
     const Wish wish{.kind = "single", .effect = "viscous"};
     const auto a = make_case(wish, 42, 0), b = make_case(wish, 42, 0), c = make_case(wish, 43, 0);
@@ -31,7 +31,7 @@ TEST_CASE("the same seed makes the same case, another seed another one", "[blind
 }
 
 TEST_CASE("a case without an effect is at its floor, one with an effect is not, and its truth closes the gap",
-          "[blind]")
+          "[blind][slow]")
 {
     const auto none = make_case({.kind = "none"}, 7, 1);
     CHECK(none.verdict == "no-gap");
@@ -59,7 +59,7 @@ TEST_CASE("a dirty case without an effect tells that its friction is uneven, whi
     }));
 }
 
-TEST_CASE("the joint of a case is its nominal, never its truth", "[blind]")
+TEST_CASE("the joint of a case is its nominal, never its truth", "[blind][slow]")
 {
     for (const char* effect : {"inertia", "compliance", "gain-k_p"}) {
         const auto c = make_case({.kind = "single", .effect = effect}, 19, 0);
@@ -70,7 +70,7 @@ TEST_CASE("the joint of a case is its nominal, never its truth", "[blind]")
     }
 }
 
-TEST_CASE("both effects of a pair matter", "[blind]")
+TEST_CASE("both effects of a pair matter", "[blind][slow]")
 {
     const auto c = make_case({.kind = "pair"}, 3, 0);
     REQUIRE(c.effects.size() == 2);

@@ -74,8 +74,8 @@ std::vector<double> read_pose(const Robot& robot, const std::filesystem::path& f
     files::Complaints complaints(file.string());
     const auto names = movable(robot);
     for (const auto& [name, node] : files::in_file_order(table)) {
-        const auto found =
-            std::find_if(robot.joints.begin(), robot.joints.end(), [&](const RobotJoint& j) { return j.name == name; });
+        const auto found = std::find_if(robot.joints.begin(), robot.joints.end(),
+                                        [&wanted = name](const RobotJoint& j) { return j.name == wanted; });
         if (found == robot.joints.end() || found->kind == RobotJointKind::fixed) {
             complaints.add(
                 node->source(), name,

@@ -89,7 +89,7 @@ void check_inertia(const XmlFile& file, const pugi::xml_node& node, double mass,
 {
     if (mass < 0) file.fail(node, "has a mass of " + number_text(mass) + ", expected a number ≥ 0");
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(inertia, Eigen::EigenvaluesOnly);
-    const Eigen::Vector3d moments = principal.eigenvalues();  // ascending
+    const Eigen::Vector3d& moments = principal.eigenvalues();  // ascending
     if (moments[0] < -1e-9 * std::abs(moments[2]))
         file.fail(node, "has a principal inertia of " + number_text(moments[0]) + ", expected numbers ≥ 0");
 }

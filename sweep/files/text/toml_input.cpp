@@ -3,6 +3,7 @@
 #include "sweep/files/text/bad_input.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <fstream>
 #include <iostream>

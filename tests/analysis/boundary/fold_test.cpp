@@ -178,7 +178,7 @@ TEST_CASE("the last cycle of kinetic and static friction grazes rest where its c
     CHECK(along_k_p.points[0].value == Approx(4084.6408394).epsilon(1e-4));
 }
 
-TEST_CASE("the fold of kinetic and static friction is followed over a chart", "[boundary][fold]")
+TEST_CASE("the fold of kinetic and static friction is followed over a chart", "[boundary][fold][slow]")
 {
     auto request = folds();
     request.following.guard = 4;
@@ -195,7 +195,7 @@ TEST_CASE("the fold of kinetic and static friction is followed over a chart", "[
     }
 }
 
-TEST_CASE("the fold of a sampled loop is its own, not that of the ideal one", "[boundary][fold][loop]")
+TEST_CASE("the fold of a sampled loop is its own, not that of the ideal one", "[boundary][fold][loop][slow]")
 {
     // the paper's loop: 24 848.67 N/m; the linear boundary of this one: 32 220 N/m
     Joint joint = example_joint(2.2e4, 47.5, 1e-2);

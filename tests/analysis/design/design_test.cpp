@@ -78,7 +78,7 @@ TEST_CASE("effort noise of a differenced and filtered position is the sum over i
     CHECK(effort_noise(j, n) == Approx(std::hypot(2e4 * 1e-6, 70 * 2e-4 * std::sqrt(a / (2 - a)))).epsilon(1e-5));
 }
 
-TEST_CASE("a quiet velocity and a noisy position choose velocity feedback, and the other way round", "[design]")
+TEST_CASE("a quiet velocity and a noisy position choose velocity feedback, and the other way round", "[design][slow]")
 {
     const Joint joint = example_joint(6e4, 10, 1e-3);
     auto r = noisy();
@@ -142,7 +142,7 @@ TEST_CASE("a demand that cannot be met is named with what could be", "[design]")
     CHECK(d.demands[0].attainable == Approx(std::log(0.1 / 3e-6 / 5e4) / std::sqrt(2.0)).margin(2e-2));
 }
 
-TEST_CASE("a front holds no choice that another one beats in both", "[design]")
+TEST_CASE("a front holds no choice that another one beats in both", "[design][slow]")
 {
     auto r = noisy();
     r.noise.position = 2e-7, r.noise.period = 1e-3, r.noise.filter = 2e-3;
@@ -209,7 +209,7 @@ TEST_CASE("a margin beyond a factor of ten is looked for as far as it is demande
     CHECK(d.margin_reach > 4);
 }
 
-TEST_CASE("noise beyond all numbers is answered at once, as no feasible design", "[design]")
+TEST_CASE("noise beyond all numbers is answered at once, as no feasible design", "[design][slow]")
 {
     auto r = noisy(1e300);
     const auto d = design_gains(example_joint(6e4, 10, 1e-3), r, one_by_one);

@@ -183,7 +183,7 @@ TEST_CASE("where nothing damps the amplitudes of kinetic and static friction are
         if (is_set(table.rows[i].amplitude)) CHECK(fit.amplitude[i] == Approx(table.rows[i].amplitude).epsilon(2e-3));
 }
 
-TEST_CASE("a boundary that friction without memory makes is not called memory", "[gap][outcomes]")
+TEST_CASE("a boundary that friction without memory makes is not called memory", "[gap][outcomes][slow]")
 {
     OutcomeTable table{"rows.csv", {"control.k_p", "control.k_v", "control.V0"}, {}};
     for (double k_p : {8e3, 4e4, 2e5})
@@ -199,7 +199,7 @@ TEST_CASE("a boundary that friction without memory makes is not called memory", 
     CHECK(answer.diagnosis.ambiguous_with.empty());
 }
 
-TEST_CASE("rows that contradict each other are said to, with their lines", "[gap][outcomes]")
+TEST_CASE("rows that contradict each other are said to, with their lines", "[gap][outcomes][slow]")
 {
     auto table = memory_table();
     const auto rows = table.rows.size();
@@ -218,7 +218,7 @@ TEST_CASE("rows that contradict each other are said to, with their lines", "[gap
     CHECK(answer.diagnosis.notes.at(1).values == std::vector<double>{2, 100});
 }
 
-TEST_CASE("rows that go by no law leave every law improbable", "[gap][outcomes]")
+TEST_CASE("rows that go by no law leave every law improbable", "[gap][outcomes][slow]")
 {
     // where a stiffer loop sticks again and again: no friction law does that
     const auto table = table_by([](double k_p, double, double) { return k_p == 8e3 || k_p == 4e4 || k_p == 1e5; });

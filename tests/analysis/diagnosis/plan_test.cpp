@@ -63,7 +63,7 @@ TEST_CASE("the least constant load that shows is the one whose surprise is five 
     CHECK(least_of(power, "gain-k_p") == Approx(0.004));
 }
 
-TEST_CASE("twice the noise doubles the least size of every effect that is linear in it", "[gap][plan]")
+TEST_CASE("twice the noise doubles the least size of every effect that is linear in it", "[gap][plan][slow]")
 {
     const auto least = [](double noise) {
         Joint j = servo(3, 5);
@@ -77,7 +77,8 @@ TEST_CASE("twice the noise doubles the least size of every effect that is linear
     }
 }
 
-TEST_CASE("a motion in one direction cannot tell a load from the Coulomb level, one to and fro can", "[gap][plan]")
+TEST_CASE("a motion in one direction cannot tell a load from the Coulomb level, one to and fro can",
+          "[gap][plan][slow]")
 {
     const auto one_way = power_of(servo(3, 5), motion_of(6, [](double t) { return 0.02 * t; }), in_order);
     CHECK(inseparable(one_way, "constant-load", "coulomb-level"));

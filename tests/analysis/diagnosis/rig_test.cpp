@@ -97,7 +97,7 @@ TEST_CASE("a velocity step of a rig with memory is named, with its numbers, and 
     CHECK(d.next_experiment.time.size() == d.next_experiment.reference.size());
 }
 
-TEST_CASE("a rig whose friction follows the speed at once has no memory", "[gap]")
+TEST_CASE("a rig whose friction follows the speed at once has no memory", "[gap][slow]")
 {
     const auto follows = [](double t) { return t < step_at ? 0.0 : 0.01; };
     const auto d = diagnose_rig({}, velocity_step(follows, 8e-4), in_order).diagnosis;
@@ -105,7 +105,7 @@ TEST_CASE("a rig whose friction follows the speed at once has no memory", "[gap]
     CHECK(d.effects.at(0).names != std::vector<std::string>{"frictional-memory"});
 }
 
-TEST_CASE("a rig with a constant friction has no gap", "[gap]")
+TEST_CASE("a rig with a constant friction has no gap", "[gap][slow]")
 {
     const auto d = diagnose_rig({}, velocity_step([](double) { return 0.0; }, 8e-4), in_order).diagnosis;
     CHECK(d.verdict == Verdict::no_gap);
@@ -124,7 +124,7 @@ TEST_CASE("a gouge that strengthens with memory is named with a negative B and a
     CHECK(number(d.effects[0], "frictional-memory.L") == Approx(distance).epsilon(0.4));
 }
 
-TEST_CASE("a friction that rises with the logarithm of speed at once is viscous, no Stribeck curve", "[gap]")
+TEST_CASE("a friction that rises with the logarithm of speed at once is viscous, no Stribeck curve", "[gap][slow]")
 {
     const auto rises = [](double t) { return t < step_at ? 0.0 : 0.02 * std::log(quick / slow); };
     const auto d = diagnose_rig({}, velocity_step(rises, 8e-4), in_order).diagnosis;
@@ -147,7 +147,7 @@ TEST_CASE("where a load point turns round the longest stretch one way is judged"
     CHECK(number(d.effects[0], "frictional-memory.A") == Approx(A).epsilon(0.2));
 }
 
-TEST_CASE("friction that follows a known normal load depends on the load", "[gap]")
+TEST_CASE("friction that follows a known normal load depends on the load", "[gap][slow]")
 {
     Record r = velocity_step([](double t) { return 0.6 * 0.1 * std::sin(t); }, 8e-4);
     for (const double t : r.time) r.normal_load.push_back(1 + 0.1 * std::sin(t));

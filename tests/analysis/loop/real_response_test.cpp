@@ -161,7 +161,7 @@ TEST_CASE("A force on a link beside a neighbour is answered in time as in freque
     CHECK(largest == Approx(std::abs(response->at(omega))).epsilon(1e-3));
 }
 
-TEST_CASE("What is said of one real loop agrees: windows, locus, margins, demands", "[loop]")
+TEST_CASE("What is said of one real loop agrees: windows, locus, margins, demands", "[loop][slow]")
 {
     for (const double k_p : {4e4, 8e4, 3e5}) {
         for (const int kind : {0, 1, 2}) {

@@ -65,7 +65,7 @@ TEST_CASE("ageing law: subcritical for M < 1/(3 + 2√(β+3))", "[nonlinear]")
     }
 }
 
-TEST_CASE("folds of limit cycles", "[nonlinear]")
+TEST_CASE("folds of limit cycles", "[nonlinear][slow]")
 {
     const CycleOptions options;
     SECTION("A = 1, B = 1.5, L = 1e-5, m = 1, V_0 = 1e-2, k_v = 47.5: 24849 N/m above k_cr = 19449")

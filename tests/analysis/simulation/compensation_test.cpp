@@ -68,7 +68,7 @@ bool hunts(const Joint& joint, const FeedForward& c)
 
 }  // namespace
 
-TEST_CASE("a slip under a push ends where small equal steps end", "[set-point]")
+TEST_CASE("a slip under a push ends where small equal steps end", "[set-point][slow]")
 {
     const Joint joint = held(100, 1.5);
     for (const FeedForward& c : {push(CoulombFrom::error, 0.8, 1e9, 0), push(CoulombFrom::error, 0.8, 0.02, 0),
@@ -94,7 +94,7 @@ TEST_CASE("short slips under a push shrink when it is more than the drop of fric
     }
 }
 
-TEST_CASE("a push between the drop and the static friction ends hunting, less does not", "[set-point]")
+TEST_CASE("a push between the drop and the static friction ends hunting, less does not", "[set-point][slow]")
 {
     const double drop = 0.5;
     for (const double fade : {1e9, 0.05, 1e-3}) {

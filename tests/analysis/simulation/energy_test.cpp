@@ -40,7 +40,7 @@ double energy_defect(const SlidingFlow& flow, const FlowVector& start, double pe
 
 }  // namespace
 
-TEST_CASE("limit cycles balance their energy", "[nonlinear]")
+TEST_CASE("limit cycles balance their energy", "[nonlinear][slow]")
 {
     for (const double M : {0.001, 0.1, 1.0, 10.0})
         for (const double c : {0.0, 0.25})

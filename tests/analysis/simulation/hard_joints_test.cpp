@@ -86,7 +86,7 @@ TEST_CASE("friction with a vertical tangent at rest throws the mass off as in cl
     }
 }
 
-TEST_CASE("slips of microseconds after minutes of creep are the same to both solvers")
+TEST_CASE("slips of microseconds after minutes of creep are the same to both solvers", "[slow]")
 {
     const auto joint =
         joint_with(rate_and_state(97.69110405902684, 1.6281850676504475, 3.5482282373731686, 1.027797486846732e-05),
@@ -159,7 +159,7 @@ TEST_CASE("turns that take no time are no cycle")
     CHECK(std::isnan(verdict.period));
 }
 
-TEST_CASE("bristles let a mass go from a speed that stands on the section to the last bit")
+TEST_CASE("bristles let a mass go from a speed that stands on the section to the last bit", "[slow]")
 {
     // the other integrator is the oracle: each of these stood still under CVODE at its first crossing
     LuGre law;

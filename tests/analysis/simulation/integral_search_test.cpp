@@ -32,7 +32,7 @@ TEST_CASE("the slow mode of an integral is found beside what steady sliding hold
     }
 }
 
-TEST_CASE("a cycle beside a slow integral is waited for", "[sampled][integral]")
+TEST_CASE("a cycle beside a slow integral is waited for", "[sampled][integral][slow]")
 {
     // below its critical gain; what the integral adds to the cycle is of first order in k_i
     Joint joint = example_joint(5e4, 10, 1e-3);

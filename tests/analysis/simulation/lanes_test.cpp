@@ -157,7 +157,7 @@ TEST_CASE("what lanes do not cover falls to the reference and says so", "[lanes]
 }
 
 // more of them, with figures: benchmark_simulation_accuracy
-TEST_CASE("lanes against CVODE at rtol 1e-11: random joints", "[lanes]")
+TEST_CASE("lanes against CVODE at rtol 1e-11: random joints", "[lanes][slow]")
 {
     check_against_cvode(random_joints(30, 21), false, 0.9);
     check_against_cvode(random_joints(15, 22), true, 0.9);

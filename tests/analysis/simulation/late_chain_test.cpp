@@ -179,7 +179,7 @@ TEST_CASE("time lag behind a soft transmission, with sticking, against small fix
     CHECK(verdict.amplitude == Approx(truth.amplitude).epsilon(1e-3));
 }
 
-TEST_CASE("time lag: what turns back is followed through reversal, against small fixed steps", "[nonlinear]")
+TEST_CASE("time lag: what turns back is followed through reversal, against small fixed steps", "[nonlinear][slow]")
 {
     // at V = 0 the spring pulls with about m ω V_0 = 1 N, which a static friction of 0.55 N cannot hold
     const auto curve = stribeck(0.05, 0, 0.5, 0.02);
@@ -195,7 +195,7 @@ TEST_CASE("time lag: what turns back is followed through reversal, against small
     CHECK(verdict.velocity_min == Approx(truth.least_speed).epsilon(1e-2));
 }
 
-TEST_CASE("time lag on the steady curve of LuGre: held at rest, and followed through reversal", "[nonlinear]")
+TEST_CASE("time lag on the steady curve of LuGre: held at rest, and followed through reversal", "[nonlinear][slow]")
 {
     const auto check = [](double coulomb, double breakaway, double stribeck_velocity, double k_p, double V0,
                           double lag) {

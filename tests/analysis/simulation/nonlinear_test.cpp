@@ -49,7 +49,7 @@ TEST_CASE("beyond k_v V_0 = B − A the linear theory sees no boundary, yet stic
     }
 }
 
-TEST_CASE("the measured growth rate is the spectral abscissa", "[nonlinear]")
+TEST_CASE("the measured growth rate is the spectral abscissa", "[nonlinear][slow]")
 {
     for (double V0 = 1e-6; V0 < 2e-2; V0 *= 10)
         for (const double share : {0.0, 0.6, 1.3})

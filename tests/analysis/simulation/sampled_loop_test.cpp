@@ -105,7 +105,7 @@ TEST_CASE("sampled loop: the reference design is stick-slip at 1 kHz with one ti
     CHECK(stiff.growth_rate < 0);
 }
 
-TEST_CASE("sampled loop: small motions grow at the rate of the multipliers", "[sampled]")
+TEST_CASE("sampled loop: small motions grow at the rate of the multipliers", "[sampled][slow]")
 {
     for (const int dead_ticks : {0, 1, 3})
         for (const double k_p : {40e3, 60e3, 90e3}) {
@@ -146,7 +146,7 @@ TEST_CASE("sampled loop: a joint whose rates leave no time step is refused in wo
     CHECK(verdict.detail == Detail::no_time_step);
 }
 
-TEST_CASE("sampled loop: cycles are those of another integrator", "[sampled]")
+TEST_CASE("sampled loop: cycles are those of another integrator", "[sampled][slow]")
 {
     for (const auto [k_p, dead_ticks] : {std::pair{45e3, 0}, {58e3, 1}, {62e3, 2}}) {
         const auto verdict = loop_verdict(sampled_joint(k_p, dead_ticks * 1e-3), {.region = false});

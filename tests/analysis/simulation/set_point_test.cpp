@@ -122,7 +122,7 @@ TEST_CASE("every stable loop hunts where static friction exceeds Coulomb frictio
     }
 }
 
-TEST_CASE("no stable loop hunts where static friction equals Coulomb friction", "[set-point]")
+TEST_CASE("no stable loop hunts where static friction equals Coulomb friction", "[set-point][slow]")
 {
     Draw draw;
     for (int i = 0; i < 600; ++i) {

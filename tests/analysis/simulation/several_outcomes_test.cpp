@@ -64,7 +64,7 @@ Swing last_swing(double k_p, double V0, double pull, int turns)
 
 }  // namespace
 
-TEST_CASE("LuGre: the motion that a pull of the spring reaches is found beside steady sliding", "[nonlinear]")
+TEST_CASE("LuGre: the motion that a pull of the spring reaches is found beside steady sliding", "[nonlinear][slow]")
 {
     for (const double V0 : {5e-3, 8e-3}) {
         CAPTURE(V0);
@@ -94,7 +94,7 @@ TEST_CASE("turns that come back in alternation are one motion, noise is none", "
 }
 
 TEST_CASE("a vibration of the transmission that a start from rest does not reach is found beside steady sliding",
-          "[nonlinear]")
+          "[nonlinear][slow]")
 {
     Joint joint = stribeck_joint(2108, 19.73, 6.9e-3);
     auto& m = joint.mechanism;

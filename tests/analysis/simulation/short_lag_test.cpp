@@ -8,7 +8,7 @@
 
 using namespace stickslip;
 
-TEST_CASE("a lag far below the loop costs no steps and keeps the growth of the linear theory", "[sampled][lag]")
+TEST_CASE("a lag far below the loop costs no steps and keeps the growth of the linear theory", "[sampled][lag][slow]")
 {
     Joint joint = example_joint(45000, 10, 1e-3);
     const double usual = tick_of(joint);

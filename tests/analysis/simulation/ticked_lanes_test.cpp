@@ -100,7 +100,7 @@ TEST_CASE("ticked lanes: told cycles of the reference joint", "[lanes][sampled]"
     CHECK(rows[2].reason == Reason::none);
 }
 
-TEST_CASE("ticked lanes: every kind of loop as the scalar simulation follows it", "[lanes][sampled]")
+TEST_CASE("ticked lanes: every kind of loop as the scalar simulation follows it", "[lanes][sampled][slow]")
 {
     const auto joints = all_kinds();
     const auto rows = points_of(joints);
@@ -127,7 +127,7 @@ TEST_CASE("ticked lanes: every kind of loop as the scalar simulation follows it"
     CHECK(cycles > 8);
 }
 
-TEST_CASE("ticked lanes: an encoder and noise are those of the scalar simulation", "[lanes][sampled]")
+TEST_CASE("ticked lanes: an encoder and noise are those of the scalar simulation", "[lanes][sampled][slow]")
 {
     for (const bool noisy : {false, true}) {
         Joint joint = ticked_joint(60e3, 1e-3);
@@ -140,7 +140,7 @@ TEST_CASE("ticked lanes: an encoder and noise are those of the scalar simulation
     }
 }
 
-TEST_CASE("ticked lanes: bits depend on the point alone", "[lanes][sampled]")
+TEST_CASE("ticked lanes: bits depend on the point alone", "[lanes][sampled][slow]")
 {
     auto joints = all_kinds();
     const auto together = points_of(joints);

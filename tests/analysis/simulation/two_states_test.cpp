@@ -63,7 +63,7 @@ TEST_CASE("two states without inertia: the fixed point loses stability at the pu
     CHECK(abscissa(1 - 1e-8) > 0);
 }
 
-TEST_CASE("two states without inertia: period doublings at 0.866259 and 0.857039 κ_cr", "[nonlinear]")
+TEST_CASE("two states without inertia: period doublings at 0.866259 and 0.857039 κ_cr", "[nonlinear][slow]")
 {
     const auto settled = follow(two_states(0.88), two_states(0.88).steady() + FlowVector::Constant(3, 0.05), false, {});
     REQUIRE(settled.kind == Attractor::Kind::cycle);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Pages of docs/ that are made from the code: reference.md and method.md; and the site with its pictures.
+"""Pages of docs/ that are made from the code: reference.md, method.md and gallery.md; and the site with its pictures.
 Run: docs.py write|check PROGRAM, docs.py site PROGRAM FOLDER
 
 reference.md: what the program says of its keys (stickslip list keys --markdown), then every field of its JSON answers from
@@ -25,21 +25,22 @@ DRAWN_AGAIN = ("sweep-answer", "drawn-charts")  # long, and for the program alon
 REFERENCE = """# Reference
 
 Every key of a joint file, a spec and a `[record]` table, every column and every field of the JSON answers. Units are SI, those of
-a revolute joint in brackets; text with a unit (`V0 = "1 mm/s"`) is converted where a number is expected. A default of – means: not
-set. The same on the terminal, for one joint: `stickslip list keys --model two-mass --law stribeck`, or `--joint joint.toml`.
+a revolute joint in brackets. Text with a unit (`V0 = "1 mm/s"`) is converted where a number is expected. A default of – means: not
+set. On the terminal, for one joint: `stickslip list keys --model two-mass --law stribeck`, or `--joint joint.toml`.
 
 """
 JSON_HEAD = """
 ## Fields of the JSON answers
 
-A number that does not exist is `null`. `[]` stands for the entries of a list, `*` for a name. The schemas are in `docs/schema`;
-`answer.json`, from which pages of sweeps are drawn again, has its own: `sweep-answer.schema.json`, and so has `charts/drawn.json`: `drawn-charts.schema.json`. Every answer has a
-`format` with a version, but for `answers.json`, whose names are those of the cases.
+A number that does not exist is `null`. `[]` stands for the entries of a list, `*` for a name. The schemas are in `docs/schema`, including
+`sweep-answer.schema.json` for `answer.json` (the input of `stickslip report`) and `drawn-charts.schema.json` for `charts/drawn.json`. Every answer has a
+`format` with a version, except `answers.json`, whose names are those of the cases.
 """
-METHOD = """# Method: the thresholds of the diagnosis
+METHOD = """# Thresholds of the diagnosis
 
-How the diagnosis reasons is told in [diagnosis](diagnosis.md). This page lists every number that its verdict goes by, from
-`{policy}`: what it is, in which unit, why, and what evidence there is for it.
+[How the diagnosis works](how-the-diagnosis-works.md) describes the method. This page lists every threshold that decides an answer, from
+`{policy}`, with its unit, its reason and its evidence. A threshold without evidence of its own was used with this value in all
+blind batches of the [validation](validation.md); other values were not tried.
 """
 
 
@@ -122,6 +123,13 @@ def constants(statement):
     return re.findall(r"(\w+)\s*=\s*([^,]+)", " ".join(head.split()))
 
 
+def reasoned(comment):
+    """What a threshold is, its reason and its evidence, apart."""
+    what, _, why = comment.partition(" Reason: ")
+    reason, _, evidence = why.partition(" Evidence: ")
+    return what, reason[:1].upper() + reason[1:], (evidence[:1].upper() + evidence[1:]) or "–"
+
+
 def shown(value):
     return "see above" if re.fullmatch(r"[a-z_]+", value) and value not in ("true", "false") else value
 
@@ -142,9 +150,9 @@ def method():
             text += "".join(row(f"`{n}`", shown(v), why or ("see above" if comment or shown(v) != v else "")) for n, v, why in fields)
         else:
             single.append((constants(statement), comment))
-    text += "\n## Single thresholds\n\n" + row("Name", "Value", "What it is, reason, evidence") + row(*["---"] * 3)
+    text += "\n## Single thresholds\n\n" + row("Name", "Value", "What it is", "Reason", "Evidence") + row(*["---"] * 5)
     for values, comment in single:
-        text += row("<br>".join(f"`{n}`" for n, _ in values), "<br>".join(v.strip() for _, v in values), comment)
+        text += row("<br>".join(f"`{n}`" for n, _ in values), "<br>".join(v.strip() for _, v in values), *reasoned(comment))
     return text
 
 
@@ -164,59 +172,58 @@ PICTURES = {
 }
 
 
-# the gallery: commands, the last of which writes a page into the folder OUT, and charts of that page, each with what it
-# shows
+# the gallery: commands (the last one writes a page into the folder OUT), and charts of that page with their captions
 REAL_LOOP = ("--set control.period=1e-3 --set control.delay=1e-3 "
              "--set 'control.velocity_estimate.form=\"backward-difference\"'")
 MOTION = ("awk 'BEGIN { print \"time,reference_position\"; "
           "for (i = 0; i < 8000; ++i) print i / 1000 \",\" 0.1 * (1 - cos(1.5e-3 * i)) }' > motion.csv")
 GALLERY = [
     (["stickslip sweep -o OUT"], [
-        ("map-k-p-k-v", "Stability over two gains, for friction with memory and for friction of velocity alone"),
+        ("map-k-p-k-v", "Stability over two gains, with frictional memory and by the velocity-only model"),
         ("panels-k-p-k-v", "The same map at six velocities"),
-        ("root-locus", "The roots of the joint while the position gain moves; reading a place on the page gives its gain"),
-        ("k-v-demanded", "The velocity gain that each theory demands"),
+        ("root-locus", "Root locus over the position gain; on the page each point shows its gain"),
+        ("k-v-demanded", "The velocity gain that each model requires"),
     ]),
     ([f"stickslip evaluate examples/01-reference-joint/spec.toml {REAL_LOOP} -o OUT"], [
-        ("map-k-p-k-v", "The same joint behind a loop of 1 kHz that is one tick late: what it allows, and what the "
-                        "ideal loop of the paper would"),
+        ("map-k-p-k-v", "The same joint in a loop of 1 kHz with one tick of dead time, compared with the "
+                        "ideal loop of the paper"),
     ]),
     (["stickslip sweep examples/03-bistable-strip/spec.toml -o OUT"], [
         ("map-k-p-k-v", "Between the two boundaries small disturbances decay and larger ones end in stick-slip"),
-        ("amplitude-k-p-k-v", "How far the joint swings where it sticks and slips"),
+        ("amplitude-k-p-k-v", "Amplitude of the stick-slip motion"),
     ]),
     (["stickslip simulate examples/03-bistable-strip/spec.toml --set control.k_p=15e3 --set control.k_v=45 -o OUT"], [
-        ("path", "Position and reference of a joint that sticks and slips, and the force of its loop"),
-        ("loop", "Friction over velocity: what friction with memory does, and the steady curve"),
+        ("path", "Position and reference of a joint that sticks and slips, and the control force"),
+        ("loop", "Friction over velocity: the simulated motion, and the steady curve"),
     ]),
     (["stickslip boundary examples/03-bistable-strip/spec.toml --kind linear fold --over control.k_p control.k_v -o OUT"], [
-        ("boundaries-k-p-k-v", "Located boundaries: where sliding loses its stability, and where limit cycles begin"),
+        ("boundaries-k-p-k-v", "Located boundaries: loss of stability, and onset of limit cycles"),
     ]),
     (["stickslip boundary examples/08-hunting-arm/joint.toml --set control.V0=0 --set control.k_i=900 --kind hunting "
       "--over control.k_p=10..1e4 control.k_i=10..1e5 -o OUT"], [
-        ("hunting-k-p-k-i", "A joint that is to stand still: where its integral makes it hunt"),
-        ("hunting-amplitude-k-p-k-i", "How far from the set point it stops"),
+        ("hunting-k-p-k-i", "Hunting at a set point over two gains"),
+        ("hunting-amplitude-k-p-k-i", "Distance of the stops from the set point"),
     ]),
     (["stickslip design examples/04-design/spec.toml -o OUT"], [
-        ("map-k-p-k-v", "The best gains on the map of stability"),
-        ("noise-against-margin", "What a margin against stick-slip costs in noise"),
+        ("map-k-p-k-v", "The best gains on the stability map"),
+        ("noise-against-margin", "Sensor noise against stability margin"),
     ]),
     (["stickslip margins examples/04-design/spec.toml -o OUT"], [
-        ("growth-by-parameter", "How far each parameter may move before the joint sticks and slips"),
+        ("growth-by-parameter", "Growth rate against the change of each parameter"),
     ]),
     ([MOTION,
       "stickslip simulate examples/07-measured-machines/emps.toml --set friction.coulomb=26 "
       "--set load.cogging.amplitude=4 --set load.cogging.periods=100 --reference motion.csv -o robot",
       "stickslip diagnose examples/07-measured-machines/emps.toml robot/record.csv -o OUT"], [
-        ("where-drawn", "A gap between a joint and its record: where along the chain it lies"),
-        ("ladder", "Which causes take how much of it, and what remains"),
-        ("record-1-effort", "Where the documented joint errs most, before and after the cause is added"),
+        ("where-drawn", "Where along the control chain a gap lies"),
+        ("ladder", "The ladder of causes: share of each, and the remainder"),
+        ("record-1-effort", "The largest error of the documented joint, before and after the cause is added"),
     ]),
 ]
 
 
 def gallery_pictures():
-    """(commands, [(name of the picture, chart, words)]) of every entry; the name tells two pages of one verb apart."""
+    """(commands, [(name of the picture, chart, words)]) of every entry; the name distinguishes two pages of one verb."""
     for number, (commands, charts) in enumerate(GALLERY, 1):
         verb = commands[-1].split()[1]
         yield commands, [(f"gallery-{number}-{verb}-{chart}.svg", chart, words) for chart, words in charts]
@@ -228,7 +235,7 @@ def drawn():
 
 
 def gallery():
-    text = MADE + "# Gallery\n\nCharts of the examples, each page by the commands above it, from the folder of the project.\n"
+    text = MADE + "# Gallery\n\nCharts of the examples. The commands above each chart draw it, run from the project folder.\n"
     for commands, charts in gallery_pictures():
         text += "\n```sh\n" + "\n".join(commands).replace("OUT", "out") + "\n```\n"
         for name, _, words in charts:

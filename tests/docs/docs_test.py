@@ -65,6 +65,8 @@ numbers = re.findall(r"\.?(\w+) = [-+]?\d[\d.e]*", policy)
 assert len(numbers) > 15, numbers
 wrong += [f"docs/method.md: {name} is missing" for name in numbers if f"`{name}`" not in method]
 wrong += [f"docs/method.md: {name} has no reason" for name in re.findall(r"^\| `([^`]+)` \| [^|]* \|\s*\|$", method, re.MULTILINE)]
+wrong += [f"docs/method.md: {name} has no reason" for name in re.findall(r"^\| (`[^|]+) \| [^|]* \| [^|]+ \|\s*\| [^|]+ \|$", method, re.MULTILINE)]
+without = len(re.findall(r"\| – \|$", method, re.MULTILINE))
 
 site = text_of("mkdocs.yml")
 for page in sorted((ROOT / "docs").rglob("*.md")):
@@ -76,5 +78,5 @@ for page in sorted((ROOT / "docs").rglob("*.md")):
             wrong.append(f"docs/{name}: leads to {target}, which does not exist")
 
 print("\n".join(wrong))
-print(f"{len(keys)} keys, {len(numbers)} thresholds, {len(wrong)} complaints")
+print(f"{len(keys)} keys, {len(numbers)} thresholds, {without} rows without evidence of their own, {len(wrong)} complaints")
 sys.exit(1 if wrong else 0)

@@ -1,6 +1,6 @@
-// The policy of the diagnosis: every threshold that decides an answer, with its unit, its reason and the evidence for
-// it. Numerical limits stand with their algorithms. A threshold that tells no evidence of its own has that of the blind
-// batches (docs/validation.md), which were answered with this value; others were not tried.
+// The policy of the diagnosis: every threshold that decides an answer, with its unit, its reason and its evidence.
+// Numerical limits stand with their algorithms. A threshold without evidence of its own was used in all blind batches
+// (docs/validation.md) with this value; other values were not tried.
 // In one file: the policy, so that its page can be made from it.
 #pragma once
 #include "analysis/diagnosis/policy/rules.h"
@@ -9,26 +9,27 @@
 
 namespace stickslip::gap::policy {
 
-/// Parts of each number. Reason: catalogues, CAD masses and single-run identifications of machines miss by so much;
-/// identified friction is the least certain, and differs from day to day. Evidence: in the blind cases that look like
-/// machines files are 2-10 % off in all three numbers, and records of one joint differ by 3-10 % in their Coulomb
-/// level. `small_term`: ripple of gears and windings, asymmetry and warm-up of a per cent or two stand in no document.
+/// Standard deviation of each documented parameter, as a part of it. Reason: catalogue values, CAD masses and
+/// single-run identifications have errors of this size; identified friction is the least certain and differs from day
+/// to day. Evidence: in the dirty blind cases, inertia, Coulomb and viscous friction of the joint file are 2-10 % off,
+/// and the Coulomb level of one joint differs by 3-10 % between records. `small_term`: ripple of gears and windings,
+/// asymmetry and warm-up of a per cent or two are in no data sheet.
 inline constexpr CorrectionPrior correction_prior{
     .inertia = 0.04,
     .coulomb = 0.05,
     .viscous = 0.08,
     .coulomb_of_record = 0.03,
-    .load = 0.05,     // of the Coulomb level: that of a measured ball screw (EMPS) is 15 %
+    .load = 0.05,     // of the Coulomb level; a measured ball screw (EMPS) has 15 %
     .gravity = 0.04,  // mass times lever, as an inertia is mass times lever squared
     .least = 0.02,    // of the usual effort
     .small_term = 0.02,
-    .widest = 3,  // standard deviations: beyond that a number is a cause, not a correction
+    .widest = 3,  // standard deviations; a parameter beyond is a cause, not a correction
 };
 
-/// Physical ranges. Outside, a cause has no rung.
+/// Physical ranges of parameters. A cause with a parameter outside its range has no rung.
 inline constexpr std::array physical_ranges{
     PhysicalRange{"sensor-offset", "scale", 0.8, 1.25, Per::scale,
-                  "lines and gear teeth are counted: a scale is off by a slipping wheel or a unit, not by a half"},
+                  "lines and gear teeth are counted: a scale is wrong by a slipping wheel or a unit, not by a half"},
     PhysicalRange{"supply-sag", "resistance", 0, 3, Per::winding,
                   "a source weaker than a third of the motor could not run it (maximum power at equal resistances)"},
     PhysicalRange{"frictional-memory", "A", 0, 0.25, Per::coulomb,
@@ -36,262 +37,267 @@ inline constexpr std::array physical_ranges{
                   "plastics (Dieterich 1979, Heslot 1994, Marone 1998), ten times that for no surface"},
     PhysicalRange{"frictional-memory", "B", 0, 0.25, Per::coulomb, "as A: they differ by less than either"},
     PhysicalRange{"frictional-memory", "L", 1, 1e9, Per::reading,
-                  "a slip that the encoder does not resolve is not seen as slip: what acts there goes with the time at "
-                  "rest"},
+                  "a slip below the encoder resolution is invisible: such an effect depends on the time at rest"},
     PhysicalRange{"periodic-disturbance", "frequency", 2, 1e9, Per::period_of_record,
                   "less than two periods are a drift, not a period"},
     PhysicalRange{"cogging", "periods", 1.5, 1e9, Per::period_of_travel,
-                  "a wave that does not come back within the travel is a slope or gravity"},
+                  "a wave that does not repeat within the travel is a slope or gravity"},
     PhysicalRange{"position-dependent-friction", "periods", 1, 1e9, Per::period_of_travel,
-                  "a wave that does not come back within the travel is a trend"},
+                  "a wave that does not repeat within the travel is a trend"},
 };
 
 inline constexpr LadderRules ladder{
     .prior = correction_prior,
-    .most_rungs = 4,       // no record of one joint has distinguished more causes
-    .first_look = 40,      // causes
-    .finalists = 5,        // causes; in 33 of 37 imperfect cases the right one led all others even without corrections
-    .worth_a_rung = 0.02,  // of held-out mean log square: a hundredth of the RMS
-    .of_the_rest = 0.15,   // of the squares that are left: less is what an imperfect form of another cause leaves
-    .lost_in_a_fold = 0.25,  // of what it gains: a limit that one step reaches does nothing elsewhere; seen in one case
-    .margin = 0.14,          // of held-out mean log square, i.e. 7 % of the RMS: rivals that near are model error apart
+    .most_rungs = 4,         // no record of one joint has distinguished more causes
+    .first_look = 40,        // causes
+    .finalists = 5,          // causes; in 33 of 37 dirty cases the right one was first even without corrections
+    .worth_a_rung = 0.02,    // of held-out mean log square: a hundredth of the RMS
+    .of_the_rest = 0.15,     // of the remaining squares; an imperfect form of another cause leaves less
+    .lost_in_a_fold = 0.25,  // of its gain; a limit that one step reaches does nothing elsewhere (one case)
+    .margin = 0.14,          // of held-out mean log square, i.e. 7 % of the RMS; closer rivals differ by model error
     .rows_of_margin = 60,    // four readings of 15 rows each, see rows_per_reading
     .ranges = physical_ranges,
-    .far_off = 2,          // of twenty documents one is so far off in a given number
-    .worth_telling = 0.1,  // of the squares: what a signal explains less of is the scatter of blocks, not a dependence
+    .far_off = 2,          // standard deviations; one document in twenty is so far off in a given parameter
+    .worth_telling = 0.1,  // of the squares; below, it is the scatter of blocks, not a dependence
 };
 
-/// Of what is explainable beyond the corrections. Reason: a first rung that takes less is not "the effect".
+/// Part of the explainable gap beyond the corrections that the first rung must take. Reason: a cause that takes less is
+/// not the main cause.
 inline constexpr double least_of_explainable = 0.5;
-/// Of the whole gap, where corrections are all that is found. Reason: where most of the gap is left, it is not the
-/// document's numbers that are wrong, though they may be a little wrong as well. Evidence: an encoder that drops
-/// samples leaves three quarters of the gap, and none of that is a function of the signals; documents that are off by
-/// 2-5 % and nothing else leave less than a fiftieth.
+/// Part of the whole gap that the corrections must take to be the answer on their own. Reason: if most of the gap
+/// remains, wrong parameters are not its cause, even if they are slightly wrong. Evidence: an encoder that drops
+/// samples leaves three quarters of the gap, which is no function of the signals; a joint file that is 2-5 % off and
+/// nothing else leaves less than a fiftieth.
 inline constexpr double least_of_gap = 0.5;
-/// The same for several causes together where the first alone takes less. Reason: effects can be more than their sum.
+/// The same as `least_of_explainable`, for several causes together where the first alone takes less. Reason: two
+/// effects can explain more together than the sum of both alone.
 inline constexpr double least_of_explainable_together = 0.8;
-/// Part of the gap beyond the corrections that a ladder leaves, from which on a free force of the same signal as its
-/// first rung, which takes more than half of that, means that the cause is only the nearest in shape. Evidence: a
-/// cubic spring leaves more than a tenth behind gravity; other shapes of Stribeck curves and bristles leave less.
+/// `nearest_in_shape`: part of the gap beyond the corrections that a ladder may leave. `taken_by_free_force`: part of
+/// that remainder. If the ladder leaves more than the first and an unmodelled force of the same signal as the first
+/// rung takes more than the second, the named cause is only the nearest in shape, and the verdict is unknown. Reason:
+/// the right signal with the wrong curve is not the right cause. Evidence: a cubic spring leaves more than a tenth
+/// behind gravity; Stribeck curves and bristles of another shape leave less.
 inline constexpr double nearest_in_shape = 0.12, taken_by_free_force = 0.5;
-/// Of the gap beyond the corrections: where one cause leaves more of what is explainable, pairs get a search of their
-/// own. Reason: effects can be more than their sum; less than that, climbing on finds the second.
+/// Part of the gap beyond the corrections. If one cause leaves more of the explainable gap, pairs are searched. Reason:
+/// two effects can explain more together than the sum of both alone; below this part the next rung finds the second.
 inline constexpr double worth_a_search_of_pairs = 0.1;
-/// Chance that a rung is not the cause although all that the ladder leaves is noise. Reason: twice that of a cause
-/// which needs no corrections (`doubt_of_accepted`), since corrections may have taken over a part of another one.
+/// Probability that a rung is wrong although the ladder leaves only noise. Reason: twice that of a cause that needs no
+/// corrections (`doubt_of_accepted`), because corrections may have absorbed a part of another cause.
 inline constexpr double doubt_of_noise = 0.03;
-/// What a rest adds to that, in proportion up to `nearest_in_shape` of the gap beyond the corrections; what the ladder
-/// leaves of the explainable is added in full. Reason: another cause could be as near as the rest is large. Evidence:
-/// in documents that are 2-5 % off the causes that left less than a hundredth were right, of those that left more than
-/// `nearest_in_shape` some were a friction that no formula of the catalogue has.
+/// Added to `doubt_of_noise` in proportion to the remainder, in full at `nearest_in_shape` of the gap beyond the
+/// corrections; the explainable part of the remainder is added in full. Reason: another cause could be as near as the
+/// remainder is large. Evidence: with joint files that are 2-5 % off, all causes that left less than a hundredth were
+/// right; some that left more than `nearest_in_shape` were a friction that no formula of the catalogue describes.
 inline constexpr double doubt_of_rest = 0.22;
-/// Chance below which a further rung is not named where more than noise is left. Reason: what is less likely than not
-/// would make the named set wrong more often than right; it stays in what remains. Evidence: in documents that are off
-/// the right second rungs had 0.78 and more and the wrong one 0.30; on a measured ball screw a second rung beside the
-/// published asymmetry had 0.22.
+/// Least probability of a second or later rung where more than noise remains. Reason: a rung that is less likely than
+/// not would make the named set wrong more often than right; it stays in the remainder. Evidence: with joint files that
+/// are off, right second rungs had 0.78 and more and the wrong one 0.30; on a measured ball screw a second rung beside
+/// the published asymmetry had 0.22.
 inline constexpr double least_chance_of_further_rung = 0.5;
-/// Of what the corrections take of the gap, in squares: a rung that takes less, where more than noise is left or where
-/// it is a small term that every machine has (`small_term`), is not named, and where none is left the document's
-/// numbers are the answer. Reason: half as far as the corrections move the joint, such a cause is one of the small
-/// things that every machine has (a ripple, an uneven winding), not what the gap comes from. Evidence: in a joint whose
-/// four numbers were 2-9 % off and nothing else, a cogging of 1.7 % of the Coulomb level took 8 % of the gap beside
-/// corrections that took 86 %. A number of the document itself stands however little it takes: it has a rung only where
-/// it is further off than documents are. Evidence: a viscous friction of a tenth of the documented one took 9 % of the
-/// gap, and all but 4 % of what corrections of inertia and Coulomb friction left. The same part of what a finding about
-/// the controller takes lets causes in the mechanism stand with it first.
+/// Part of the squares that the corrections take. A rung that takes less is not named where more than noise remains or
+/// where it is a small term of every machine (`small_term`); if no rung is left, the wrong parameters are the answer. A
+/// documented parameter is exempt: it is a rung only where it is further off than documents usually are. The same part
+/// of a controller finding's share decides whether a cause in the mechanism is named with it. Reason: a cause that
+/// moves the joint by less than half as much as the corrections is one of the small terms of every machine (ripple, an
+/// uneven winding). Evidence: in a joint whose four documented parameters were 2-9 % off and nothing else, a cogging of
+/// 1.7 % of the Coulomb level took 8 % of the gap and the corrections 86 %; a viscous friction of a tenth of the
+/// documented one took 9 % of the gap, and all but 4 % of what corrections of inertia and Coulomb friction left.
 inline constexpr double least_against_corrections = 0.25;
-/// Of what the causes of a ladder take: a number of the document that is `far_off`, and without which so much more
-/// would be left, has a rung with them. Reason: what shrinks the gap by as much as a cause belongs to the answer,
-/// whether it is called a cause or a document that is off; less, and it is one of the corrections that every joint
-/// needs. Evidence: an inertia of 1.10 of its document took 32 % of a gap of which the periodic force that was named
-/// alone took 44 %; in blind cases that look like machines all that a document is off by makes at most 0.44 of the
-/// squares of the cause.
+/// Part of the squares that the causes of a ladder take. A documented parameter that is `far_off` and whose removal
+/// costs more is a rung with them. Reason: a parameter that shrinks the gap as much as a cause belongs to the answer;
+/// below this part it is one of the corrections that every joint needs. Evidence: an inertia of 1.10 of its document
+/// took 32 % of a gap of which the periodic force named alone took 44 %; in dirty blind cases all errors of a joint
+/// file together take at most 0.44 of the squares of the cause.
 inline constexpr double as_much_as_causes = 0.5;
-/// Odds of a rival against the named cause from which on the records cannot tell the two apart: one margin, over which
-/// odds fall by e. Reason: what an answer calls indistinguishable must have its part of the probability. So
-/// `ambiguous_with` goes by the same odds as the probabilities do, and a cause beside such a rival has
-/// 1/(1 + 1/e) = 0.73 at most. Evidence: a cause at 0.985 "could not be told" from one with less than a thousandth
-/// of that, since the one number came from the likelihood of all rows and the other from scores that noise cuts off.
+/// Odds of a rival against the named cause above which both are reported as indistinguishable: one margin, over which
+/// odds fall by e. Reason: a rival that an answer calls indistinguishable must have a visible probability, so
+/// `ambiguous_with` uses the same odds as the probabilities; a cause beside such a rival has 1/(1 + 1/e) = 0.73 at
+/// most. Evidence: a cause at 0.985 was called indistinguishable from one with less than a thousandth, because one
+/// number came from the likelihood of all rows and the other from scores that are cut off at the noise.
 inline constexpr double odds_of_indistinguishable = 0.368;  // 1/e
-/// Chance that a finding of the controller's audit is not what differs. Reason: it is read off the command, the reading
-/// and the reference alone, no model of the mechanism takes part, and it has to stand out from what the audited
-/// controller leaves of the command; what can still stand in for it is another term of the same controller.
+/// Probability that a finding of the controller's audit is wrong. Reason: it follows from command, reading and
+/// reference alone, without a model of the mechanism, and has to exceed what the audited controller leaves of the
+/// command; only another term of the same controller can imitate it.
 inline constexpr double doubt_of_finding = 0.02;
-/// That such a finding is all that causes the gap, where more than noise is left and no effect was found for it.
+/// Probability that such a finding is the only cause, where more than noise remains and no effect was found for it.
 /// Reason: the finding is certain, and as likely as not alone.
 inline constexpr double finding_and_more = 0.5;
-/// Chances that numbers of the document are all that is off: where only noise is left, and where more is.
-/// Reason: several numbers together come near many causes.
+/// Probabilities that wrong documented parameters are the only cause: where only noise remains, and where more does.
+/// Reason: several parameters together can imitate many causes.
 inline constexpr double numbers_to_noise = 0.9, numbers_and_more = 0.6;
-/// A correction is told as what is wrong with the document where leaving it out costs so much of what all of them take.
-/// Reason: less is the share of a number that follows the others.
+/// Part of the squares that all corrections take. A correction is reported as a wrong parameter if its removal costs
+/// that much. Reason: a parameter that only follows the others costs less.
 inline constexpr double worth_correcting = 0.05;
 
 // Deciding between causes (verdict/, search/, heldout/) and the audit of the controller (audit/).
 
-/// Of score: among causes this close the likelihood decides. Reason: scores of causes that explain to within noise are
-/// those of the floor and tell nothing.
+/// Difference of score. Among causes closer than this the likelihood decides. Reason: scores of causes that explain to
+/// within noise differ only by noise.
 inline constexpr double margin_of_score = 0.02;
 
-/// From evidence to probabilities: rows that count as one reading, and the width of the odds as a part of the best
-/// score. Reason: innovations of a true joint would be white, every row a reading of its own; far above the floor
-/// margins are model error, and grow with the best score itself. Evidence: the nine nearest ties in two draws of sealed
-/// cases.
+/// `rows_per_reading`: rows that count as one independent reading in the likelihood. `relative_temperature`: width of
+/// the odds as a part of the best score. Reason: the innovations of a true joint would be white and every row a reading
+/// of its own; far above the floor margins are model error and grow with the best score. Evidence: the nine nearest
+/// ties of two blind batches.
 inline constexpr double rows_per_reading = 15, relative_temperature = 0.007;
 
-/// Odds against a rival with one more parameter that gains nothing by it. Reason: it holds the winner as a special
-/// case, and a true one would have used its parameter. Schwarz's √n for a thousand independent readings.
+/// Odds against a rival with one more parameter that gains nothing by it. Reason: the rival contains the winner as a
+/// special case, and a true rival would have used its parameter; Schwarz's √n for a thousand independent readings.
 inline constexpr double needless_parameter = 30;
 
-/// Chance that a cause is not the one although it is named: where what is left is noise, where it is not, and at most.
-/// Reason: the answer is one of a catalogue, and the world has causes outside it. Evidence: the calibration of the
-/// blind batches in docs/validation.md.
+/// Probability that a named cause is wrong: where only noise remains, where more does, and the largest value. Reason:
+/// the catalogue is finite, and real causes may lie outside it. Evidence: the calibration of the blind batches in
+/// docs/validation.md.
 inline constexpr double doubt_of_accepted = 0.015, doubt = 0.15, most_doubt = 0.95;
 
-/// Parts of the misfit beyond the noise at which a cause still counts as found although a rest remains: one cause, two,
-/// backlash, and a single whose best partner hardly helps. Reason: stick-slip amplifies what two integrators do
-/// differently; backlash leaves a little wherever its contact is not quite the simulated one; what a single leaves, and
-/// no partner takes, is no second effect.
+/// Part of the misfit beyond the noise that a cause must explain to be accepted although a remainder exists: one cause,
+/// two, backlash, and a single whose best partner hardly helps. Reason: stick-slip amplifies the differences of two
+/// integrators; simulated contact differs slightly from real backlash; a remainder of a single that no partner takes is
+/// no second effect.
 inline constexpr double explained_single = 0.97, explained_pair = 0.985, explained_by_backlash = 0.99,
                         explained_alone = 0.9;
 
-/// Part of the misfit beyond the noise below which nothing is named. Reason: a cause that leaves more is one among
-/// others.
+/// Part of the misfit beyond the noise. A cause that explains less is not named. Reason: it is one cause among others.
 inline constexpr double nameable = 0.75;
 
-/// What a pair with backlash or a spring explains, and the part of that one's rest which its partner takes, for the
-/// pair to be the answer. Reason: the contact of real backlash is none of those that can be simulated, so a rest
-/// remains of both.
+/// `completed`: part that a pair with backlash or a spring must explain. `taken_by_partner`: part of the remainder of
+/// backlash or spring alone that its partner must take. Reason: real backlash has a contact that cannot be simulated
+/// exactly, so that a remainder exists in any case.
 inline constexpr double completed = 0.94, taken_by_partner = 0.75;
 
-/// Part explained from which on runs of the closed loop may accept a cause, and from which on one that acts nowhere by
-/// itself has its signature. Reason: runs of the whole are noisy, and would let pass what predictions show to be wrong.
+/// Part explained above which closed-loop simulations may accept a cause, and above which a cause that acts nowhere by
+/// itself has its signature. Reason: simulations of the whole loop are noisy and would accept causes that predictions
+/// show to be wrong.
 inline constexpr double mostly_explained = 0.9;
 
-/// Of the mean square, on top of the noise floor, and standard deviations of repeated simulations: what still counts as
-/// noise. Reason: two integrators differ, and a documented noise is a little off. Evidence: of 300 joints without an
-/// effect none raised an alarm (docs/validation.md).
+/// `slack_of_floor`: part of the mean square above the noise floor; `deviations_of_floor`: standard deviations of
+/// repeated simulations. Both still count as noise. Reason: two integrators differ, and a documented noise is slightly
+/// off. Evidence: none of 300 joints without an effect raised an alarm (docs/validation.md).
 inline constexpr double slack_of_floor = 0.06, deviations_of_floor = 4;
 
-/// Misfit in noise floors at the fastest level from which on a cause is not accepted whatever the noise. Reason: no
-/// joint's own noise does this within a few rows.
+/// Misfit in multiples of the noise floor, at the fastest observer, above which a cause is rejected whatever the noise.
+/// Reason: no joint's own noise reaches this within a few rows.
 inline constexpr double hopeless = 3;
 
-/// Periods that a wave must show. Reason: before that it has not turned back and is a bend that other shapes make as
-/// well.
+/// Periods of a wave that a record must contain. Reason: a shorter piece is a bend that other shapes describe as well.
 inline constexpr double turned_back = 2.0 / 3;
 
-/// How near to the end of its range a number is at its bound, as a part of it; how many times its usual size is
-/// implausible; and the least usual size. Reason: a number at a bound is the search's, not the joint's.
+/// `beside_bound`: distance to the end of a range, as a part of it, within which a parameter is at its bound.
+/// `implausible_size`: multiple of the usual size that is implausible. `least_prior`: least usual size. Reason: a
+/// parameter at a bound comes from the search, not from the joint.
 inline constexpr double beside_bound = 0.001, implausible_size = 10, least_prior = 0.1;
 
-/// Of the correlation between what an effect takes out of the residual and the residual, second by second; and the mean
-/// square, in noise floors, from which on it acts there. Reason: half of the squares of a second are then the effect's.
+/// `signature_correlation`: correlation, second by second, of the residual and what an effect takes out of it.
+/// `acting_square`: mean square in multiples of the noise floor above which the effect acts there. Reason: half of the
+/// squares of a second are then due to the effect.
 inline constexpr double signature_correlation = 0.7, acting_square = 4;
 
-/// Noise standard deviations from which on an effect of usual size could have shown itself. Reason: INTERFACE of
+/// Noise standard deviations that an effect of usual size must reach to be detectable. Reason: definition of
 /// `insufficient-data`: five times the noise.
 inline constexpr double shown = 5;
 
-/// Probability at most of a cause that comes nearest and is not named. Reason: it is in the list for a reader to look
-/// at.
+/// Largest probability of a nearest cause that is not named. Reason: it is listed only as a hint.
 inline constexpr double believed_unnamed = 0.1;
 
-/// Part of the mean square beyond the noise: a named cause that leaves more on unseen data is withdrawn. Reason: it is
-/// not what the gap comes from.
+/// Part of the mean square beyond the noise. A cause that leaves more on held-out data is rejected. Reason: it is not
+/// the cause of the gap.
 inline constexpr double mostly_left = 0.5;
 
-/// Floors that nobody documented: an unsettled cause that leaves more is withdrawn. Reason: an estimated floor is off
-/// by less. Evidence: of the unsettled causes in ten draws of sealed cases the one that left less than two was right,
-/// the two that left more than seven were an inertia that changed with time.
+/// Multiple of an estimated (undocumented) noise floor. A cause that leaves more and is not explained to within noise
+/// is rejected. Reason: an estimated floor is less wrong than this. Evidence: of such causes in ten blind batches the
+/// one that left less than two was right; the two that left more than seven were an inertia that changed with time.
 inline constexpr double many_floors = 3;
 
-/// Documented floors: an unsettled cause that leaves more has at most the probability behind it. Reason: a second
-/// effect, or another one. Evidence: of ten unsettled causes in two draws of sealed cases the six that left less were
-/// right, and the four that left more were wrong, or lacked a second effect.
+/// `more_than_noise`: multiple of a documented noise floor. A cause that leaves more and is not explained to within
+/// noise has at most the probability `believed_doubted`. Reason: there is a second effect, or another one. Evidence: of
+/// ten such causes in two blind batches the six that left less were right; the four that left more were wrong or lacked
+/// a second effect.
 inline constexpr double more_than_noise = 1.5, believed_doubted = 0.2;
 
-/// Floors by which a simulation of whole records may be off without a gap. Reason: from row to row noise may hide what
-/// adds up. Evidence: of 470 sealed joints without an effect none was further away than 1.25 floors.
+/// Multiple of the noise floor that a simulation of whole records may reach without a gap. Reason: noise may hide from
+/// row to row what adds up over a record. Evidence: none of 470 blind joints without an effect exceeded 1.25.
 inline constexpr double far_from_noise = 1.5;
 
-/// Of the mean square: what runs of the closed loop may differ by beyond their own spread. Reason: so few runs (4) do
-/// not know that spread better.
+/// Ratio of mean squares by which closed-loop simulations may exceed their own spread. Reason: the spread of so few
+/// runs (4) is not known better.
 inline constexpr double slack_of_runs = 1.25;
 
-/// Of the span, and standard deviations of a reading: what runs of one joint may differ by for their spread to be
-/// noise. Reason: a simulation that is unstable or chaotic differs from itself by a good part of the motion, and
-/// anything would then be within what it does.
+/// Part of the span, and standard deviations of a reading, up to which the spread of simulations of one joint counts as
+/// noise. Reason: an unstable or chaotic simulation differs from itself by a large part of the motion, and any record
+/// would be within its spread.
 inline constexpr double own_part = 0.02, own_readings = 20;
 
-/// Mean square in noise floors, at the fastest and the middle observer bandwidth, and the part of the misfit beyond the
-/// noise, at which a cause explains to within noise. Reason: as `slack_of_floor`, with room for numbers that are not
-/// quite fitted; runs of the joint's own noise confirm it afterwards.
+/// Mean square in multiples of the noise floor, at the fastest and the middle observer, and the part of the misfit
+/// beyond the noise, at which a cause explains to within noise. Reason: as `slack_of_floor`, with room for parameters
+/// that are not fitted exactly; simulations of the joint's own noise confirm it afterwards.
 inline constexpr double accepted_fast = 1.12, accepted_middle = 1.15, accepted_part = 0.8;
 
-/// Of score, a parameter. Reason: among thousands of rows a parameter that fits nothing but noise gains less.
+/// Penalty of score for each parameter. Reason: a parameter that fits only noise gains less in thousands of rows.
 inline constexpr double price_of_parameter = 0.003;
 
-/// Of the mean square beyond the floor: the fastest observer bandwidth that shows so much screens the causes. Reason:
-/// where a level shows less, noise decides the ranking.
+/// Part of the mean square above the floor. The fastest observer that shows so much screens the causes. Reason: at an
+/// observer that shows less, noise decides the ranking.
 inline constexpr double visible_excess = 0.3;
 
-/// Of the limit: a command below it is the controller's own. Reason: logs round.
+/// Part of the limit. A command below it is not limited. Reason: logs are rounded.
 inline constexpr double below_limit = 0.999;
 
-/// Of the usual speed: slower is standing, or slow. Reason: shares of regimes are for a reader; the words "stuck" and
-/// "low speed" of the page mean this.
+/// Parts of the usual speed below which the joint counts as stuck, and as slow. Reason: these regimes are for the
+/// reader; the words "stuck" and "low speed" of the page mean this.
 inline constexpr double standing = 0.005, slow = 0.2;
 
-/// A gain this far from its document is a finding, and so is an added term that makes up this part of the command.
-/// Reason: documents give three digits.
+/// Relative error of a gain, or part of the command of an added term, that is a finding. Reason: documents state three
+/// digits.
 inline constexpr double flagged_gain = 0.004;
 
-/// Misfit of the command over its rms: the digits of a file, and below which the controller is understood. Reason: logs
-/// with five digits leave the first, a controller whose every term is known hardly more than the second.
+/// Misfit of the command over its rms: `digits` is that of a rounded file, below `understood` the controller is
+/// understood. Reason: logs with five digits leave the first; a controller whose terms are all known leaves hardly more
+/// than the second.
 inline constexpr double digits = 2e-5, understood = 2e-3;
 
-/// Misfit over rms up to which a controller is judged at all; the multiple of it, and the least part, by which a gain
-/// must then be off to be a finding. Reason: a controller between the samples of a slow log, or with a coarse output,
-/// is reproduced roughly at best.
+/// `rough_command`: misfit over rms up to which a controller is judged at all. `rough_multiple`, `rough_gain`: multiple
+/// of that misfit, and least relative error, of a gain that is then a finding. Reason: a controller between the samples
+/// of a slow log, or with a coarse output, can be reproduced only roughly.
 inline constexpr double rough_command = 0.05, rough_multiple = 5, rough_gain = 0.03;
 
-/// Of the misfit without it: what a filter, a dead zone or a derivative part that no document tells must leave at most;
-/// and the same of an undocumented term against free gains. Reason: a term that is there takes nearly all of what it
-/// leaves out.
+/// Parts of the misfit without a term: what an undocumented filter, dead zone or derivative term may leave at most
+/// (`much_less`), and the same of any undocumented term compared with free gains (`much_better`). Reason: a term that
+/// exists takes nearly all of what its absence leaves.
 inline constexpr double much_less = 0.5, much_better = 0.25;
 
-/// Times what every term together leaves, or what rounding makes: no further term is needed. Reason: terms share a
-/// little of what rounding leaves.
+/// Multiple of what all terms together leave, or of rounding, below which no further term is needed. Reason: terms
+/// share a little of what rounding leaves.
 inline constexpr double enough = 1.2;
 
-/// Factor within which an undocumented gain agrees between records. Reason: a gain of the controller is the same in
-/// all.
+/// Ratio within which an undocumented gain must agree between records. Reason: the controller has the same gain in all
+/// of them.
 inline constexpr double agreeing = 2;
 
-/// Of a plateau of the command: what the controller wanted must be more for it to be a limit. Reason: a reference that
-/// rests makes plateaus as well.
+/// Multiple of a plateau of the command that the unlimited controller must exceed for the plateau to be a limit.
+/// Reason: a reference at rest makes plateaus, too.
 inline constexpr double wanted_more = 1.01;
 
-/// Of the rows: a regression that leaves more of them out as outliers says nothing. Reason: the majority is the rule.
+/// Part of the rows. A regression that leaves out more of them as outliers is rejected. Reason: the majority is the
+/// rule.
 inline constexpr double most_rows = 0.5;
 
-/// Of the known reading error, below which a grid is not felt; of the documented step, and of the noise, above which a
-/// grid is coarser than documented. Reason: a third of a step more is another converter; below half the noise no grid
-/// is seen.
+/// `felt_grid`: part of the known reading error below which a grid has no influence. `coarser_grid`, `grid_over_noise`:
+/// multiples of the documented step, and of the noise, above which a grid is coarser than documented. Reason: a step
+/// larger by a third is another converter; below half the noise no grid is visible.
 inline constexpr double felt_grid = 0.1, coarser_grid = 1.3, grid_over_noise = 0.5;
 
-/// Part of the squares of a logged supply's drop that follows the current, and of the supply that the drop makes up.
-/// Reason: a source with a resistance, and one that matters: two parts in a thousand are the digits of a voltmeter.
+/// Part of the squares of a logged supply's drop that follows the current, and part of the supply that the drop makes
+/// up. Reason: the source then has a resistance, and one that matters; two parts in a thousand are the digits of a
+/// voltmeter.
 inline constexpr double supply_follows = 0.8, supply_matters = 0.002;
 
-/// Of score, and of what the cause leaves: a force of free shape that is better by the larger of both says that the
-/// cause is another one of the same signal. Reason: a free shape has more parameters, which gain a little from noise.
+/// Difference of score, and part of what the cause leaves. An unmodelled force that is better by the larger of both
+/// rejects the cause. Reason: a free shape has more parameters, which gain a little from noise.
 inline constexpr double least_of_free_force = 0.004, better_than_cause = 0.25;
 
-/// Of the rows of a table of outcomes: what a law that is named may misjudge beyond rows that contradict each other,
-/// and how many of those a table may have. Reason: who notes stick-slip by ear is now and then wrong; a law that misses
-/// every eighth row is not that of the joint.
+/// Parts of the rows of a table of outcomes: what a named law may misjudge beyond contradicting rows, and how many
+/// contradicting rows a table may have. Reason: stick-slip noted by ear is sometimes wrong; a law that misses every
+/// eighth row is not the joint's.
 inline constexpr double most_misjudged = 0.12, most_contradicting = 0.15;
 
 }  // namespace stickslip::gap::policy

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""docs/tutorial.md as a reader walks it: its files, its commands in order, its output. Run: tutorial_test.py STICKSLIP
+"""A page of docs/ as a reader walks it: its files, its commands in order, its output. Run: walk_test.py STICKSLIP docs/PAGE.md
 
 Every line of a block after <!-- output --> has to stand in what the commands above it printed.
 """
@@ -22,7 +22,7 @@ program = pathlib.Path(sys.argv[1]).resolve()
 environment = {**os.environ, "PATH": f"{program.parent}:{os.environ['PATH']}", "LC_ALL": "C.UTF-8"}
 said, commands, lines, missing = "", 0, 0, []
 with tempfile.TemporaryDirectory() as folder:
-    for kind, name, text in docs.blocks(ROOT / "docs/tutorial.md"):
+    for kind, name, text in docs.blocks(ROOT / sys.argv[2]):
         if kind == "file":
             pathlib.Path(folder, name).write_text(text, encoding="utf-8")
         elif kind == "sh":
@@ -36,4 +36,4 @@ with tempfile.TemporaryDirectory() as folder:
 for line in missing:
     print("nowhere in the output:", line)
 print(f"{commands} commands, {lines} lines of output, {len(missing)} of them not printed")
-sys.exit(1 if missing or commands < 7 or lines < 12 else 0)
+sys.exit(1 if missing or commands == 0 or lines < 10 else 0)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Pages of docs/ that are made from the code: reference.md, method.md and gallery.md; and the site with its pictures.
+"""Pages of docs/ that are made from the code: reference.md, method.md, gallery.md and library.md; and the site with its pictures.
 Run: docs.py write|check PROGRAM, docs.py site PROGRAM FOLDER
 
 reference.md: what the program says of its keys (stickslip list keys --markdown), then every field of its JSON answers from
@@ -14,6 +14,8 @@ import shutil
 import subprocess
 import sys
 import tempfile
+
+import library
 
 ROOT = pathlib.Path(__file__).parent.parent
 MADE = "<!-- Made by `cmake --build build --target docs_text`; a change here is overwritten. -->\n\n"
@@ -42,7 +44,6 @@ METHOD = """# Thresholds of the diagnosis
 `{policy}`, with its unit, its reason and its evidence. A threshold without evidence of its own was used with this value in all
 blind batches of the [validation](validation.md); other values were not tried.
 """
-
 
 def row(*cells):
     return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |\n"
@@ -150,8 +151,13 @@ def method():
             text += "".join(row(f"`{n}`", shown(v), why or ("see above" if comment or shown(v) != v else "")) for n, v, why in fields)
         else:
             single.append((constants(statement), comment))
-    text += "\n## Single thresholds\n\n" + row("Name", "Value", "What it is", "Reason", "Evidence") + row(*["---"] * 5)
-    for values, comment in single:
+    text += "\n## Single thresholds\n\n" + table_of(single)
+    return text
+
+
+def table_of(constants_with_comments):
+    text = row("Name", "Value", "What it is", "Reason", "Evidence") + row(*["---"] * 5)
+    for values, comment in constants_with_comments:
         text += row("<br>".join(f"`{n}`" for n, _ in values), "<br>".join(v.strip() for _, v in values), *reasoned(comment))
     return text
 
@@ -292,7 +298,8 @@ def main():
     what, program = sys.argv[1], str(pathlib.Path(sys.argv[2]).resolve())
     if what == "site":
         return site(program, pathlib.Path(sys.argv[3]).resolve())
-    pages = {"docs/reference.md": reference(program), "docs/method.md": method(), "docs/gallery.md": gallery()}
+    pages = {"docs/reference.md": reference(program), "docs/method.md": method(), "docs/gallery.md": gallery(),
+             "docs/library.md": MADE + library.library(ROOT)}
     stale = []
     for name, text in pages.items():
         path = ROOT / name

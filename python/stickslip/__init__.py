@@ -1,4 +1,4 @@
-"""stickslip: where a robot's joint slides and where it sticks.
+"""stickslip: stick-slip of robot joints.
 
 >>> import stickslip
 >>> joint = stickslip.Joint.example()

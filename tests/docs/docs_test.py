@@ -22,7 +22,7 @@ def text_of(name):
 
 def declared_keys():
     """The first word in quotes of every visit.…(…): what reading, checking and listing walk, too."""
-    visit = re.compile(r'visit\.(?:number|numbers|flag|choice|text|table|rows|samples)\(\s*\{?\s*"(\w+)"')
+    visit = re.compile(r'visit\.(?:number|numbers|flag|choice|text|table|rows|samples)\(\s*(?:Field)?\{?\s*"(\w+)"')
     sources = [*ROOT.glob("analysis/joint/*.h"), *ROOT.glob("analysis/friction/*.h"), ROOT / "sweep/study/spec.h",
                ROOT / "sweep/files/toml/requirements_file.cpp"]
     return {key for source in sources for key in visit.findall(source.read_text(encoding="utf-8"))}
@@ -68,12 +68,21 @@ wrong += [f"docs/method.md: {name} has no reason" for name in re.findall(r"^\| `
 wrong += [f"docs/method.md: {name} has no reason" for name in re.findall(r"^\| (`[^|]+) \| [^|]* \| [^|]+ \|\s*\| [^|]+ \|$", method, re.MULTILINE)]
 without = len(re.findall(r"\| – \|$", method, re.MULTILINE))
 
+page = text_of("docs/library.md")
+for header in sorted((ROOT / "include/stickslip").glob("*.h")):
+    if header.name != "stickslip.h" and f"\n## <stickslip/{header.name}>\n" not in page:
+        wrong.append(f"docs/library.md: {header.name} is missing")
+for name in ("linear_verdict", "simulate", "locate_boundaries", "diagnose", "read_joint", "ParallelFor"):  # one of each room
+    if not re.search(rf"```cpp\n[^`]*\b{name}\b", page):
+        wrong.append(f"docs/library.md: {name} is missing")
+
 site = text_of("mkdocs.yml")
 for page in sorted((ROOT / "docs").rglob("*.md")):
     name = page.relative_to(ROOT / "docs").as_posix()
     if f": {name}\n" not in site + "\n":
         wrong.append(f"mkdocs.yml: {name} stands nowhere in nav")
-    for target in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8")):
+    words = re.sub(r"^```.*?^```$", "", page.read_text(encoding="utf-8"), flags=re.MULTILINE | re.DOTALL)
+    for target in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", words):
         if not (page.parent / target).exists() and target.removeprefix("pictures/") not in docs.drawn():
             wrong.append(f"docs/{name}: leads to {target}, which does not exist")
 

@@ -13,6 +13,13 @@ from .program import Interrupted, StickslipError, executable, version
 from .verbs import (boundary, check_gap, compare, design, diagnose, diagnose_robot, evaluate, export, import_robot, margins,
                     read_answer, simulate, sweep, timeline)
 
+
+def __getattr__(name: str):
+    if name == "__version__":
+        return version()
+    raise AttributeError(f"module 'stickslip' has no attribute {name!r}")
+
+
 __all__ = ["Answer", "Interrupted", "Joint", "Key", "StickslipError", "boundary", "check_gap", "compare",
            "design", "diagnose", "diagnose_robot",
            "evaluate", "executable", "export", "import_robot", "margins", "plot_boundary", "plot_effects", "plot_map", "plot_motion",

@@ -53,28 +53,31 @@ def ros2_multi_array(values):
 
 
 def mcap(path, chunked=True, names=NAMES):
+    messages = []
+    for k in range(len(T)):
+        messages.append(("/commands", "std_msgs/msg/Float64MultiArray", T[k], ros2_multi_array(COMMAND[k])))
+        messages.append(("/joint_states", "sensor_msgs/msg/JointState", T[k] + 1e-3, ros2_joint_state(k, names)))
+    return mcap_of(path, messages, chunked)
+
+
+def mcap_of(path, messages, chunked=True, packed=""):
+    """A file of (topic, type, time after the start, data)."""
     def text(s):
         return struct.pack("<I", len(s)) + s.encode()
 
     def rec(kind, body):
         return struct.pack("<BQ", kind, len(body)) + body
 
-    def channel(i, schema, topic):
-        return rec(4, struct.pack("<HH", i, schema) + text(topic) + text("cdr") + struct.pack("<I", 0))
-
-    def schema(i, name):
-        return rec(3, struct.pack("<H", i) + text(name) + text("ros2msg") + struct.pack("<I", 0))
-
-    def message(i, k, data, late=0.0):
-        when = int((1_700_000_000 + T[k] + late) * 1e9)
-        return rec(5, struct.pack("<HIQQ", i, k, when, when) + data)
-
-    block = schema(1, "sensor_msgs/msg/JointState") + channel(1, 1, "/joint_states")
-    block += schema(2, "std_msgs/msg/Float64MultiArray") + channel(2, 2, "/commands")
-    for k in range(len(T)):
-        block += message(2, k, ros2_multi_array(COMMAND[k])) + message(1, k, ros2_joint_state(k, names), 1e-3)
+    block, channels = b"", {}
+    for k, (topic, kind, when, data) in enumerate(messages):
+        if topic not in channels:
+            i = channels[topic] = len(channels) + 1
+            block += rec(3, struct.pack("<H", i) + text(kind) + text("ros2msg") + struct.pack("<I", 0))
+            block += rec(4, struct.pack("<HH", i, i) + text(topic) + text("cdr") + struct.pack("<I", 0))
+        at = int((1_700_000_000 + when) * 1e9)
+        block += rec(5, struct.pack("<HIQQ", channels[topic], k, at, at) + data)
     if chunked:
-        block = rec(6, struct.pack("<QQQI", 0, 0, len(block), zlib.crc32(block)) + text("") + struct.pack("<Q", len(block)) + block)
+        block = rec(6, struct.pack("<QQQI", 0, 0, len(block), zlib.crc32(block)) + text(packed) + struct.pack("<Q", len(block)) + block)
     magic = b"\x89MCAP0\r\n"
     path.write_bytes(magic + rec(1, text("ros2") + text("test")) + block + rec(15, b"\0" * 4) + rec(2, b"\0" * 20) + magic)
     return path

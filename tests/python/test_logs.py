@@ -223,3 +223,36 @@ def test_a_robot_from_a_folder_of_sage_and_from_a_frame(tmp_path):
     assert same["joints"][0]["gap"] == first["gap"]
     with pytest.raises(StickslipError, match="no joint elbw"):
         stickslip.diagnose_robot({names[0]: LOOP}, frame, joints=["elbw"])
+
+
+def test_two_drivers_on_one_topic(tmp_path):
+    """The hand's driver and the arm's publish joint states of their own by turns; commands meet the arm's rows in time."""
+    states = "sensor_msgs/msg/JointState"
+    messages = []
+    for k, t in enumerate(sample.T):
+        messages.append(("/joint_states", states, t - 0.004, sample.ros2_joint_state(k, ["finger", "thumb"])))
+        messages.append(("/joint_states", states, t, sample.ros2_joint_state(k)))
+        messages.append(("/command", "std_msgs/msg/Float64MultiArray", t + 0.001, sample.ros2_multi_array(sample.Q[k] + k)))
+    file = sample.mcap_of(tmp_path / "two.mcap", messages)
+    frame = stickslip.read_log(file, joint="elbow", command="/command")
+    assert len(frame) == len(sample.T) - 1  # before the first command there is no reference
+    assert numpy.allclose(frame["position"], sample.Q[1:, 1])
+    assert numpy.allclose(frame["reference_position"], sample.Q[:-1, 1] + numpy.arange(len(sample.T) - 1))
+    with pytest.raises(StickslipError, match="finger, thumb, " + ", ".join(sample.NAMES)):
+        stickslip.read_log(file, joint="knee")
+    with pytest.raises(StickslipError, match="command topic /comand; topics are /command"):
+        stickslip.read_log(file, joint="elbow", command="/comand")
+
+
+def test_a_packing_that_cannot_be_read_is_told_with_the_file(tmp_path):
+    if importlib.util.find_spec("zstandard"):
+        pytest.skip("zstandard is installed")
+    file = sample.mcap_of(tmp_path / "packed.mcap", [("/a", "std_msgs/msg/Float64", 0, sample.Cdr().add("d", 1.0).message())], packed="zstd")
+    with pytest.raises(StickslipError, match="packed.mcap: chunks are packed with zstd: install python3-zstandard"):
+        stickslip.read_log(file, joint="elbow")
+
+
+def test_the_version_is_that_of_the_program():
+    assert stickslip.__version__ == stickslip.version()
+    with pytest.raises(AttributeError):
+        stickslip.nothing_of_this_name

@@ -34,7 +34,7 @@ def _records(data: bytes, where: str) -> Iterator[tuple[int, bytes]]:
         at += length
 
 
-def _unpacked(chunk: bytes) -> bytes:
+def _unpacked(path: Path, chunk: bytes) -> bytes:
     _, _, size, crc = struct.unpack_from("<QQQI", chunk, 0)
     compression, at = _text(chunk, 28)
     length, = struct.unpack_from("<Q", chunk, at)
@@ -43,13 +43,13 @@ def _unpacked(chunk: bytes) -> bytes:
         try:
             import zstandard
         except ImportError:
-            raise StickslipError("chunks are packed with zstd: install python3-zstandard, or run `mcap compress --compression none`") from None
+            raise StickslipError(f"{path}: chunks are packed with zstd: install python3-zstandard, or run `mcap compress --compression none`") from None
         data = zstandard.ZstdDecompressor().decompress(data, max_output_size=size)
     elif compression == "lz4":
         try:
             import lz4.frame
         except ImportError:
-            raise StickslipError("chunks are packed with lz4: install python3-lz4, or run `mcap compress --compression none`") from None
+            raise StickslipError(f"{path}: chunks are packed with lz4: install python3-lz4, or run `mcap compress --compression none`") from None
         data = lz4.frame.decompress(data)
     elif compression:
         raise ValueError(f"chunks are packed with {compression!r}")
@@ -85,7 +85,7 @@ def messages(path: Path) -> Iterator[Message]:
                 if encoding == "cdr":
                     yield topic, schemas.get(schema, ""), logged * 1e-9, body[22:]
             elif kind == CHUNK:
-                yield from read(_unpacked(body), "a chunk")
+                yield from read(_unpacked(path, body), "a chunk")
             elif kind == DATA_END:
                 return
 

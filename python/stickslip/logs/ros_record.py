@@ -26,6 +26,8 @@ def record(path: Path, messages: Iterable[Message], cdr: bool, joint: str | None
         elif name == command:
             numbers.setdefault(name, []).append((received, [ros_messages.value(kind, data, cdr)]))
     listed = ", ".join(f"{n} ({t})" for n, t in sorted(seen.items())) or "none"
+    if command is not None and command not in seen:
+        raise StickslipError(f"{path}: has no messages on the command topic {command}; topics are {listed}")
     candidates = [name for name in states if name != command]
     if topic is None:
         if len(candidates) != 1:
@@ -33,19 +35,21 @@ def record(path: Path, messages: Iterable[Message], cdr: bool, joint: str | None
         topic = candidates[0]
     if topic not in states:
         raise StickslipError(f"{path}: has no JointState on topic {topic}; topics are {listed}")
-    if command is not None and command not in numbers and command not in states:
-        raise StickslipError(f"{path}: has no messages on the command topic {command}; topics are {listed}")
     return _columns(path, states, numbers, topic, command, joint)
 
 
 def _columns(path, states, numbers, topic, command, joint):
-    first = states[topic][0][1]
-    index = joint_index(f"{path}: topic {topic}", first.names, joint)
-    name = first.names[index]
+    # several drivers may share a topic, each with messages of its own joints
+    lists = {tuple(state.names): None for _, state in states[topic]}
+    names = list(next(iter(lists))) if len(lists) == 1 else list(dict.fromkeys(name for one in lists for name in one))
+    name = names[joint_index(f"{path}: topic {topic}", names, joint)]
+    driver = next(list(one) for one in lists if name in one)
+    if driver.count(name) > 1:
+        raise StickslipError(f"{path}: topic {topic}: has {driver.count(name)} joints called {name!r}")
     t: list[float] = []
     columns: dict[str, list[float]] = {"position": [], "velocity": [], "effort_measured": []}
     guessed = ["units are those of REP 103 (rad, m, N·m, N): the messages do not say"]
-    received = [r for r, _ in states[topic]]
+    received: list[float] = []
     stamped = all(s.stamp > 0 for _, s in states[topic])
     if not stamped:
         guessed.append("messages have no stamp: time is that of receipt")
@@ -53,6 +57,7 @@ def _columns(path, states, numbers, topic, command, joint):
         if name not in state.names:
             continue
         i = state.names.index(name)
+        received.append(when)
         t.append(state.stamp if stamped else when)
         for column, values in (("position", state.position), ("velocity", state.velocity), ("effort_measured", state.effort)):
             columns[column].append(values[i] if i < len(values) else float("nan"))
@@ -62,13 +67,14 @@ def _columns(path, states, numbers, topic, command, joint):
     if command in states:
         sent = [(r, s.position[s.names.index(name)]) for r, s in states[command] if name in s.names and s.names.index(name) < len(s.position)]
     else:
-        lists = numbers.get(command, [])
-        if any(len(v) not in (1, len(first.names)) for _, v in lists):
-            raise StickslipError(f"{path}: topic {command} has {len(lists[0][1])} numbers a message, topic {topic} has {len(first.names)} joints")
-        sent = [(r, v[0] if len(v) == 1 else v[index]) for r, v in lists]
+        given = numbers.get(command, [])
+        wrong = [len(v) for _, v in given if len(v) not in (1, len(driver))]
+        if wrong:
+            raise StickslipError(f"{path}: topic {command} has {wrong[0]} numbers a message, topic {topic} has {len(driver)} joints")
+        sent = [(r, v[0] if len(v) == 1 else v[driver.index(name)]) for r, v in given]
     if sent:
         guessed.append(f"reference is the last message of {command} received before each row")
-        columns["reference_position"] = held(received[:len(t)], [r for r, _ in sent], [v for _, v in sent])
+        columns["reference_position"] = held(received, [r for r, _ in sent], [v for _, v in sent])
     else:
         guessed.append("no command topic was named: the record has no reference")
     return frame_of(path, {"time": t, **columns}, guessed)

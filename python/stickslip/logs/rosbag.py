@@ -40,7 +40,7 @@ def _records(data: bytes) -> Iterator[tuple[dict[str, bytes], bytes]]:
         yield _fields(parts[0]), parts[1]
 
 
-def _unpacked(fields: dict[str, bytes], data: bytes) -> bytes:
+def _unpacked(path: Path, fields: dict[str, bytes], data: bytes) -> bytes:
     compression = fields.get("compression", b"none").decode("ascii")
     if compression == "bz2":
         return bz2.decompress(data)
@@ -48,7 +48,7 @@ def _unpacked(fields: dict[str, bytes], data: bytes) -> bytes:
         try:
             import lz4.frame
         except ImportError:
-            raise StickslipError("chunks are packed with lz4: install python3-lz4, or run `rosbag decompress`") from None
+            raise StickslipError(f"{path}: chunks are packed with lz4: install python3-lz4, or run `rosbag decompress`") from None
         return lz4.frame.decompress(data)
     if compression != "none":
         raise ValueError(f"chunks are packed with {compression!r}")
@@ -71,7 +71,7 @@ def messages(path: Path) -> Iterator[Message]:
                 topic, type_name = connections[fields["conn"]]
                 yield topic, type_name, seconds + 1e-9 * nanoseconds, body
             elif kind == CHUNK:
-                yield from read(_unpacked(fields, body))
+                yield from read(_unpacked(path, fields, body))
 
     yield from read(data[len(MAGIC):])
 

@@ -1,14 +1,17 @@
 """Builds wheel and sdist (PEP 517). The wheel holds the Python package and the program, which CMake builds.
 
-STICKSLIP_PROGRAM=path takes a program that is built already.
+STICKSLIP_PROGRAM=path takes a program that is built already. STICKSLIP_MANYLINUX=1 puts the libraries that it links into the
+wheel, too, which then runs on every Linux of this processor whose glibc is as new as this machine's (PEP 600).
 """
 import base64
 import hashlib
 import os
+import platform
 import re
 import subprocess
 import sysconfig
 import tarfile
+import tempfile
 import zipfile
 from io import BytesIO
 from pathlib import Path
@@ -43,8 +46,24 @@ def metadata():
     return "\n".join(lines) + "\nDescription-Content-Type: text/markdown\n\n" + readme
 
 
+MANYLINUX = os.environ.get("STICKSLIP_MANYLINUX") == "1"
+
+
 def tag():
+    if MANYLINUX:
+        return f"py3-none-manylinux_{platform.libc_ver()[1].replace('.', '_')}_{platform.machine()}"
     return "py3-none-" + sysconfig.get_platform().replace("-", "_").replace(".", "_")
+
+
+def binaries():
+    """(path in the package, data, mode) of the program and, on request, of what it links."""
+    if not MANYLINUX:
+        yield "bin/stickslip", program().read_bytes(), 0o755
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([ROOT / "cmake" / "bundle.sh", program(), folder], check=True)
+        for file in sorted(p for p in Path(folder).rglob("*") if p.is_file()):
+            yield file.relative_to(folder).as_posix(), file.read_bytes(), 0o644 if file.parent.name == "lib" else 0o755
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
@@ -64,7 +83,8 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
         for file in sorted(PACKAGE.rglob("*")):
             if file.suffix == ".py" or file.name == "py.typed":
                 add("stickslip/" + file.relative_to(PACKAGE).as_posix(), file.read_bytes())
-        add("stickslip/bin/stickslip", program().read_bytes(), 0o755)
+        for path, data, mode in binaries():
+            add("stickslip/" + path, data, mode)
         add(f"{info}/METADATA", metadata().encode())
         add(f"{info}/entry_points.txt", b"[console_scripts]\nstickslip = stickslip.__main__:main\n")
         add(f"{info}/WHEEL", f"Wheel-Version: 1.0\nGenerator: stickslip\nRoot-Is-Purelib: false\nTag: {tag()}\n".encode())

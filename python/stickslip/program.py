@@ -57,6 +57,14 @@ def _communicate(process: subprocess.Popen, terminal: int | None, show: progress
     return out, listener.end()
 
 
+def _reasons(out: str) -> str:
+    """Why an answer in JSON is a refusal, such as records in units that contradict the joint."""
+    try:
+        return "\n".join(json.loads(out)["reasons"])
+    except (ValueError, TypeError, KeyError):
+        return ""
+
+
 def run(arguments: Sequence[Any], allowed: Sequence[int] = (DONE, CHECK_FAILED, UNDECIDED),
         show: progress.Show | None = None) -> subprocess.CompletedProcess:
     """Runs `stickslip ARGUMENTS` and returns what it printed. Ctrl-C (or the stop button of a notebook) interrupts the
@@ -80,7 +88,7 @@ def run(arguments: Sequence[Any], allowed: Sequence[int] = (DONE, CHECK_FAILED, 
             process.wait()
         raise
     if process.returncode not in allowed:
-        message = err.strip() or out.strip() or f"ended with {process.returncode}"
+        message = err.strip() or _reasons(out) or out.strip() or f"ended with {process.returncode}"
         raise (Interrupted if process.returncode == INTERRUPTED else StickslipError)(message)
     return subprocess.CompletedProcess(command, process.returncode, out, err)
 

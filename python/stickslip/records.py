@@ -22,13 +22,19 @@ def as_frame(name: str, record: Any):
         raise StickslipError(f"{name}: {error}") from None
     if frame.empty:
         raise StickslipError(f"{name}: has no rows")
+    for column in frame.columns:
+        if not isinstance(column, str):
+            raise StickslipError(f"{name}: got {column!r} as the name of a column, expected text")
+    twice = frame.columns[frame.columns.duplicated()]
+    if len(twice):
+        raise StickslipError(f"{name}: got {list(frame.columns).count(twice[0])} columns called {twice[0]!r}, expected one")
     columns = {}
     for column in frame.columns:
         given = frame[column]
         if given.dtype == bool:
             given = given.astype(int)
         values = pandas.to_numeric(given, errors="coerce") if given.dtype == object else given
-        if not numpy.issubdtype(values.dtype, numpy.number):
+        if not numpy.issubdtype(values.dtype, numpy.number) or numpy.issubdtype(values.dtype, numpy.complexfloating):
             raise StickslipError(f"{name}: column {column!r} holds {given.dtype}, expected numbers (times in seconds)")
         if given.dtype == object and bool((values.isna() & given.notna()).any()):
             row = int(numpy.flatnonzero((values.isna() & given.notna()).to_numpy())[0])

@@ -71,3 +71,21 @@ def test_the_page_of_a_joint_leads_back_to_its_robot(tmp_path):
     stickslip.diagnose_robot({"elbow": JOINT}, log, directory=tmp_path, report=True)
     assert '<a href="../robot.html">All joints of the robot</a>' in (tmp_path / "elbow" / "report.html").read_text(encoding="utf-8")
     assert "elbow/report.html" in (tmp_path / "robot.html").read_text(encoding="utf-8")
+
+
+def test_frames_that_are_no_record_are_refused_in_words():
+    good = measured(1.0, 3)["run"]
+
+    def with_column(**columns):
+        return good.assign(**columns)
+
+    twice = good.join(good[["position"]].rename(columns={"position": "again"})).rename(columns={"again": "position"})
+    for frame, told in ((twice, "run: got 2 columns called 'position', expected one"),
+                        (good.rename(columns={"position": 7}), "run: got 7 as the name of a column, expected text"),
+                        (with_column(position=good["position"] + 1j), "column 'position' holds complex128, expected numbers"),
+                        (with_column(position=good["position"].astype(object).where(good.index != 9, "abc")),
+                         "column 'position', row 9: got 'abc', expected a number"),
+                        (with_column(position=good["position"].where(good.index != 9)), "column 'position', row 9: has no value"),
+                        (with_column(position=numpy.degrees(good["position"])), "^run.csv: suspected degrees: position moves 5[78].. times")):
+        with pytest.raises(StickslipError, match=told):
+            stickslip.diagnose(JOINT, {"run": frame})

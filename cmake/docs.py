@@ -22,7 +22,7 @@ MADE = "<!-- Made by `cmake --build build --target docs_text`; a change here is 
 POLICY = "analysis/diagnosis/policy/policy.h"
 SCHEMAS = ("evaluate", "sweep-run", "boundary", "margins", "design", "baseline", "diagnosis", "robot-diagnosis",
            "gap-baseline", "gap-check", "comparison", "timeline", "set-point-design", "plan", "motion", "import", "export",
-           "list", "figures", "answers", "score", "sweep-plan", "run")
+           "list", "figures", "answers", "score", "calibration", "sweep-plan", "run")
 DRAWN_AGAIN = ("sweep-answer", "drawn-charts")  # long, and for the program alone
 REFERENCE = """# Reference
 

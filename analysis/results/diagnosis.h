@@ -1,10 +1,12 @@
 // What a diagnosis found: plain data, the fields of diagnosis.json by the same names.
 #pragma once
+#include "analysis/results/cause_set.h"
 #include "analysis/results/note.h"
 #include "analysis/results/quantity.h"
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -165,6 +167,7 @@ struct Diagnosis {
     std::vector<Share> signals, regimes;
     std::vector<Cause> effects;
     std::vector<std::vector<std::string>> ambiguous_with;
+    std::optional<CauseSet> set;  ///< where a guarantee was asked for
     NextExperiment next_experiment;
     std::vector<SignalGap> gap;
     OverallGap overall;

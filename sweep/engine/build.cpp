@@ -54,6 +54,11 @@ std::string program_version()
     return build_info::version;
 }
 
+std::string method_hash()
+{
+    return build_info::sources;
+}
+
 std::string build_fingerprint()
 {
     return fmt::format("stickslip {} sources {}; {}; {}; glibc {}; {}; lanes {}; mathematics {:016x}",

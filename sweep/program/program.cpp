@@ -92,6 +92,7 @@ void add_verbs(CLI::App& app, Invocation& invocation)
     add_timeline(app, invocation);
     add_plan(app, invocation);
     add_blind(app, invocation);
+    add_calibrate(app, invocation);
     add_completion(app, invocation);
     add_man_page(app, invocation);
 }

@@ -160,6 +160,17 @@ with tempfile.TemporaryDirectory() as folder:
     check("comparison", json.loads(stickslip("compare", str(dated[0]), str(dated[1]), "--json")))
     check("timeline", json.loads(stickslip("timeline", str(pathlib.Path(folder, "runs")), "--no-report", "--json", "-o",
                                            str(pathlib.Path(folder, "timeline")))))
+    # cases on the joint itself; a promise from as many answers as a cluster would give
+    calibration, recorded = pathlib.Path(folder, "calibration.json"), str(pathlib.Path(folder, "record-0.2", "record.csv"))
+    stickslip("calibrate", str(loop), recorded, "--cases", "1", "-o", str(calibration))
+    answered = json.loads(calibration.read_text(encoding="utf-8"))
+    check("calibration", answered)
+    answered["cases"] = [{**answered["cases"][0], "name": str(n)} for n in range(59)]
+    calibration.write_text(json.dumps(answered), encoding="utf-8")
+    promised = json.loads(stickslip("diagnose", str(loop), recorded, "--no-report", "--json", "-o", folder, "--guarantee", "0.95",
+                                    "--calibration", str(calibration)))
+    check("diagnosis", promised)
+    assert promised["set"]["cases"] == 59, promised["set"]
     gap = pathlib.Path(folder, "gap.json")
     stickslip("check", str(loop), str(pathlib.Path(folder, "record-0", "record.csv")), str(gap), "--update")
     check("gap-baseline", json.loads(gap.read_text(encoding="utf-8")))

@@ -99,6 +99,22 @@ void add_ladder(const Diagnosis& d, Json& json)
     json["remainder"] = {{"share", json_number(d.remainder.share)}, {"structure", d.remainder.structure}};
 }
 
+/// Causes that stay possible, and what they promise.
+Json set_json(const CauseSet& set)
+{
+    Json also = Json::array();
+    if (set.no_gap) also.push_back("no-gap");
+    if (set.none_of_these) also.push_back("none-of-these");
+    return {{"names", set.names},
+            {"also", also},
+            {"coverage", set.coverage},
+            {"confidence", set.confidence},
+            {"holds", name_of(set.holds)},
+            {"cases", set.cases},
+            {"uncalibrated", set.uncalibrated},
+            {"population", set.population}};
+}
+
 /// Sentences for people, and beside each its code for programs.
 void add_notes(Json& json, const char* sentences, const char* codes, const std::vector<Note>& notes)
 {
@@ -148,6 +164,7 @@ Json diagnosis_json(const Diagnosis& d, const Joint& before, const Joint& after)
     for (const auto& c : d.effects) json["effects"].push_back(cause_json(c));
     json["none_of_these"] = json_number(probability_of_none(d));
     json["ambiguous_with"] = d.ambiguous_with;
+    if (d.set) json["set"] = set_json(*d.set);
     Json separates = Json::array();
     for (const auto& [one, two] : d.next_experiment.separates) separates.push_back({one, two});
     json["next_experiment"] = {{"description", d.next_experiment.description},

@@ -2,6 +2,7 @@
 // answers.
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/whole_file.h"
+#include "sweep/program/verbs/blind_calibration.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/study/score.h"
@@ -30,7 +31,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 struct Options {
-    std::string directory, truth, answers, score;
+    std::string directory, truth, answers, score, calibration, population;
     int jobs = 1;
     int threads = 0;
     double timeout = 600;  ///< s a case
@@ -127,8 +128,24 @@ Json answer_of(const fs::path& scratch)
     return answer;
 }
 
+/// What is asked of the answers beside the answers.
+void use_answers(const Options& options, const std::vector<fs::path>& cases, const Json& all)
+{
+    if (options.truth.empty()) return;
+    const auto answers = blind::parse_answers(all.dump());
+    const auto truths = blind::parse_truths(read_text(options.truth));
+    const auto score = blind::score(answers, truths);
+    fmt::print("{}", blind::score_text(score));
+    if (!options.score.empty()) write_whole(options.score, blind::score_json(score) + "\n");
+    if (options.calibration.empty()) return;
+    write_calibration(options.calibration, options.population, cases, answers, truths);
+    fmt::print("calibration: {}\n", options.calibration);
+}
+
 int run_cases(const Options& options, Invocation& invocation)
 {
+    if (!options.calibration.empty() && (options.truth.empty() || options.population.empty()))
+        throw BadInput("--calibration: needs --truth, and --population to say how the cases were drawn");
     const auto cases = cases_of(options.directory);
     const fs::path root = fs::temp_directory_path() / fmt::format("stickslip-blind-{}", getpid());
     std::map<pid_t, Running> running;
@@ -172,10 +189,7 @@ int run_cases(const Options& options, Invocation& invocation)
             fmt::print(stderr, "{} failed: {}\n", name, answer.value("log", std::string("no log")));
     fmt::print("answers: {}\n", file.string());
     if (answers.size() < cases.size()) return exit_interrupted;
-    if (options.truth.empty()) return exit_done;
-    const auto score = blind::score(blind::parse_answers(all.dump()), blind::parse_truths(read_text(options.truth)));
-    fmt::print("{}", blind::score_text(score));
-    if (!options.score.empty()) write_whole(options.score, blind::score_json(score) + "\n");
+    use_answers(options, cases, all);
     return exit_done;
 }
 
@@ -190,6 +204,10 @@ void add_blind(CLI::App& app, Invocation& invocation)
     verb->add_option("--truth", options->truth, "file of the true answers: scores them, after all cases are answered");
     verb->add_option("--answers", options->answers, "where to write the answers (DIR/answers.json)");
     verb->add_option("--score", options->score, "where to write the score as JSON");
+    verb->add_option("--calibration", options->calibration,
+                     "where to write answers and truth as a calibration for diagnose --guarantee");
+    verb->add_option("--population", options->population,
+                     "how the cases were drawn, in words: generator, seed; the promise is about joints drawn so");
     verb->add_option("--jobs", options->jobs, "cases at once");
     verb->add_option("--timeout", options->timeout, "seconds after which a case is given up")
         ->check(CLI::PositiveNumber);

@@ -12,6 +12,7 @@
 #include "sweep/program/verbs/diagnose_robot.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/gather_records.h"
+#include "sweep/program/verbs/guarantee_option.h"
 #include "sweep/program/verbs/log_options.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/stage_line.h"
@@ -22,6 +23,7 @@
 #include "sweep/report/pages/write_report.h"
 #include "sweep/words/diagnosis_tables.h"
 #include "sweep/words/diagnosis_text.h"
+#include "sweep/words/guarantee_text.h"
 
 #include <fmt/format.h>
 #include <optional>
@@ -38,6 +40,7 @@ struct Options {
     std::string joint, directory = "diagnosis";
     std::vector<std::string> records, names;
     LogOptions how;
+    GuaranteeOption guarantee;
     int threads = 0;
     bool json = false, no_report = false, all_joints = false;
 };
@@ -115,6 +118,7 @@ void print_answer(const JointDiagnosis& found, const GatheredRecords& given)
     constexpr double visible = 5e-4;
     if (const double none = probability_of_none(d); none > visible)
         fmt::print("  {:<44} probability {:.3f}\n", "none of these", none);
+    if (d.set) fmt::print("  {}\n  {}\n", cause_set_text(*d.set), promise_text(*d.set));
     if (!d.effects.empty())
         for (const auto& value : d.effects[0].values) fmt::print("  {:<44} {}\n", value.name, value_text(value));
 }
@@ -124,6 +128,7 @@ int diagnose(const Options& options, const Invocation& invocation)
     if (options.all_joints || is_robot(options.joint)) {
         if (!options.all_joints && options.names.empty())
             throw BadInput(options.joint + ": has several joints, expected --all-joints, or --joint NAME");
+        if (options.guarantee.asked()) throw BadInput("--guarantee: is of one joint at a time");
         refuse_twice(options.records);
         return diagnose_robot({options.joint, options.directory, options.records, options.names, options.how,
                                options.threads, options.json, options.no_report},
@@ -138,15 +143,19 @@ int diagnose(const Options& options, const Invocation& invocation)
         if (is_foreign_log(file) || !is_outcome_file(file)) continue;
         if (options.records.size() > 1)
             throw BadInput(file + ": is a table of outcomes; it is diagnosed alone, without records or other tables");
+        if (options.guarantee.asked())
+            throw BadInput(file + ": is a table of outcomes, for which there is no --guarantee");
         return diagnose_outcomes(options, joint, invocation);
     }
     const auto given = gather_records(
         options.records, {options.joint, options.names.empty() ? "" : options.names.front(), options.how}, joint);
+    const auto promised = guarantee_for(options.guarantee, joint, given.records);
     const auto directory = answer_folder(options.directory);
-    const auto found = [&] {
+    auto found = [&] {
         StageLine line;
         return diagnose_joint(joint, given, invocation, line);
     }();
+    if (promised) add_set(*promised, found);
     const Diagnosis& d = found.diagnosis;
     // printed before it is written: a disk that has filled up meanwhile does not take the answer along
     if (options.json)
@@ -178,6 +187,7 @@ void add_diagnose(CLI::App& app, Invocation& invocation)
     verb->add_option("--joint", options->names, "name of the joint in logs of several; of a robot: only this one")
         ->allow_extra_args(false);
     add_log_options(*verb, options->how);
+    options->guarantee.add_to(*verb);
     verb->add_option("-o,--output", options->directory,
                      "directory for diagnosis.json and report.html; of a robot for robot.json, robot.html and a folder "
                      "for each joint");
@@ -188,6 +198,7 @@ void add_diagnose(CLI::App& app, Invocation& invocation)
         "Example: stickslip diagnose joint.toml slow.csv.gz steps.csv.gz -o diagnosis\n"
         "Example: stickslip diagnose joint.toml outcomes.csv -o which-law\n"
         "Example: stickslip diagnose robot.toml run.mcap --all-joints -o arm\n"
+        "Example: stickslip diagnose joint.toml slow.csv.gz --guarantee 0.95 --calibration calibration.json\n"
         "Exit codes: 0 answered (gap, no-gap, unknown), 2 bad input (suspected units included), 3 interrupted, 4 too "
         "little "
         "data.");

@@ -4,6 +4,7 @@
 
 namespace stickslip {
 
+void add_calibrate(CLI::App& app, Invocation& invocation);
 void add_compare(CLI::App& app, Invocation& invocation);
 void add_arm_load(CLI::App& app, Invocation& invocation);
 void add_timeline(CLI::App& app, Invocation& invocation);

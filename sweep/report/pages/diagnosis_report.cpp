@@ -6,6 +6,7 @@
 #include "sweep/report/figures/moved_boundary.h"
 #include "sweep/report/figures/where_drawing.h"
 #include "sweep/report/pages/diagnosis_first_screen.h"
+#include "sweep/report/pages/guarantee_card.h"
 #include "sweep/words/cause_text.h"
 #include "sweep/words/diagnosis_tables.h"
 #include "sweep/words/diagnosis_text.h"
@@ -133,6 +134,7 @@ Report diagnosis_report(const Diagnosis& diagnosis, const Joint& before, const J
         for (auto& card : remains_card(d)) r.headlines.push_back(std::move(card));
     }
     if (!d.signals.empty()) r.headlines.push_back(where_card(d));
+    for (auto& card : guarantee_card(d)) r.headlines.push_back(std::move(card));
 
     if (auto played = played_figures(d); !played.empty())
         r.sections.push_back({"played", "The motion, measured and simulated", "", std::move(played), {}});

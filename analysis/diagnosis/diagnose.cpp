@@ -234,7 +234,7 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
         if (options.progress) options.progress(stage, done);
     };
     try {
-        if (records.size() == 1 && is_rig(records[0])) return with_one_rung(diagnose_rig(joint, records[0], parallel));
+        if (std::ranges::all_of(records, is_rig)) return with_one_rung(diagnose_rig(joint, records, parallel));
         find(joint, records, parallel, options, progress, result);
     } catch (const Interrupted&) {
         tell_interrupted(stage, joint, result);

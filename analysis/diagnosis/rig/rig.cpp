@@ -3,6 +3,7 @@
 #include "analysis/diagnosis/fit/effect.h"
 #include "analysis/diagnosis/rig/rig_experiment.h"
 #include "analysis/diagnosis/rig/rig_laws.h"
+#include "analysis/diagnosis/rig/rig_tell.h"
 
 #include <algorithm>
 #include <cmath>
@@ -141,43 +142,6 @@ void name_causes(const Rig& rig, const std::vector<Entry>& entries, const std::v
     for (auto& c : d.effects) c.probability *= any_of_these / sum;
 }
 
-/// What the page draws: the friction, its level, and the best law.
-DiagnosedTrace trace_of(const Rig& rig, const std::string& name, RigLaw law, const RigNumbers& p)
-{
-    DiagnosedTrace trace;
-    trace.file = name;
-    trace.effort = DiagnosedTrace::Effort::friction_of_rig;
-    trace.effort_unit = "as logged";
-    double level = 0;
-    const auto force = rig_force(rig, law, p);
-    rig_square(rig, force, -1, false, &level);
-    const double mean =
-        std::accumulate(rig.friction.begin(), rig.friction.end(), 0.0) / static_cast<double>(rig.friction.size());
-    for (std::size_t k = 0; k < rig.time.size(); k += 2) {
-        trace.time.push_back(rig.time[k]);
-        for (auto* t : {&trace.measured, &trace.before, &trace.after}) t->push_back(rig.displacement[k]);
-        trace.effort_measured.push_back(rig.friction[k]);
-        trace.effort_before.push_back(mean);
-        trace.effort_after.push_back(level + force[k]);
-    }
-    return trace;
-}
-
-/// What the mean level leaves of the rig's friction, what the best law leaves, and the noise.
-void add_gap(const Rig& rig, double before, double after, double noise, Diagnosis& d)
-{
-    const std::string unit(unit_of(Quantity::effort, d.motion));
-    const double whole = before * before - noise * noise;
-    d.gap.push_back(
-        {"friction", unit, before, after, noise, whole > 0 ? (before * before - after * after) / whole : 0});
-    d.overall = {before / noise, after / noise, 1, d.gap[0].explained};
-    d.usual_speed = rig.speed;
-    Share share{"motion", 1};
-    share.rms = before, share.floor = noise, share.unit = unit;
-    d.signals.push_back(share);
-    if (d.verdict == Verdict::gap) d.remainder.share = std::clamp(1 - d.gap[0].explained, 0.0, 1.0);
-}
-
 /// A law with memory becomes that of the joint, where it weakens as a joint's does.
 void take_memory(const Rig& rig, RigLaw law, const RigNumbers& p, Joint& joint)
 {
@@ -195,28 +159,36 @@ bool is_rig(const Record& r)
            r.position.empty() != r.reference_position.empty();
 }
 
-DiagnosisResult diagnose_rig(const Joint& joint, const Record& record, const ParallelFor& parallel)
+namespace {
+
+/// Those with rows enough; the others are told.
+std::vector<Record> long_enough(const std::vector<Record>& records, Diagnosis& d)
+{
+    constexpr std::size_t fewest = 100;
+    std::vector<Record> enough;
+    for (const auto& r : records)
+        if (r.rows() >= fewest)
+            enough.push_back(r);
+        else
+            d.reasons.push_back({.code = Note::Code::too_few_rows,
+                                 .record = r.name,
+                                 .values = {static_cast<double>(r.rows()), static_cast<double>(fewest)}});
+    return enough;
+}
+
+}  // namespace
+
+DiagnosisResult diagnose_rig(const Joint& joint, const std::vector<Record>& given, const ParallelFor& parallel)
 {
     DiagnosisResult result{{}, joint};
     Diagnosis& d = result.diagnosis;
     d.motion = joint.mechanism.motion;
-    constexpr std::size_t fewest = 100;
-    if (record.rows() < fewest) {
-        d.reasons.push_back({.code = Note::Code::too_few_rows,
-                             .record = record.name,
-                             .values = {static_cast<double>(record.rows()), static_cast<double>(fewest)}});
-        return result;
-    }
-    const Rig rig = rig_of(record);
-    d.records.push_back({record.name, "held-out"});
-    d.notes.push_back({Note::Code::rig});
-    if (rig.to - rig.from < record.rows())
-        d.notes.push_back({.code = Note::Code::rig_turns_round,
-                           .record = record.name,
-                           .values = {static_cast<double>(rig.from + 1), static_cast<double>(rig.to)}});
-    d.notes.push_back({Note::Code::rig_blocks_in_turn});
+    const auto records = long_enough(given, d);
+    if (records.empty()) return result;
+    const Rig rig = rig_of(records);
+    describe(rig, records, d);
     if (rig.travel == 0 || rig.range == 0 || rig.speed == 0) {
-        d.reasons.push_back({Note::Code::rig_still, record.name});
+        d.reasons.push_back({Note::Code::rig_still, records.front().name});
         return result;
     }
     const auto& rivals = rig_rivals();
@@ -243,7 +215,7 @@ DiagnosisResult diagnose_rig(const Joint& joint, const Record& record, const Par
     } else {
         d.reasons.push_back({Note::Code::rig_no_law_predicts});
     }
-    d.traces.push_back(trace_of(rig, record.name, best.law, entries[order[0]].fit.p));
+    d.traces = traces_of(rig, records, best.law, entries[order[0]].fit.p);
     return result;
 }
 

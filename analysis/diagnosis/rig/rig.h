@@ -11,7 +11,8 @@ bool is_rig(const Record& record);
 
 /// Which law lets a massless slider behind a spring (fitted) answer the load point with the measured friction: a level,
 /// a curve of the velocity, a drift, or memory by the slip law, the ageing law, or in time. Levels are refitted for
-/// everybody. Blocks of two seconds are held out in turn. Throws std::invalid_argument for records of under 100 rows.
-DiagnosisResult diagnose_rig(const Joint& joint, const Record& record, const ParallelFor& parallel);
+/// everybody. One law for all records and both directions, see rig_of(); blocks of rows are held out in turn. Records
+/// of under 100 rows are left out, and the reasons say so.
+DiagnosisResult diagnose_rig(const Joint& joint, const std::vector<Record>& records, const ParallelFor& parallel);
 
 }  // namespace stickslip::gap

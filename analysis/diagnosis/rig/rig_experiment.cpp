@@ -25,14 +25,16 @@ constexpr double part_of_travel = 0.3;  // of the record's travel, at every spee
 Rig along(const Rig& rig, const Motion& motion)
 {
     Rig made;
-    made.speed = rig.speed;
+    made.speed = rig.speed, made.levels = 1;
+    Run& run = made.runs.emplace_back();
+    run.start_speed = rig.speed;
     double t = 0, x = 0;
     for (double multiple : motion.speeds) {
         const double speed = multiple * rig.speed;
         const double duration = speed > 0 ? part_of_travel * rig.travel / speed : hold;
         for (std::size_t k = 0; k < rows; ++k) {
-            made.time.push_back(t);
-            made.displacement.push_back(x);
+            run.time.push_back(t);
+            run.displacement.push_back(x);
             t += duration / rows, x += speed * duration / rows;
         }
     }
@@ -48,11 +50,11 @@ NextExperiment design_rig_experiment(const Rig& rig, double noise, RigLaw one, c
     NextExperiment best;
     for (const auto& motion : motions) {
         const Rig made = along(rig, motion);
-        const auto a = rig_force(made, one, p), b = rig_force(made, other, q);
+        const auto a = rig_force(made, one, p).front(), b = rig_force(made, other, q).front();
         double distance = 0;
         for (std::size_t k = 0; k < a.size(); ++k) distance = std::max(distance, std::abs(a[k] - b[k]) / noise);
         if (distance <= best.distance) continue;
-        best = {motion.description, {}, distance, made.time, made.displacement};
+        best = {motion.description, {}, distance, made.runs[0].time, made.runs[0].displacement};
     }
     return best;
 }

@@ -1,4 +1,3 @@
-// In one file: the laws that a rig is held against and their fit to its record.
 #include "analysis/diagnosis/rig/rig_laws.h"
 
 #include "analysis/joint/joint.h"
@@ -29,26 +28,6 @@ bool has_memory(RigLaw law)
     return law == RigLaw::slip || law == RigLaw::ageing || law == RigLaw::time;
 }
 
-/// The longest stretch in which the load point goes one way: the laws are those of sliding, not of turning round.
-std::pair<std::size_t, std::size_t> longest_stretch(const std::vector<double>& x)
-{
-    const auto [low, high] = std::minmax_element(x.begin(), x.end());
-    constexpr double back = 0.01;  // of the travel, that is more than noise
-    const double turned = back * (*high - *low);
-    std::size_t best_from = 0, best_to = 0, from = 0, extreme = 0;
-    double side = 0;
-    for (std::size_t k = 1; k <= x.size(); ++k) {
-        const bool over = k == x.size();
-        if (!over && side == 0 && std::abs(x[k] - x[from]) > turned) side = x[k] > x[from] ? 1 : -1, extreme = k;
-        if (!over && side != 0 && side * (x[k] - x[extreme]) > 0) extreme = k;
-        if (!over && (side == 0 || side * (x[extreme] - x[k]) <= turned)) continue;
-        const std::size_t to = over ? x.size() : extreme + 1;
-        if (to - from > best_to - best_from) best_from = from, best_to = to;
-        from = extreme, side = 0;
-    }
-    return {best_from, best_to};
-}
-
 /// -1: no row is left out.
 bool left_out(std::size_t k, int fold)
 {
@@ -73,66 +52,34 @@ const std::vector<RigRival>& rig_rivals()
     return all;
 }
 
-Rig rig_of(const Record& r)
+namespace {
+
+/// Without a direct effect the slider follows the load point: force = law at the load point's speed.
+std::vector<double> following_force(const Rig& rig, const Run& run, RigLaw law, const RigNumbers& p)
 {
-    const auto& x = r.position.empty() ? r.reference_position : r.position;
-    constexpr std::size_t most_rows = 6000;
-    Rig rig;
-    const auto [from, to] = longest_stretch(x);
-    rig.from = from, rig.to = to;
-    const std::size_t stride = std::max<std::size_t>(1, (to - from) / most_rows);
-    for (std::size_t k = from; k < to; k += stride) {
-        rig.time.push_back(r.time[k] - r.time[from]);
-        rig.displacement.push_back(x[k] - x[from]);
-        rig.friction.push_back(r.effort_measured[k]);
-        if (!r.normal_load.empty()) rig.normal.push_back(r.normal_load[k]);
+    constexpr double least = 1e-6;  // of V*
+    std::vector<double> force(run.time.size(), 0);
+    const double load = rig.runs.front().normal.empty() ? 0 : rig.runs.front().normal.front();
+    for (std::size_t k = 0; k < force.size(); ++k) {
+        const auto [a, b] = around(run.time, k);
+        const double v = std::abs((run.displacement[b] - run.displacement[a]) / (run.time[b] - run.time[a]));
+        const double relative = std::max(v / rig.speed, least);
+        if (law == RigLaw::velocity) force[k] = p[1] * v;
+        if (law == RigLaw::logarithm) force[k] = p[1] * std::log(relative);
+        if (law == RigLaw::load && !run.normal.empty()) force[k] = p[1] * (run.normal[k] - load);
+        if (law == RigLaw::drift) force[k] = p[1] * -std::expm1(-run.time[k] / p[2]);
     }
-    const std::size_t first = std::max<std::size_t>(2, rig.time.size() / 50);
-    rig.speed = std::abs(rig.displacement[first] / rig.time[first]);
-    rig.travel = std::abs(rig.displacement.back());
-    const auto [low, high] = std::minmax_element(rig.friction.begin(), rig.friction.end());
-    rig.range = *high - *low;
-    return rig;
+    return force;
 }
 
-double rig_noise(const Rig& rig)
+/// A state that remembers, by the midpoint rule. It begins in steady sliding at the run's first speed.
+std::vector<double> remembering_force(const Rig& rig, const Run& run, RigLaw law, const RigNumbers& p)
 {
-    constexpr std::size_t block = 100;
-    std::vector<double> squares;
-    for (std::size_t b = 0; b == 0 || b + block <= rig.time.size(); b += block) {
-        const std::size_t n = std::min(block, rig.time.size() - b);
-        double t = 0, f = 0, tt = 0, tf = 0, ff = 0;
-        for (std::size_t k = b; k < b + n; ++k)
-            t += rig.time[k] / static_cast<double>(n), f += rig.friction[k] / static_cast<double>(n);
-        for (std::size_t k = b; k < b + n; ++k) {
-            const double dt = rig.time[k] - t, df = rig.friction[k] - f;
-            tt += dt * dt, tf += dt * df, ff += df * df;
-        }
-        squares.push_back((ff - (tt > 0 ? tf * tf / tt : 0)) / static_cast<double>(n - 2));
-    }
-    const auto middle = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2);
-    std::nth_element(squares.begin(), middle, squares.end());
-    return std::sqrt(std::max(0.0, *middle));
-}
-
-std::vector<double> rig_force(const Rig& rig, RigLaw law, const RigNumbers& p)
-{
-    std::vector<double> force(rig.time.size(), 0);
-    if (!has_memory(law)) {
-        // without a direct effect the slider follows the load point: force = law at the load point's speed
-        for (std::size_t k = 0; k < force.size(); ++k) {
-            const auto [a, b] = around(rig.time, k);
-            const double v = std::abs((rig.displacement[b] - rig.displacement[a]) / (rig.time[b] - rig.time[a]));
-            const double relative = std::max(v / rig.speed, 1e-6);
-            if (law == RigLaw::velocity) force[k] = p[1] * v;
-            if (law == RigLaw::logarithm) force[k] = p[1] * std::log(relative);
-            if (law == RigLaw::load && !rig.normal.empty()) force[k] = p[1] * (rig.normal[k] - rig.normal[0]);
-            if (law == RigLaw::drift) force[k] = p[1] * -std::expm1(-rig.time[k] / p[2]);
-        }
-        return force;
-    }
+    std::vector<double> force(run.time.size(), 0);
     const double stiffness = p[0], A = p[1], B = p[2], length = p[3];
-    double slip = 0, theta = 0;
+    constexpr double slowest = 1e-3;  // of V*: a run that begins at rest has no steady sliding to begin from
+    const double start = std::log(std::max(run.start_speed / rig.speed, slowest));
+    double theta = -B * start, slip = -(A - B) * start / stiffness;
     const auto rate_of = [&](double x, double s, double th, double& ds, double& dth) {
         const double exponent = std::clamp((stiffness * (x - s) - th) / A, -40.0, 40.0);
         ds = rig.speed * std::exp(exponent);
@@ -143,9 +90,9 @@ std::vector<double> rig_force(const Rig& rig, RigLaw law, const RigNumbers& p)
         if (law == RigLaw::ageing) dth = B / length * (rig.speed * std::exp(std::clamp(-th / B, -40.0, 40.0)) - ds);
     };
     for (std::size_t k = 0; k + 1 < force.size(); ++k) {
-        force[k] = stiffness * (std::abs(rig.displacement[k]) - slip);
-        const double h = rig.time[k + 1] - rig.time[k], x0 = std::abs(rig.displacement[k]);
-        const double rate = (std::abs(rig.displacement[k + 1]) - x0) / h;
+        force[k] = stiffness * (std::abs(run.displacement[k]) - slip);
+        const double h = run.time[k + 1] - run.time[k], x0 = std::abs(run.displacement[k]);
+        const double rate = (std::abs(run.displacement[k + 1]) - x0) / h;
         double d1, t1, d2, t2;
         rate_of(x0, slip, theta, d1, t1);
         constexpr double steps_per_time_constant = 4;
@@ -161,23 +108,37 @@ std::vector<double> rig_force(const Rig& rig, RigLaw law, const RigNumbers& p)
             if (!std::isfinite(slip) || !std::isfinite(theta)) return std::vector<double>(force.size(), 1e6);
         }
     }
-    force.back() = stiffness * (std::abs(rig.displacement.back()) - slip);
+    force.back() = stiffness * (std::abs(run.displacement.back()) - slip);
     return force;
 }
 
-double rig_square(const Rig& rig, const std::vector<double>& force, int fold, bool outside, double* level)
+}  // namespace
+
+std::vector<std::vector<double>> rig_force(const Rig& rig, RigLaw law, const RigNumbers& p)
 {
-    double mean = 0, n = 0;
-    for (std::size_t k = 0; k < force.size(); ++k)
-        if (!left_out(k, fold)) mean += rig.friction[k] - force[k], n += 1;
-    mean /= n;
-    if (level) *level = mean;
+    std::vector<std::vector<double>> forces;
+    for (const auto& run : rig.runs)
+        forces.push_back(has_memory(law) ? remembering_force(rig, run, law, p) : following_force(rig, run, law, p));
+    return forces;
+}
+
+double rig_square(const Rig& rig, const std::vector<std::vector<double>>& force, int fold, bool outside,
+                  std::vector<double>* levels)
+{
+    std::vector<double> mean(rig.levels), n(rig.levels);
+    for (std::size_t r = 0; r < rig.runs.size(); ++r)
+        for (std::size_t k = 0; k < force[r].size(); ++k)
+            if (!left_out(k, fold))
+                mean[rig.runs[r].level] += rig.runs[r].friction[k] - force[r][k], n[rig.runs[r].level] += 1;
+    for (std::size_t i = 0; i < mean.size(); ++i) mean[i] /= n[i];
     double sum = 0, m = 0;
-    for (std::size_t k = 0; k < force.size(); ++k)
-        if (left_out(k, fold) == outside) {
-            const double e = rig.friction[k] - force[k] - mean;
-            sum += e * e, m += 1;
-        }
+    for (std::size_t r = 0; r < rig.runs.size(); ++r)
+        for (std::size_t k = 0; k < force[r].size(); ++k)
+            if (left_out(k, fold) == outside) {
+                const double e = rig.runs[r].friction[k] - force[r][k] - mean[rig.runs[r].level];
+                sum += e * e, m += 1;
+            }
+    if (levels) *levels = std::move(mean);
     return m > 0 ? sum / m : 0;
 }
 
@@ -187,7 +148,7 @@ namespace {
 RigNumbers numbers_of(const Rig& rig, RigLaw law, const std::vector<double>& x)
 {
     RigNumbers p{rig.range / rig.travel * std::exp(x[0])};
-    const double length = law == RigLaw::time ? rig.time.back() : rig.travel;
+    const double length = law == RigLaw::time ? rig.duration : rig.travel;
     switch (law) {
         case RigLaw::level:
             break;
@@ -201,7 +162,7 @@ RigNumbers numbers_of(const Rig& rig, RigLaw law, const std::vector<double>& x)
             p.push_back(x[1]);
             break;
         case RigLaw::drift:
-            p.push_back(rig.range * x[1]), p.push_back(rig.time.back() * std::exp(x[2]));
+            p.push_back(rig.range * x[1]), p.push_back(rig.duration * std::exp(x[2]));
             break;
         default:
             // gouges strengthen with velocity: B has either sign

@@ -19,17 +19,33 @@ struct RigRival {
 /// All of them, the constant level first.
 const std::vector<RigRival>& rig_rivals();
 
-/// A record as the laws see it: at most 6000 rows, displacement and time from zero.
-struct Rig {
+/// A stretch of a record in which the load point goes one way: displacement and time from zero, friction counted
+/// against the motion.
+struct Run {
     std::vector<double> time, displacement, friction;
-    double speed = 0;              ///< of the load point at first: V*
-    double travel = 0;             ///< of the load point
-    double range = 0;              ///< of the friction
     std::vector<double> normal;    ///< load on the contact, empty where it was not logged
-    std::size_t from = 0, to = 0;  ///< rows of the record: the longest stretch in one direction
+    double start_speed = 0;        ///< of the load point, at which the slider already slides steadily
+    std::size_t record = 0;        ///< that it is of
+    std::size_t from = 0, to = 0;  ///< its rows there
+    std::size_t level = 0;         ///< runs with one number here have one level
 };
 
-Rig rig_of(const Record& record);
+/// All runs of a rig's records, at most 6000 rows together; one law answers them all.
+struct Rig {
+    std::vector<Run> runs;
+    std::size_t levels = 0;
+    double speed = 0;     ///< of the load point at first: V*
+    double travel = 0;    ///< of the load point, the longest
+    double range = 0;     ///< of the friction about its level
+    double duration = 0;  ///< s, the longest
+
+    std::size_t rows() const;
+};
+
+/// Every run has a level of its own, for no two slides of a contact begin alike; where the normal load was logged and
+/// differs between runs, all of one direction have one level, and the load has to explain what they differ by. Behind
+/// a turn a run begins where the friction has come to its median: before that the spring unloads.
+Rig rig_of(const std::vector<Record>& records);
 
 /// Standard deviation of the friction about a line, in the median block of 100 rows: readings of a rig are often
 /// smoothed, and third differences would then take the noise for much less than it is.
@@ -42,12 +58,13 @@ inline constexpr int rig_folds = 3;
 /// Numbers of a law in SI: the spring's stiffness first.
 using RigNumbers = std::vector<double>;
 
-/// Force less its level along the record, of a massless slider behind the spring. Slip and ageing law: PHYSICS (4)-(5).
-std::vector<double> rig_force(const Rig& rig, RigLaw law, const RigNumbers& p);
+/// Force less its level along every run, of a massless slider behind the spring. Slip and ageing law: PHYSICS (4)-(5).
+std::vector<std::vector<double>> rig_force(const Rig& rig, RigLaw law, const RigNumbers& p);
 
-/// Mean square of the misfit with the level refitted to the rows outside `fold` (−1: to all); over those rows, or with
-/// `outside` over the fold. `level`, when given, receives the level.
-double rig_square(const Rig& rig, const std::vector<double>& force, int fold, bool outside, double* level = nullptr);
+/// Mean square of the misfit with the levels refitted to the rows outside `fold` (−1: to all); over those rows, or with
+/// `outside` over the fold. `levels`, when given, receives them.
+double rig_square(const Rig& rig, const std::vector<std::vector<double>>& force, int fold, bool outside,
+                  std::vector<double>* levels = nullptr);
 
 struct RigFit {
     RigNumbers p;

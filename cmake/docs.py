@@ -20,6 +20,7 @@ import library
 ROOT = pathlib.Path(__file__).parent.parent
 MADE = "<!-- Made by `cmake --build build --target docs_text`; a change here is overwritten. -->\n\n"
 POLICY = "analysis/diagnosis/policy/policy.h"
+LIMITS = "analysis/base/work_limits.h"
 SCHEMAS = ("evaluate", "sweep-run", "boundary", "margins", "design", "baseline", "diagnosis", "robot-diagnosis",
            "gap-baseline", "gap-check", "comparison", "timeline", "set-point-design", "plan", "motion", "import", "export",
            "list", "figures", "answers", "score", "calibration", "sweep-plan", "run")
@@ -44,6 +45,13 @@ METHOD = """# Thresholds of the diagnosis
 `{policy}`, with its unit, its reason and its evidence. A threshold without evidence of its own was used with this value in all
 blind batches of the [validation](validation.md); other values were not tried.
 """
+LIMITS_HEAD = """
+## Limits of work
+
+Searches and simulations stop at these limits (`{limits}`) and are then reported as undecided. They decide no other answer.
+
+"""
+
 
 def row(*cells):
     return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |\n"
@@ -152,7 +160,8 @@ def method():
         else:
             single.append((constants(statement), comment))
     text += "\n## Single thresholds\n\n" + table_of(single)
-    return text
+    limits = declarations((ROOT / LIMITS).read_text(encoding="utf-8"))
+    return text + LIMITS_HEAD.format(limits=LIMITS) + table_of((constants(s), comment) for comment, s in limits)
 
 
 def table_of(constants_with_comments):

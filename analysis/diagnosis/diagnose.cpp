@@ -12,8 +12,8 @@
 #include "analysis/diagnosis/verdict/causes.h"
 #include "analysis/diagnosis/verdict/find_causes.h"
 #include "analysis/diagnosis/verdict/locate.h"
+#include "analysis/diagnosis/verdict/reject.h"
 #include "analysis/diagnosis/verdict/tell_ladder.h"
-#include "analysis/diagnosis/verdict/withdraw.h"
 
 #include <algorithm>
 #include <optional>
@@ -113,7 +113,7 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
     d.gap = held.signals;
     d.overall = held.overall;
     d.traces = held.traces;
-    withdraw_no_gap(d);
+    reject_no_gap(d);
     d.notes.insert(d.notes.end(), held.notes.begin(), held.notes.end());
     if (shown && audit_alone) {
         d.effects.push_back(cause_of(p, f.none, f.quiet ? 1 - policy::doubt_of_finding : policy::finding_and_more));
@@ -138,7 +138,7 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
     if (!f.climbed && shown) d.remainder.share = f.quiet ? 0 : std::clamp(1 - held.overall.explained, 0.0, 1.0);
     if (shown) tell_rivals(p, f, ranked, winner, d);
     const bool settled = f.quiet || f.by_ladder || winner.accepted || wrong_controller;
-    if (!shown || withdraw_if_no_better(d, {settled, p.noise_documented()})) return;
+    if (!shown || reject_if_not_validated(d, {settled, p.noise_documented()})) return;
     result.after = p.cases[0].joint;
     if (!audit_alone)
         result.after = edited(result.after, winner.candidate, in_si(winner.candidate, winner.x[1], p.scales), 0);

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "analysis/base/work_limits.h"
 #include "analysis/loop/resolvent.h"
 #include "analysis/numerics/balance.h"
 #include "analysis/numerics/root.h"
@@ -293,7 +294,6 @@ AxisCrossings axis_crossings(const LateLoop& loop)
 {
     AxisCrossings found;
     if (!loop.A.allFinite()) return found;
-    constexpr long most_steps = 500'000;  // half a second; a dead time of 5000 radians of the fastest mode
     const Reach reach = features(loop);
     const Opened open(loop);
     const auto phase = [&](double omega) { return std::arg(towards_axis(open, omega)); };
@@ -301,7 +301,7 @@ AxisCrossings axis_crossings(const LateLoop& loop)
     double omega = reach.from, at = phase(omega), step = 0.1 * omega;
     const auto turn = [](double from, double to) { return std::remainder(to - from, 2 * pi); };
     for (long steps = 0; omega < reach.to; ++steps) {
-        if (steps == most_steps) {
+        if (steps == work::crossing_steps) {
             found.doubtful.push_back({omega, reach.to});
             break;
         }

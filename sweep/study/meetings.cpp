@@ -44,16 +44,20 @@ bool hunts(const SetPoint& s)
     return s.hunting == Hunting::yes;
 }
 
-/// What the joint does behind a boundary of hunting, seen from the design: at the nearest place where the answer is
+/// Of the axis: distances behind a boundary of hunting at which the joint is judged. Reason: a located point is known
+/// to 1e-10 of itself or so, one interpolated between the points of a curve to the width of a line, about 1e-3. What is
+/// undecided at all three stays undecided.
+constexpr double steps_behind[] = {1e-4, 1e-3, 1e-2};
+
+/// What the joint does behind a boundary of hunting, seen from the design: at the nearest point where the answer is
 /// another one than the design's.
 std::optional<SetPoint> behind(const Joint& design, const Meeting& m)
 {
-    constexpr double steps[] = {1e-4, 1e-3, 1e-2};  // of the axis: the boundary is known to a line's width at worst
     Joint joint = design;
     double& number = number_at(joint, m.axis.path);
     const double range = drawn(m.axis, m.axis.values.back()) - drawn(m.axis, m.axis.values.front());
     const bool design_hunts = hunts(set_point(design));
-    for (const double step : steps) {
+    for (const double step : steps_behind) {
         number = undrawn(m.axis, drawn(m.axis, m.at) + std::copysign(step * range, m.at - m.own));
         const auto there = set_point(joint);
         if (there.hunting != Hunting::undecided && hunts(there) != design_hunts) return there;

@@ -12,13 +12,13 @@ namespace stickslip::gap {
 namespace {
 
 /// Sets a number of the controller, which enters the terms themselves, to what leaves least: `first`, or a value
-/// between `from` and `to`. Back to `documented` where that leaves more than half of what the documented one does.
-/// Gives the value, and the part of the squares that it takes.
+/// between `from` and `to`. Back to `documented` where that leaves more than `policy::much_less` of what the documented
+/// one does. Gives the value, and the part of the squares that it takes.
 template <class Set>
 std::pair<double, double> best_number(std::vector<Case>& cases, double limit, double documented, double first,
                                       std::pair<double, double> range, const Set& set)
 {
-    constexpr double ratio = 1.4, much_less = 0.5;
+    constexpr double ratio = 1.4;
     const auto set_all = [&](double value) {
         for (auto& c : cases) set(c.joint.control, value);
     };
@@ -33,7 +33,7 @@ std::pair<double, double> best_number(std::vector<Case>& cases, double limit, do
             least = m, best = value, low = value / ratio, high = value * ratio;
     if (const double refined = least_between(low, high, misfit); misfit(refined) < least) best = refined;
     least = misfit(best);
-    if (least < much_less * before) return {best, 1 - std::pow(least / before, 2)};
+    if (least < policy::much_less * before) return {best, 1 - std::pow(least / before, 2)};
     set_all(documented);
     return {documented, 0};
 }

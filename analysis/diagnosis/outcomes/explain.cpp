@@ -4,7 +4,7 @@
 #include "analysis/diagnosis/outcomes/share.h"
 #include "analysis/diagnosis/outcomes/side.h"
 #include "analysis/diagnosis/policy/policy.h"
-#include "analysis/diagnosis/verdict/withdraw.h"
+#include "analysis/diagnosis/verdict/reject.h"
 
 #include <algorithm>
 #include <cmath>
@@ -186,7 +186,7 @@ OutcomeAnswer explain(const Joint& nominal, const OutcomeTable& table, const Par
     };
     for (const auto& f : a.laws) d.effects.push_back(cause_of(a, f, best_of(!f.rival->memory)));
     locate(a);
-    withdraw_if_no_better(d, {.settled = true});
+    reject_if_not_validated(d, {.settled = true});
     const LawFit& winner = a.laws.front();
     if (d.verdict == Verdict::gap) {
         a.after = with_law(nominal, winner.law);

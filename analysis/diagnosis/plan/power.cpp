@@ -182,7 +182,7 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b)
 Power power_of(const Joint& joint, const PlannedMotion& planned, const ParallelFor& parallel)
 {
     if (!is_set(joint.control.period))
-        throw std::invalid_argument("control.period is missing: a plan is of a sampled loop");
+        throw std::invalid_argument("control.period is missing: a plan needs a sampled loop");
     if (!is_set(joint.control.k_p)) throw std::invalid_argument("control.k_p is missing");
     if (joint.sensor.position_noise == 0 && joint.sensor.encoder_quantum == 0)
         throw std::invalid_argument(

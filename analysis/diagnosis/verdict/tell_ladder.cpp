@@ -3,8 +3,8 @@
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/verdict/causes.h"
 #include "analysis/diagnosis/verdict/experiment.h"
+#include "analysis/diagnosis/verdict/reject.h"
 #include "analysis/diagnosis/verdict/tell_corrections.h"
-#include "analysis/diagnosis/verdict/withdraw.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 // The motion of a driven joint from one jump of what arrives to the next, through sticking and sliding.
 #pragma once
+#include "analysis/base/work_limits.h"
 #include "analysis/simulation/sampled/rosenbrock.h"
 
 #include <functional>
@@ -55,9 +56,8 @@ class DrivenMotion {
 template <class Observer>
 bool DrivenMotion::advance(double t, double duration, Observer&& observe)
 {
-    constexpr int most_idle = 50;         // switches without time moving on
-    constexpr double resolved = 1e-14;    // of the duration
-    constexpr long most_steps = 100'000;  // of one piece of a tick
+    constexpr int most_idle = 50;       // switches without time moving on
+    constexpr double resolved = 1e-14;  // of the duration
     double done = 0;
     step_.forget();
     step_.implicit_only = options_.fixed_step > 0;
@@ -79,7 +79,7 @@ bool DrivenMotion::advance(double t, double duration, Observer&& observe)
         const bool last = which < 0 && step_.h >= duration - done;
         done = last ? duration : done + step_.h;
         if (step_.h > resolved * duration) idle = 0;
-        if (++taken > most_steps || (which >= 0 && ++idle > most_idle)) return false;
+        if (++taken > work::steps_of_tick || (which >= 0 && ++idle > most_idle)) return false;
         if (which >= 0) {
             if (which < joint.bodies() && joint.modes[which] != DrivenJoint::Mode::stuck) y[joint.bodies() + which] = 0;
             joint.pass(which, y.data());

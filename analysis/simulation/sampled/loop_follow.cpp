@@ -1,6 +1,7 @@
 // In one file: one method: the ways in which a motion of a sampled loop ends, with the numbers that separate them.
 #include "analysis/simulation/sampled/loop_follow.h"
 
+#include "analysis/base/work_limits.h"
 #include "analysis/numerics/lasting.h"
 
 #include <cmath>
@@ -26,8 +27,7 @@ constexpr double same_turn = 1e-3;         ///< to which turns of a period-n mot
 constexpr std::size_t longest_repeat = 8;  ///< turns
 constexpr double runaway = 1e9;            ///< of V_0
 constexpr double patience = 60;            ///< turns without a crossing of V_0
-constexpr long most_ticks = 1'500'000;
-constexpr int rounds_before_uneven = 12;                  ///< blocks after which turns that are not alike are irregular
+constexpr int rounds_before_uneven = 12;   ///< blocks after which turns that are not alike are irregular
 constexpr int settling_turns = 40, measured_turns = 200;  ///< of a motion that no turn divides
 
 double speed_of(const LoopTurn& turn, double V0)
@@ -89,7 +89,7 @@ LoopFollower::LoopFollower(SampledLoop& loop, const std::vector<double>& steady,
     if (!options_.uneven) return;
     const double unit = std::isfinite(options_.turn) ? options_.turn : 100 * loop_.period();
     const auto ticks = [&](int turns) {
-        return std::clamp(std::lround(turns * unit / loop_.period()), 100L, most_ticks / 4);
+        return std::clamp(std::lround(turns * unit / loop_.period()), 100L, work::ticks_of_motion / 4);
     };
     settle_ = ticks(settling_turns), measure_ = ticks(measured_turns);
 }
@@ -273,7 +273,7 @@ std::optional<LoopEnd> LoopFollower::after_even_tick()
         }
         watch.reset(loop_.time());
     }
-    if (ticks_ < most_ticks && all_turns_ < options_.turn_limit) return {};
+    if (ticks_ < work::ticks_of_motion && all_turns_ < options_.turn_limit) return {};
     return ended(LoopEnd::Kind::undecided, Reason::not_converged);
 }
 

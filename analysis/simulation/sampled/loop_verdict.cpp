@@ -1,6 +1,7 @@
 // In one file: one inquiry, phase by phase.
 #include "analysis/simulation/sampled/loop_verdict.h"
 
+#include "analysis/base/work_limits.h"
 #include "analysis/joint/gains.h"
 #include "analysis/loop/loop_use.h"
 #include "analysis/simulation/sampled/loop_start.h"
@@ -20,7 +21,6 @@ constexpr double lifted = 0.1;       ///< of V_0: size at which a small disturba
 constexpr double near_rest_share = 1e-4;
 constexpr double far_pull = 3;           ///< of the spring, in V_0/|s|
 constexpr double faded = 1e-9;           ///< of a push: no more than this is left of it
-constexpr double most_ticks_late = 1e6;  ///< of a dead time
 constexpr double neutral_growth = 1e-9;  ///< of |s|: neither growth nor decay
 
 double total_backlash(const Joint& joint)
@@ -79,7 +79,7 @@ std::optional<LoopVerdict> obstacle(const Joint& joint)
     if (has_unsteady_terms(joint)) return refused(Reason::unsupported, Detail::place_or_time);
     if (total_backlash(joint) > 0) return refused(Reason::unsupported, Detail::backlash);
     if (!(joint.control.k_p > 0)) return refused(Reason::diverges);
-    if (const double tick = tick_of(joint); !(tick > 0) || !(joint.dead_time() < most_ticks_late * tick))
+    if (const double tick = tick_of(joint); !(tick > 0) || !(joint.dead_time() < work::ticks_of_dead_time * tick))
         return refused(Reason::not_finite, Detail::no_time_step);
     if (chatters(joint)) return refused(Reason::no_steady_state, Detail::chatters);
     return {};

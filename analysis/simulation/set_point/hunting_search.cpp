@@ -1,5 +1,6 @@
 #include "analysis/simulation/set_point/hunting_search.h"
 
+#include "analysis/base/work_limits.h"
 #include "analysis/numerics/root.h"
 
 namespace stickslip {
@@ -103,13 +104,12 @@ SetPoint hunting_by_events(const StopToStop& motion, double natural, double dead
 SetPoint hunting_without_integral(const StopToStop& motion, double band)
 {
     constexpr double far_away = 100, same = 1e-9;
-    constexpr int most = 10'000;  // slips: a motion that neither settles nor stops within them is left undecided
     SetPoint s;
     s.method = SetPointMethod::event_driven;
     s.searched_from = band, s.searched_to = far_away * band;
     s.starts = 1;
     double a = far_away * band;
-    for (int i = 0; i < most; ++i) {
+    for (int i = 0; i < work::slips_to_stop; ++i) {
         const auto stop = motion.release_from(a);
         if (stop.end == Stop::End::failure) break;
         const bool on = stop.end == Stop::End::stop && std::abs(stop.x) > band;

@@ -1,5 +1,6 @@
 #include "analysis/simulation/set_point/stops.h"
 
+#include "analysis/base/work_limits.h"
 #include "analysis/numerics/polynomial.h"
 #include "analysis/simulation/solvers/stepper.h"
 
@@ -10,9 +11,8 @@ namespace stickslip {
 namespace {
 
 constexpr double rtol = 1e-10;
-constexpr int most_steps = 200'000, most_turns = 10'000;  ///< of one motion: beyond them it is left undecided
-constexpr double far = 1e4;                               ///< times the start: no loop that settles goes there
-constexpr double nothing = 1e-10;                         ///< share of the start and of the speed that counts as none
+constexpr double far = 1e4;        ///< times the start: no loop that settles goes there
+constexpr double nothing = 1e-10;  ///< share of the start and of the speed that counts as none
 constexpr double long_time = 1e3;  ///< times the slowest time constant: whatever creeps has arrived by then
 
 double slowest_time(const Regulator& r, double viscous)
@@ -160,7 +160,7 @@ Stop StopToStop::follow(double a, double w, bool to_first_rest) const
     FlowVector y(3);
     y << -a, 0, w;
     solver->start(flow, 0, y, events);
-    for (int i = 0; i < most_steps; ++i) {
+    for (int i = 0; i < work::steps_to_stop; ++i) {
         const double before = solver->time();
         auto report = solver->step(long_time * slowest_);
         y = solver->state();
@@ -192,7 +192,7 @@ Stop StopToStop::follow(double a, double w, bool to_first_rest) const
             stop.stick_time = to_first_rest ? 0 : stick_time(y[0], y[2]);
             return stop;
         }
-        if (++stop.turns > most_turns) return stop.end = Stop::End::runaway, stop;
+        if (++stop.turns > work::slips_to_stop) return stop.end = Stop::End::runaway, stop;
         flow.branch = push > 0 ? Branch::forward : Branch::reverse;
         solver->start(flow, now, y, events);
     }

@@ -1,6 +1,7 @@
 // In one file: one motion with stick and slip: its events and limits hold only together.
 #include "analysis/simulation/solvers/motion.h"
 
+#include "analysis/base/work_limits.h"
 #include "analysis/numerics/hermite.h"
 #include "analysis/numerics/root.h"
 #include "analysis/simulation/flows/break_away.h"
@@ -46,9 +47,6 @@ constexpr int most_restarts = 5;
 constexpr double may_touch = 1;        ///< an event value that is larger at both ends of a step does not vanish between
 constexpr double slope_share = 1e-3;   ///< of a step, over which the slope of an event at its ends is told
 constexpr double touch_width = 1e-12;  ///< of a step, to which the instant of a touch is located
-
-/// Times that one turn may come to rest; a motion that rests more often than that chatters, and would for ever.
-constexpr int most_rests = 10'000;
 
 }  // namespace
 SlidingMotion::SlidingMotion(const Flow& flow, Solver solver, double rtol)
@@ -273,8 +271,8 @@ void SlidingMotion::tell()
 
 Turn SlidingMotion::turn(double t_end, const std::function<bool(const FlowVector&)>& settled)
 {
-    steps_left_ = most_steps_of_turn;
-    patience_left_ = patience_of_turn;
+    steps_left_ = work::steps_of_turn;
+    patience_left_ = work::multistep_steps_of_turn;
     return run(t_end, settled);
 }
 
@@ -300,7 +298,7 @@ Turn SlidingMotion::run(double t_end, const std::function<bool(const FlowVector&
         return turn;
     };
     for (;;) {
-        if (rests_ > most_rests || --steps_left_ < 0) return finish(Turn::End::failure);
+        if (rests_ > work::rests_of_turn || --steps_left_ < 0) return finish(Turn::End::failure);
         if (--patience_left_ < 0 && !stuck_) fall_back();
         if (stuck_) {
             if (!stick(t_end)) return finish(Turn::End::held);

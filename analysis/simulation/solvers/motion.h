@@ -50,12 +50,6 @@ class SlidingMotion {
     /// Straight to a time, whatever is crossed on the way; false if the solver fails or takes more steps than that.
     bool advance(double t_end, int most_steps);
 
-    /// Of one turn; thousands are usual. More means time scales so far apart that rounding makes the solver creep.
-    static constexpr int most_steps_of_turn = 100'000;
-    /// After so many of them CVODE leaves the turn to the one-step method: a multistep method creeps along vibrations
-    /// that hardly decay, as of a stiff transmission, for as long as they last.
-    static constexpr int patience_of_turn = 15'000;
-
     double time() const { return t_; }
     const FlowVector& state() const { return y_; }
     const Flow& flow() const { return *flow_; }  ///< with the branches that hold, and the past of a late one

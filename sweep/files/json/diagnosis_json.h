@@ -11,7 +11,7 @@ namespace stickslip {
 nlohmann::ordered_json boundary_json(const Joint& joint, double speed);
 
 /// Every field of a diagnosis. `before` and `after` are joints for the boundary; equal where nothing was named.
-/// Throws std::logic_error for a verdict `gap` whose cause leaves more than there was: see withdraw_if_no_better.
+/// Throws std::logic_error for a verdict `gap` whose cause leaves more than there was: see reject_if_not_validated.
 nlohmann::ordered_json diagnosis_json(const Diagnosis& diagnosis, const Joint& before, const Joint& after);
 
 }  // namespace stickslip

@@ -1,4 +1,4 @@
-#include "analysis/diagnosis/verdict/withdraw.h"
+#include "analysis/diagnosis/verdict/reject.h"
 
 #include <catch2/catch.hpp>
 
@@ -25,11 +25,11 @@ Diagnosis leaving(double before, double after)
 TEST_CASE("a cause that makes held-out data worse is withdrawn, one that is settled and helps is not", "[gap]")
 {
     auto d = leaving(3, 2.9);
-    CHECK_FALSE(withdraw_if_no_better(d, {.settled = true}));
+    CHECK_FALSE(reject_if_not_validated(d, {.settled = true}));
     CHECK(d.verdict == Verdict::gap);
     CHECK(d.effects[0].probability == 0.6);
     d.overall.after = 3.1;
-    CHECK(withdraw_if_no_better(d, {.settled = true}));
+    CHECK(reject_if_not_validated(d, {.settled = true}));
     CHECK(d.verdict == Verdict::unknown);
     CHECK(d.ambiguous_with.empty());
     REQUIRE(d.reasons.size() == 1);
@@ -40,7 +40,7 @@ TEST_CASE("a cause that makes held-out data worse is withdrawn, one that is sett
 TEST_CASE("a cause that predictions leave open and that hardly helps on held-out data is not named", "[gap]")
 {
     auto d = leaving(3, 2.4);  // (2.4² - 1)/(3² - 1) = 0.595 is left
-    CHECK(withdraw_if_no_better(d, {}));
+    CHECK(reject_if_not_validated(d, {}));
     CHECK(d.verdict == Verdict::unknown);
     REQUIRE(d.reasons.size() == 1);
     CHECK(d.reasons[0] == Note{.code = Note::Code::withdrawn_leaves_most, .names = {"stribeck"}});
@@ -48,20 +48,20 @@ TEST_CASE("a cause that predictions leave open and that hardly helps on held-out
     // two simulations of a joint that sticks or slips by chance differ by more than two of the nominal one
     d = leaving(3, 2.4);
     d.overall.own_floor = 2;
-    CHECK_FALSE(withdraw_if_no_better(d, {}));
+    CHECK_FALSE(reject_if_not_validated(d, {}));
     CHECK(d.verdict == Verdict::gap);
 }
 
 TEST_CASE("a cause that leaves more than a documented noise is doubted, rivals alike", "[gap]")
 {
     auto d = leaving(10, 2);
-    CHECK_FALSE(withdraw_if_no_better(d, {.noise_documented = true}));
+    CHECK_FALSE(reject_if_not_validated(d, {.noise_documented = true}));
     CHECK(d.verdict == Verdict::gap);
     CHECK(d.effects[0].probability == 0.2);
     CHECK(d.effects[1].probability == Approx(0.1));
     for (const auto& [after, standing] : {std::pair{1.2, Standing{.noise_documented = true}}, {2.0, Standing{}}}) {
         d = leaving(10, after);
-        CHECK_FALSE(withdraw_if_no_better(d, standing));
+        CHECK_FALSE(reject_if_not_validated(d, standing));
         CHECK(d.effects[0].probability == 0.6);
     }
 }
@@ -69,13 +69,13 @@ TEST_CASE("a cause that leaves more than a documented noise is doubted, rivals a
 TEST_CASE("a cause that leaves many floors which nobody documented is not named", "[gap]")
 {
     auto d = leaving(15, 7.5);  // three quarters of the mean square are gone
-    CHECK(withdraw_if_no_better(d, {}));
+    CHECK(reject_if_not_validated(d, {}));
     CHECK(d.verdict == Verdict::unknown);
     REQUIRE(d.reasons.size() == 1);
     CHECK(d.reasons[0] == Note{.code = Note::Code::withdrawn_in_many_floors, .names = {"stribeck"}, .values = {7.5}});
     for (const auto& standing : {Standing{.settled = true}, Standing{.noise_documented = true}}) {
         d = leaving(15, 7.5);
-        CHECK_FALSE(withdraw_if_no_better(d, standing));
+        CHECK_FALSE(reject_if_not_validated(d, standing));
         CHECK(d.verdict == Verdict::gap);
     }
 }
@@ -84,9 +84,9 @@ TEST_CASE("a cause that leaves a rest and needs an implausible number is not nam
 {
     auto d = leaving(10, 1.3);
     d.effects[0].plausible = false;
-    CHECK_FALSE(withdraw_if_no_better(d, {.settled = true}));
+    CHECK_FALSE(reject_if_not_validated(d, {.settled = true}));
     CHECK(d.verdict == Verdict::gap);
-    CHECK(withdraw_if_no_better(d, {.noise_documented = true}));
+    CHECK(reject_if_not_validated(d, {.noise_documented = true}));
     CHECK(d.verdict == Verdict::unknown);
     CHECK(d.reasons.at(0) == Note{.code = Note::Code::withdrawn_implausible, .names = {"stribeck"}});
 }
@@ -98,15 +98,15 @@ TEST_CASE("a joint whose predictions hide in the noise is not free of a gap that
     const Note before{Note::Code::too_few_rows, "a.csv"}, after{Note::Code::free_force};
     d.reasons = {before, {Note::Code::within_noise}, after};
     d.overall.before = 1.25;
-    CHECK_FALSE(withdraw_no_gap(d));
+    CHECK_FALSE(reject_no_gap(d));
     CHECK(d.verdict == Verdict::no_gap);
     d.overall.before = 3.85;
-    CHECK(withdraw_no_gap(d));
+    CHECK(reject_no_gap(d));
     CHECK(d.verdict == Verdict::unknown);
     REQUIRE(d.reasons.size() == 3);  // what stands no longer goes, wherever it stood; other remarks stay
     CHECK(d.reasons[0] == before);
     CHECK(d.reasons[1] == after);
     CHECK(d.reasons[2] == Note{.code = Note::Code::far_as_a_whole, .values = {3.85}});
     d.verdict = Verdict::gap;
-    CHECK_FALSE(withdraw_no_gap(d));
+    CHECK_FALSE(reject_no_gap(d));
 }

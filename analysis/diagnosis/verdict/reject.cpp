@@ -1,4 +1,4 @@
-#include "analysis/diagnosis/verdict/withdraw.h"
+#include "analysis/diagnosis/verdict/reject.h"
 
 #include "analysis/diagnosis/policy/policy.h"
 
@@ -16,7 +16,7 @@ void believe_at_most(std::vector<Cause>& causes, double most)
 }
 
 /// Nothing where the cause may stay.
-std::optional<Note> why_withdrawn(const Diagnosis& d, const Standing& standing)
+std::optional<Note> why_rejected(const Diagnosis& d, const Standing& standing)
 {
     const OverallGap& gap = d.overall;
     if (gap.worse()) return Note{Note::Code::withdrawn_worse};
@@ -30,10 +30,10 @@ std::optional<Note> why_withdrawn(const Diagnosis& d, const Standing& standing)
 
 }  // namespace
 
-bool withdraw_if_no_better(Diagnosis& d, const Standing& standing)
+bool reject_if_not_validated(Diagnosis& d, const Standing& standing)
 {
     if (d.verdict != Verdict::gap) return false;
-    auto why = why_withdrawn(d, standing);
+    auto why = why_rejected(d, standing);
     if (!why) {
         if (!standing.settled && standing.noise_documented &&
             d.overall.after > policy::more_than_noise * d.overall.noise())
@@ -51,7 +51,7 @@ bool withdraw_if_no_better(Diagnosis& d, const Standing& standing)
     return true;
 }
 
-bool withdraw_no_gap(Diagnosis& d)
+bool reject_no_gap(Diagnosis& d)
 {
     if (d.verdict != Verdict::no_gap || !(d.overall.before > policy::far_from_noise)) return false;
     d.verdict = Verdict::unknown;

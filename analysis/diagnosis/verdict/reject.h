@@ -1,0 +1,25 @@
+// Verdicts tested by simulations of whole records: a cause that does not improve held-out data is rejected, however
+// well it fits, and a joint that is far from its records has a gap.
+#pragma once
+#include "analysis/results/diagnosis.h"
+
+namespace stickslip::gap {
+
+/// What was known of the named cause before it was simulated.
+struct Standing {
+    /// Its predictions explain to within noise, the controller's audit found it, or a cross-validated comparison.
+    bool settled = false;
+    bool noise_documented = false;  ///< floors are those of the document
+};
+
+/// The verdict becomes `unknown` if the named cause enlarges the gap on held-out data, or if an unsettled cause leaves
+/// more than half of it, many times an undocumented noise floor, or a residual in spite of implausible parameters. The
+/// reasons say why, `ambiguous_with` is emptied, the ranking stays. An unsettled cause that leaves more than a
+/// documented noise has a lower probability. Returns whether the cause was rejected.
+bool reject_if_not_validated(Diagnosis& diagnosis, const Standing& standing);
+
+/// A verdict of no gap becomes `unknown` if the simulation of whole records is far from them: noise may hide from row
+/// to row what adds up over a record. The last reason says so. Returns whether it did.
+bool reject_no_gap(Diagnosis& diagnosis);
+
+}  // namespace stickslip::gap

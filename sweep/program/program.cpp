@@ -51,8 +51,8 @@ bool answer_written()
     const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
     if (!written)
         fmt::print(stderr,
-                   "stickslip: the answer could not be written to standard output ({}); "
-                   "make room and run the same command again\n",
+                   "stickslip: the answer could not be written to standard output ({}); free some space and run the "
+                   "same command again\n",
                    std::generic_category().message(errno));
     return written;
 }
@@ -172,7 +172,7 @@ int run_program(int argc, char** argv, Cluster* cluster)
     for (int i = 1; i < argc; ++i) invocation.command += " " + quoted(argv[i]);
 
     CLI::App app{
-        "stickslip: where a joint slides and where it sticks.\n"
+        "stickslip: stick-slip of robot joints.\n"
         "Sweeps the design space of a robot joint, locates its stability boundaries, and diagnoses sim-to-real gaps.\n"
         "All numbers are SI; a revolute joint reads rad, N·m, kg·m² where a prismatic one reads m, N, kg."};
     app.name("stickslip");

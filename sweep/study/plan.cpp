@@ -41,7 +41,7 @@ PlanAnswer plan(const Joint& joint, const std::vector<double>& time, const std::
                 bool look_further, const ParallelFor& parallel)
 {
     if (!is_set(joint.control.period))
-        throw std::invalid_argument("control.period is missing: a plan is of a sampled loop");
+        throw std::invalid_argument("control.period is missing: a plan needs a sampled loop");
     if (time.size() < 2) throw std::invalid_argument("a motion of at least two rows is needed");
     const auto motion = on_period(time, position, joint.control.period);
     PlanAnswer answer;

@@ -42,7 +42,7 @@ std::string name_of(JointOutcome::Status status);
 /// A cause, or a few that act together, and what it takes of the joint's gap.
 struct CauseShare {
     std::vector<std::string> names;
-    double share = 0;  ///< of the squares beyond the noise on data that no fit has seen
+    double share = 0;  ///< of the squares beyond the noise on held-out data
     ConfidenceInterval interval;
     double probability = 0;
     std::vector<FittedParameter> parameters;

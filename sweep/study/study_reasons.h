@@ -21,7 +21,7 @@ enum class StudyReason {
     no_linear_response,   ///< of this loop with this friction
     no_period,            ///< how noisy a differenced velocity is depends on control.period
     no_pair_on_boundary,  ///< of gains
-    gains_not_alone,      ///< this loop has not both k_p and k_v as gains that can be turned alone
+    gains_not_alone,      ///< this loop has no independent gains k_p and k_v
     no_boundary,          ///< of either joint along the searched range: nothing to compare
     boundaries_differ     ///< in number, of the full and the reduced joint
 };

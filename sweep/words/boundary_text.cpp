@@ -101,7 +101,7 @@ std::string ray_text(const Joint& design, const LocatedRay& ray)
     if (ray.undecided == ray.nodes)
         return "No verdict along " + ray.axis.symbol + ": the joint cannot be judged at any of the " +
                std::to_string(ray.nodes) + " points of the scan" +
-               (ray.reason == Reason::none ? "." : ". At the first: " + reason_text(ray.reason) + ".");
+               (ray.reason == Reason::none ? "." : ". At the first point: " + reason_text(ray.reason) + ".");
     if (ray.points.empty())
         return "No " + kind + " along " + ray.axis.symbol + " within " + range + throughout(ray) + "." +
                outside_text(ray, motion);

@@ -39,7 +39,7 @@ std::string gap_words(const DiagnosisComparison& c)
         case GapChange::appeared:
             return "New: a " + outcome_words(c.after) + "; before there was none.";
         case GapChange::gone:
-            return "The gap is gone; before there was a " + outcome_words(c.before) + ".";
+            return "The gap is gone; before, there was a " + outcome_words(c.before) + ".";
         case GapChange::not_comparable:
             return "There is nothing to compare: " + outcome_words(c.before) + " before, " + outcome_words(c.after) +
                    " now.";
@@ -76,7 +76,7 @@ std::string moved_words(const DiagnosisComparison& c)
     if (!text.empty() || !any) return text;
     for (const auto& change : c.numbers)
         if (change.moved(standard_errors_of_a_move)) return " " + change_text(change) + ".";
-    return " No number moved by more than 3 standard errors.";
+    return " No parameter changed by more than 3 standard errors.";
 }
 
 }  // namespace
@@ -144,7 +144,7 @@ std::string regression_text(const GapRegression& r, const DiagnosisComparison& c
 
 Table changes_table(const DiagnosisComparison& c)
 {
-    Table t{"Numbers in both diagnoses, those that moved most first",
+    Table t{"Parameters of both diagnoses, largest change first",
             {"number", "stands for", "before", "now", "change", "in standard errors"},
             {}};
     for (const auto& change : c.numbers) {

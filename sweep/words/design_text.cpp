@@ -58,7 +58,7 @@ namespace {
 std::string infeasible_text(const DesignAnswer& a, const DesignUnits& u)
 {
     if (!std::isfinite(std::log(a.design.best.cost)) && a.design.best.margin > 0)
-        return "No gains: the noise to be made least is no finite number above zero, with any gains of the range "
+        return "No gains: the noise to be minimised is not a finite number above zero for any gains of the range "
                "(position noise " +
                u.position(a.requirements.noise.position) + ", sample time " +
                with_unit(a.requirements.noise.period, Quantity::time, u.motion) + ").";
@@ -75,7 +75,7 @@ std::string infeasible_text(const DesignAnswer& a, const DesignUnits& u)
                     " can be " + demand_value(d, d.attainable, a, u) +
                     " (required: " + demand_value(d, d.demanded, a, u) + ").";
         else
-            text += " No gains give " + others + " as required, whatever the " + demand_name(d.name) + ".";
+            text += " No gains give " + others + " as required, for any " + demand_name(d.name) + ".";
     }
     return text + " Nearest to feasible: " + gains_text(a.design.best, u) + ".";
 }
@@ -86,7 +86,7 @@ std::string cost_of_simple_thinking(const DesignAnswer& a, const DesignUnits& u)
     if (!d.velocity_only_found) return "The velocity-only model finds no gains that meet the requirements.";
     const auto& v = d.velocity_only;
     std::string text = "The velocity-only model chooses " + gains_text(v, u);
-    if (v.margin < 0) return text + ", which in truth stick-slips.";
+    if (v.margin < 0) return text + ", which actually stick-slips.";
     const bool motion = a.requirements.objective == DesignObjective::motion;
     const double ratio = motion ? v.motion_noise / d.best.motion_noise : v.effort_noise / d.best.effort_noise;
     return text + ": " + plain_number(ratio) + " times the " + (motion ? "motion" : "effort") + " noise.";
@@ -110,7 +110,7 @@ std::string design_verdict(const DesignAnswer& a)
 {
     const DesignUnits u{a.joint.mechanism.motion};
     const auto& d = a.design;
-    if (!d.decided) return "No design: the joint has no steady sliding to be kept stable.";
+    if (!d.decided) return "No design: the joint has no steady sliding.";
     if (!d.feasible) return infeasible_text(a, u);
     std::string text = "Best gains: " + gains_text(d.best, u) + ". Sensor noise moves the link by " +
                        u.position(d.best.motion_noise) + " rms and the actuator by " + u.effort(d.best.effort_noise) +
@@ -133,7 +133,7 @@ std::vector<Table> design_tables(const DesignAnswer& a)
     const auto& d = a.design;
     if (!d.decided) return {};
     Table choices;
-    choices.title = "Choices, all judged with memory";
+    choices.title = "Choices, all evaluated with memory";
     choices.columns = {"gains",       "k_{p}",  "k_{v}",         "motion noise, rms", "effort noise, rms",
                        "peak effort", "margin", "stable down to"};
     choices.rows = {row_of(d.feasible ? "best" : "nearest to feasible", d.best, d, u),

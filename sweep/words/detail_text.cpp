@@ -9,9 +9,9 @@ std::string detail_text(Detail detail)
         case Detail::none:
             return "";
         case Detail::late_with_memory:
-            return "friction that answers late is followed without memory on top of it";
+            return "delayed friction is simulated without additional memory";
         case Detail::moving_normal_load:
-            return "a normal load that moves with the joint is part of the linear theory only";
+            return "a normal load that depends on the motion is part of the linear theory only";
         case Detail::neighbours:
             return "neighbours are part of the linear theory only";
         case Detail::backlash:
@@ -19,39 +19,39 @@ std::string detail_text(Detail detail)
         case Detail::place_or_time:
             return "a force or friction that changes with position or time leaves no steady sliding to disturb";
         case Detail::chatters:
-            return "the push towards the set point jumps by more than steady sliding takes: the joint chatters about "
-                   "its reference";
+            return "the push towards the set point jumps by more than the friction of steady sliding: the joint "
+                   "chatters about its reference";
         case Detail::effort_limit:
-            return "the limit of the effort is below what steady sliding takes: there is no steady sliding";
+            return "the effort limit is below the effort of steady sliding: there is no steady sliding";
         case Detail::no_time_step:
             return "the fastest rate of the joint leaves no time step that the simulation can take";
         case Detail::force_loop:
             return "a force loop is simulated without sampling and dead time only";
         case Detail::normal_load_in_loop:
-            return "a normal load that moves with the joint is not simulated in a real loop";
+            return "a normal load that depends on the motion is not simulated in a real loop";
         case Detail::neighbours_in_loop:
             return "neighbours are not simulated in a real loop";
         case Detail::linear_law:
             return "the law is linear by definition";
         case Detail::late_friction_in_loop:
-            return "friction that answers late is not simulated in a real loop";
+            return "delayed friction is not simulated in a real loop";
         case Detail::bristles_with_memory:
-            return "bristles under a level with a memory have no equations of motion";
+            return "bristles combined with memory of the level have no equations of motion";
         case Detail::no_level:
-            return "this law has no level that place, time or load could change";
+            return "this law has no level that could depend on position, time or load";
         case Detail::limit_of_turns:
-            return "the motion was followed to the limit of turns";
+            return "the motion was simulated to the limit of cycles";
         case Detail::limit_of_work:
-            return "the motion neither repeated nor settled within the usual work; --effort 10 follows it ten times as "
-                   "long";
+            return "the motion neither repeated nor settled within the usual work; --effort 10 simulates it ten times "
+                   "as long";
         case Detail::larger_not_followed:
-            return "a larger disturbance could not be followed to its end";
+            return "a larger disturbance could not be simulated to its end";
         case Detail::stopped:
-            return "the motion could not be followed any further";
+            return "the motion could not be simulated any further";
         case Detail::growth_unmeasured:
-            return "the growth is too small beside its frequency to be distinguished from rounding";
+            return "the growth rate is too small relative to its frequency to be distinguished from rounding";
         case Detail::not_followed:
-            return "no motion was followed";
+            return "no motion was simulated";
         case Detail::dead_time_too_long:
             return "the dead time is too many ticks long for the multipliers of the simulated loop";
         case Detail::leaves_within_tick:
@@ -59,9 +59,9 @@ std::string detail_text(Detail detail)
         case Detail::branch_lost:
             return "the branch of limit cycles could not be followed to its end";
         case Detail::branch_not_smooth:
-            return "such a fold is located by simulation: ask for boundary --kind fold";
+            return "such a fold is located by simulation: use boundary --kind fold";
         case Detail::fold_of_ideal_loop:
-            return "the fold of a real loop is located by simulation: ask for boundary --kind fold";
+            return "the fold of a real loop is located by simulation: use boundary --kind fold";
         case Detail::few_rows:
             return "a reference needs at least two rows";
         case Detail::uneven_rows:
@@ -70,7 +70,7 @@ std::string detail_text(Detail detail)
         case Detail::too_many_ticks:
             return "the reference has more than 20 million ticks";
         case Detail::law_at_rest:
-            return "the law has no meaning at rest: start with a reference that moves forward, or take "
+            return "the law is undefined at rest: start with a reference that moves forward, or use "
                    "rate-and-state-regularised";
     }
     return "unknown";

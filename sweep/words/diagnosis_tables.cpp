@@ -44,10 +44,10 @@ std::string whole_percent(double part)
 
 Table causes_table(const Diagnosis& d)
 {
-    Table t{
-        "Causes, most probable first",
-        {"cause", "probability", "held-out gain", "its signature is there", "plausible", "form", "misfit (0 is noise)"},
-        {}};
+    Table t{"Causes, most probable first",
+            {"cause", "probability", "held-out gain", "its signature is present", "plausible", "form",
+             "misfit (0 is noise)"},
+            {}};
     t.bar_column = 1;
     const bool forces = d.drive_force.corner > 0;
     if (forces)
@@ -76,7 +76,7 @@ Table causes_table(const Diagnosis& d)
 
 Table parameters_table(const Diagnosis& d)
 {
-    Table t{"Numbers of the first cause, ± standard error", {"parameter", "value"}, {}};
+    Table t{"Parameters of the first cause, ± standard error", {"parameter", "value"}, {}};
     if (!d.effects.empty())
         for (const auto& p : d.effects[0].parameters)
             t.rows.push_back({p.name, with_error(p.value, p.standard_error, p.unit)});
@@ -91,7 +91,7 @@ std::string value_text(const SheetValue& v)
 
 Table values_table(const Diagnosis& d)
 {
-    Table t{"The joint's numbers with the first cause", {"number", "value, 95 % interval"}, {}};
+    Table t{"Parameters of the joint with the first cause", {"number", "value, 95 % interval"}, {}};
     if (!d.effects.empty())
         for (const auto& v : d.effects[0].values) t.rows.push_back({v.name, value_text(v)});
     return t;

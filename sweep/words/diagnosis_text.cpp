@@ -27,21 +27,21 @@ constexpr Sentence sentences[] = {
     {Code::contradiction, "{text}"},
     {Code::too_few_rows, "{0:.0f} rows; at least {1:.0f} are needed"},
     {Code::position_still, "the position does not change beyond its noise"},
-    {Code::nothing_drives, "neither a command nor a reference was logged: what drove the joint is not known"},
+    {Code::nothing_drives, "neither a command nor a reference was logged: the input of the joint is unknown"},
     {Code::uneven_ticks,
-     "rows are {0:f} periods of the loop apart, no whole number of them: every row is taken for a tick"},
+     "rows are {0:f} periods of the loop apart, no whole number of them: every row is used as a tick"},
     {Code::no_command,
      "no command was logged; it is computed from the reference, the measured motion and the documented controller, so "
      "that the controller itself cannot be audited"},
     {Code::no_effort,
      "no effort was measured: inertia, gain and torque constant can be distinguished by friction and load only"},
     {Code::holes,
-     "{0:.0f} hole{s} in time, the first from {1:.6g} s to {2:.6g} s: what comes after a hole is a record of its own"},
-    {Code::rows_missing, "rows are missing; what happened in them is simulated, not judged"},
+     "{0:.0f} hole{s} in time, the first from {1:.6g} s to {2:.6g} s: the rows after a hole are a separate record"},
+    {Code::rows_missing, "rows are missing; they are simulated, not judged"},
     {Code::irregular_rows, "irregular sampling; every row is used at its own time"},
     {Code::rebuilt_ticks, "logged at every second tick; the ticks between were rebuilt from the velocity"},
     {Code::slow_log, "logged slower than the loop; readings between rows are interpolated"},
-    {Code::scattered_stamps, "the time stamps scatter about the documented period; its ticks are taken as even"},
+    {Code::scattered_stamps, "the time stamps scatter about the documented period; evenly spaced ticks are used"},
     {Code::starts_moving, "starts in motion; at_rest_at_start under [record] says otherwise"},
     {Code::noisier_than_documented,
      "the readings are noisier than documented; the floor uses the noise estimated from third differences"},
@@ -53,14 +53,14 @@ constexpr Sentence sentences[] = {
     {Code::thirds_in_turn, "one record: its three thirds are held out in turn"},
     {Code::cause_almost_alone, "shows the cause almost alone; its thirds are held out in turn"},
     {Code::another_joint,
-     "suspected record of another joint: encoder and controller differ from the document in {count} ways ({numbers}); "
-     "if it is this joint, correct the document first"},
+     "suspected record of another joint: encoder and controller differ from the joint file in {count} ways "
+     "({numbers}); if it is this joint, correct the file first"},
     {Code::command_unknown,
      "the documented controller does not reproduce the logged command (misfit {0:f} of its rms), nor does any change "
      "of its terms: none is named"},
     {Code::gains_not_judged,
      "the documented controller does not reproduce the logged command (misfit {0:f} of its rms): gains were not "
-     "judged"},
+     "audited"},
     {Code::terms_to,
      "the controller reproduces the logged command to {0:f} % of its rms: terms that are smaller are not named"},
     {Code::gains_to,
@@ -71,37 +71,34 @@ constexpr Sentence sentences[] = {
     {Code::reference_rebuilt,
      "no reference was logged: the controller's gains were read from how the encoder's noise comes through it, and the "
      "reference was rebuilt from the command"},
-    {Code::undocumented_k_v, "the document has no k_v; the command has a part that is proportional to the velocity"},
-    {Code::within_noise, "the nominal joint predicts every record to the noise"},
-    {Code::nothing_would_show,
-     "no effect of usual size would have shown itself at five times the noise under this excitation"},
+    {Code::undocumented_k_v, "the joint file has no k_v; the command has a part proportional to the velocity"},
+    {Code::within_noise, "the nominal joint predicts every record to within noise"},
+    {Code::nothing_would_show, "under this excitation no effect of usual size exceeds five times the noise"},
     {Code::controller_and_rest,
-     "the controller differs from its document, and something that the catalogue does not explain remains"},
+     "the controller differs from the joint file, and a remainder exists that the catalogue does not explain"},
     {Code::controller_and_numbers,
-     "the controller differs from its document; with the document's numbers corrected by a few per cent besides, the "
-     "joint predicts every record to the noise"},
+     "the controller differs from the joint file; with parameters corrected by a few per cent as well, the joint "
+     "predicts every record to within noise"},
     {Code::numbers_to_noise,
-     "numbers of the document are off: {names}; corrected, the joint predicts every record to the noise"},
+     "parameters of the joint file are off: {names}; with corrected values the joint predicts every record to within "
+     "noise"},
     {Code::numbers_and_rest,
-     "numbers of the document are off: {names}; no effect takes a good part of what their correction leaves"},
-    {Code::cause_to_noise,
-     "with the document's numbers corrected by a few per cent, {names} explains the records to the noise"},
+     "parameters of the joint file are off: {names}; no effect explains a large part of what their correction leaves"},
+    {Code::cause_to_noise, "with parameters corrected by a few per cent, {names} explains the records to within noise"},
     {Code::cause_predicts_best,
-     "no cause brings the misfit down to the noise; with inertia, friction and load corrected within their uncertainty "
-     "on both sides of every comparison, {names} predicts held-out data best"},
+     "no cause explains the gap to within noise; with inertia, friction and load corrected within their uncertainty in "
+     "every comparison, {names} predicts held-out data best"},
     {Code::unexplained,
-     "there is a gap, and no effect of the catalogue, nor two together, explain it: the best leaves {share0} of it"},
+     "there is a gap, and no effect or pair of the catalogue explains it: the best leaves {share0} of it"},
     {Code::free_force, "{force} would explain {share0} of it"},
-    {Code::nothing_earns,
-     "no cause takes a part of the gap on data that its fit has not seen, with inertia, friction and load refitted "
-     "beside it"},
+    {Code::nothing_earns, "no cause reduces the gap on held-out data, with inertia, friction and load refitted"},
     {Code::takes_too_little,
-     "{names} comes nearest, but takes only {share0} of a gap of which {share1} are explainable"},
+     "{names} comes nearest, but explains only {share0} of the gap, of which {share1} is explainable"},
     {Code::nearer_force,
      "{names} comes nearest, but {force} explains the records clearly better, and has the shape of no effect of the "
      "catalogue"},
     {Code::force_beside_numbers,
-     "numbers of the document are off, but {force} takes {share0} of the gap beside their correction, and has the "
+     "parameters of the joint file are off, but {force} takes {share0} of the gap beside their correction, and has the "
      "shape of no effect of the catalogue"},
     {Code::force_in_the_rest,
      "{names} comes nearest, but a force that depends on the {signal} alone, in the shape of no effect of the "
@@ -111,23 +108,23 @@ constexpr Sentence sentences[] = {
     {Code::withdrawn_leaves_most,
      "{names} fits best, but leaves most of the gap on held-out data: it is not named as the cause"},
     {Code::withdrawn_implausible,
-     "{names} fits best, but leaves more than noise, and needs a number at its bound or ten times the usual: it is not "
-     "named as the cause"},
+     "{names} fits best, but leaves more than noise and needs a parameter at its bound or ten times the usual size: it "
+     "is not named as the cause"},
     {Code::withdrawn_in_many_floors,
      "{names} fits best, but leaves {0:.1f} times the noise floor on held-out data, and the joint file states no "
      "sensor noise: it is not named as the cause"},
     {Code::far_as_a_whole,
      "predicted from row to row the nominal joint stays within the noise, but simulated as a whole it is {0:.1f} "
-     "times the noise floor away: these rows are too few or too far apart to say why"},
-    {Code::interrupted_early, "interrupted while {name0}{before}: nothing was found yet"},
+     "times the noise floor away: these rows are too few or too far apart to determine the cause"},
+    {Code::interrupted_early, "interrupted while {name0}{before}: no result yet"},
     {Code::interrupted_located,
-     "interrupted while {name0}{before}: where the gap lies was found, what causes it was not; what was fitted until "
-     "then is listed"},
+     "interrupted while {name0}{before}: the location of the gap was found, its cause was not; the fits so far are "
+     "listed"},
     {Code::rig,
      "a friction rig: a load point's displacement and the friction; the stiffness between load point and slider and "
      "the level of the friction are fitted for every law"},
     {Code::rig_turns_round,
-     "the load point turns round; the longest stretch in one direction, rows {0:.0f} to {1:.0f}, is judged"},
+     "the load point reverses; the longest stretch in one direction, rows {0:.0f} to {1:.0f}, is judged"},
     {Code::rig_blocks_in_turn, "one record: blocks of 20 rows are held out, a third of them in turn"},
     {Code::rig_still, "displacement or friction does not change"},
     {Code::rig_laws_alike, "the law of {name0} is ambiguous: these data cannot distinguish {laws}"},
@@ -139,7 +136,8 @@ constexpr Sentence sentences[] = {
     {Code::too_few_outcomes,
      "{0:.0f} rows, {1:.0f} of them with stick-slip; a boundary needs at least {2:.0f} rows, {3:.0f} on either side"},
     {Code::rows_contradict,
-     "{0:.0f} of {1:.0f} rows contradict others with the same settings: what decides the outcome is not in the table"},
+     "{0:.0f} of {1:.0f} rows contradict others with the same settings: the table lacks a setting that decides the "
+     "outcome"},
     {Code::nominal_explains, "the nominal joint explains the rows as well as any law fitted to them"},
     {Code::best_law_misjudges, "the best law, {name0}, misjudges {0:.0f} of {1:.0f} rows that its fit had not seen"},
     {Code::laws_alike, "the law is ambiguous: these rows cannot distinguish {name0} from {name1}"},

@@ -67,7 +67,7 @@ std::string loop_text(Simulator to, Lost why)
             return name +
                    " feeds back the true position: noise, quantisation and errors of the encoder are not in the loop";
         case Lost::feedback_side:
-            return "a servo here measures the body that it pushes; close the loop on the link outside and command the "
+            return "a servo here measures the body that it drives; close the loop on the link outside and command the "
                    "motor's effort";
         case Lost::integral:
             return name + " takes gains on the error and its rate; integrate in a controller of your own";

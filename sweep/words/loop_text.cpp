@@ -30,7 +30,7 @@ std::string why_text(WhyNot why)
         case WhyNot::place:
             return "it depends on position: steady sliding has no one linear system";
         case WhyNot::time:
-            return "it depends on time alone and moves no root";
+            return "it depends on time only and moves no root";
         case WhyNot::backlash:
             return "the linear theory takes the backlash as closed";
         case WhyNot::needs_period:
@@ -38,7 +38,7 @@ std::string why_text(WhyNot why)
         case WhyNot::no_feedback:
             return "the loop feeds nothing back through it";
         case WhyNot::reference_only:
-            return "it acts on the reference alone and moves no root";
+            return "it acts on the reference only and moves no root";
         case WhyNot::fed_back:
             return "it follows the motion itself, and the linear theory has no term for it: the simulation has";
         case WhyNot::unsupported:
@@ -54,8 +54,8 @@ std::string loop_text(const LoopUse& loop)
     for (const auto& term : loop.not_used) add(term.matters ? matters : rest, term.key);
     std::string text;
     if (loop.kind != LoopKind::ideal) text += " The loop is " + loop_name(loop.kind) + ", with " + used + ".";
-    if (!matters.empty()) text += " Left out, though it may change the verdict: " + matters + ".";
-    if (!rest.empty()) text += " No part of the linear verdict: " + rest + ".";
+    if (!matters.empty()) text += " Not used, though it may change the verdict: " + matters + ".";
+    if (!rest.empty()) text += " Not part of the linear verdict: " + rest + ".";
     return text;
 }
 
@@ -65,10 +65,10 @@ std::string side_text(const Joint& joint, bool of_record)
     if (N == 1) return {};
     const auto gear = "the gear of " + plain_number(N, 4) + ":1";
     if (of_record)
-        return "Readings, gains and efforts of a record are counted at the motor's side of " + gear +
+        return "Readings, gains and efforts of a record are at the motor side of " + gear +
                "; verdicts and maps of the same file count them at the joint's, where k_{p} is " +
                plain_number(N * N, 4) + " times as large.";
-    return "Displacement, gains and efforts are counted at the joint's side of " + gear +
+    return "Displacement, gains and efforts are at the joint side of " + gear +
            "; a record of the same file counts them at the motor's, where k_{p} is " + plain_number(N * N, 4) +
            " times smaller.";
 }

@@ -37,7 +37,7 @@ std::string causes_words(const Diagnosis& d)
     for (const auto& cause : named_causes(d))
         text += fmt::format("{}{} ({}{})", text.empty() ? "" : ", then ", together(cause.names),
                             whole_percent(cause.share), text.empty() ? " of its gap" : "");
-    return text.empty() ? "nothing in the catalogue" : text;
+    return text.empty() ? "no effect of the catalogue" : text;
 }
 
 std::string outcome_words(const JointOutcome& joint)
@@ -74,12 +74,12 @@ std::string robot_sentence(const RobotAnswer& robot)
     std::string text;
     for (const auto& joint : robot.joints)
         if (joint.differs()) text += (text.empty() ? "" : "; ") + joint.name + " by " + causes_words(joint.diagnosis);
-    text = differ.empty() ? fmt::format("None of {} joints was found to differ from its file.", all)
+    text = differ.empty() ? fmt::format("None of {} joints differs from its file.", all)
                           : fmt::format("{} of {} joints {} from {}: {}.", differ.size(), all,
                                         differ.size() == 1 ? "differs" : "differ",
                                         differ.size() == 1 ? "its file" : "their files", text);
     if (!same.empty()) text += fmt::format(" {} {} as documented.", listed(same), same.size() == 1 ? "moves" : "move");
-    if (!poor.empty()) text += fmt::format(" The records do not say enough of {}.", listed(poor));
+    if (!poor.empty()) text += fmt::format(" The records are not sufficient for {}.", listed(poor));
     if (!refused.empty()) text += fmt::format(" Not diagnosed: {}.", listed(refused));
     if (!early.empty()) text += fmt::format(" Interrupted at {}.", listed(early));
     if (!left.empty()) text += fmt::format(" Interrupted before {}.", listed(left));

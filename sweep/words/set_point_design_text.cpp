@@ -88,7 +88,7 @@ std::string set_point_design_text(const SetPointDesign& design, Motion motion)
 {
     std::string text;
     if (design.best < 0) {
-        text = "No way of those looked at keeps the joint from hunting for every friction reckoned with.";
+        text = "None of the solutions tried prevents hunting for every friction within the margin.";
     } else {
         const auto& c = design.choices[static_cast<std::size_t>(design.best)];
         text = "Least error without hunting: " + way_text(c.way) + ", " + numbers_text(c, motion) + ". ";
@@ -113,19 +113,19 @@ std::string set_point_design_text(const SetPointDesign& design, Motion motion)
 std::vector<Table> set_point_design_tables(const SetPointDesign& design, Motion motion)
 {
     Table ways;
-    ways.title = "Ways to hold a set point";
+    ways.title = "Solutions to hold a set point";
     ways.columns = {"way", "numbers", "may lie in", "hunts", "largest error at rest"};
     for (const auto& c : design.choices)
         ways.rows.push_back({way_text(c.way), is_set(c.k_i) ? numbers_text(c, motion) : "–", window_text(c, motion),
                              c.holds              ? "no"
-                             : c.proofs.empty()   ? "not to be had"
+                             : c.proofs.empty()   ? "not possible"
                              : hunts_somewhere(c) ? "yes"
                                                   : "undecided",
                              c.holds ? with_unit(c.rest_error, Quantity::position, motion) : "–"});
     std::vector<Table> tables{ways};
     if (design.best < 0) return tables;
     Table proofs;
-    proofs.title = "Why the best does not hunt";
+    proofs.title = "Why the best choice does not hunt";
     proofs.columns = {"static friction", "kinetic friction", "because", "shown by"};
     for (const auto& p : design.choices[static_cast<std::size_t>(design.best)].proofs)
         proofs.rows.push_back({with_unit(p.breakaway, Quantity::effort, motion),

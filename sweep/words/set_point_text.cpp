@@ -26,20 +26,19 @@ std::string set_point_reason(SetPointReason reason)
         case SetPointReason::dead_zone:
             return "slips end within the dead zone";
         case SetPointReason::push_breaks_friction:
-            return "over-compensated: the push from the error's side is more than static friction, so that the loop, "
-                   "which is late, drives the joint to and fro";
+            return "over-compensated: the push towards the set point exceeds static friction, and the delayed loop "
+                   "drives the joint back and forth";
         case SetPointReason::driven_by_velocity:
-            return "over-compensated: the feed-forward from the velocity gives more than friction and damping take";
+            return "over-compensated: the feed-forward from the velocity exceeds friction and damping";
         case SetPointReason::not_driven:
-            return "the loop does not integrate, and the feed-forward from the velocity gives less than friction and "
-                   "damping take";
+            return "the loop does not integrate, and the feed-forward from the velocity is less than friction and "
+                   "damping";
         case SetPointReason::dither_narrows:
-            return "the loop does not integrate: its dither is below the kinetic friction, so that all motion dies, "
-                   "and "
-                   "leaves the static friction less to hold the joint with";
+            return "the loop does not integrate: its dither is below the kinetic friction, so that all motion stops, "
+                   "and reduces the error that static friction can hold";
         case SetPointReason::dithered:
-            return "a dither is judged below the kinetic friction, in a loop without integral, push and bristles; "
-                   "simulate a set point with simulate --reference instead";
+            return "a dither is evaluated only below the kinetic friction, in a loop without integral, push and "
+                   "bristles; use simulate --reference";
         case SetPointReason::bristles_compensated:
             return "a feed-forward from the error or the velocity is not simulated over bristles";
         case SetPointReason::loop_unstable:
@@ -49,7 +48,7 @@ std::string set_point_reason(SetPointReason reason)
         case SetPointReason::several_bodies:
             return "set points of joints with several inertias are not simulated";
         case SetPointReason::law_needs_motion:
-            return "the friction law has no meaning at rest";
+            return "the friction law is undefined at rest";
         case SetPointReason::law_without_motion:
             return "this friction law is not simulated at rest";
         case SetPointReason::friction_term:
@@ -57,7 +56,7 @@ std::string set_point_reason(SetPointReason reason)
                    "not "
                    "simulated at rest";
         case SetPointReason::not_converged:
-            return "the motion was not followed to its end within the limit of work";
+            return "the motion was not simulated to its end within the limit of work";
     }
     return "";
 }
@@ -78,7 +77,7 @@ std::string set_point_text(const SetPoint& s, Motion motion)
             if (s.diverges())
                 text = "Does not hold a set point";
             else if (s.rest_error == infinity)
-                text = "Does not hunt: rests wherever it is";
+                text = "Does not hunt: rests anywhere";
             else if (s.rest_error > 0)
                 text = "Does not hunt: rests up to " + length(s.rest_error) + " from the set point";
             else

@@ -16,25 +16,25 @@ std::string study_text(StudyReason reason)
         case StudyReason::unstable_at_highest:
             return "the highest velocity searched is not stable";
         case StudyReason::kernel_at_one_speed:
-            return "a kernel is friction found at one velocity and says nothing about others";
+            return "a kernel is measured at one velocity and not valid at others";
         case StudyReason::no_single_k_v:
-            return "no single k_v serves every velocity of the range at this k_p";
+            return "no single k_v is stable at every velocity of the range with this k_p";
         case StudyReason::not_stable:
-            return "sliding is not stable: a steady sine has no steady answer";
+            return "sliding is not stable: there is no steady response to a sine";
         case StudyReason::no_boundary_above:
             return "no boundary lies above this k_p";
         case StudyReason::no_crossover:
             return "|L| is 1 nowhere, no lag makes the joint unstable";
         case StudyReason::neutral:
-            return "sliding is neutral: the answer to a sine at peak_omega grows without end";
+            return "sliding is neutral: the response to a sine at peak_omega grows without bound";
         case StudyReason::no_linear_response:
             return "the linear theory has no response of this loop with this friction";
         case StudyReason::no_period:
-            return "control.period is not set: how noisy a velocity differenced from positions is depends on it";
+            return "control.period is not set: the noise of a differentiated velocity depends on it";
         case StudyReason::no_pair_on_boundary:
             return "no pair of gains on a boundary of stability was found";
         case StudyReason::gains_not_alone:
-            return "this loop has not both k_p and k_v as gains that can be turned alone";
+            return "this loop has no independent gains k_p and k_v";
         case StudyReason::no_boundary:
             return "neither joint has a boundary along the searched range: nothing to compare";
         case StudyReason::boundaries_differ:
@@ -56,7 +56,7 @@ std::string margins_reason_text(const std::vector<StudyReason>& reasons, double 
     for (const auto reason : reasons) {
         if (!text.empty()) text += "; ";
         if (reason == StudyReason::not_stable)
-            text += "sliding is not stable with these gains, there is no margin to lose";
+            text += "sliding is not stable with these gains: there is no margin";
         else if (reason == StudyReason::no_boundary_above)
             text += "gain_above: " + study_text(reason) +
                     (std::isfinite(searched_to) ? fmt::format(" up to {:.4g}, as far as was searched", searched_to)

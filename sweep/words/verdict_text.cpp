@@ -115,17 +115,18 @@ Table linear_table(const Joint& joint, const LinearVerdict& v)
     Table table;
     table.title = "Linear theory at the design point";
     table.columns = {"quantity", "value"};
-    table.rows = {row("commanded velocity V_{0}", v.steady.velocity, Quantity::velocity),
-                  row("friction of steady sliding f_{ss}(V_{0})", v.steady.friction, Quantity::effort),
-                  row("steady deflection δ_{ss}", v.steady.deflection, Quantity::position),
-                  row("slope of the steady curve f_{ss}'(V_{0})", v.velocity_only.slope, Quantity::damping),
-                  {"asked of k_{v} by velocity alone", v.velocity_only.k_v_min == 0 && v.velocity_only.slope <= 0
-                                                           ? "any k_{v} > 0"
-                                                           : demanded_text(v.velocity_only.stable_k_v, motion)},
-                  row("direct effect f_{v}", v.state_variable.f_v, Quantity::damping),
-                  row("kernel integral ∫g", v.state_variable.kernel_integral, Quantity::damping),
-                  row("critical position gain k_{cr}", v.state_variable.k_cr, Quantity::stiffness),
-                  row("spectral abscissa max Re s", v.state_variable.spectral_abscissa, Quantity::rate)};
+    table.rows = {
+        row("commanded velocity V_{0}", v.steady.velocity, Quantity::velocity),
+        row("friction of steady sliding f_{ss}(V_{0})", v.steady.friction, Quantity::effort),
+        row("steady deflection δ_{ss}", v.steady.deflection, Quantity::position),
+        row("slope of the steady curve f_{ss}'(V_{0})", v.velocity_only.slope, Quantity::damping),
+        {"k_{v} required by the velocity-only model", v.velocity_only.k_v_min == 0 && v.velocity_only.slope <= 0
+                                                          ? "any k_{v} > 0"
+                                                          : demanded_text(v.velocity_only.stable_k_v, motion)},
+        row("direct effect f_{v}", v.state_variable.f_v, Quantity::damping),
+        row("kernel integral ∫g", v.state_variable.kernel_integral, Quantity::damping),
+        row("critical position gain k_{cr}", v.state_variable.k_cr, Quantity::stiffness),
+        row("spectral abscissa max Re s", v.state_variable.spectral_abscissa, Quantity::rate)};
     if (v.loop.kind != LoopKind::ideal) table.rows.push_back({"loop", loop_name(v.loop.kind)});
     if (is_set(v.state_variable.gain_margin_db))
         table.rows.push_back({"gain margin", plain_number(v.state_variable.gain_margin_db) + " dB"});
@@ -156,8 +157,8 @@ Table nonlinear_table(const Joint& joint, const NonlinearVerdict& v)
                                  : std::vector<std::string>{"a small disturbance", "decays: bistable"});
     if (v.region == NonlinearRegion::stable)
         table.rows.push_back(
-            {"larger disturbances", "end in steady sliding, too: " + larger_tried_text(v.searched_from)});
-    if (v.repeats > 1) table.rows.push_back({"turns after which the motion repeats", std::to_string(v.repeats)});
+            {"larger disturbances", "also end in steady sliding: " + larger_tried_text(v.searched_from)});
+    if (v.repeats > 1) table.rows.push_back({"cycles after which the motion repeats", std::to_string(v.repeats)});
     const auto add = [&](const char* name, double value, Quantity q) {
         if (is_set(value)) table.rows.push_back({name, with_unit(value, q, motion, 6)});
     };
@@ -185,7 +186,7 @@ std::string reason_text(Reason reason)
         case Reason::no_velocity:
             return "neither control.V0 nor control.force_rate is set";
         case Reason::law_needs_motion:
-            return "the friction law has no meaning at this velocity";
+            return "the friction law is undefined at this velocity";
         case Reason::no_steady_state:
             return "there is no steady sliding at the commanded velocity";
         case Reason::not_finite:
@@ -201,7 +202,7 @@ std::string reason_text(Reason reason)
         case Reason::neutral:
             return "neutral: small disturbances neither grow nor decay, as nothing damps them";
         case Reason::limit_too_low:
-            return "limit-too-low: the effort limit is below what steady sliding needs, so there is none";
+            return "limit-too-low: the effort limit is below the effort of steady sliding: there is no steady sliding";
         case Reason::diverges:
             return "diverges: the motion runs away from steady sliding, which no spring or damper holds back";
     }

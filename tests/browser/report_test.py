@@ -520,7 +520,7 @@ class Report(unittest.TestCase):
         self.browser.open(self.pages["gap"])
         text = self.said("return document.querySelector('#next').innerText")
         self.assertIn("next-experiment.csv", text)
-        self.assertIn("Check before running it", text)
+        self.assertIn("check that the machine is free", text)
 
     def test_it_looks_as_it_did(self):
         """The first screen, reduced to a quarter, so that letters of another version of the typeface do not matter."""

@@ -323,7 +323,7 @@ TEST_CASE("a table of outcomes is diagnosed alone, and too few rows are said to 
     const auto alone = stickslip("diagnose '" + spec + "' '" + rows + "' -o '" + (folder / "out") + "'");
     INFO(alone.output);
     CHECK(alone.exit_code == 4);
-    CHECK_THAT(alone.output, Contains("do not decide") && Contains("at least 8 rows"));
+    CHECK_THAT(alone.output, Contains("do not determine") && Contains("at least 8 rows"));
     CHECK(std::filesystem::exists(folder / "out/report.html"));
     const auto both = stickslip("diagnose '" + spec + "' '" + rows + "' '" + folder.write("run.csv", record()) + "'");
     CHECK(both.exit_code == 2);

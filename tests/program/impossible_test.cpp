@@ -96,7 +96,7 @@ TEST_CASE("an objective that is no finite number is said to be none", "[program]
         "position_noise=1e300 --require front_points=2");
     INFO(run.output);
     CHECK(run.exit_code == 1);
-    CHECK_THAT(run.output, Contains("no finite number"));
+    CHECK_THAT(run.output, Contains("not a finite number"));
     CHECK_THAT(run.output, !Contains("Best gains"));
 }
 

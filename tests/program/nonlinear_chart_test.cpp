@@ -21,7 +21,7 @@ enabled = true
     INFO(run.output);
     REQUIRE(run.exit_code == 0);
     const auto page = read(folder / "out/report.html");
-    const auto found = page.find("What the linear chart gets wrong: on ");
+    const auto found = page.find("Errors of the linear chart: on ");
     REQUIRE(found != std::string::npos);
     const auto text = page.substr(found, 1500);
     CAPTURE(text);
@@ -40,5 +40,5 @@ TEST_CASE("a report without bistable points finds no fault with its linear chart
 enabled = true
 )");
     REQUIRE(stickslip("sweep " + spec + " -o " + (folder / "out")).exit_code == 0);
-    CHECK(read(folder / "out/report.html").find("linear chart gets wrong") == std::string::npos);
+    CHECK(read(folder / "out/report.html").find("Errors of the linear chart") == std::string::npos);
 }

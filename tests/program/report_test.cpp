@@ -55,7 +55,7 @@ TEST_CASE("two sweeps are compared: boundaries, regions, numbers", "[program]")
 
     const auto same =
         stickslip("report '" + (folder / "a") + "' '" + (folder / "a") + "' -o '" + (folder / "aa") + "'");
-    CHECK_THAT(same.output, Contains("Nothing changed"));
+    CHECK_THAT(same.output, Contains("No change"));
 }
 
 TEST_CASE("charts of two sweeps that are cut at different values name both", "[program][slow]")

@@ -43,5 +43,5 @@ TEST_CASE("a joint that cannot be judged ends with exit code 4 and the reason", 
     const auto run = program::stickslip("evaluate examples/02-ball-screw/joint-with-memory.toml --set control.V0=0");
     INFO(run.output);
     CHECK(run.exit_code == 4);
-    CHECK_THAT(run.output, Contains("undecided") && Contains("no meaning at rest"));
+    CHECK_THAT(run.output, Contains("undecided") && Contains("undefined at rest"));
 }

@@ -99,8 +99,8 @@ void magnitude_only(const Record& r, std::vector<Suspicion>& found)
     constexpr double follows = 0.8, does_not = 0.6;
     if (!(whole > 0) || size < follows * whole || std::abs(sign) > does_not * whole) return;
     found.push_back({std::string(r.effort_measured.empty() ? "current" : "effort_measured") +
-                         " is never negative although the command is: its magnitude was logged; leave the column away, "
-                         "or give it the sign of the command",
+                         " is never negative although the command is: its magnitude was logged; remove the column, or "
+                         "give it the sign of the command",
                      true});
 }
 

@@ -162,7 +162,7 @@ class Checks {
             if (values.size() < few || !std::isfinite(values[0]) || spread(values) > 1e-12 * std::abs(values[0]))
                 return;
             found_.push_back({std::string(name) + " stays at " + number_text(values[0]) +
-                                  " while position moves: leave the column away if it was not connected",
+                                  " while position moves: remove the column if it was not connected",
                               true});
         };
         dead("velocity", r_.velocity);

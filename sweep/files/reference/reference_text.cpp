@@ -103,15 +103,15 @@ struct Table {
 };
 constexpr Table joint_tables[] = {
     {"joint", "Bodies and what connects them."},
-    {"load", "What acts on the link from outside."},
+    {"load", "External forces on the link."},
     {"control", "The loop: continuous without `control.period`, sampled with one."},
     {"friction",
      "Joints with several bodies have these keys under `[friction.motor]`, `[friction.transmission]` and "
      "`[friction.link]`; `law = \"time-lag\"` has those of its law under `[friction.curve]`. The laws' own keys follow "
      "below."},
     {"actuator", "From the command to the effort: dead time, lag, gain, limit."},
-    {"sensor", "What the encoder adds."},
-    {"normal", "A normal force that moves with the joint."},
+    {"sensor", "Encoder and measurement noise."},
+    {"normal", "A normal force that depends on the motion."},
     {"neighbour", "Joints that the mass matrix couples to this one: `[[neighbour]]`, at most six."},
 };
 
@@ -167,16 +167,16 @@ std::string spec_sections()
         "1e5, points = 31 }`, or a list of values.\n\n" +
         key_heading + hand_rows(spec_keys, "axes");
     text +=
-        "\n### `[design]`\n\nThe marked point: a value under the path of any number of the joint. What is no axis "
-        "holds for the whole sweep.\n";
+        "\n### `[design]`\n\nThe marked point: a value under the path of any number of the joint. It holds for the "
+        "whole sweep unless it is an axis.\n";
     text += "\n### `[nonlinear]`\n\n" + key_heading + declared(keys_of(NonlinearSpec{}, "nonlinear"));
     text += "\n### `[boundary]`\n\n" + key_heading + hand_rows(spec_keys, "boundary") +
             declared(keys_of(BoundarySpec{}, "boundary"));
     text += "\n### `[check]`\n\n" + key_heading + declared(keys_of(CheckSpec{}, "check"));
     text += "\n### `[report]`\n\n" + key_heading + hand_rows(spec_keys, "report");
     text +=
-        "\n### `[requirements]`\n\nOf `stickslip design`. What is not said comes from the joint's `[sensor]`, "
-        "`[control]` and `[actuator]`.\n\n" +
+        "\n### `[requirements]`\n\nOf `stickslip design`. Defaults come from the joint's `[sensor]`, `[control]` and "
+        "`[actuator]`.\n\n" +
         key_heading + declared(requirement_keys()) + hand_rows(spec_keys, "requirements");
     return text;
 }

@@ -191,7 +191,7 @@ void complain_unknown_keys(const toml::table& table, const std::vector<std::stri
         if (std::find(allowed.begin(), allowed.end(), name) != allowed.end()) continue;
         const Place place = Place(key.source()).or_else(Place(table.source()));
         complaints.add(place, below(path, name),
-                       "unknown key, allowed here are " + listed(allowed) + did_you_mean(name, allowed));
+                       "unknown key, expected " + listed(allowed) + did_you_mean(name, allowed));
     }
 }
 

@@ -14,27 +14,26 @@ struct HandKey {
 
 inline constexpr HandKey spec_keys[] = {
     {"", "title", "text", "-", "of the report"},
-    {"", "joint", "text", "-", "joint file, from the folder of this one; without it the joint's own tables stand here"},
+    {"", "joint", "text", "-",
+     "joint file, relative to this file; without it, this file contains the tables of the joint"},
     {"axes", "from", "number, or text with a unit", "required", "first value of the axis"},
     {"axes", "to", "number, or text with a unit", "required", "last value of the axis, above from"},
-    {"axes", "points", "whole number within [1, 1000000]", "required", "how many values, both ends counted"},
-    {"axes", "scale", "log, linear", "linear", "how the values are spaced; log needs values > 0"},
+    {"axes", "points", "whole number within [1, 1000000]", "required", "number of values, both ends included"},
+    {"axes", "scale", "log, linear", "linear", "spacing of the values; log needs values > 0"},
     {"axes", "values", "list of ascending numbers", "-", "the values themselves, in place of from, to and points"},
     {"report", "title", "text", "title", "heading of the page"},
     {"report", "charts", "pair of axes, or a list of pairs", "chosen", "which maps are drawn, x then y"},
     {"report", "surfaces", "pair of axes, or a list of pairs", "chosen", "which surfaces are drawn, x then y"},
-    {"boundary", "kind", "text, or a list", "both linear theories",
-     "what is located: stickslip boundary --help has the kinds"},
+    {"boundary", "kind", "text, or a list", "both linear theories", "kinds of boundary: see stickslip boundary --help"},
     {"boundary", "along", "PATH or PATH=FROM..TO, or a list", "the axes", "axes along which boundaries are located"},
     {"boundary", "over", "two of PATH or PATH=FROM..TO", "the charts", "the plane in which boundaries are followed"},
     {"boundary", "axis", "as along", "the axes", "another name of along"},
-    {"requirements", "uncertain", "table of PATH = share", "none",
-     "numbers that are not known well, with their shares"},
+    {"requirements", "uncertain", "table of PATH = share", "none", "uncertain parameters, each with its share"},
 };
 
 inline constexpr HandKey joint_keys[] = {
     {"control", "servo", "dynamixel-xl330, dynamixel-xc330, dynamixel-xm430, moteus, odrive", "none",
-     "drive whose registers fill the gains"},
+     "drive whose register values set the gains"},
     {"control", "registers", "table of register = number", "none",
      "P, I, D of a dynamixel; kp, ki, kd, ilimit of a moteus; pos_gain, vel_gain, vel_integrator_gain of an odrive"},
 };
@@ -42,16 +41,16 @@ inline constexpr HandKey joint_keys[] = {
 inline constexpr HandKey record_keys[] = {
     {"record", "columns", "table of signals", "-", "which column of the file is which signal"},
     {"record", "constants", "table of signals", "-", "signals without a column: one value for all rows"},
-    {"record", "at_rest_at_start", "true, false", "found out", "whether the joint stands still at the first row"},
+    {"record", "at_rest_at_start", "true, false", "found out", "whether the joint is at rest in the first row"},
     {"record", "files", "table of file patterns", "-",
-     "what holds for files of this name only: columns, constants, at_rest_at_start, and numbers of the joint"},
+     "settings for files of this name only: columns, constants, at_rest_at_start, and numbers of the joint"},
 };
 
 inline constexpr HandKey record_column_keys[] = {
     {"record.columns.SIGNAL", "name", "text", "the signal's", "the column's name in the file"},
     {"record.columns.SIGNAL", "unit", "text", "SI", "unit of the column"},
     {"record.columns.SIGNAL", "scale", "number, not 0", "1", "SI value = scale · value + offset"},
-    {"record.columns.SIGNAL", "offset", "number, or text with a unit", "0", "added behind the scale"},
+    {"record.columns.SIGNAL", "offset", "number, or text with a unit", "0", "added after the scale"},
 };
 
 /// The keys of one table, as they stand in it.

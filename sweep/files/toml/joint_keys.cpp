@@ -96,7 +96,7 @@ std::string explain_unknown_key(const Joint& joint, const std::string& path, con
     }
     std::string text = "unknown key";
     if (!owners.empty()) text += " (it belongs to " + owners + ")";
-    text += siblings.empty() ? "" : ", allowed here are " + listed(siblings);
+    text += siblings.empty() ? "" : ", expected " + listed(siblings);
     if (!owners.empty()) return text;
 
     const std::string given = path.substr(parent_of(path).empty() ? 0 : parent_of(path).size() + 1);

@@ -26,12 +26,12 @@ struct RequirementsTable {
     {
         constexpr Range margins{0, 100, false, false}, counts{2, 200, false, false, true};
         auto& r = self.r;
-        visit.choice("objective", "which noise is made least", r.objective, objectives);
+        visit.choice("objective", "noise to be minimised", r.objective, objectives);
         visit.number({"position_noise", Quantity::position, not_negative, Need::optional,
                       "standard deviation of a measured position"},
                      r.noise.position);
         visit.number({"velocity_noise", Quantity::velocity, not_negative, Need::optional,
-                      "standard deviation of an own velocity sensor; not set: velocity is differenced from position"},
+                      "standard deviation of a velocity sensor; not set: velocity is the difference of positions"},
                      r.noise.velocity);
         visit.number({"sample_time", Quantity::time, positive, Need::optional, "between samples"}, r.noise.period);
         visit.number({"filter", Quantity::time, not_negative, Need::optional, "time constant of the velocity filter"},
@@ -41,11 +41,12 @@ struct RequirementsTable {
             r.noise.average);
         visit.number({"effort_limit", Quantity::effort, positive, Need::optional, "of the actuator"}, r.effort_limit);
         visit.number({"noise_multiple", Quantity::number, not_negative, Need::optional,
-                      "of the effort noise that counts towards the limit"},
+                      "multiple of the effort noise that must fit below the limit"},
                      r.noise_multiple);
-        visit.number({"margin", Quantity::number, margins, Need::optional,
-                      "least distance to a boundary, in logarithms of the uncertain numbers, per their shares"},
-                     r.margin);
+        visit.number(
+            {"margin", Quantity::number, margins, Need::optional,
+             "least distance to a boundary, in logarithms of the uncertain parameters, relative to their shares"},
+            r.margin);
         visit.number({"least_velocity", Quantity::velocity, positive, Need::optional,
                       "stable at every velocity from here up to V0"},
                      r.least_velocity);
@@ -129,7 +130,7 @@ Requirements read_requirements(const std::filesystem::path& file, const Joint& j
     if (joint.actuator.kind == ActuatorKind::effort)  // the controller's own limit is one of its signal
         r.effort_limit = std::min(r.effort_limit, joint.control.effort_limit * std::abs(joint.actuator.effort_gain));
     const auto explain = [](const std::string& path, const std::vector<std::string>& siblings) {
-        return "unknown key, allowed here are " + files::listed(siblings) +
+        return "unknown key, expected " + files::listed(siblings) +
                files::did_you_mean(path.substr(path.rfind('.') + 1), siblings);
     };
     const toml::table root = files::parse_toml(files::read_text(file), file.string());

@@ -210,7 +210,7 @@ class SpecReader {
     void read_struct(const std::string& key, Struct& s, const std::vector<std::string>& also_allowed = {})
     {
         const auto explain = [](const std::string& path, const std::vector<std::string>& siblings) {
-            return "unknown key, allowed here are " + listed(siblings) +
+            return "unknown key, expected " + listed(siblings) +
                    did_you_mean(path.substr(path.rfind('.') + 1), siblings);
         };
         const auto* table = table_at(root_, key, "", complaints_);

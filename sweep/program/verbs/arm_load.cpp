@@ -170,13 +170,13 @@ void add_arm_load(CLI::App& app, Invocation& invocation)
                      "CSV with time and JOINT_position of every joint that moves, s, rad and m")
         ->required();
     verb->add_option("--robot", options->robot,
-                     "URDF or MJCF; without it the smoothed positions, velocities and accelerations are written");
+                     "URDF or MJCF; without it, smoothed positions, velocities and accelerations are written");
     verb->add_option("--at", options->pose,
                      "pose of the joints that are not in the table: TOML with joint = coordinate");
     verb->add_option("--armature", options->armature,
-                     "JOINT=INERTIA: of a rotor behind its gear that the description lacks, kg·m² (kg)");
+                     "JOINT=INERTIA: rotor inertia behind the gear that the description lacks, kg·m² (kg)");
     verb->add_option("--window", options->window,
-                     "s over which accelerations are taken, by a cubic; default: 0.03, or six rows, 0.1 at most");
+                     "window of the cubic that gives the accelerations, s; default: 0.03, or six rows, 0.1 at most");
     verb->add_option("-o,--output", options->file, "file to write; default: standard output");
     verb->footer(
         "Example: stickslip arm-load positions.csv --robot arm.urdf --armature elbow=0.12 -o loads.csv\n"

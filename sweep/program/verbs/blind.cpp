@@ -198,8 +198,7 @@ int run_cases(const Options& options, Invocation& invocation)
 void add_blind(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    auto* verb =
-        app.add_subcommand("blind", "Diagnose sealed cases, each in a process of its own, and score the answers");
+    auto* verb = app.add_subcommand("blind", "Diagnose blind cases, each in a separate process, and score the answers");
     verb->add_option("DIR", options->directory, "folder of case-NN/{joint.toml, *.csv.gz}")->required();
     verb->add_option("--truth", options->truth, "file of the true answers: scores them, after all cases are answered");
     verb->add_option("--answers", options->answers, "where to write the answers (DIR/answers.json)");

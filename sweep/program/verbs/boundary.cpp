@@ -174,11 +174,11 @@ void add_boundary(CLI::App& app, Invocation& invocation)
     verb->add_option("--kind", options->kinds, "kinds of boundary, one or more; default: velocity-only linear")
         ->check(CLI::IsMember(kinds));
     verb->add_option("--along", options->along,
-                     "axes: PATH or PATH=FROM..TO, SI or with units, perhaps :log or :linear behind");
+                     "axes: PATH or PATH=FROM..TO, SI or with units, optionally followed by :log or :linear");
     verb->add_option("--over", options->over, "two axes, x then y, each as in --along")->expected(2);
-    verb->add_option("--set", options->settings, "change a number first: path=value");
+    verb->add_option("--set", options->settings, "set a parameter first: path=value");
     verb->add_option("--disturbance", options->disturbance,
-                     "what an outcome means; default: that of the spec, else a start from V0/10⁴")
+                     "disturbance that decides the outcome; default: that of the spec, else a start from V0/10⁴")
         ->check(CLI::IsMember(disturbances));
     verb->add_option("--size", options->size,
                      "of the disturbance: m, m/s, N·s, N (rad, …); for start: the share of V0 from which V0 is "
@@ -189,13 +189,13 @@ void add_boundary(CLI::App& app, Invocation& invocation)
         ->check(finite_number())
         ->check(between(1e-12, 0.1));
     verb->add_option("--guard", options->guard,
-                     "cells along each axis of the grid that guards against missed pieces; default: 16, where each "
-                     "point is a motion 8")
+                     "cells along each axis of the grid that searches for further pieces; default: 16, or 8 if each "
+                     "point is a simulation")
         ->check(CLI::Range(2, 512));
     verb->add_option("-o,--output", options->directory, "write boundary.json, boundary.csv and report.html here");
     verb->add_option("--threads", options->threads, "0: all cores")->capture_default_str();
     verb->add_option("--max-undecided", options->max_undecided,
-                     "exit 4 if a larger share of the scanned points has no verdict")
+                     "exit 4 if more than this share of the scanned points has no verdict")
         ->capture_default_str();
     verb->add_flag("--ideal-loop", options->ideal_loop,
                    "the paper's loop: no sampling, dead time, filter, lag or integral");
@@ -208,7 +208,7 @@ void add_boundary(CLI::App& app, Invocation& invocation)
         "-o "
         "out\n"
         "  stickslip boundary joint.toml --kind v-min --along 'control.V0=1 um/s..10 mm/s'\n"
-        "A spec may ask the same in a [boundary] table: kind, along, over, guard, precision.\n"
+        "A [boundary] table in the spec has the same options: kind, along, over, guard, precision.\n"
         "Exit codes: 0 answered (also: no boundary there), 2 bad input, 3 interrupted: what was located is kept, 4 a "
         "point is coarser than asked for or too "
         "many "

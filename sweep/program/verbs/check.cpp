@@ -32,7 +32,7 @@ int check(const Options& options, const Invocation& invocation)
     const Spec spec = read_spec(options.spec);
     const ThreadLimit limit(options.threads);
     const auto now = watched_boundaries(spec, parallel_for_each);
-    if (now.empty()) throw BadInput(options.spec + ": no boundary lies within the axes: a check would compare nothing");
+    if (now.empty()) throw BadInput(options.spec + ": no boundary lies within the axes: there is nothing to compare");
     if (options.update) {
         write_baseline(options.baseline, spec.title, now, numbers_of(spec));
         fmt::print("{}: {} boundaries written\n", options.baseline, now.size());
@@ -93,11 +93,11 @@ void add_check(CLI::App& app, Invocation& invocation)
                      "directory for report.html with old and new curves, or for the diagnosis of the records");
     verb->add_option("--threads", options->threads, "0: all cores")->capture_default_str();
     verb->add_flag("--json", options->json, "of a gap: print the outcome as JSON");
-    verb->add_option("--gap-tolerance", options->tolerance.gap, "share by which the gap may grow")
+    verb->add_option("--gap-tolerance", options->tolerance.gap, "largest relative growth of the gap")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     verb->add_option("--number-tolerance", options->tolerance.number,
-                     "share by which a number of the joint may move, and it must be by 5 standard errors")
+                     "largest relative change of a parameter, if it also exceeds 5 standard errors")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     verb->add_option("--joint", options->name, "name of the joint in logs of several");

@@ -101,7 +101,7 @@ int check_gap(const GapCheckQuestion& question, const Invocation& invocation)
         const auto facts = diagnosis_facts(now, question.baseline);
         if (facts.interrupted) return exit_interrupted;  // half an answer is no baseline
         if (!facts.answered())
-            throw BadInput(question.joint + ": the records say too little for a baseline: " +
+            throw BadInput(question.joint + ": the records are not sufficient for a baseline: " +
                            (found.diagnosis.reasons.empty() ? "" : note_text(found.diagnosis.reasons.front())));
         write_gap_baseline(question.baseline, joint_text(joint), now.dump());
         fmt::print("{}: {} written\n", question.baseline, outcome_words(facts));

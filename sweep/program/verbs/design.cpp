@@ -102,7 +102,7 @@ int design(const Options& options, const Invocation& invocation)
             best.control.k_p = typed(answer.design.best.k_p), best.control.k_v = typed(answer.design.best.k_v);
             const auto text = joint_text(best);
             write_whole(std::filesystem::path(options.directory) / "designed-joint.toml", text);
-            snippets = {{"To put into the joint file", changed_lines(joint_text(answer.joint), text), ""},
+            snippets = {{"For the joint file", changed_lines(joint_text(answer.joint), text), ""},
                         {"The whole joint file with these gains", text, "designed-joint.toml"}};
         }
         const auto page = write_report(design_report(answer, std::move(snippets)), options.directory);
@@ -119,7 +119,7 @@ void add_design(CLI::App& app, Invocation& invocation)
     auto* verb = app.add_subcommand(
         "design", "Best k_p and k_v under noise, effort, margin and velocity requirements; Pareto front");
     verb->add_option("INPUT", options->input, "sweep spec or joint description, TOML, with [requirements]")->required();
-    verb->add_option("--set", options->settings, "change a number of the joint first: path=value");
+    verb->add_option("--set", options->settings, "set a parameter of the joint first: path=value");
     verb->add_option("--require", options->requirements,
                      "change a requirement: key=value; keys: objective (motion | effort), position_noise [m], "
                      "velocity_noise [m/s], sample_time [s], filter [s], average, effort_limit [N], noise_multiple, "
@@ -130,14 +130,14 @@ void add_design(CLI::App& app, Invocation& invocation)
     verb->add_flag("--json", options->json, "print design.json instead of text");
     auto* holds = verb->add_flag(
         "--set-point", options->holds,
-        "instead: hold a set point without hunting, by k_i, dead zone, a push against dry friction and dither");
+        "instead: hold a set point without hunting, with k_i, dead zone, friction compensation and dither");
     auto& held = options->set_point;
     verb->add_option("--over", held.over,
                      "of a set point: control.k_i, control.dead_zone, push, control.dither; default all")
         ->check(CLI::IsMember({"control.k_i", "control.dead_zone", "push", "control.dither"}))
         ->needs(holds);
     verb->add_option("--friction-margin", held.friction_margin,
-                     "of a set point: share by which static and kinetic friction may each be off")
+                     "of a set point: uncertainty of static and kinetic friction, each, as a share")
         ->check(CLI::Range(0.0, 0.99))
         ->capture_default_str()
         ->needs(holds);
@@ -145,8 +145,9 @@ void add_design(CLI::App& app, Invocation& invocation)
                      "of a set point: k_i of the ways that integrate; default: the joint's")
         ->check(CLI::PositiveNumber)
         ->needs(holds);
-    verb->add_option("--push-speed", held.push_speed,
-                     "of a set point: velocity over which a push fades; default: control.feed_forward.coulomb_speed")
+    verb->add_option(
+            "--push-speed", held.push_speed,
+            "of a set point: velocity over which the compensation fades; default: control.feed_forward.coulomb_speed")
         ->check(CLI::PositiveNumber)
         ->needs(holds);
     verb->add_option("--rest-error", held.rest_error, "of a set point: largest error at rest that is allowed")

@@ -70,7 +70,7 @@ int design_set_point_answer(const SetPointOptions& options, Invocation& invocati
         if (best) {
             const auto text = joint_text(with_choice(joint, *best));
             write_whole(directory / "designed-joint.toml", text);
-            snippets = {{"To put into the joint file", changed_lines(joint_text(joint), text), ""},
+            snippets = {{"For the joint file", changed_lines(joint_text(joint), text), ""},
                         {"The whole joint file with these numbers", text, "designed-joint.toml"}};
         }
         catch_interrupts(invocation);  // from here on there is something to keep

@@ -71,7 +71,7 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
     } catch (const std::invalid_argument& e) {
         throw BadInput(e.what());
     } catch (const gap::Interrupted&) {
-        fmt::print(stderr, "interrupted before the laws were ranked: nothing was written\n");
+        fmt::print(stderr, "interrupted before the laws were ranked: no output\n");
         return exit_interrupted;
     }
     gap::OutcomeAnswer& answer = *found;
@@ -174,8 +174,8 @@ int diagnose(const Options& options, const Invocation& invocation)
 void add_diagnose(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    auto* verb =
-        app.add_subcommand("diagnose", "Say where the gap between a joint and its records lies and what causes it");
+    auto* verb = app.add_subcommand("diagnose",
+                                    "Diagnose the gap between a joint and its records: where it is and what causes it");
     verb->add_option("JOINT", options->joint,
                      "nominal joint, TOML; or robot.toml with [joints], or a folder of joint files")
         ->required();
@@ -193,7 +193,7 @@ void add_diagnose(CLI::App& app, Invocation& invocation)
                      "for each joint");
     verb->add_option("--threads", options->threads, "threads, 0 for all; the answer does not depend on it");
     verb->add_flag("--json", options->json, "print diagnosis.json");
-    verb->add_flag("--no-report", options->no_report, "leave the page away");
+    verb->add_flag("--no-report", options->no_report, "do not write the page");
     verb->footer(
         "Example: stickslip diagnose joint.toml slow.csv.gz steps.csv.gz -o diagnosis\n"
         "Example: stickslip diagnose joint.toml outcomes.csv -o which-law\n"

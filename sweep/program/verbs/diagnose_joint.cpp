@@ -44,7 +44,7 @@ bool needs_every_value(const std::string& signal)
 std::string corrected_joint(const Diagnosis& d, const Joint& joint, const Joint& after)
 {
     if (d.verdict != Verdict::gap || d.effects.empty() || joint_text(after) == joint_text(joint)) return "";
-    std::string head = "# The documented joint with what the diagnosis found:";
+    std::string head = "# The documented joint with the findings of the diagnosis:";
     for (const auto& name : d.effects.front().names) head += " " + name;
     for (const auto& [name, value, error, unit] : d.effects.front().parameters)
         head += fmt::format("\n#   {} = {:.6g}{} {}", name, value,
@@ -57,7 +57,7 @@ std::string corrected_joint(const Diagnosis& d, const Joint& joint, const Joint&
 std::vector<Snippet> corrections(const std::string& corrected, const Joint& joint, const Joint& after, bool rig)
 {
     if (corrected.empty()) return {};
-    return {{std::string("To put into the joint file: what the diagnosis changes in it, documented values behind #") +
+    return {{std::string("Changes for the joint file; documented values follow #") +
                  (rig ? "; N stands for the unit of the logged friction" : ""),
              changed_lines(joint_text(joint), joint_text(after)), ""},
             {"The whole corrected joint file", corrected, "corrected-joint.toml"}};
@@ -74,8 +74,7 @@ void GatheredRecords::add(RecordReading reading)
         contradictions.push_back({.code = Note::Code::contradiction, .record = name, .text = std::move(text)});
     records.push_back(std::move(reading.record));
     for (const auto& [signal, place] : reading.missing)
-        if (needs_every_value(signal))
-            gaps.push_back(place + "; the diagnosis needs every value, leave such rows away");
+        if (needs_every_value(signal)) gaps.push_back(place + "; the diagnosis needs every value; remove these rows");
 }
 
 /// What the caller is told: INTERFACE of `diagnose`.

@@ -226,16 +226,15 @@ void add_evaluate(CLI::App& app, Invocation& invocation)
     verb->add_option("JOINT", options->joint, "joint description, or a spec: its design point, TOML")->required();
     verb->add_option(
         "--set", options->settings,
-        "change a number first: path=value, with or without a unit (control.k_p=2e4, control.V0='1 mm/s')");
+        "set a parameter first: path=value, with or without a unit (control.k_p=2e4, control.V0='1 mm/s')");
     options->disturbance.add_to(*verb);
     verb->add_option("-o,--output", options->directory,
                      "also write a page with charts: both theories, disturbances, force ramps, reductions");
     options->surroundings.add_to(*verb);
-    options->surroundings.add_duration_to(*verb, "until the slowest mode has shown itself, or the file's");
-    verb->add_option(
-            "--effort", options->effort,
-            "how much work, per the usual second: motions are followed longer, and more crossings and reductions "
-            "of friction that answers late are searched")
+    options->surroundings.add_duration_to(*verb, "until the slowest mode is visible, or that of the file");
+    verb->add_option("--effort", options->effort,
+                     "multiple of the usual work (about a second): longer motions, more crossings and reductions of "
+                     "delayed friction")
         ->check(CLI::PositiveNumber);
     verb->add_flag("--ideal-loop", options->ideal_loop,
                    "the paper's loop: no sampling, dead time, filter, lag or integral");

@@ -63,22 +63,21 @@ void add_export(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
     auto* verb = app.add_subcommand(
-        "export", "Write a joint as elements of a robot simulator, and say what the simulator cannot express");
+        "export", "Write a joint as elements of a robot simulator, and list what the simulator cannot express");
     verb->add_option("JOINT", options->joint, "joint description, TOML")->required();
     std::vector<std::string> names;
     for (const auto& s : simulators) names.emplace_back(s.name);
     verb->add_option("--to", options->to, "which simulator")->required()->check(CLI::IsMember(names));
-    verb->add_option("--set", options->settings, "change a number first: path=value");
+    verb->add_option("--set", options->settings, "set a parameter first: path=value");
     verb->add_option("--name", options->name, "name of the joint in the text")->capture_default_str();
     verb->add_option("--timestep", options->timestep,
                      "time step of the simulator in s; default: its usual one, shorter where the joint needs it")
         ->check(CLI::PositiveNumber);
-    verb->add_option(
-            "--link-inertia", options->link_inertia,
-            "one mass: the part of the inertia that the robot's links have about this axis; the rest is armature")
+    verb->add_option("--link-inertia", options->link_inertia,
+                     "one mass: inertia of the robot's links about this axis; the remainder is armature")
         ->check(CLI::PositiveNumber);
     verb->add_option("--speed", options->speed,
-                     "velocity at which friction without a Coulomb level of its own is read; default: control.V0")
+                     "velocity at which friction without a Coulomb level is evaluated; default: control.V0")
         ->check(CLI::PositiveNumber);
     verb->add_flag("--json", options->json, "machine-readable, stable names");
     verb->footer("Example: stickslip export corrected-joint.toml --to mjcf --name elbow > elbow.xml");

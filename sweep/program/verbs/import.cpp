@@ -90,7 +90,7 @@ void add_import(CLI::App& app, Invocation& invocation)
     verb->add_option("ROBOT", options->robot, "robot description, URDF or MJCF")->required();
     verb->add_option("--joint", options->joint, "name of the joint")->required();
     verb->add_option("--at", options->pose, "pose: TOML with joint = coordinate; others stand at their zero");
-    verb->add_option("--set", options->settings, "fill in or change a number: path=value");
+    verb->add_option("--set", options->settings, "set a parameter: path=value");
     verb->add_option("-o,--output", options->file, "file to write; default: standard output");
     verb->add_flag("--json", options->json, "machine-readable, stable names");
     verb->footer(

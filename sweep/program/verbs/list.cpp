@@ -197,7 +197,7 @@ struct Options {
 void add_list(CLI::App& app, Invocation&)
 {
     auto options = std::make_shared<Options>();
-    auto* verb = app.add_subcommand("list", "What there is: friction laws, joints, effects, parameters, keys");
+    auto* verb = app.add_subcommand("list", "List friction laws, joints, effects, parameters or keys");
     verb->add_option("WHAT", options->what,
                      "laws | joints | effects | parameters | keys (numbers and words, with defaults)")
         ->required()

@@ -52,7 +52,7 @@ std::string verb_section(const CLI::App& verb)
 std::string man_page(const CLI::App& app)
 {
     std::string text = ".TH STICKSLIP 1 \"\" \"stickslip " + program_version() +
-                       "\" \"User commands\"\n.SH NAME\nstickslip \\- where a robot joint slides and where it sticks\n"
+                       "\" \"User commands\"\n.SH NAME\nstickslip \\- stick-slip of robot joints\n"
                        ".SH SYNOPSIS\n.B stickslip\n.I verb\n.RI [ options ]\n.SH DESCRIPTION\n" +
                        roff(app.get_description()) + "\n.SH VERBS\n";
     for (const auto* verb : app.get_subcommands([](const CLI::App*) { return true; })) text += verb_section(*verb);

@@ -80,12 +80,12 @@ void add_margins(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
     auto* verb = app.add_subcommand(
-        "margins", "How far a design is from its boundaries: nearest in all directions, one by one, at worst");
+        "margins", "Distance of a design from its boundaries: nearest in all directions, one by one, worst case");
     verb->add_option("INPUT", options->input, "sweep spec or joint description, TOML")->required();
-    verb->add_option("--set", options->settings, "change a number first: path=value");
+    verb->add_option("--set", options->settings, "set a parameter first: path=value");
     verb->add_option("--uncertain", options->uncertain,
-                     "shares by which numbers may be off: PATH=20%, 'friction.B - friction.A=10%'");
-    verb->add_option("--shape", options->shape, "of the uncertainty: all at once (box), or an ellipsoid within it")
+                     "uncertainty of parameters: PATH=20%, 'friction.B - friction.A=10%'");
+    verb->add_option("--shape", options->shape, "shape of the uncertainty: box, or an ellipsoid within it")
         ->check(CLI::IsMember({"box", "ellipsoid"}))
         ->capture_default_str();
     verb->add_option("--over", options->over,

@@ -39,8 +39,7 @@ void add_merge(CLI::App& app, Invocation& invocation)
     auto* verb = app.add_subcommand("merge", "Merge the journals of shards into one results.nc");
     verb->add_option("DIR", options->directories, "directories of the shards")->required();
     verb->add_option("-o,--output", options->results, "results file; default: results.nc in the first directory");
-    verb->add_flag("--keep-journal", options->keep_journal,
-                   "leave the journals, as large as the results, where they are");
+    verb->add_flag("--keep-journal", options->keep_journal, "keep the journals, as large as the results");
     verb->footer("Example: stickslip merge out");
     verb->callback([options, &invocation] { invocation.exit_code = merge_journals(*options); });
 }

@@ -82,7 +82,7 @@ void add_new(CLI::App& app, Invocation& invocation)
         ->check(CLI::IsMember(names_of(motions)))
         ->capture_default_str();
     verb->add_option("--from", options->from, "start from this joint or spec instead of an example");
-    verb->add_option("--set", options->settings, "change a number or word: path=value");
+    verb->add_option("--set", options->settings, "set a number or word: path=value");
     verb->add_flag("--plain", options->plain, "only what differs from its default, without comments");
     verb->add_option("-o,--output", options->file, "file to write; default: standard output");
     verb->add_flag("--force", options->force, "replace the file if it exists");

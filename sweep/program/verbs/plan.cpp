@@ -50,7 +50,7 @@ void print(const gap::Power& power)
         fmt::print("  {:<30} {}\n", e.name,
                    is_set(e.least_size)
                        ? fmt::format("{:.3g} {}  ({})", e.least_size, e.unit == "1" ? "" : e.unit, e.parameter)
-                       : "no size that is usual");
+                       : "no usual size");
     for (const auto& [one, other] : power.inseparable)
         fmt::print("  {} and {} cannot be distinguished by it\n", one, other);
 }
@@ -85,7 +85,7 @@ int run(const Options& options)
         return exit_done;
     }
     print(answer.power);
-    if (answer.better) fmt::print("this motion shows more: {} (next-motion.csv)\n", answer.better->description);
+    if (answer.better) fmt::print("a motion that shows more: {} (next-motion.csv)\n", answer.better->description);
     return exit_done;
 }
 
@@ -94,11 +94,11 @@ int run(const Options& options)
 void add_plan(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    auto* verb = app.add_subcommand("plan", "Say before measuring what a motion can show of a joint");
+    auto* verb = app.add_subcommand("plan", "List, before measuring, the effects that a motion can show");
     verb->add_option("JOINT", options->joint, "nominal joint, TOML, with control.period and [sensor]")->required();
     verb->add_option("TRAJECTORY", options->trajectory, "CSV or .csv.gz with time and reference_position")->required();
     verb->add_option("-o,--output", options->directory,
-                     "write plan.json here and look for a motion that distinguishes more (next-motion.csv)");
+                     "write plan.json here and search for a motion that distinguishes more (next-motion.csv)");
     verb->add_option("--threads", options->threads, "threads, 0 for all; the answer does not depend on it");
     verb->add_flag("--json", options->json, "print plan.json");
     verb->footer("Example: stickslip plan joint.toml trajectory.csv --json\nExit codes: 0 done, 2 bad input.");

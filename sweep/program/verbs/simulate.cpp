@@ -163,7 +163,7 @@ void add_simulate(CLI::App& app, Invocation& invocation)
         "simulate", "One motion of one joint: trajectory.csv, time series, phase portrait, friction-velocity loop");
     verb->add_option("JOINT", options->joint, "joint description, or a spec: its design point, TOML")->required();
     verb->add_option("-o,--output", options->directory, "directory of the files")->capture_default_str();
-    verb->add_option("--set", options->settings, "change a number first: path=value");
+    verb->add_option("--set", options->settings, "set a parameter first: path=value");
     options->disturbance.add_to(*verb);
     options->surroundings.add_to(*verb);
     options->surroundings.add_duration_to(

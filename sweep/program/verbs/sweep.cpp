@@ -48,12 +48,11 @@ Shard shard_from(const std::string& text)
 int end_early(const RunReport& run, const std::string& directory)
 {
     if (run.end == RunEnd::write_failed) {
-        fmt::print(stderr,
-                   "stickslip: {}\nNothing journalled is lost: free some space and run the same command again.\n",
+        fmt::print(stderr, "stickslip: {}\nThe journal is safe: free some space and run the same command again.\n",
                    run.message);
         return exit_interrupted;
     }
-    fmt::print(stderr, "stopped after {} points; the same command goes on from there (journals in {})\n",
+    fmt::print(stderr, "stopped after {} points; the same command continues from there (journals in {})\n",
                run.computed.points, directory);
     return exit_interrupted;
 }
@@ -160,12 +159,12 @@ void add_sweep(CLI::App& app, Invocation& invocation)
         ->check(CLI::Range(0, 4096))
         ->capture_default_str();
     verb->add_option("--shard", options->shard, "compute only part i of n, as i/n; then: stickslip merge DIR");
-    verb->add_option("--max-undecided", options->max_undecided, "exit 4 if a larger share of the points is undecided")
+    verb->add_option("--max-undecided", options->max_undecided,
+                     "exit 4 if more than this share of the points is undecided")
         ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str();
-    verb->add_flag("--fresh", options->fresh, "discard what an earlier sweep left in the directory");
-    verb->add_flag("--keep-journal", options->keep_journal,
-                   "leave the journal, as large as the results, when these are whole");
+    verb->add_flag("--fresh", options->fresh, "discard an earlier sweep in the directory");
+    verb->add_flag("--keep-journal", options->keep_journal, "keep the journal, as large as the results");
     verb->add_flag("--no-report", options->no_report, "write results.nc only");
     verb->add_option("--timestamp", options->timestamp,
                      "date on the page: now, or seconds since 1970; default: SOURCE_DATE_EPOCH, else none");
@@ -174,7 +173,7 @@ void add_sweep(CLI::App& app, Invocation& invocation)
     verb->add_flag("--json", options->json, "machine-readable summary");
     verb->footer(
         "Example: stickslip sweep examples/02-ball-screw/spec-with-memory.toml -o out\n"
-        "Exit codes: 0 done, 2 bad input, 3 interrupted (the same command goes on), 4 too many points undecided.");
+        "Exit codes: 0 done, 2 bad input, 3 interrupted (the same command continues), 4 too many points undecided.");
     verb->callback([options, &invocation] { invocation.exit_code = sweep(*options, invocation); });
 }
 

@@ -117,7 +117,7 @@ void add_timeline(CLI::App& app, Invocation& invocation)
     verb->add_option("-o,--output", options->directory, "directory for timeline.json and report.html")
         ->capture_default_str();
     verb->add_flag("--json", options->json, "print timeline.json");
-    verb->add_flag("--no-report", options->no_report, "leave the page away");
+    verb->add_flag("--no-report", options->no_report, "do not write the page");
     verb->footer(
         "Example: stickslip timeline runs -o elbow-over-time\n"
         "Example: stickslip timeline arm-2026-03-01 arm-2026-04-01 --joint elbow\n"

@@ -49,7 +49,7 @@ FieldMap field_over(const Joint& before, const Slice& a, const Joint& after, con
 
 Figure class_figure(FieldMap map, const Slice& a, const Slice& b)
 {
-    map.title = "What each point became, over (" + b.x.symbol + ", " + b.y.symbol + ")";
+    map.title = "Change of each point, over (" + b.x.symbol + ", " + b.y.symbol + ")";
     map.name = "change";
     map.classes = {"smooth, as before", "stick-slip, as before",          "became smooth",
                    "became stick-slip", "bistable in one run or in both", "undecided in one of them"};
@@ -63,7 +63,7 @@ Figure class_figure(FieldMap map, const Slice& a, const Slice& b)
     figure.id = chart_id("change", b.x, b.y);
     figure.finding = "Map of change over " + b.x.name + " and " + b.y.name + ": " + map.statement;
     figure.caption =
-        "How to read it: compared are the verdicts of the two runs at each point of the same grid. " + map.statement +
+        "How to read it: the verdicts of the two runs are compared at each point of the grid. " + map.statement +
         " Dashed: boundaries before. Solid: boundaries after; between the points of the grid a class ends at them." +
         (map.fixed.empty() ? "" : " Held: " + map.fixed + ".");
     figure.picture = std::move(map);

@@ -123,8 +123,8 @@ Figure overlay(const Signal& s)
         chart.below.push_back(remaining_line(time, wrong(s.after)));
     }
     return {s.id, chart,
-            "The stretch in which the joint as documented errs most; below, what is left of it. The simulation follows "
-            "the reference on its own; the measured motion is no part of it.",
+            "The interval of the documented joint's largest error; below, the residual. The simulation follows the "
+            "reference; it does not use the measured motion.",
             "Measured " + s.name + " over time and " +
                 (s.named ? "two simulations, before and after the cause is added" : "the simulation") +
                 ", and their residuals below"};
@@ -134,11 +134,11 @@ Figure residual(const Signal& s)
 {
     const auto before = difference(s.measured, s.before), after = difference(s.measured, s.after);
     DetailedChart chart;
-    chart.title = "What the simulation gets wrong in " + s.name + ": " + s.trace.file;
+    chart.title = "Error of the simulation in " + s.name + ": " + s.trace.file;
     chart.x_label = {"time", "s"};
     chart.y_label = {"measured minus simulated", s.unit};
     chart.shown_share = usual_share;
-    constexpr const char* spikes = " Rare spikes may end at the frame; the data have them whole.";
+    constexpr const char* spikes = " Rare spikes may be cut at the frame; the data contain them.";
     if (!s.named) {
         chart.lines = {{"measured minus simulated", s.trace.time, before, false}};
         const std::string words = "Residual of " + s.name + " over time.";
@@ -147,7 +147,7 @@ Figure residual(const Signal& s)
     chart.lines = {before_line("before", s.trace.time, before), remaining_line(s.trace.time, after)};
     const double was = rms(before), is = rms(after);
     std::string words = "Residual of " + s.name + " over time, before and after";
-    if (was > 0) words += ": its RMS goes to " + std::to_string(std::lround(100 * is / was)) + " % of what it was";
+    if (was > 0) words += ": its RMS goes to " + std::to_string(std::lround(100 * is / was)) + " % of its former value";
     return {s.id + "-residual", chart, words + "." + spikes, words};
 }
 

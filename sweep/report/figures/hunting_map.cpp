@@ -54,10 +54,10 @@ Figure kinds_figure(const HuntingField& field, FieldMap map)
     Figure figure;
     figure.id = chart_id("hunting", field.x, field.y);
     figure.finding = map.statement;
-    figure.caption = map.statement +
-                     " Hunting: stick, creep of the integrator, slip, again and again about the set "
-                     "point. The line is located; places between the nodes of the grid take the answer "
-                     "of the nearest one.";
+    figure.caption =
+        map.statement +
+        " Hunting: stick, creep of the integrator, slip, again and again about the set "
+        "point. The line is located; points between the nodes of the grid have the colour of the nearest node.";
     figure.picture = std::move(map);
     return figure;
 }
@@ -80,7 +80,7 @@ Figure amplitude_figure(const HuntingField& field, FieldMap map)
                               with_unit(high, Quantity::position, map.motion);
     Figure figure;
     figure.id = chart_id("hunting-amplitude", field.x, field.y);
-    figure.finding = "Where it hunts the stops lie " + range + " from the set point.";
+    figure.finding = "Where the joint hunts, its stops are " + range + " from the set point.";
     figure.caption = figure.finding + " A jump goes from one side to the other: twice as far.";
     figure.picture = std::move(map);
     return figure;
@@ -101,7 +101,7 @@ std::string hunting_shares_text(const HuntingField& field)
     for (const auto& [part, what] : parts)
         if (part > 0) text += (text.empty() ? std::string("it ") : ", ") + what + " on " + percent(part);
     const bool nowhere = share[rests] + share[hunts_from_afar] + share[not_decided] == 0;
-    if (nowhere) return "Nowhere on this chart does it come to rest: " + text + ".";
+    if (nowhere) return "The joint comes to rest nowhere on this chart: " + text + ".";
     return "On this chart " + text + ".";
 }
 

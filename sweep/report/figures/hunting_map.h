@@ -13,7 +13,7 @@ namespace stickslip {
 std::vector<Figure> hunting_figures(const HuntingField& field, const std::vector<FollowedBoundary>& curves,
                                     Motion motion);
 
-/// "Nowhere on this chart does it come to rest: it hunts on 67.8 %, diverges on 32.2 %."
+/// "The joint comes to rest nowhere on this chart: it hunts on 67.8 %, diverges on 32.2 %."
 std::string hunting_shares_text(const HuntingField& field);
 
 }  // namespace stickslip

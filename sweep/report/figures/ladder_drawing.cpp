@@ -38,7 +38,7 @@ class Waterfall {
         const double x = at(1 - share);
         for (double y = 4; y < y_; y += 6) line(x, y, x, std::min(y + 3, y_));
         const bool near_right_end = share < 0.5;
-        drawing.labels.push_back({near_right_end ? x - 4 : x + 4, y_ + 14, "not explainable left of here",
+        drawing.labels.push_back({near_right_end ? x - 4 : x + 4, y_ + 14, "not explainable left of this line",
                                   near_right_end ? LineDrawing::Anchor::right : LineDrawing::Anchor::left});
         y_ += 20;
     }
@@ -53,7 +53,7 @@ class Waterfall {
 Figure ladder_figure(const Diagnosis& d)
 {
     Waterfall w;
-    w.drawing.title = "From the whole gap down";
+    w.drawing.title = "The ladder of causes";
     w.drawing.width = drawing_width;
     double left_over = 1;
     std::string finding = "Of the gap";
@@ -73,13 +73,11 @@ Figure ladder_figure(const Diagnosis& d)
     std::string depends;
     for (const auto& signal : d.remainder.structure) depends += (depends.empty() ? "" : ", ") + signal;
     const auto has_ends = [](const LadderRung& r) { return is_set(r.interval.low) && is_set(r.interval.high); };
-    std::string caption = "Shares of the squares beyond the noise on data that no fit has seen";
+    std::string caption = "Shares of the squared gap beyond the noise, on held-out data";
     caption += std::ranges::any_of(d.ladder, has_ends) ? "; whiskers are 95 % intervals." : ".";
     // a rig has no numbers of its own to correct, and no flexible model to hold a cause against
     if (is_set(d.ceiling.share))
-        caption +=
-            " Inertia, friction and load are corrected within their uncertainty on both sides of every "
-            "comparison.";
+        caption += " Inertia, friction and load are corrected within their uncertainty in every comparison.";
     if (!depends.empty()) caption += " What remains still depends on: " + depends + ".";
     return {"ladder", w.drawing, caption, finding};
 }

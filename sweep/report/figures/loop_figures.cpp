@@ -106,10 +106,10 @@ Figure root_locus_figure(const RootLocus& locus, Motion motion)
                                                                   : "Stability changes at k_{p} = " + crossing + ".");
     figure.caption =
         "How to read it: the lines follow the roots of the design's characteristic equation while k_{p} alone "
-        "changes, and marks without a line are those of its own k_{p}; reading a place gives its k_{p}. Left of the "
+        "changes, and marks without a line are those of its own k_{p}; reading a point gives its k_{p}. Left of the "
         "mark a root decays, and where all of them do, "
         "sliding is stable. " +
-        std::string(locus.rational ? "" : "A delay has roots without end; those furthest to the right are drawn. ") +
+        std::string(locus.rational ? "" : "A delay has infinitely many roots; the rightmost are drawn. ") +
         figure.finding;
     figure.picture = std::move(chart);
     return figure;

@@ -156,13 +156,13 @@ Figure map_figure(Motion motion, const Slice& slice, const MapAnswer& answer)
     figure.id = chart_id("map", slice.x, slice.y);
     figure.finding = "Stability map over " + slice.x.name + " and " + slice.y.name + ". Sliding is smooth on " +
                      percent(share_of(slice, {Region::stable, Region::memory_only})) + " of the chart; on " + needless +
-                     " of it only friction with memory explains why, and on " + missed +
-                     " friction that depends on velocity alone promises smooth sliding wrongly. " +
+                     " of it only the model with memory predicts this, and on " + missed +
+                     " the velocity-only model wrongly predicts smooth sliding. " +
                      (bistable > 0 ? percent(bistable) + " is bistable. " : "") + design_words(map.design);
     figure.caption =
-        "How to read it: blue decays, red grows (largest real part of the spectrum, with memory). Compared are two "
-        "theories of the same friction. Solid: boundary with memory (state-variable friction). Dashed: boundary if "
-        "friction depended on velocity alone. Hatched in gold: smooth, though velocity-only theory forbids it, " +
+        "How to read it: blue decays, red grows (largest real part of the spectrum, with memory). Two models of the "
+        "same friction are compared. Solid: boundary with memory (state-variable friction). Dashed: boundary of the "
+        "velocity-only model. Hatched in gold: smooth, though the velocity-only model predicts stick-slip, " +
         needless + " of the chart as drawn; the opposite error covers " + missed +
         ". Both curves are located to a relative bracket of " + power_of_ten(answer.precision) +
         ", not contoured from the grid; the search does not exclude a closed piece smaller than 1/" +
@@ -191,15 +191,14 @@ std::vector<Figure> outcome_figures(Motion motion, const Slice& slice, const Map
         }
         if (reading.column == "amplitude")
             figures.push_back(outcome_figure(motion, slice, answer, reading, "amplitude",
-                                             "Amplitude of the limit cycle",
-                                             "How far the position swings to either side, half peak to peak."));
+                                             "Amplitude of the limit cycle", "Half the peak-to-peak position."));
         else if (reading.column == "period")
             figures.push_back(outcome_figure(motion, slice, answer, reading, "period", "Period of the limit cycle",
-                                             "How long one turn of the limit cycle takes."));
+                                             "Duration of one limit cycle."));
         else if (reading.column == "stick_fraction")
             figures.push_back(outcome_figure(motion, slice, answer, reading, "rest",
                                              "Share of the period spent sticking",
-                                             "Share of each turn at rest or below a hundredth of V_{0}."));
+                                             "Share of each cycle at rest or below a hundredth of V_{0}."));
     }
     return figures;
 }
@@ -210,7 +209,7 @@ namespace {
 std::string where_no_critical_gain(const GainSurface& surface)
 {
     std::string text;
-    if (surface.always > 0) text += " Every positive gain is stable at " + percent(surface.always) + " of the places.";
+    if (surface.always > 0) text += " Every positive gain is stable at " + percent(surface.always) + " of the points.";
     if (surface.never > 0) text += " No gain is stable at " + percent(surface.never) + ".";
     if (surface.windows > 0) text += " Windows of gains are stable at " + percent(surface.windows) + ".";
     return text.empty() ? text : " Where the surface is missing:" + text;

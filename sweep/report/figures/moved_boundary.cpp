@@ -81,7 +81,7 @@ MovedBoundary moved_boundary(const Joint& before, const Joint& after, double spe
     const Motion motion = before.mechanism.motion;
     MovedBoundary moved;
     if (!(speed > 0) || !std::isfinite(speed)) {
-        moved.sentence = "These data show no motion at whose velocity a boundary could be asked for.";
+        moved.sentence = "These data show no motion at whose velocity a boundary could be computed.";
         return moved;
     }
     const auto one = verdict_at(before, speed), two = verdict_at(after, speed);
@@ -114,8 +114,8 @@ MovedBoundary moved_boundary(const Joint& before, const Joint& after, double spe
         moved.sentence = "The linear theory has no verdict for " +
                          std::string(one.known() ? "the joint " + with : "the nominal joint") + ".";
     else if (alike())
-        moved.sentence = "The cause does not act in this theory: the stable gains stay where they were, " +
-                         gain_text(one, motion) + ".";
+        moved.sentence =
+            "The cause does not act in this theory: the stable gains are unchanged, " + gain_text(one, motion) + ".";
     else
         moved.sentence = "The stable position gains are " + gain_text(one, motion) + " in the nominal joint and " +
                          gain_text(two, motion) + " " + with + "; the joint's own, " +
@@ -129,10 +129,10 @@ MovedBoundary moved_boundary(const Joint& before, const Joint& after, double spe
     chart.x_log = chart.y_log = true;
     for (const auto* line : lines)
         if (any(*line)) chart.lines.push_back({line->name, line->x, line->y, line->dashed});
-    moved.figures.push_back(line_figure("moved-boundary", std::move(chart), moved.sentence,
-                                        "Between the ends of a window gains slide, outside they stick and slip or "
-                                        "oscillate; where a curve is missing, the window has no such end. Gains as the "
-                                        "drive counts them."));
+    moved.figures.push_back(
+        line_figure("moved-boundary", std::move(chart), moved.sentence,
+                    "Gains within a window slide smoothly, gains outside stick and slip or oscillate; where a curve is "
+                    "missing, the window has no such end. Gains in the units of the drive."));
     return moved;
 }
 

@@ -28,7 +28,7 @@ std::string reach_text(const Slice& slice, const FoldReach& reach, Motion motion
 std::string large_disturbances_text(const Slice& slice, const LargeDisturbances& found, Motion motion)
 {
     if (found.bistable == 0) return "";
-    return "What the linear chart gets wrong: on " + percent(found.bistable) + " of the chart, " +
+    return "Errors of the linear chart: on " + percent(found.bistable) + " of the chart, " +
            percent(found.of_linearly_stable) +
            " of what it calls stable, small disturbances decay while a start from near rest ends in a limit cycle "
            "(bistable). These points lie within " +

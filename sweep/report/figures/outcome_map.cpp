@@ -137,7 +137,7 @@ Figure outcome_map(const OutcomeAnswer& a, const Joint& nominal, double k_v, int
     Figure figure;
     figure.id = "rows-" + std::to_string(number);
     figure.caption =
-        "Crosses stuck and slipped, diamonds slid. Shaded: what the best law says. Solid: its boundary; dashed: that "
+        "Crosses: stick-slip. Diamonds: smooth. Shaded: prediction of the best law. Solid: its boundary; dashed: that "
         "of the best law of the other kind" +
         (rival != a.laws.end() ? std::string(" (") + std::string(rival->rival->law) + ")." : std::string("."));
     figure.finding = map.statement;

@@ -16,11 +16,10 @@ struct OutcomeKind {
 };
 
 constexpr OutcomeKind outcome_kinds[] = {
-    {"amplitude", "amplitude", "Amplitude of the limit cycle",
-     "How far the position swings to either side, half peak to peak."},
-    {"period", "period", "Period of the limit cycle", "How long one turn of the limit cycle takes."},
+    {"amplitude", "amplitude", "Amplitude of the limit cycle", "Half the peak-to-peak position."},
+    {"period", "period", "Period of the limit cycle", "Duration of one limit cycle."},
     {"stick_fraction", "rest", "Share of the period spent sticking",
-     "Share of each turn at rest or below a hundredth of V_{0}."}};
+     "Share of each cycle at rest or below a hundredth of V_{0}."}};
 
 }  // namespace
 

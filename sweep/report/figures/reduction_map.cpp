@@ -26,11 +26,11 @@ Figure reduction_map(const Slice& slice, const ReducedMap& map, Motion motion)
     }
     const auto best = std::min_element(map.models.begin(), map.models.end(),
                                        [](const auto& a, const auto& b) { return a.wrong() < b.wrong(); });
-    const std::string finding = "Of the reductions, " + best->model + " judges this chart best: wrongly on " +
+    const std::string finding = "Of the reductions, " + best->model + " is the best on this chart: wrong on " +
                                 percent(best->wrong()) + " of it.";
     return line_figure(chart_id("reductions", slice.x, slice.y), std::move(chart), finding,
                        "Solid: the full joint, with memory. Dashed: what each reduction of Figs. 4 to 7 makes of it, "
-                       "every place reduced anew. Where the curves part, the assumption breaks." +
+                       "each point reduced separately. Where the curves differ, the assumption does not hold." +
                            errors + " Shares are of the chart's area, from verdicts on " + std::to_string(map.columns) +
                            " × " + std::to_string(map.rows) + " places.");
 }

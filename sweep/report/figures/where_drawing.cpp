@@ -90,8 +90,8 @@ Figure where_figure(const Diagnosis& d)
     }
     w.drawing.height = y + 6;
     return {"where-drawn", w.drawing,
-            "Every stage is fed with the measured signals before it, so that its share is its own. Bars are shares, "
-            "whiskers 95 % intervals.",
+            "The input of every stage is the measured signal before it, so that shares do not add errors of other "
+            "stages. Bars: shares; whiskers: 95 % intervals.",
             finding};
 }
 

@@ -180,7 +180,7 @@ Report boundary_report(const BoundaryAnswer& answer)
     };
     if (!set_points_only && std::none_of(answer.rays.begin(), answer.rays.end(), nonlinear) &&
         std::none_of(answer.curves.begin(), answer.curves.end(), nonlinear))
-        report.not_checked.push_back("Large disturbances: ask for --kind fold or outcome.");
+        report.not_checked.push_back("Large disturbances: use --kind fold or outcome.");
     for (const auto& ray : answer.rays)
         report.not_checked.push_back(std::string(name_of(ray.kind)) + " along " + ray.axis.symbol + ": " +
                                      could_be_missed(ray) + ".");

@@ -89,7 +89,7 @@ Figure figure_of(const Spec& spec, const Axis& x, const Axis& y, const std::vect
     }
     figure.caption =
         "Each line joins the crossings of up to nine rays, straight from one to the next; the crossings themselves are "
-        "located. Where dashed and solid lie on one another nothing moved.";
+        "located. Where dashed and solid lines coincide, nothing moved.";
     figure.finding = chart.title;
     figure.picture = std::move(chart);
     return figure;
@@ -136,7 +136,7 @@ std::vector<Headline> headlines_of(const Spec& spec, const std::vector<Deviation
                                            [](const auto& a, const auto& b) { return a.relative < b.relative; });
     const bool moved = farthest != deviations.end() && farthest->relative > 0;
     return {{failed ? Tone::bad : Tone::good, std::to_string(failed),
-             "of " + std::to_string(deviations.size()) + " boundaries are out of tolerance; none is allowed"},
+             "of " + std::to_string(deviations.size()) + " boundaries are out of tolerance; expected 0"},
             {Tone::neutral, moved ? plain_number(100 * farthest->relative, 2) + " %" : "0",
              "largest relative move of a boundary" +
                  (moved ? ": " + watched_words(spec, farthest->now) + ", from " + row_of(spec, *farthest)[1] + " to " +
@@ -191,7 +191,7 @@ Report check_report(const Spec& spec, const std::vector<Deviation>& deviations,
     report.title = page_title("Boundaries against their baseline", spec.title);
     report.verdict = failed ? std::to_string(failed) + " of " + std::to_string(deviations.size()) +
                                   " boundaries are out of tolerance."
-                            : "All " + std::to_string(deviations.size()) + " boundaries are where they were.";
+                            : "All " + std::to_string(deviations.size()) + " boundaries are unchanged.";
     if (refined) report.verdict += " " + std::to_string(refined) + " are located more finely than before.";
     report.tone = failed ? Tone::bad : Tone::good;
     report.headlines = headlines_of(spec, deviations, failed, refined);
@@ -199,11 +199,8 @@ Report check_report(const Spec& spec, const std::vector<Deviation>& deviations,
         report.findings.push_back("Changed since the baseline: " + changed_text(spec, c) + ".");
     if (changed.empty() && failed)
         report.findings.push_back(
-            "Which number of the joint has changed is not known: the baseline names none, or all are as they were and "
-            "a "
-            "friction law, an axis or the version of the program is another. A baseline written with --update names "
-            "the "
-            "numbers.");
+            "The changed parameter of the joint is unknown: the baseline has none, or all are unchanged and a friction "
+            "law, an axis or the version of the program differs. A baseline written with --update has the parameters.");
     Section curves{"curves", "Before and now", "", {}, {}};
     for (const auto& [x, y] : spec.report.charts)
         if (const Axis* a = axis_of(spec, x), *b = axis_of(spec, y); a && b) {
@@ -214,7 +211,7 @@ Report check_report(const Spec& spec, const std::vector<Deviation>& deviations,
     report.sections.push_back(list_of(spec, deviations, failed > 0));
     report.not_checked = {
         "Boundaries away from the nine rays of each chart and from the rays through the design point.",
-        "Whether the baseline was right: it says where the boundaries were."};
+        "Whether the baseline was right."};
     report.provenance = {{"command", command}};
     return report;
 }

@@ -196,7 +196,7 @@ Report compare_report(const ComparedRun& before, const ComparedRun& after)
     const bool simulated = before.spec.nonlinear.enabled && after.spec.nonlinear.enabled;
     const auto was = standing(region_of_design(before.spec, a)), is = standing(region_of_design(after.spec, b));
     const bool nothing = same_maps && nothing_changed(numbers) && nothing_changed(boundaries);
-    report.verdict = nothing     ? "Nothing changed: boundaries, regions and numbers are the same."
+    report.verdict = nothing     ? "No change: boundaries, regions and numbers are equal."
                      : was != is ? "The design was " + verdict_words(was, simulated) + " and is " +
                                        verdict_words(is, simulated) + " now."
                                  : "The design is " + verdict_words(is, simulated) + ", as before.";
@@ -224,7 +224,7 @@ Report compare_report(const ComparedRun& before, const ComparedRun& after)
             {Tone::warning, "The two sweeps have different axes: only their designs are compared."});
     if (!maps.figures.empty()) report.sections.push_back(std::move(maps));
 
-    Section tables{"numbers", "Numbers of the design", "", {}, {}};
+    Section tables{"numbers", "Values of the design", "", {}, {}};
     tables.tables.push_back(table_of("Linear theory at the design point", numbers, motion));
     if (!boundaries.empty()) tables.tables.push_back(table_of("Nearest boundaries", boundaries, motion));
     if (const auto changed = changed_parameters(a, b); !changed.empty())

@@ -67,13 +67,13 @@ Table comparison_table(const Joint& joint, const LinearStudy& study)
     table.title = "What each theory requires of this joint";
     table.columns = {"", "velocity alone", "with memory"};
     if (c.known)
-        table.rows = {{"velocity gain asked for at this k_{p}", demanded_text(c.k_v_velocity_only, words.motion),
+        table.rows = {{"velocity gain required at this k_{p}", demanded_text(c.k_v_velocity_only, words.motion),
                        demanded_text(c.k_v_memory, words.motion)},
                       {"stable k_{v} at this k_{p}", words.gains(c.k_v_velocity_only, Quantity::damping),
                        words.gains(c.k_v_memory, Quantity::damping)},
                       {"stable k_{p} at this k_{v}", words.gains(c.k_p_velocity_only, Quantity::stiffness),
                        words.gains(c.k_p_memory, Quantity::stiffness)},
-                      {"k_{p} that only this theory allows", words.gains(c.allowed_wrongly, Quantity::stiffness),
+                      {"k_{p} stable in this theory only", words.gains(c.allowed_wrongly, Quantity::stiffness),
                        words.gains(c.forbidden_needlessly, Quantity::stiffness)}};
     if (!std::isnan(study.velocities.low)) {
         table.rows.push_back({"least stable velocity", words.velocity(study.velocity_only.least),
@@ -101,14 +101,15 @@ Table comparison_table(const Joint& joint, const LinearStudy& study)
 std::string comparison_words(const Comparison& c, const Words& words)
 {
     std::string text =
-        "Friction of velocity alone is stable where k_{v} outweighs the falling steady curve, (21); friction with "
-        "memory "
-        "also where a stiff position loop forces the slip along faster than the memory answers, (34)-(37).";
+        "The velocity-only model is stable where k_{v} outweighs the falling steady curve, (21); with memory, sliding "
+        "is also stable where a stiff position loop moves the slip faster than the memory responds, (34)-(37).";
     if (!c.forbidden_needlessly.empty())
-        text += " Here velocity alone forbids k_{p} " + words.gains(c.forbidden_needlessly, Quantity::stiffness) +
-                " although memory allows it: what Armstrong saw with his stiffest springs (§5).";
+        text += " Here the velocity-only model predicts stick-slip for k_{p} " +
+                words.gains(c.forbidden_needlessly, Quantity::stiffness) +
+                " although sliding is stable with memory, as Armstrong observed with his stiffest springs (§5).";
     if (!c.allowed_wrongly.empty())
-        text += " Here velocity alone allows k_{p} " + words.gains(c.allowed_wrongly, Quantity::stiffness) +
+        text += " Here the velocity-only model predicts stability for k_{p} " +
+                words.gains(c.allowed_wrongly, Quantity::stiffness) +
                 " although sliding is unstable there: for one mass this takes a lag or a negative direct effect, for "
                 "several masses the springs between them suffice.";
     return text +
@@ -147,9 +148,8 @@ Section comparison_section(const Joint& joint, const LinearDetails& details)
 {
     const auto& study = details.study;
     const Words words{joint.mechanism.motion};
-    Section section{"comparison", "Velocity alone against memory", comparison_words(study.comparison, words), {}, {}};
-    if (!study.comparison.known)
-        section.text += " This loop has not both k_{p} and k_{v} as gains that can be turned alone.";
+    Section section{"comparison", "Velocity-only model and memory", comparison_words(study.comparison, words), {}, {}};
+    if (!study.comparison.known) section.text += " This loop has no independent gains k_{p} and k_{v}.";
     if (!std::isnan(study.velocities.low)) {
         if (study.comparison.known && (demands_any(details.demanded_memory) || demands_any(details.demanded_simple)))
             section.figures.push_back(demand_figure(joint, details));
@@ -189,11 +189,10 @@ Section response_section(const Joint& joint, const LinearDetails& details)
         chart.x_marks.emplace_back("peak at " + with_unit(study.peak.omega, Quantity::angular_frequency, words.motion),
                                    study.peak.omega);
     const std::string finding =
-        stable
-            ? "The joint yields most at " + words.frequency(study.peak.omega) +
-                  ": a sine of force there meets a stiffness of " + compliance(study.peak.magnitude) +
-                  " only, against " + compliance(study.compliance) + " for a lasting force."
-            : "Sliding is unstable here: the curve is the response of the linear joint, which no steady sine reaches.";
+        stable ? "The joint yields most at " + words.frequency(study.peak.omega) +
+                     ": a sine of force there meets a stiffness of " + compliance(study.peak.magnitude) +
+                     " only, against " + compliance(study.compliance) + " for a lasting force."
+               : "Sliding is unstable here: the curve is the response of the linear joint, which has no steady sine.";
     section.figures.push_back(line_figure("response-curve", std::move(chart), finding,
                                           "Equation (19): displacement of the link per disturbing force on it, about "
                                           "steady sliding. An impulse, a step or "

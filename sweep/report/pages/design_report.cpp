@@ -107,7 +107,7 @@ Report design_report(const DesignAnswer& a, std::vector<Snippet> snippets)
             "Pareto front: no gains within the range have both less noise and more margin, the other requirements "
             "kept. Points: the choices of the table below" +
             std::string(d.velocity_only.margin >= d.margin_reach || d.as_joint.margin >= d.margin_reach
-                            ? "; margins are looked for up to " + plain_number(d.margin_reach, 3) + "."
+                            ? "; margins are searched up to " + plain_number(d.margin_reach, 3) + "."
                             : ".");
         if (d.velocity_only_found && d.velocity_only.margin > 0)
             figure.caption += " The velocity-only model would choose " + gains_text(d.velocity_only, u) +
@@ -135,7 +135,7 @@ Report design_report(const DesignAnswer& a, std::vector<Snippet> snippets)
     report.not_checked.push_back(
         "The range of gains is searched globally, then locally: an optimum narrower than the grid of the global search "
         "is not excluded.");
-    report.provenance = {{"command", a.command}, {"pairs of gains judged", std::to_string(d.evaluations)}};
+    report.provenance = {{"command", a.command}, {"pairs of gains evaluated", std::to_string(d.evaluations)}};
     return report;
 }
 

@@ -121,7 +121,7 @@ bool adds_noise(const Diagnosis& d)
 std::string held_out_text(const Diagnosis& d)
 {
     if (judged_by_force(d))
-        return fmt::format("held-out drive force that the model gets wrong, {:.3g} → {:.3g} {}", d.drive_force.before,
+        return fmt::format("held-out error of the model's drive force, {:.3g} → {:.3g} {}", d.drive_force.before,
                            d.drive_force.after, d.drive_force.unit);
     return fmt::format("held-out gap, {} → {} × the noise floor", floors(d.overall.before), floors(d.overall.after));
 }
@@ -140,23 +140,23 @@ std::string heading_of(const Diagnosis& d, const Joint& before, const Joint& aft
 Headline what_card(const Diagnosis& d)
 {
     if (d.verdict == Verdict::no_gap) return {Tone::good, "nothing", "what: the nominal joint is enough"};
-    if (d.interrupted) return {Tone::neutral, "not known", "what: the search was interrupted; nothing is ruled out"};
+    if (d.interrupted) return {Tone::neutral, "not known", "what: the search was interrupted; no cause is excluded"};
     if (d.verdict == Verdict::unknown || d.effects.empty())
         return {Tone::bad, "none of the catalogue", "what: no named effect explains the gap"};
     if (const auto causes = one_of(d); causes.size() > 1)
         return {Tone::warning, fmt::format("one of {}", fmt::join(causes, ", ")),
-                "what: these data cannot distinguish them; the numbers above are those of the first"};
+                "what: these data cannot distinguish them; the values above are those of the first"};
     return {Tone::warning, together(d.effects[0].names),
-            "what: the most probable cause, by its name in the catalogue; its numbers stand above"};
+            "what: the most probable cause, by its name in the catalogue; its values are above"};
 }
 
 Headline where_card(const Diagnosis& d)
 {
-    if (d.verdict == Verdict::no_gap) return {Tone::good, "nowhere", "where: no stage errs by more than its noise"};
+    if (d.verdict == Verdict::no_gap) return {Tone::good, "nowhere", "where: no stage exceeds its noise"};
     constexpr std::size_t exclusive = 3;  // stuck, low speed, sliding
     const Share* s = largest(d.signals, d.signals.size());
     const Share* r = largest(d.regimes, exclusive);
-    std::string meaning = fmt::format("where: the stage that holds {} of the gap", whole_percent(s->share));
+    std::string meaning = fmt::format("where: the stage with {} of the gap", whole_percent(s->share));
     if (r && r->share > 0)
         meaning += fmt::format("; of the motion's part {} {}", whole_percent(r->share), when_text(r->name));
     return {Tone::neutral, s->name, meaning};
@@ -215,7 +215,7 @@ std::string diagnosis_sentence(const Diagnosis& d)
             std::string text = said_by_probability(d);
             if (judged_by_force(d))
                 text += fmt::format(
-                    ": on held-out data the drive force that the model gets wrong shrinks from {:.3g} "
+                    ": on held-out data the error of the model's drive force shrinks from {:.3g} "
                     "to {:.3g} {}",
                     d.drive_force.before, d.drive_force.after, d.drive_force.unit);
             else if (d.overall.before > 0 && adds_noise(d))
@@ -231,16 +231,16 @@ std::string diagnosis_sentence(const Diagnosis& d)
             return text + ".";
         }
         case Verdict::no_gap:
-            return "No gap: the nominal joint predicts the records to the noise.";
+            return "No gap: the nominal joint predicts the records to within noise.";
         case Verdict::unknown:
             if (d.interrupted)
-                return "Interrupted before the search was done: what causes the gap is not known, and nothing is ruled "
-                       "out.";
-            return "There is a gap, and nothing in the catalogue explains it.";
+                return "Interrupted before the search was done: what causes the gap is not known, and no cause is "
+                       "excluded.";
+            return "There is a gap, and no effect of the catalogue explains it.";
         default: {
             const bool suspected = std::any_of(d.reasons.begin(), d.reasons.end(), contradicts);
-            return suspected ? "Nothing was concluded: records and joint do not fit together."
-                             : "These records do not hold enough to conclude anything.";
+            return suspected ? "No conclusion: records and joint contradict each other."
+                             : "These records are not sufficient for a conclusion.";
         }
     }
 }

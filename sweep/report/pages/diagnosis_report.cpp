@@ -33,8 +33,8 @@ std::string reach_text(const NextExperiment& e, Motion motion)
         hardest = std::max(hardest, std::abs(behind - before) / (e.time[k + 1] - e.time[k]));
     }
     return fmt::format(
-        "It moves between {} and {}, at most at {} with {}, and takes {}. Check before running it that the machine "
-        "is free over that stroke and may move so; the program knows only what the records show.",
+        "It moves between {} and {}, with at most {} and {}, and takes {}. Before running it, check that the machine "
+        "is free over that stroke and may move that fast; the program knows only the records.",
         with_unit(*low, Quantity::position, motion), with_unit(*high, Quantity::position, motion),
         with_unit(fastest, Quantity::velocity, motion),
         with_error(hardest, 0, motion == Motion::revolute ? "rad/s²" : "m/s²"),
@@ -44,20 +44,19 @@ std::string reach_text(const NextExperiment& e, Motion motion)
 Section next_section(const Diagnosis& d)
 {
     const auto& e = d.next_experiment;
-    Section next{"next", "What to measure next", "", {}, {}};
+    Section next{"next", "Next experiment", "", {}, {}};
     if (e.description.empty() || e.separates.empty()) {
         next.text = d.verdict == Verdict::gap || d.verdict == Verdict::no_gap
-                        ? "Nothing is left to distinguish."
-                        : "No motion was found that would decide between named causes.";
+                        ? "No causes remain to be distinguished."
+                        : "No motion was found that would distinguish the named causes.";
         return next;
     }
     constexpr double beyond_doubt = 100, seen = 1;
     const auto& [one, two] = e.separates[0];
     if (e.distance < seen) {
         next.text = fmt::format(
-            "No motion that was tried would distinguish {} from {}: with the numbers that were found, even along {} "
-            "they "
-            "differ by only {:.1g} noise standard deviations. For a simulation one is as good as the other.",
+            "No motion that was tried would distinguish {} from {}: with the fitted parameters, even along {} they "
+            "differ by only {:.1g} noise standard deviations. For a simulation either will do.",
             one, two, e.description, e.distance);
         return next;
     }
@@ -149,9 +148,8 @@ Report diagnosis_report(const Diagnosis& diagnosis, const Joint& before, const J
         where.tables.push_back(shares_table("By regime: stuck, low speed and sliding exclude each other", d.regimes));
     const bool named = d.verdict == Verdict::gap;
     Section much{"how-much",
-                 named ? "How far it shrinks" : "How large it is",
-                 named ? "Every number is from data that the fit has not seen."
-                       : "The joint as documented against the records; nothing was added to it.",
+                 named ? "How far the gap shrinks" : "How large the gap is",
+                 named ? "All numbers are from held-out data." : "The documented joint compared with the records.",
                  {},
                  {gap_table(d)}};
     much.figures = trace_figures(d);
@@ -162,7 +160,7 @@ Report diagnosis_report(const Diagnosis& diagnosis, const Joint& before, const J
         if (auto values = values_table(d); !values.rows.empty()) what.tables.insert(what.tables.begin() + 1, values);
         if (!d.ladder.empty()) what.figures.push_back(ladder_figure(d));
         what.text = d.verdict == Verdict::gap ? "Signature of the first: " + d.effects[0].tell_tale + "."
-                                              : "Nothing here is named as the cause; this is how far each one came.";
+                                              : "No cause is named; these are the candidates.";
         r.sections.push_back(std::move(what));
     }
     r.sections.push_back(std::move(much));
@@ -172,20 +170,19 @@ Report diagnosis_report(const Diagnosis& diagnosis, const Joint& before, const J
         constexpr double slow_part = 0.1;  // where stick-slip is to be feared
         auto moved = moved_boundary(before, after, given ? before.control.V0 : slow_part * d.usual_speed,
                                     "with " + together(d.effects[0].names));
-        Section boundary{
-            "boundary",
-            "What it does to the stability map",
-            moved.sentence +
-                " Friction, inertia, gains, delays, filters and sampling move the boundary; limits and what "
-                "depends on place or time are not in this theory.",
-            std::move(moved.figures),
-            {}};
+        Section boundary{"boundary",
+                         "Effect on the stability map",
+                         moved.sentence +
+                             " Friction, inertia, gains, delays, filters and sampling move the boundary; limits and "
+                             "terms that depend on position or time are not in this theory.",
+                         std::move(moved.figures),
+                         {}};
         if (!moved.table.rows.empty()) boundary.tables.push_back(std::move(moved.table));
         r.sections.push_back(std::move(boundary));
     }
     r.sections.push_back({"data",
-                          "The data behind it",
-                          "diagnosis.json beside this page holds every number of it under stable names.",
+                          "Data",
+                          "diagnosis.json beside this page has every number of this page under stable names.",
                           {},
                           {records_table(d)}});
     return r;

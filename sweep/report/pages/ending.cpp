@@ -21,20 +21,20 @@ bool oscillates(Outcome outcome)
 std::string ending_words(const NonlinearVerdict& v)
 {
     const auto resting = [&] {
-        return v.stick_fraction > 0 ? " It spends " + percent(v.stick_fraction) + " of each turn sticking."
+        return v.stick_fraction > 0 ? " It spends " + percent(v.stick_fraction) + " of each cycle sticking."
                                     : std::string();
     };
     switch (v.outcome) {
         case Outcome::stable_sliding:
             return v.region == NonlinearRegion::bistable
-                       ? "Smooth for this disturbance: it dies away, but a larger one ends in a limit cycle."
-                       : "Smooth: the disturbance dies away.";
+                       ? "Smooth for this disturbance: it decays, but a larger one ends in a limit cycle."
+                       : "Smooth: the disturbance decays.";
         case Outcome::stick_slip:
             return "Stick-slip: the motion ends in a cycle that comes to rest again and again." + resting();
         case Outcome::limit_cycle:
             return "Oscillation: the motion ends in a limit cycle that never comes to rest.";
         case Outcome::reversal:
-            return "Oscillation: the motion ends in a limit cycle that even runs backwards." + resting();
+            return "Oscillation: the motion ends in a limit cycle that reverses." + resting();
         case Outcome::period_n:
             return "Oscillation: the motion repeats after " + std::to_string(v.repeats) + " turns." + resting();
         case Outcome::irregular:
@@ -65,13 +65,13 @@ std::vector<Headline> ending_headlines(const Joint& joint, const NonlinearVerdic
         if (is_set(value)) list.push_back({Tone::neutral, with_unit(value, quantity, motion), std::move(meaning)});
     };
     if (oscillates(v.outcome)) {
-        add(v.amplitude, Quantity::position, "amplitude of the limit cycle in position: half the swing");
+        add(v.amplitude, Quantity::position, "position amplitude of the limit cycle (half peak to peak)");
         add(v.period, Quantity::time, "period of the cycle");
         add(v.velocity_max, Quantity::velocity,
             "peak velocity of the cycle; commanded are " + with_unit(joint.control.V0, Quantity::velocity, motion));
         if (is_set(v.stick_fraction))
             list.push_back({Tone::neutral, percent(v.stick_fraction),
-                            "of each turn at rest or below a hundredth of the commanded velocity"});
+                            "of each cycle at rest or below a hundredth of the commanded velocity"});
     }
     if (is_set(v.growth_rate))
         list.push_back({v.growth_rate < 0 ? Tone::good : Tone::bad, with_unit(v.growth_rate, Quantity::rate, motion),

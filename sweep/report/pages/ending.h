@@ -9,7 +9,7 @@
 
 namespace stickslip {
 
-/// "Smooth: the disturbance dies away." One sentence, mark-up.
+/// "Smooth: the disturbance decays." One sentence, mark-up.
 std::string ending_words(const NonlinearVerdict& verdict);
 
 /// Good where the joint comes to slide, bad where it oscillates, a warning where nobody knows.

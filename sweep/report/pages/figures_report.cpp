@@ -107,7 +107,7 @@ std::vector<PaperModel> paper_models()
 Report figures_report()
 {
     Report report;
-    report.title = "The paper, computed anew";
+    report.title = "The paper, recomputed";
     report.subtitle = "P. E. Dupont, Avoiding Stick-Slip in Position and Force Control Through Feedback, ICRA 1991";
     const auto numbers = paper_numbers();
     double worst = 0;

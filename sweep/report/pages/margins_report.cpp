@@ -39,8 +39,8 @@ Figure growth_figure(const MarginsAnswer& a)
         "Largest real part of the spectrum while one parameter moves. It crosses zero for " + crossings + " its value.";
     figure.caption =
         "How to read it: all lines meet at the joint as given, and each follows one parameter; below zero disturbances "
-        "decay. Where a line crosses zero lies the boundary, and how steeply it does so says how soon a step beyond "
-        "hurts. Lines end where decay or growth exceeds " +
+        "decay. Where a line crosses zero lies the boundary, and the slope shows how fast growth sets in beyond it. "
+        "Lines end where decay or growth exceeds " +
         plain_number(shown_growth) + " times that of the joint.";
     figure.picture = std::move(chart);
     return figure;
@@ -67,8 +67,8 @@ void add_headlines(Report& report, const MarginsAnswer& a)
         report.headlines.push_back(
             {Tone::neutral,
              coordinate_text({move->path, move->less}, motion) + " " + signed_percent(move->to / move->from - 1),
-             "is the shortest way to the boundary for one parameter alone, all others held: from " +
-                 with_unit(move->from, quantity, motion, 4) + " to " + with_unit(move->to, quantity, motion, 4)});
+             "is the nearest boundary for one parameter alone: from " + with_unit(move->from, quantity, motion, 4) +
+                 " to " + with_unit(move->to, quantity, motion, 4)});
     }
     if (a.nearest.found)
         report.headlines.push_back({Tone::neutral, all_at_once(a.nearest.distance, scales_of(a)),

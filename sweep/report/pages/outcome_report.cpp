@@ -32,8 +32,8 @@ std::string outcome_sentence(const OutcomeAnswer& a)
         case Verdict::gap: {
             const LawFit& best = a.laws.front();
             std::string text = fmt::format(
-                "The measured boundary is that of {} (law {}): it misjudges {} of {} rows that it had not "
-                "seen, the nominal joint {}",
+                "The measured boundary is that of {} (law {}): it misjudges {} of {} held-out rows, the nominal joint "
+                "{}",
                 best.rival->effect, best.rival->law, best.misjudged, n, a.nominal.misjudged);
             std::vector<std::string> others;
             for (const auto& f : a.laws) {
@@ -51,9 +51,9 @@ std::string outcome_sentence(const OutcomeAnswer& a)
         case Verdict::no_gap:
             return fmt::format("No gap: the nominal joint explains the {} measured outcomes.", n);
         case Verdict::unknown:
-            return "The nominal joint does not explain the measured outcomes, and no friction law does.";
+            return "Neither the nominal joint nor any friction law explains the measured outcomes.";
         default:
-            return "These rows do not decide which friction law is at work.";
+            return "These rows do not determine the friction law.";
     }
 }
 
@@ -140,7 +140,7 @@ Report outcome_report(const OutcomeAnswer& a, const Joint& nominal,
     where.tables.push_back(settings_table(a));
     const auto text = next_outcome_text(a);
     Section next{"next",
-                 "What to measure next",
+                 "Next experiment",
                  text.empty() ? "No setting near these rows distinguishes the best laws of two kinds any better."
                               : "Next: " + text + ".",
                  {},
@@ -148,11 +148,11 @@ Report outcome_report(const OutcomeAnswer& a, const Joint& nominal,
     r.sections.insert(r.sections.end(), {std::move(what), std::move(where), std::move(next)});
     if (d.verdict == Verdict::gap) {
         auto moved = moved_boundary(nominal, a.after, d.usual_speed, "with " + std::string(best.rival->law));
-        Section boundary{"boundary", "What it does to the stability map", moved.sentence, std::move(moved.figures), {}};
+        Section boundary{"boundary", "Effect on the stability map", moved.sentence, std::move(moved.figures), {}};
         if (!moved.table.rows.empty()) boundary.tables.push_back(std::move(moved.table));
         r.sections.push_back(std::move(boundary));
     }
-    r.sections.push_back({"rows", "The data behind it", "", {}, {rows_table(a)}});
+    r.sections.push_back({"rows", "Data", "", {}, {rows_table(a)}});
     return r;
 }
 

@@ -8,7 +8,7 @@ namespace stickslip {
 /// The answer in one sentence, for the terminal and the top of the page.
 std::string outcome_sentence(const gap::OutcomeAnswer& answer);
 
-/// What to measure next in words; empty where nothing is left to distinguish.
+/// Next experiment in words; empty where nothing is left to distinguish.
 std::string next_outcome_text(const gap::OutcomeAnswer& answer);
 
 Report outcome_report(const gap::OutcomeAnswer& answer, const Joint& nominal,

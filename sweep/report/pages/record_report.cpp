@@ -91,7 +91,7 @@ Report record_report(const Joint& joint, const FollowedReference& r)
     report.verdict = "The position stays within " + with_unit(largest(error), Quantity::position, motion) +
                      " of the reference over " + with_unit(r.time.back(), Quantity::time, motion) + ".";
     if (!r.ends_early.empty())
-        report.alerts.push_back({Headline::Tone::warning, "The motion ends early: " + r.ends_early + "."});
+        report.alerts.push_back({Headline::Tone::warning, "The simulation ends early: " + r.ends_early + "."});
     Section section{"motion", "Motion", "", {position_figure(r, error, motion)}, {}};
     if (!r.effort_command.empty()) section.figures.push_back(effort_figure(r, joint));
     report.sections.push_back(std::move(section));

@@ -123,7 +123,7 @@ Section reduction_section(const Joint& joint, const std::vector<ReductionStudy>&
 {
     const auto motion = joint.mechanism.motion;
     Section section{"reductions",
-                    "How good the paper's reductions are",
+                    "Accuracy of the paper's reductions",
                     "Each step from the full joint to a single mass (Figs. 4 to 7) neglects something. For each, the "
                     "boundary of stability is located in the full joint and in the reduced one.",
                     {},

@@ -1,4 +1,4 @@
-// How good the paper's reductions are for one joint: both boundaries in one chart, the error between them, and where
+// Accuracy of the paper's reductions for one joint: both boundaries in one chart, the error between them, and where
 // each assumption breaks.
 #pragma once
 #include "analysis/joint/joint.h"

@@ -88,7 +88,7 @@ Table causes_table_of(const RobotAnswer& robot, bool linked, TableMarks& all_mar
     const bool refitted = std::any_of(robot.joints.begin(), robot.joints.end(), [](const auto& j) {
         return found(j, Verdict::gap) && !j.diagnosis.ladder.empty() && j.diagnosis.corrected_share > worth_telling;
     });
-    Table t{"What takes which share of each joint's gap", {"joint", "outcome"}, {}};
+    Table t{"Share of each cause in the gap of each joint", {"joint", "outcome"}, {}};
     t.columns.insert(t.columns.end(), effects.begin(), effects.end());
     if (refitted) t.columns.emplace_back("numbers refitted");
     t.columns.emplace_back("what remains");
@@ -146,7 +146,7 @@ void add_alerts(const RobotAnswer& robot, Report& r)
             for (const auto& reason : joint.diagnosis.reasons)
                 r.alerts.push_back({Tone::warning, joint.name + ": " + note_text(reason)});
         if (joint.diagnosis.interrupted)
-            r.alerts.push_back({Tone::warning, joint.name + ": interrupted; what was found until then stands here"});
+            r.alerts.push_back({Tone::warning, joint.name + ": interrupted; the results so far are shown"});
         if (joint.status == Status::not_reached)
             r.alerts.push_back({Tone::warning, joint.name + ": interrupted before its turn"});
     }
@@ -165,7 +165,7 @@ std::vector<Headline> cards(const RobotAnswer& robot)
          same == 1 ? "joint moves as documented, to the noise" : "joints move as documented, to the noise"}};
     if (rest)
         all.push_back({Tone::bad, std::to_string(rest),
-                       rest == 1 ? "joint of which nothing can be said" : "joints of which nothing can be said"});
+                       rest == 1 ? "joint without a conclusion" : "joints without a conclusion"});
     const JointOutcome* worst = nullptr;
     for (const auto& joint : robot.joints)
         if (joint.differs() && (!worst || joint.diagnosis.overall.before > worst->diagnosis.overall.before))
@@ -198,12 +198,11 @@ RobotPage robot_report(const RobotAnswer& robot, std::vector<std::pair<std::stri
     Section causes{
         "causes",
         "Joints and causes",
-        "A cell is the share that a cause takes of that joint's own gap: of the squares beyond the noise, on "
-        "data that no fit has seen, given the causes that were found before it; the darker the more. Shares "
-        "of different joints do not add up. An empty cell: not named there.",
+        "Each cell is the share of a cause in the squared gap of that joint beyond the noise, on held-out data, after "
+        "the causes found before it. Shares of different joints do not add up. An empty cell: not named.",
         {},
         {causes_table_of(robot, linked, page.marks)}};
-    if (linked) causes.text += " The name of a joint leads to its page, with motions, intervals and rivals.";
+    if (linked) causes.text += " The name of a joint links to its page, with motions, intervals and rivals.";
     r.sections.push_back(std::move(causes));
     r.sections.push_back({"numbers",
                           "How large, and how sure",
@@ -212,14 +211,14 @@ RobotPage robot_report(const RobotAnswer& robot, std::vector<std::pair<std::stri
                           {numbers_table(robot, linked, page.marks)}});
     r.sections.push_back(
         {"data",
-         "The data behind it",
+         "Data",
          "robot.json beside this page holds these numbers under stable names; the folder of each joint "
          "has its diagnosis.json and, where a cause was named, corrected-joint.toml.",
          {},
          {}});
     r.not_checked = {
-        "Forces that one joint exerts on another, unless the records have them as load_effort and inertia: each joint "
-        "was diagnosed alone, and what swings along with the others can look like a cause of its own."};
+        "Forces between joints, unless the records have them as load_effort and inertia: each joint was diagnosed "
+        "alone, and a force that depends on other joints can look like a cause."};
     r.provenance = std::move(provenance);
     return page;
 }

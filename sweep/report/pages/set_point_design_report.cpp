@@ -68,24 +68,24 @@ Section push_section(const SetPointDesignAnswer& a)
         chart.x_marks.emplace_back("end of hunting", push->low);
         chart.x_marks.emplace_back("over-compensation", push->high);
         reading += push->low < push->high
-                       ? " With every friction reckoned with it settles from " + effort(push->low) + " to " +
+                       ? " For every friction within the margin it settles from " + effort(push->low) + " to " +
                              effort(push->high) + "."
-                       : " No push holds with every friction reckoned with: it takes more than " + effort(push->low) +
-                             " to end hunting, and less than " + effort(push->high) + " not to move the joint.";
+                       : " No push works for every friction within the margin: it must exceed " + effort(push->low) +
+                             " to end hunting, and stay below " + effort(push->high) + " so as not to move the joint.";
     }
     reading +=
-        " A loop that acts at once stops at its set point under any push; one with ticks, dead time or lag passes it "
-        "each time, and an over-compensated joint goes to and fro.";
+        " A loop without delay stops at its set point under any push; one with ticks, dead time or lag overshoots each "
+        "time, and an over-compensated joint moves back and forth.";
     auto figure = line_figure("push", std::move(chart), "Where the joint stops, against the push.", reading);
-    return {"push-section", "How much push, and how much is too much", "", {std::move(figure)}, {}};
+    return {"push-section", "Limits of the push", "", {std::move(figure)}, {}};
 }
 
 Section margin_section(const SetPointDesignAnswer& a)
 {
     const Motion motion = a.joint.mechanism.motion;
     LineChart chart;
-    chart.title = "Largest error at rest, against how far friction may be off";
-    chart.x_label = {"share by which static and kinetic friction may be off", "1"};
+    chart.title = "Largest error at rest, against the uncertainty of friction";
+    chart.x_label = {"uncertainty of static and kinetic friction (share)", "1"};
     chart.y_label = {"largest error at rest", std::string(unit_of(Quantity::position, motion))};
     for (const auto way : {SetPointWay::no_integral, SetPointWay::push, SetPointWay::push_without_integral,
                            SetPointWay::dither_without_integral}) {
@@ -102,10 +102,10 @@ Section margin_section(const SetPointDesignAnswer& a)
         if (const auto* c = choice_of(a.design, way); c && c->holds)
             chart.lines.push_back({way_text(way), {a.friction_margin}, {c->rest_error}});
     chart.x_marks.emplace_back("asked", a.friction_margin);
-    auto figure = line_figure(
-        "margin", std::move(chart), "Largest error at rest of each way, against how far friction may be off.",
-        "A line ends where its way no longer keeps every friction from hunting. Dead zones were looked for at the "
-        "margin asked for only.");
+    auto figure = line_figure("margin", std::move(chart),
+                              "Largest error at rest of each solution, against the uncertainty of friction.",
+                              "A line ends where its solution no longer prevents hunting for every friction. Dead "
+                              "zones were searched at the specified margin only.");
     return {"margin-section", "Choices, and what friction may do", "", {std::move(figure)}, {}};
 }
 
@@ -113,13 +113,13 @@ Section motion_section(const SetPointDesignAnswer& a)
 {
     const Motion motion = a.joint.mechanism.motion;
     LineChart chart;
-    chart.title = "Let go beside the set point";
+    chart.title = "Released near the set point";
     chart.x_label = {"time t", "s"};
     chart.y_label = {"error", std::string(unit_of(Quantity::position, motion))};
     chart.lines.push_back({"integral alone", a.scan.before.time, a.scan.before.error, true});
     chart.lines.push_back({"best choice", a.scan.after.time, a.scan.after.error});
-    auto figure = line_figure("motion", std::move(chart), "The error after the joint was let go beside its set point.",
-                              "Simulated with the whole loop and the friction as described, one motion each; k_{i} of "
+    auto figure = line_figure("motion", std::move(chart), "The error after the joint is released near its set point.",
+                              "Simulated with the complete loop and the described friction, one motion each; k_{i} of "
                               "the dashed line: " +
                                   with_unit(a.design.k_i_used, Quantity::integral_gain, motion) + ".");
     return {"motion-section", "How it moves", "", {std::move(figure)}, {}};
@@ -143,9 +143,9 @@ Report set_point_design_report(const SetPointDesignAnswer& a, std::vector<Snippe
     if (!a.scan.after.time.empty()) report.sections.push_back(motion_section(a));
     report.sections.push_back({"choices", "Every way", "", {}, set_point_design_tables(a.design, motion)});
     report.not_checked = {
-        "Proofs are of the loop without sampling, dead time, lag, filter and encoder: what they leave out stands with "
-        "each in set-point-design.json. The motions are simulated with all of it.",
-        "Friction is the same to both sides and at every place."};
+        "Proofs hold for the loop without sampling, dead time, lag, filter and encoder; set-point-design.json lists "
+        "what each leaves out. The motions are simulated with all of it.",
+        "Friction is equal in both directions and at every position."};
     report.provenance = {{"command", a.command},
                          {"friction may be off by", plain_number(100 * a.friction_margin, 3) + " %"}};
     return report;

@@ -82,12 +82,12 @@ std::vector<std::string> not_checked(const Spec& spec)
             "Large disturbances: the verdicts are those of the linear theory, and hold for small ones. "
             "Simulate the points with [nonlinear] enabled = true.");
     else
-        list.push_back("Disturbances other than the one stated, and larger than it.");
+        list.push_back("Other or larger disturbances than the stated one.");
     list.push_back(
         "Terms locked to position or time (ripple, cogging, drift, periodic forces) are no part of these "
         "verdicts.");
     list.push_back("Sampling, saturation and quantisation of a digital loop.");
-    list.push_back("Whether the joint's numbers are those of your machine: compare records with stickslip diagnose.");
+    list.push_back("Whether the parameters are those of your machine: compare records with stickslip diagnose.");
     return list;
 }
 

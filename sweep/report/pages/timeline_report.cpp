@@ -122,7 +122,7 @@ Table runs_table(const Timeline& t, CellMarks& marks)
 {
     Table table{"Runs",
                 {"date", "outcome", "gap as documented", "gap with the cause", "causes",
-                 "numbers that moved since the run before"},
+                 "parameters that changed since the previous run"},
                 {}};
     for (std::size_t i = 0; i < t.runs.size(); ++i) {
         const auto& facts = t.runs[i].facts;
@@ -168,13 +168,12 @@ Report comparison_report(const DiagnosisComparison& c, Provenance provenance)
                                    "standard errors between the two values of " + change.name});
             break;
         }
-    r.sections.push_back(
-        {"numbers",
-         "Which number moved",
-         "A change is held against the standard errors of both values together; beyond 3 it is more than noise "
-         "makes. A number that only one diagnosis names has no other value to be held against.",
-         {},
-         {changes_table(c)}});
+    r.sections.push_back({"numbers",
+                          "Which number moved",
+                          "A change is compared with the standard error of both values together; beyond 3 it exceeds "
+                          "noise. A parameter that only one diagnosis names cannot be compared.",
+                          {},
+                          {changes_table(c)}});
     r.sections.push_back(
         {"gap",
          "Is the gap new",
@@ -201,10 +200,10 @@ TimelinePage timeline_report(const Timeline& t, Provenance provenance)
         {tone_of(t.runs.front().facts), floors(t.runs.front().facts.overall.before),
          "× the noise floor in the first run: " + outcome_name(t.runs.front().facts)},
         {tone_of(last), floors(last.overall.before), "× the noise floor in the last run: " + outcome_name(last)}};
-    Section runs{"runs", "Runs", "The date of a run leads to its own page, where it has one.", {gap_figure(t)}, {}};
+    Section runs{"runs", "Runs", "The date of a run links to its page.", {gap_figure(t)}, {}};
     runs.tables.push_back(runs_table(t, page.marks["Runs"]));
     r.sections.push_back(std::move(runs));
-    Section numbers{"numbers", "Numbers of the causes", "", {}, {}};
+    Section numbers{"numbers", "Parameters of the causes", "", {}, {}};
     const auto drawn = drawn_numbers(t);
     for (std::size_t i = 0; i < drawn.size() && i < most_charts; ++i)
         numbers.figures.push_back(number_figure(t, drawn[i], i));

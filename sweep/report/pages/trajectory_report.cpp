@@ -131,7 +131,7 @@ Figure path_figure(const Trajectory& t, const std::vector<double>& force, Motion
 
 Section surroundings_section(const SimulatedSurroundings& surroundings, const AxisName& time, Motion motion)
 {
-    Section section{"surroundings", "What acted from outside", "", {}, {}};
+    Section section{"surroundings", "External forces", "", {}, {}};
     if (surroundings.linear && !surroundings.linear->force.value.empty()) {
         const auto& d = surroundings.linear->force;
         std::string caption =
@@ -185,9 +185,9 @@ Report trajectory_report(const Joint& joint, const Trajectory& t, const Nonlinea
         report.headlines = ending_headlines(joint, verdict);
     }
     if (t.reason != Reason::none)
-        report.alerts.push_back({Headline::Tone::warning, "The motion stops early: " + reason_text(t.reason) + "."});
+        report.alerts.push_back({Headline::Tone::warning, "The simulation stops: " + reason_text(t.reason) + "."});
     if (t.used_fallback)
-        report.alerts.push_back({Headline::Tone::neutral, "CVODE gave up on the way; Rodas5P finished the motion."});
+        report.alerts.push_back({Headline::Tone::neutral, "CVODE failed; Rodas5P finished the simulation."});
     Section section{"motion", "Motion", "", {}, {}};
     section.figures.push_back(
         line_figure("velocity", chart_of("Velocity in time", time, velocity, {{"V", t.time, t.velocity}}),
@@ -216,7 +216,7 @@ Report trajectory_report(const Joint& joint, const Trajectory& t, const Nonlinea
     Section outcome{"outcome", "Where this disturbance ends", "", {}, {nonlinear_table(joint, verdict)}};
     if (forced) outcome.title = "Where the stated disturbance alone ends";
     report.sections.push_back(std::move(outcome));
-    report.not_checked = {"Other disturbances, and larger ones: one motion is one example.",
+    report.not_checked = {"Other and larger disturbances: one motion is one example.",
                           "Sampling, saturation and quantisation of a digital loop."};
     return report;
 }

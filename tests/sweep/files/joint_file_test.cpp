@@ -103,7 +103,7 @@ TEST_CASE("unknown keys, with the allowed ones and the nearest")
 {
     CHECK(
         only_error(with("k_v = 0", "kv = 0")) ==
-        "joint.toml:8:1: control.kv: unknown key, allowed here are kind, feedback, structure, k_p, k_v, k_i, "
+        "joint.toml:8:1: control.kv: unknown key, expected kind, feedback, structure, k_p, k_v, k_i, "
         "integral_limit, anti_windup, tracking_time, integral_band, dead_zone, V0, force_rate, contact_stiffness, "
         "force_gain, period, reference_velocity, effort_limit, delay, velocity_estimate, feed_forward, dither; did you "
         "mean \"k_v\"?");

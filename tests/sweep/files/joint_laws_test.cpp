@@ -52,7 +52,7 @@ TEST_CASE("rows of a law, a law inside a law, a table from a file")
     CHECK_THAT(error(kernel + "exponentials = [{ weight = 1 }]\n"),
                StartsWith("joint.toml:7:17: friction.exponentials.0.rate: is missing"));
     CHECK_THAT(error(kernel + "exponentials = [{ weight = 1, rate = 1, tau = 2 }]\n"),
-               StartsWith("joint.toml:7:41: friction.exponentials.0.tau: unknown key, allowed here are weight, rate"));
+               StartsWith("joint.toml:7:41: friction.exponentials.0.tau: unknown key, expected weight, rate"));
 
     const std::string place = "joint.toml:6:9: friction.table: is \"g.csv\": " + (folder / "g.csv").string();
     table("0,1\n1,x\n");

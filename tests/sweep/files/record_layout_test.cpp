@@ -30,7 +30,7 @@ TEST_CASE("layouts that are wrong")
     };
     CHECK(error("record = 3\n") == "record.toml:1:10: record: is 3, expected a table");
     CHECK(error("[record]\ncolums = {}\n") ==
-          "record.toml:2:1: record.colums: unknown key, allowed here are columns, constants, at_rest_at_start, files; "
+          "record.toml:2:1: record.colums: unknown key, expected columns, constants, at_rest_at_start, files; "
           "did you mean \"columns\"?");
     CHECK_THAT(
         error("columns.positon = \"x\"\n"),

@@ -194,7 +194,7 @@ TEST_CASE("axes that are wrong")
     CHECK(only_error(axis(k_p + "{ from = 1, to = 2, points = 3, scale = \"logg\" }")) ==
           "@2:57: axes.control.k_p.scale: is \"logg\", expected log, linear; did you mean \"log\"?");
     CHECK(only_error(axis(k_p + "{ values = [1, 2], point = 3 }")) ==
-          "@2:36: axes.control.k_p.point: unknown key, allowed here are from, to, points, scale, values; did you mean "
+          "@2:36: axes.control.k_p.point: unknown key, expected from, to, points, scale, values; did you mean "
           "\"points\"?");
     CHECK(only_error(axis(k_p + "[1, 2]\n\"friction.B.0\" = [1]\ncontrol.k_p = [3]")) ==
           "@4:9: axes.control.k_p: is the same parameter as an axis above");

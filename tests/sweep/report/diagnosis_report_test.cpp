@@ -152,7 +152,8 @@ TEST_CASE("the waterfall marks what can be explained, and says nothing of it whe
     const auto mark = [&] {
         const Figure figure = ladder_figure(d);
         const auto& drawing = std::get<LineDrawing>(figure.picture);
-        const auto found = std::ranges::find(drawing.labels, "not explainable left of here", &LineDrawing::Label::text);
+        const auto found =
+            std::ranges::find(drawing.labels, "not explainable left of this line", &LineDrawing::Label::text);
         return found == drawing.labels.end() ? std::optional<LineDrawing::Label>() : *found;
     };
     constexpr double text_width = 190;  // of the words, in the units of the drawing
@@ -328,7 +329,7 @@ TEST_CASE("a page without a gap shows no shares of noise, and a suspicion is sai
     foreign.reasons = {{.code = Note::Code::contradiction, .record = "a.csv", .text = suspicion}};
     foreign.notes = {{.text = suspicion}, {.text = "a column was ignored"}};
     const auto refused = diagnosis_report(foreign, j, j, {});
-    CHECK_THAT(refused.verdict, Contains("do not fit together"));
+    CHECK_THAT(refused.verdict, Contains("contradict each other"));
     CHECK(refused.alerts.size() == 1);
     CHECK(refused.not_checked == std::vector<std::string>{"a column was ignored"});
     CHECK(refused.subtitle.empty());

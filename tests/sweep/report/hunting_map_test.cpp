@@ -82,7 +82,7 @@ TEST_CASE("a boundary behind which the loop diverges is not shown as the end of 
     REQUIRE(report.headlines.size() == 1);
     CHECK(report.headlines[0].tone == Headline::Tone::bad);
     CHECK(report.headlines[0].meaning.find("divergence") != std::string::npos);
-    CHECK(report.verdict.find("Nowhere on this chart does it come to rest") != std::string::npos);
+    CHECK(report.verdict.find("The joint comes to rest nowhere on this chart") != std::string::npos);
 }
 
 TEST_CASE("where a dead zone ends hunting, the card says that it ends there", "[report][set-point]")

@@ -28,7 +28,7 @@ TEST_CASE("every code of a note has a name of its own and a sentence of its own"
 TEST_CASE("why the nearest cause is not the answer is said from its code and numbers", "[report]")
 {
     CHECK(note_text({.code = Code::takes_too_little, .names = {"stribeck", "viscous"}, .values = {0.31, 0.8}}) ==
-          "stribeck with viscous comes nearest, but takes only 31 % of a gap of which 80 % are explainable");
+          "stribeck with viscous comes nearest, but explains only 31 % of the gap, of which 80 % is explainable");
     Note force{.code = Code::nearer_force, .names = {"gravity"}, .signal = "position"};
     CHECK_THAT(note_text(force), Contains("gravity comes nearest, but a force that depends on the position alone"));
     force.signal = "hysteresis";
@@ -42,13 +42,13 @@ TEST_CASE("why the nearest cause is not the answer is said from its code and num
     CHECK(note_sentence({.text = "k_p is off"}) == "k_p is off.");
     CHECK(note_sentence({.record = "a.csv", .text = "no cause fits"}) == "a.csv: no cause fits.");
     CHECK(note_text({.code = Code::interrupted_early, .names = {"reading", "fitting", "climbing"}}) ==
-          "interrupted while reading, and before fitting, climbing where needed: nothing was found yet");
+          "interrupted while reading, and before fitting, climbing where needed: no result yet");
 }
 
 TEST_CASE("the numbers of a note stand in its sentence as they are", "[report]")
 {
     CHECK(note_text({.code = Code::holes, .record = "a.csv", .values = {1, 1.999, 2.5}}) ==
-          "a.csv: 1 hole in time, the first from 1.999 s to 2.5 s: what comes after a hole is a record of its own");
+          "a.csv: 1 hole in time, the first from 1.999 s to 2.5 s: the rows after a hole are a separate record");
     CHECK_THAT(note_text({.code = Code::holes, .values = {3, 1, 2}}), Catch::StartsWith("3 holes in time"));
     CHECK_THAT(note_text({.code = Code::another_joint,
                           .names = {"gain-k_p.factor", "encoder-quantum.value"},

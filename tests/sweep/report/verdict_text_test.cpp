@@ -74,7 +74,7 @@ TEST_CASE("the verdict asks for no velocity gain where none is enough", "[report
     const auto text = plain_text(verdict_text(joint, verdict));
     CAPTURE(text);
     CHECK(has(text, "calls it stick-slip at every k_v."));
-    CHECK(cell(linear_table(joint, verdict), "asked of k_{v} by velocity alone") == "no k_{v} is enough");
+    CHECK(cell(linear_table(joint, verdict), "k_{v} required by the velocity-only model") == "no k_{v} is enough");
 }
 
 TEST_CASE("a joint that slides at every gain is said to", "[report]")
@@ -99,7 +99,8 @@ TEST_CASE("neutral sliding is called neutral, not stick-slip", "[report]")
     CHECK(has(text, "no k_p changes that"));
     CHECK_FALSE(has(text, "tick-slip"));
     CHECK_FALSE(has(text, "critical gain"));
-    CHECK(cell(linear_table(joint, linear_verdict(joint)), "asked of k_{v} by velocity alone") == "any k_{v} > 0");
+    CHECK(cell(linear_table(joint, linear_verdict(joint)), "k_{v} required by the velocity-only model") ==
+          "any k_{v} > 0");
     joint.control.k_v = 10;
     joint.control.k_p = 0;
     text = plain_text(verdict_text(joint, linear_verdict(joint)));

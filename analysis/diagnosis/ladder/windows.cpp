@@ -80,6 +80,16 @@ double mean_log(const std::vector<Window>& windows)
     return n > 0 ? sum / n : 0;
 }
 
+double misfit(const std::vector<Window>& windows)
+{
+    double sum = 0, n = 0;
+    for (const auto& w : windows) {
+        sum += std::log(std::max(1.0, w.position)), n += 1;
+        if (is_set(w.effort)) sum += std::log(std::max(1.0, w.effort)), n += 1;
+    }
+    return n > 0 ? sum / n : 0;
+}
+
 double beyond_noise(const std::vector<Window>& windows)
 {
     double sum = 0;

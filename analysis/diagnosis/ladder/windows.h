@@ -49,6 +49,8 @@ class HeldOutData {
 
 /// Mean over windows and signals of the logarithm of what is left: one lost step counts once, however far it leads.
 double mean_log(const std::vector<Window>& windows);
+/// The same for a reader: what is below the noise counts as noise, so that 0 is noise, as in the score of a single fit.
+double misfit(const std::vector<Window>& windows);
 /// Sum of what is beyond the noise.
 double beyond_noise(const std::vector<Window>& windows);
 

@@ -195,7 +195,7 @@ std::vector<Cause> causes_of(const Prepared& p, const JudgedLadder& j)
         c.names = std::move(names);
         c.plausible = rival.plausible;
         c.heldout_gain = gain(rival);
-        c.misfit = rival.misfit;
+        c.misfit = misfit(rival.all_left());
         c.probability = (j.named ? 1 : policy::believed_unnamed) * probability;
         std::size_t i = 0;
         const auto si = in_si(rival.causes, rival.of_causes(rival.fit.x), p.scales);

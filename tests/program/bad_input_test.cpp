@@ -165,9 +165,11 @@ TEST_CASE("an axis that the maps leave out is named before it is swept", "[progr
 
 TEST_CASE("Ctrl-C ends a verb of seconds at once, in words and with code 3", "[program]")
 {
-    // it waits for its joint on a standard input that stays open
+    // it waits for its joint from a pipe; that this shell could open the other end says that it has begun to wait
+    program::Folder folder;
     const auto run =
-        program::shell(std::string("sleep 3 | timeout --preserve-status -s INT 0.5 '") + STICKSLIP + "' evaluate -");
+        program::shell("mkfifo '" + (folder / "joint") + "' && { '" + STICKSLIP + "' evaluate '" + (folder / "joint") +
+                       "' & } && exec 3>'" + (folder / "joint") + "' && kill -INT $! && wait $!");
     CHECK(run.exit_code == 3);
     CHECK(run.output == "interrupted before the answer was complete\n");
 }

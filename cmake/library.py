@@ -98,7 +98,7 @@ def headers(root):
 def library(root):
     text = HEAD
     for name, target in headers(root):
-        text += f"\n## <stickslip/{name}>\n\n{head_words(target)}\n"
+        text += f"\n## `<stickslip/{name}>`\n\n{head_words(target)}\n"
         for comment, lines in declarations(target):
             shown = without_bodies(lines)
             if re.match(r"(?:struct|class|enum class) \w+;$", shown):

@@ -70,7 +70,7 @@ without = len(re.findall(r"\| – \|$", method, re.MULTILINE))
 
 page = text_of("docs/library.md")
 for header in sorted((ROOT / "include/stickslip").glob("*.h")):
-    if header.name != "stickslip.h" and f"\n## <stickslip/{header.name}>\n" not in page:
+    if header.name != "stickslip.h" and f"\n## `<stickslip/{header.name}>`\n" not in page:
         wrong.append(f"docs/library.md: {header.name} is missing")
 for name in ("linear_verdict", "simulate", "locate_boundaries", "diagnose", "read_joint", "ParallelFor"):  # one of each room
     if not re.search(rf"```cpp\n[^`]*\b{name}\b", page):

@@ -13,7 +13,15 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double deviations = 5;  // of the noise: see could_have_shown()
+/// Of the noise, where two effects are compared: each then stands well above it, see could_have_shown().
+constexpr double deviations = 5;
+
+/// What an effect has to change in the surprises, root mean square in floors, for the diagnosis to see it: over many
+/// rows that is less than the noise of one.
+double seen()
+{
+    return std::sqrt(policy::visible_excess);
+}
 
 /// The record that the joint as documented would leave, with the noise of its sensors.
 Record simulated(const Joint& joint, const PlannedMotion& motion)
@@ -143,12 +151,12 @@ Found least_size(const Planned& motion, Sized s, Motion of)
     f.power.unit = unit_of(s.of().quantity, of);
     const double little = motion.strength(s, 0), much = motion.strength(s, 1);
     s.less_is_more = little > much;
-    if (std::max(little, much) < deviations) return f;
+    if (std::max(little, much) < seen()) return f;
     double low = 0, high = 1;
     constexpr int halvings = 18;
     for (int i = 0; i < halvings; ++i) {
         const double middle = 0.5 * (low + high);
-        (motion.strength(s, middle) < deviations ? low : high) = middle;
+        (motion.strength(s, middle) < seen() ? low : high) = middle;
     }
     f.power.least_size = s.size(high, motion.scales);
     for (const auto& level : motion.change(s, high)) f.change.insert(f.change.end(), level.begin(), level.end());

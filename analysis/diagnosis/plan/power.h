@@ -27,10 +27,10 @@ struct PlannedMotion {
 };
 
 /// An effect shows where it changes what a slow observer of the record is surprised by, at any of its bandwidths and in
-/// any record, by five times the noise (the rule by which records are called insufficient); gains and filter of the
+/// any record, by as much as screens causes in the diagnosis (visible_excess of the policy); gains and filter of the
 /// controller, which a logged command shows to the digit, from where the audit names them. Two effects are inseparable
-/// where, each at its least size, what one leaves of the other is below the noise. Throws std::invalid_argument without
-/// a period, a noise or a gain.
+/// where, each five times above the noise, what one leaves of the other is below it. Throws std::invalid_argument
+/// without a period, a noise or a gain.
 Power power_of(const Joint& joint, const PlannedMotion& motion, const ParallelFor& parallel);
 
 }  // namespace stickslip::gap

@@ -45,7 +45,7 @@ void write_motion(const std::filesystem::path& file, const gap::SafeMotion& moti
 
 void print(const gap::Power& power)
 {
-    fmt::print("least size that this motion shows (five times the noise)\n");
+    fmt::print("least size that the diagnosis finds in this motion\n");
     for (const auto& e : power.effects)
         fmt::print("  {:<30} {}\n", e.name,
                    is_set(e.least_size)

@@ -1,6 +1,7 @@
 #include "analysis/diagnosis/plan/power.h"
 #include "analysis/diagnosis/plan/safe_motion.h"
 #include "analysis/diagnosis/plant/simulator.h"
+#include "analysis/diagnosis/policy/policy.h"
 
 #include <catch2/catch.hpp>
 
@@ -53,13 +54,15 @@ bool inseparable(const Power& power, const std::string& one, const std::string& 
 
 }  // namespace
 
-TEST_CASE("the least constant load that shows is the one whose surprise is five times the noise", "[gap][plan]")
+TEST_CASE("the least constant load that shows is the one whose surprise the diagnosis sees beside the noise",
+          "[gap][plan]")
 {
     const auto power = power_of(servo(0, 0), motion_of(8, [](double t) { return 0.05 * std::sin(t); }), in_order);
     // a force F on a free mass m keeps the observer at e = F/(m ω²): largest beside the noise at the slowest ω, 20
     // rad/s
     const double omega = 20, floor = 2e-6 * std::sqrt(noise_amplification(omega, 1e-3));
-    CHECK(least_of(power, "constant-load") == Approx(5 * floor * 2 * omega * omega).epsilon(0.05));
+    CHECK(least_of(power, "constant-load") ==
+          Approx(std::sqrt(policy::visible_excess) * floor * 2 * omega * omega).epsilon(0.05));
     CHECK(least_of(power, "gain-k_p") == Approx(0.004));
 }
 

@@ -6,7 +6,7 @@
 
 using namespace program;
 
-TEST_CASE("a report says where the linear chart is wrong, and by how much")
+TEST_CASE("a report says where the linear chart is wrong, and by how much", "[slow]")
 {
     // a continuation program puts k_cr at 19449 N/m and the fold at 24849 N/m for k_v = 47.5 N·s/m, 1.278 times as much
     const Folder folder;

@@ -96,7 +96,7 @@ program::Run diagnose(const Folder& folder, const std::string& words)
 }  // namespace
 
 TEST_CASE("two joints of one log: each planted cause under its joint, and a page that leads to theirs",
-          "[program][robot]")
+          "[program][robot][slow]")
 {
     const Folder folder;
     folder.write("shoulder.toml", joint_file(0.8)), folder.write("elbow.toml", joint_file(0.3));

@@ -107,7 +107,7 @@ TEST_CASE("a number that is far off against its prior is a cause", "[gap][ladder
 
 TEST_CASE(
     "a cause is named by what it takes on unseen rows although numbers are off and a drag of no catalogue remains",
-    "[gap][ladder]")
+    "[gap][ladder][slow]")
 {
     Machine m;
     m.inertia = 1.2 * 1.04, m.coulomb = 2 * 1.05;

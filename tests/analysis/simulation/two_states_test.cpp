@@ -82,7 +82,7 @@ TEST_CASE("two states without inertia: period doublings at 0.866259 and 0.857039
     CHECK(doubling(2, 0.8560, 0.8580, two.start) == Approx(0.857039).margin(1e-6));
 }
 
-TEST_CASE("two states without inertia: beside a doubling the repeat is the attracting orbit's", "[nonlinear]")
+TEST_CASE("two states without inertia: beside a doubling the repeat is the attracting orbit's", "[nonlinear][slow]")
 {
     // where the multipliers of the orbits of 4 and of 8 turns fall through −1
     const auto four = follow(two_states(0.856), two_states(0.856).steady() + FlowVector::Constant(3, 0.05), false, {});
@@ -101,7 +101,7 @@ TEST_CASE("two states without inertia: beside a doubling the repeat is the attra
     }
 }
 
-TEST_CASE("two states and a small mass: where neighbouring motions part, the motion is irregular", "[nonlinear]")
+TEST_CASE("two states and a small mass: where neighbouring motions part, the motion is irregular", "[nonlinear][slow]")
 {
     const auto flow = two_states_with_mass(0.848, 1e-3);
     FollowOptions options;

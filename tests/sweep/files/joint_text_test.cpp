@@ -85,7 +85,7 @@ struct Shuffler {
 
 }  // namespace
 
-TEST_CASE("a joint that is written reads back equal")
+TEST_CASE("a joint that is written reads back equal", "[slow]")
 {
     const unsigned seed = 20240817;
     std::mt19937_64 random(seed);

@@ -83,7 +83,7 @@ TEST_CASE("W1: a critical gain is one that a user can turn to, where the velocit
     check_gains(one_speed, 2e2, 2e10);
 }
 
-TEST_CASE("W2: the spectral abscissa of kernels is that of a root, with none to its right")
+TEST_CASE("W2: the spectral abscissa of kernels is that of a root, with none to its right", "[slow]")
 {
     const auto [name, abscissa] = GENERATE(
         table<const char*, double>({{"w2-914", -22.3012131}, {"w2-993", -3.37138869}, {"w2-1693", -3.61550282}}));

@@ -18,6 +18,7 @@ class Kernel {
     using Program = typename Equations::Program;
     using Step = typename Equations::Step;
     static constexpr int lanes = P::lanes, size = Equations::size;
+    static constexpr double vanished = 1e-60;  ///< a step; e-folds of speed below V_0 that no motion reaches: 138
 
   public:
     Kernel(const Job* jobs, Answer* answers, std::size_t job_count, const Settings& settings)
@@ -53,7 +54,7 @@ class Kernel {
         equations_.remember(taken, y_, h);
         for (int k = 0; k < size; ++k) y_[k] = select(taken, s.end(k), y_[k]);
         t_ = select(taken, t_ + h, t_);
-        steps_ = steps_ + 1.0;
+        steps_ = steps_ + select(moving_, P(1.0), P(0.0));
         h_ = select(moving_, h * next_factor(error, accepted), h_);
         moving_ = always_;
     }
@@ -95,11 +96,13 @@ class Kernel {
         if (action.kind == Action::Kind::finished) {
             answers_[number_[i]] = programs_[i].answer();
             answers_[number_[i]].steps = static_cast<long>(steps_[i]) + 1;
+            if (!(steps_[i] < settings_.step_limit)) answers_[number_[i]].ending = Ending::left_over;
             --busy_;
             fill(i);
             return;
         }
         place(i, action);
+        steps_.set(i, steps_[i] + 1);  // the one that was not taken
     }
 
     /// Takes the next job into lane i, past those that need no motion, or leaves it idle on a harmless problem.
@@ -142,7 +145,10 @@ class Kernel {
         moving_.set(i, false);
     }
 
-    /// Gives up what would never end: a step size that went to zero or to nothing, or too many steps.
+    /// Gives up what would never end: a step size that went to nothing, or too many steps. Looked at now and then and
+    /// not at the same steps of every job, so that what ends by itself must not be met here: a plunge towards rest
+    /// takes steps of down to the speed itself and goes on, and only a step that no speed explains stays small for
+    /// ever.
     void retire_endless()
     {
         for (int i = 0; i < lanes; ++i) {
@@ -150,7 +156,7 @@ class Kernel {
                 h_.set(i, 1e-3);
                 continue;
             }
-            const bool alive = h_[i] > 1e-13 * (t_[i] > 1e-3 ? t_[i] : 1e-3) && steps_[i] < settings_.step_limit;
+            const bool alive = h_[i] > vanished && steps_[i] < settings_.step_limit;
             if (!alive) carry_out(i, programs_[i].give_up());
         }
         moving_ = always_;

@@ -1,6 +1,7 @@
 #include "analysis/simulation/lanes/program.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "analysis/numerics/hermite.h"
 #include "analysis/simulation/lanes/dense_output.h"
@@ -94,11 +95,11 @@ Action Program::begin(const Job& job, const Settings& settings)
     return begin_phase(phase_);
 }
 
-/// The basin of a stated disturbance is asked to full tolerance at once.
+/// The basin of a stated disturbance is asked to full tolerance at once, and so is what a rough search would not tell.
 Action Program::begin_phase(Phase phase)
 {
     phase_ = phase;
-    const bool searches = phase == Phase::search || !job_->stated;
+    const bool searches = phase == Phase::search ? std::exp(linear_growth()) < clear_decay : !job_->stated;
     care_ = searches && settings_->rough > settings_->rtol ? Care::rough : Care::fine;
     return follow(phase == Phase::search ? job_->rest_start : job_->start);
 }
@@ -114,6 +115,7 @@ Action Program::follow(const double (&start)[3])
     const double largest = std::max({std::abs(job_->groups.K * start[0]), std::abs(start[1]), std::abs(start[2])});
     size_ = largest > 0 ? std::min(1.0, largest) : 1;
     secants_ = {};
+    smaller_.forget();
     rested_since_ = 0;
     answer_.turns = refinements_ = 0;
     weakest_decay_ = 0;
@@ -167,6 +169,21 @@ SecantSearch::State Program::next_turn(Point end, Point& start)
     return secants_.next(turn_start_, end, phase_ == Phase::search, start, close);
 }
 
+/// Growth a turn of a small disturbance, e-folds; without bounds where it does not turn.
+double Program::linear_growth() const
+{
+    return 2 * std::numbers::pi * job_->rate / job_->frequency;
+}
+
+/// Of motions that turn about steady sliding and change speed by less than e: smaller ones are weakly nonlinear.
+bool Program::none_smaller(Point end)
+{
+    const double swing = std::max(answer_.w_max, -answer_.w_min);
+    if (!(swing < 1) || !smaller_.none(turn_start_, end, linear_growth())) return false;
+    weakest_decay_ = std::max(weakest_decay_, std::exp(linear_growth()));
+    return true;
+}
+
 Action Program::end_of_turn(const StepView& step, double fraction)
 {
     const auto& g = job_->groups;
@@ -194,7 +211,7 @@ Action Program::end_of_turn(const StepView& step, double fraction)
             const int limit = phase_ == Phase::stated ? settings_->patient_turn_limit : settings_->turn_limit;
             if (state == SecantSearch::State::lost || answer_.turns >= limit)
                 return care_ == Care::fine ? give_up() : all_finely();
-            if (phase_ == Phase::search && length(start) < settled_size) return decayed();
+            if (phase_ == Phase::search && (length(start) < settled_size || none_smaller(end))) return decayed();
         }
     }
     on_turn_ = true;

@@ -67,6 +67,8 @@ class Program {
     Action begin_phase(Phase phase);
     Action all_finely();
     SecantSearch::State next_turn(Point end, Point& start);
+    double linear_growth() const;
+    bool none_smaller(Point end);
     Action end_of_turn(const StepView& step, double fraction);
     void note_extremum(const StepView& step);
     double first_step(double w) const;
@@ -78,6 +80,7 @@ class Program {
     Phase phase_ = Phase::cycle;
     double size_ = 1;  ///< of the start, at most 1
     SecantSearch secants_;
+    SmallerCycles smaller_;
     /// A search is made roughly first; what it finds is refined, and what is not clear is searched again finely.
     enum class Care : std::uint8_t { rough, refining, fine };
     Care care_ = Care::fine;

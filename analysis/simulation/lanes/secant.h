@@ -59,9 +59,9 @@ class SecantSearch {
             const Point moved = start - start_[0], changed = gap - gap_[0];
             multiplier_ = 1 + dot(moved, changed) / dot(moved, moved);
             Point step = along_one(gap, moved, changed);
-            if (count_ > 1) step = along_two(gap, moved, changed, start_[0] - start_[1], gap_[0] - gap_[1], step);
             moved_[0] = moved, changed_[0] = changed;
             moved_[1] = start_[0] - start_[1], changed_[1] = gap_[0] - gap_[1];
+            if (count_ > 1) step = along_two(gap, moved, changed, moved_[1], changed_[1], step);
             learned_ = count_;
             const Point target = end + step;
             const double remaining = length(target - start);
@@ -69,7 +69,8 @@ class SecantSearch {
             const double largest_gap = std::max(1e-3, 30 * closure);
             if (contracts && remaining < closure * size && length(gap) < largest_gap * size) {
                 proposal = target;
-                return State::closed;
+                if (count_ > 1) multiplier_ = std::max(multiplier_, multiplier_of_two());
+                return multiplier_ < 1 ? State::closed : State::lost;
             }
             if (!contracts) {
                 // small amplitudes repel: outwards, not to the fixed point that is being left
@@ -155,6 +156,19 @@ class SecantSearch {
         const double reach = std::min(share_of_change, share_of_change * std::abs(growth) / slope);
         return creeps && reach > 3 * std::abs(growth) ? std::exp(std::copysign(reach, growth)) : 1;
     }
+    /// The larger multiplier of the map that has both secants: along a move across the slow manifold alone a cycle that
+    /// repels would look like one that attracts. Of nearly parallel secants that of the last.
+    double multiplier_of_two() const
+    {
+        const Point m0 = moved_[0], m1 = moved_[1], c0 = changed_[0], c1 = changed_[1];
+        const double det = m0.a * m1.b - m0.b * m1.a;
+        if (!(std::abs(det) > 1e-3 * length(m0) * length(m1))) return multiplier_;
+        // the map less 1 is [c0 c1] [m0 m1]⁻¹: its trace and determinant
+        const double trace = (c0.a * m1.b - c1.a * m0.b - c0.b * m1.a + c1.b * m0.a) / det;
+        const double product = (c0.a * c1.b - c0.b * c1.a) / det;
+        const double root = trace * trace / 4 - product;
+        return root < 0 ? multiplier_ : 1 + trace / 2 + std::sqrt(root);
+    }
     static Point along_one(Point gap, Point moved, Point changed)
     {
         const double share = dot(changed, gap) / dot(changed, changed);
@@ -174,6 +188,35 @@ class SecantSearch {
     bool refined_ = false;
     double log_size_ = 0, growth_ = 0;  ///< of the last turn: ln |start|, ln |end|/|start|
     double multiplier_ = 0;
+};
+
+/// Whether the turns of a decay leave room for a cycle that is smaller. The growth a turn of a motion of amplitude a is
+/// g(a) = g(0) + c a² + d a⁴ + …, and g(0) is the linear theory's: two turns give c, and by how much they miss g(0) is
+/// what the fourth power does. Where that is a small part of g, nothing on the way to a = 0 changes its sign.
+class SmallerCycles {
+  public:
+    void forget() { turns_ = 0, clear_ = 0; }
+
+    /// After each turn; `linear` is g(0). True once two turns in a row, each clearly smaller than the one before, say
+    /// that there is none.
+    bool none(Point start, Point end, double linear)
+    {
+        const double square = dot(start, start), growth = std::log(length(end) / length(start));
+        if (turns_ > 0 && square > apart * square_) return false;
+        if (turns_++ > 0) {
+            const double at_zero = (growth * square_ - growth_ * square) / (square_ - square);
+            const bool decays = linear < 0 && growth < 0;
+            clear_ = decays && std::abs(at_zero - linear) < small_part * std::abs(growth) ? clear_ + 1 : 0;
+        }
+        square_ = square, growth_ = growth;
+        return clear_ > 1;
+    }
+
+  private:
+    static constexpr double apart = 0.8;        ///< of squares of amplitudes, beyond which two turns say too little
+    static constexpr double small_part = 0.25;  ///< of g that its fourth power may be
+    int turns_ = 0, clear_ = 0;
+    double square_ = 0, growth_ = 0;
 };
 
 }  // namespace stickslip::lanes

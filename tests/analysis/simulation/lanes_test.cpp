@@ -119,6 +119,13 @@ TEST_CASE("an answer depends on its job alone, not on lane, neighbours or order"
 {
     check_independence<lanes::Answer>(slip_jobs(60, 11));
     check_independence<lanes::StribeckAnswer>(stribeck_jobs(90, 13));
+    // heavy joints plunge towards rest in steps of 1e-16 L/V_0 and less, wherever others stand at that moment
+    std::vector<lanes::Job> heavy;
+    for (int i = 0; i < 60; ++i) {
+        const double V0 = 1e-2 * std::pow(10, i / 59.0), k_p = 1e5 * std::pow(10, (7 * i % 60) / 59.0);
+        heavy.push_back(lanes::job(lanes::scaled(example_joint(k_p, 10, V0))->groups, true));
+    }
+    check_independence<lanes::Answer>(heavy);
 }
 
 TEST_CASE("every instruction set gives the same outcomes", "[lanes]")
@@ -154,6 +161,44 @@ TEST_CASE("what lanes do not cover falls to the reference and says so", "[lanes]
     CHECK(points[0].path == DecisionPath::cvode);
     CHECK(points[0].outcome == Outcome::stick_slip);
     CHECK(points[1].path == DecisionPath::lanes);
+}
+
+TEST_CASE("a search does not end on the cycle that repels", "[lanes]")
+{
+    // of a map of the bistable strip: its neighbours' cycles have 69.96 and 68.48 µm, the repelling one has 40.75 µm
+    const Joint joint = example_joint(5e3 * std::pow(10, 221 / 399.0), 40 + 12 * 293 / 399.0, 1e-2);
+    PointResult row = linear_point(joint);
+    nonlinear_points({&joint, 1}, {}, {&row, 1});
+    CHECK(row.path == DecisionPath::lanes);
+    CHECK(row.region == Region::bistable);
+    const auto by_cvode = nonlinear_verdict(joint, {});
+    CHECK(row.amplitude == Approx(by_cvode.amplitude).epsilon(1e-5));
+    CHECK(row.amplitude == Approx(69.2265e-6).epsilon(1e-5));
+}
+
+TEST_CASE("close to the linear boundary the linear theory ends the search for cycles", "[lanes]")
+{
+    // a turn loses a hundred-thousandth of the amplitude and more; the slip law's cycles begin at the boundary there,
+    // and at the last two, whose boundary is subcritical, a larger one coexists up to 1.27 times the critical gain
+    const auto row_of = [](const Joint& joint) {
+        PointResult row = linear_point(joint);
+        nonlinear_points({&joint, 1}, {}, {&row, 1});
+        return row;
+    };
+    for (const double V0 : {1e-4, 1e-3})
+        for (const double above : {1e-5, 1e-4, 1e-3, 1e-2}) {
+            const double k_cr = linear_point(example_joint(1, 0, V0)).k_cr;
+            const auto row = row_of(example_joint(k_cr * (1 + above), 0, V0));
+            CAPTURE(V0, above);
+            CHECK(row.path == DecisionPath::lanes);
+            CHECK(row.outcome == Outcome::stable_sliding);
+            CHECK(row.region != Region::bistable);
+            CHECK(row.reason == Reason::none);
+        }
+    for (const double above : {1e-3, 1e-1}) {
+        const double k_cr = linear_point(example_joint(1, 47.5, 1e-2)).k_cr;
+        CHECK(row_of(example_joint(k_cr * (1 + above), 47.5, 1e-2)).region == Region::bistable);
+    }
 }
 
 // more of them, with figures: benchmark_simulation_accuracy

@@ -51,7 +51,7 @@ constexpr Column table[] = {
         "linear-only solver-failure",
         true),
     coded<&PointResult::path>("path", "method that decided the outcome",
-                              "none lanes cvode shooting method-of-steps ticks", true),
+                              "none lanes cvode shooting method-of-steps ticks interpolation", true),
     numbered("growth_rate", "growth rate of the small disturbance", Quantity::rate, &PointResult::growth_rate, true),
     numbered("amplitude", "limit-cycle amplitude in position, half peak to peak", Quantity::position,
              &PointResult::amplitude, true),
@@ -62,6 +62,8 @@ constexpr Column table[] = {
              true),
     numbered("overshoot", "largest excess of position over the steady path, per steady deflection", Quantity::number,
              &PointResult::overshoot, true),
+    numbered("interpolation_error", "largest error of an interpolated row's cell at its checks, 0 where computed",
+             Quantity::number, &PointResult::interpolation_error, true),
 };
 
 }  // namespace

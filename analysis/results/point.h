@@ -41,8 +41,8 @@ enum class Outcome : std::uint8_t {
 };
 
 /// Which method decided the outcome; `steps` is the method of steps, for friction that answers late, `ticks` the real
-/// loop, followed tick by tick.
-enum class DecisionPath : std::uint8_t { none, lanes, cvode, shooting, steps, ticks };
+/// loop, followed tick by tick; `interpolation` followed nothing: neighbours decided, and checks among them.
+enum class DecisionPath : std::uint8_t { none, lanes, cvode, shooting, steps, ticks, interpolation };
 
 inline constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
@@ -69,6 +69,7 @@ struct PointResult {
     double period = missing;
     double stick_fraction = missing;  ///< share of the period spent at rest or below a hundredth of V_0
     double overshoot = missing;       ///< largest excess of position over the steady path, per steady deflection
+    double interpolation_error = 0;   ///< of an interpolated row, as its cell's checks saw it; 0: it was computed
 };
 
 /// A column of results.nc. Exactly one of `number` and `code` is set; a code has its meanings as CF flag_meanings.

@@ -16,6 +16,13 @@ PointCursor::PointCursor(const Joint& base, std::span<const Axis> axes) : joint_
     seek(0);
 }
 
+std::uint64_t PointCursor::point() const
+{
+    std::uint64_t point = 0;
+    for (const Wheel& wheel : wheels_) point = point * wheel.values.size() + wheel.at;
+    return point;
+}
+
 void PointCursor::seek(std::uint64_t point)
 {
     for (std::size_t i = wheels_.size(); i-- > 0;) {

@@ -22,6 +22,9 @@ class PointCursor {
     /// Goes to the point of that number, row-major, the first axis slowest.
     void seek(std::uint64_t point);
 
+    /// Where it stands.
+    std::uint64_t point() const;
+
     /// Goes to the next point; after the last one to the first.
     void advance()
     {

@@ -22,6 +22,10 @@ constexpr std::uint64_t smallest_cheap_chunk = 256;  // below this the journal's
 constexpr std::uint64_t chunks_for_balance = 64;
 constexpr std::uint64_t most_chunks = 1u << 22;
 
+constexpr double dense_chunk_seconds = 0.3, dense_computed_share = 0.05;
+constexpr double smallest_dense_chunk = 4096, largest_dense_chunk = 131072;
+constexpr double dense_chunks_for_balance = 8;
+
 /// Every field goes in with its length, so that no two plans can spell the same bytes.
 class Hash {
   public:
@@ -103,6 +107,23 @@ std::uint64_t chunk_size_for(std::uint64_t points, double seconds_per_point)
     return std::max(std::min(fair, shared), std::bit_ceil((points + most_chunks - 1) / most_chunks));
 }
 
+std::uint64_t dense_chunk_size_for(const std::vector<Axis>& axes, double seconds_per_point)
+{
+    double points = 1;
+    for (const Axis& axis : axes) points *= static_cast<double>(axis.values.size());
+    const double by_cost = dense_chunk_seconds / (dense_computed_share * seconds_per_point);
+    const double shared = std::min(by_cost, points / dense_chunks_for_balance);
+    const auto wanted = static_cast<std::uint64_t>(std::clamp(shared, smallest_dense_chunk, largest_dense_chunk));
+    std::uint64_t count = 1;
+    for (std::size_t d = axes.size(); d-- > 0;) {
+        const std::uint64_t size = axes[d].values.size(), most = std::max<std::uint64_t>(1, wanted / count);
+        const std::uint64_t parts = (size + most - 1) / most;
+        count *= (size + parts - 1) / parts;
+        if (parts > 1) break;
+    }
+    return std::max(count, std::bit_ceil((static_cast<std::uint64_t>(points) + most_chunks - 1) / most_chunks));
+}
+
 PlanId id_of(const Plan& plan)
 {
     Hash hash;
@@ -138,7 +159,8 @@ Plan make_plan(const Joint& joint, std::vector<Axis> axes, const PlanOptions& op
     plan.options = options.evaluation;
     plan.nonlinear = options.nonlinear;
     plan.build = build_fingerprint();
-    plan.chunk_size = chunk_size_for(plan.points, options.seconds_per_point);
+    plan.chunk_size = options.dense ? dense_chunk_size_for(plan.axes, options.seconds_per_point)
+                                    : chunk_size_for(plan.points, options.seconds_per_point);
     plan.title = options.title;
     plan.spec = options.spec;
     plan.command = options.command;

@@ -54,6 +54,7 @@ struct PlanOptions {
     std::string evaluation;  ///< canonical text of the options of the evaluation; equal text must mean equal results
     bool nonlinear = false;
     double seconds_per_point = linear_point_cost;
+    bool dense = false;  ///< few points of a chunk are computed, the others lie between: chunks are boxes of the axes
     std::string title;
     std::string spec;     ///< the spec as the user wrote it
     std::string command;  ///< reproduces the sweep; without --threads, --shard and -o, so that results.nc does not
@@ -68,6 +69,10 @@ Plan make_plan(const Joint& joint, std::vector<Axis> axes, const PlanOptions& op
 /// A power of two near 0.1 s of work, smaller for small sweeps (so that threads share them), larger for huge ones (so
 /// that the index of chunks stays small). Depends on its arguments alone.
 std::uint64_t chunk_size_for(std::uint64_t points, double seconds_per_point);
+
+/// Of a dense sweep: whole last axes and a share of the one before, near 0.3 s of work where one point in twenty is
+/// computed. Boxes of thousands of points, as small ones are mostly computed.
+std::uint64_t dense_chunk_size_for(const std::vector<Axis>& axes, double seconds_per_point);
 
 /// The id that the fields of the plan ask for; a plan read from a file must agree with it.
 PlanId id_of(const Plan& plan);

@@ -1,9 +1,12 @@
 #include "sweep/study/evaluate.h"
 
 #include "analysis/joint/parameters.h"
+#include "analysis/simulation/lanes/batch.h"
+#include "analysis/simulation/lanes/stribeck_batch.h"
 #include "analysis/simulation/lanes/ticked_batch.h"
 #include "analysis/simulation/points.h"
 #include "analysis/stability/verdict.h"
+#include "sweep/study/dense_chunks.h"
 
 #include <fmt/format.h>
 
@@ -15,6 +18,10 @@ namespace {
 
 /// s, of a joint that is followed tick by tick, alone and in lanes.
 constexpr double real_loop_point_cost = 0.1, ticked_lanes_point_cost = 3e-3;
+constexpr double lone_point_cost = 5e-3;  ///< s, of an ideal loop whose law the lanes do not have
+
+/// Below, cells would be computed whole for the most part, and computing all takes a fraction of a second in lanes.
+constexpr double fewest_dense_points = 10'000;
 
 /// A chunk at a time, so that the lanes of the nonlinear evaluation are full.
 void evaluate_nonlinear(PointCursor& cursor, std::span<PointResult> rows, const NonlinearOptions& options)
@@ -39,9 +46,17 @@ NonlinearOptions nonlinear_options(const NonlinearSpec& spec)
     return options;
 }
 
-EvaluateChunk evaluator(const NonlinearSpec& spec)
+bool is_dense(const NonlinearSpec& spec, const std::vector<Axis>& axes)
+{
+    double points = 1;
+    for (const Axis& axis : axes) points *= static_cast<double>(axis.values.size());
+    return spec.enabled && spec.interpolation > 0 && points >= fewest_dense_points;
+}
+
+EvaluateChunk evaluator(const NonlinearSpec& spec, const std::vector<Axis>& axes)
 {
     if (!spec.enabled) return point_by_point([](const Joint& joint) { return linear_point(joint); });
+    if (is_dense(spec, axes)) return dense_evaluator(nonlinear_options(spec), spec.interpolation, axes);
     return [options = nonlinear_options(spec)](PointCursor& cursor, std::span<PointResult> rows) {
         evaluate_nonlinear(cursor, rows, options);
     };
@@ -73,18 +88,20 @@ std::vector<std::string> idle_axes(const Joint& joint, const std::vector<Axis>& 
     return idle;
 }
 
-std::string evaluation_text(const NonlinearSpec& spec)
+std::string evaluation_text(const NonlinearSpec& spec, const std::vector<Axis>& axes)
 {
     if (!spec.enabled) return "linear";
     const auto& d = spec.disturbance.disturbance;
     return fmt::format("linear and nonlinear, disturbance {} of {}, tolerance {}", static_cast<int>(d.kind), d.size,
-                       spec.tolerance);
+                       spec.tolerance) +
+           (is_dense(spec, axes) ? fmt::format(", interpolated to {}", spec.interpolation) : "");
 }
 
 double seconds_per_point(const NonlinearSpec& spec, const Joint& joint)
 {
     if (spec.enabled && lanes::in_ticked_lanes(joint)) return ticked_lanes_point_cost;
     if (spec.enabled && has_real_loop(joint)) return real_loop_point_cost;
+    if (spec.enabled && !lanes::scaled(joint) && !lanes::stribeck_scaled(joint)) return lone_point_cost;
     return spec.enabled ? nonlinear_point_cost : linear_point_cost;
 }
 

@@ -13,15 +13,19 @@ namespace stickslip {
 /// The options of the nonlinear evaluation that a spec asks for.
 NonlinearOptions nonlinear_options(const NonlinearSpec& spec);
 
-/// Rows of a chunk: linear verdicts, and nonlinear outcomes where the spec asks for them.
-EvaluateChunk evaluator(const NonlinearSpec& spec);
+/// Whether a sweep over these axes computes some of its points and interpolates the others: a nonlinear one of many
+/// points that allows it.
+bool is_dense(const NonlinearSpec& spec, const std::vector<Axis>& axes);
+
+/// Rows of a chunk: linear verdicts, and nonlinear outcomes where the spec asks for them. The axes must outlive it.
+EvaluateChunk evaluator(const NonlinearSpec& spec, const std::vector<Axis>& axes);
 
 /// Axes along which no linear answer changes at this joint, tried at their ends and in the middle: a dead time, say, is
 /// a term of records that the continuous loop of the maps leaves out. Paths, in the order of the axes.
 std::vector<std::string> idle_axes(const Joint& joint, const std::vector<Axis>& axes);
 
 /// Canonical text of everything that the evaluation depends on besides the joint; goes into the plan's id.
-std::string evaluation_text(const NonlinearSpec& spec);
+std::string evaluation_text(const NonlinearSpec& spec, const std::vector<Axis>& axes);
 
 /// Rough cost of a point on one core [s], for the size of chunks.
 double seconds_per_point(const NonlinearSpec& spec, const Joint& joint);

@@ -42,16 +42,21 @@ struct NonlinearSpec {
     bool enabled = false;
     DisturbanceSpec disturbance;
     double tolerance = 1e-8;
+    double interpolation = 1e-4;
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        constexpr Range tolerances{1e-13, 1e-2, false, false};
+        constexpr Range tolerances{1e-13, 1e-2, false, false}, bounds{0, 1e-2, false, false};
         visit.flag("enabled", "simulate every point", self.enabled);
         visit.table("disturbance", "what starts the motion", self.disturbance);
         visit.number(
             {"tolerance", Quantity::number, tolerances, Need::optional, "relative tolerance of the integration"},
             self.tolerance);
+        visit.number({"interpolation", Quantity::number, bounds, Need::optional,
+                      "of dense maps: relative error up to which amplitude, period and the like are taken from points "
+                      "around, checked by points between; 0: every point is computed"},
+                     self.interpolation);
     }
 };
 

@@ -108,6 +108,11 @@ SweepSummary summarise(const Spec& spec, const ResultsFile& results)
                                             results.line(column.name, 0, at), std::string(column.name)});
         summary.profiles.push_back(std::move(profile));
     }
+    if (results.has("path")) {
+        const auto paths = results.count_codes("path");
+        constexpr auto interpolation = static_cast<std::size_t>(DecisionPath::interpolation);
+        if (paths.size() > interpolation) summary.interpolated = paths[interpolation];
+    }
     const auto reasons = results.count_codes("reason");
     for (std::size_t code = 1; code < reasons.size(); ++code) {
         if (reasons[code] == 0) continue;

@@ -80,7 +80,7 @@ void check_point(const std::string& name, const Joint& joint, bool nonlinear, Co
     std::string fault;
     try {
         PointCursor cursor(joint, {});
-        evaluator(spec)(cursor, {&row, 1});
+        evaluator(spec, {})(cursor, {&row, 1});
         fault = fault_of(joint, row, nonlinear);
     } catch (const std::exception& e) {
         fault = std::string("exception: ") + e.what();

@@ -194,6 +194,26 @@ void answer_those(std::optional<Scale> (*scaled)(const Joint&), std::span<const 
 
 }  // namespace
 
+namespace {
+
+template <class Scale>
+bool decay_of(const std::optional<Scale>& scale, PointResult& point)
+{
+    if (!scale) return false;
+    const auto small = job(scale->groups, false);
+    typename Scale::Answer answer;
+    answer.ending = Ending::decays;
+    return small.rate < 0 && write(answer, *scale, small, point);
+}
+
+}  // namespace
+
+bool decay(const Joint& joint, const NonlinearOptions& options, PointResult& point)
+{
+    if (!covers(options) || is_set(options.disturbance.size)) return false;
+    return decay_of(scaled(joint), point) || decay_of(stribeck_scaled(joint), point);
+}
+
 void answer(std::span<const Joint> joints, const NonlinearOptions& options, std::span<PointResult> points,
             std::vector<std::size_t>& left_over)
 {

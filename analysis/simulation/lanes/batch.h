@@ -38,6 +38,10 @@ bool state(const Disturbance& disturbance, const Joint& joint, const Scaled& sca
 /// The fields of a row from an answer; false if the reference must decide.
 bool write(const Answer& answer, const Scaled& scale, const Job& job, PointResult& point);
 
+/// What `answer` says of a small disturbance that decays, without the search for other outcomes: it follows from the
+/// linear theory and no motion is needed. False where lanes do not answer the joint or the disturbance does not decay.
+bool decay(const Joint& joint, const NonlinearOptions& options, PointResult& point);
+
 /// Answers the joints that lanes cover; the numbers of the others are appended to `left_over` in ascending order.
 void answer(std::span<const Joint> joints, const NonlinearOptions& options, std::span<PointResult> points,
             std::vector<std::size_t>& left_over);

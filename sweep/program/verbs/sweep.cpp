@@ -31,7 +31,7 @@ struct Options {
     std::string spec, directory = "out", shard, timestamp;
     int threads = 0;
     double max_undecided = 0.05;
-    bool fresh = false, keep_journal = false, json = false, no_report = false, ideal_loop = false;
+    bool fresh = false, keep_journal = false, json = false, no_report = false, ideal_loop = false, every_point = false;
 };
 
 /// "2/7": the second of seven shards.
@@ -60,29 +60,38 @@ int end_early(const RunReport& run, const std::string& directory)
 PlanOptions plan_options_of(const Options& options, const Spec& spec)
 {
     PlanOptions plan_options;
-    plan_options.evaluation = evaluation_text(spec.nonlinear);
+    plan_options.evaluation = evaluation_text(spec.nonlinear, spec.axes);
     plan_options.nonlinear = spec.nonlinear.enabled;
+    plan_options.dense = is_dense(spec.nonlinear, spec.axes);
     plan_options.seconds_per_point = seconds_per_point(spec.nonlinear, spec.joint);
     plan_options.title = spec.title;
     plan_options.spec = options.spec.empty() ? std::string(embedded_spec()) : self_contained_text(options.spec);
     plan_options.command = options.spec.empty() ? "stickslip sweep" : "stickslip sweep " + shell_word(options.spec);
+    if (options.every_point) plan_options.command += " --every-point";
     return plan_options;
 }
 
 /// What came of it, on standard output; `page` is empty where no report was asked for.
-void tell(const Options& options, const SweepSummary& summary, const RunReport& run, const std::string& answer,
-          const std::filesystem::path& page)
+void tell(const Options& options, const SweepSummary& summary, double bound, const RunReport& run,
+          const std::string& answer, const std::filesystem::path& page)
 {
     if (options.json) {
-        nlohmann::ordered_json json{{"format", "stickslip-sweep-run/1"},         {"points", summary.points},
-                                    {"computed", run.computed.points},           {"undecided", summary.undecided},
-                                    {"results", absolute(run.results).string()}, {"report", nullptr}};
+        nlohmann::ordered_json json{{"format", "stickslip-sweep-run/1"},
+                                    {"points", summary.points},
+                                    {"computed", run.computed.points},
+                                    {"undecided", summary.undecided},
+                                    {"interpolated", summary.interpolated},
+                                    {"results", absolute(run.results).string()},
+                                    {"report", nullptr}};
         if (!page.empty()) json["report"] = absolute(page).string();
         fmt::print("{}\n", json.dump(2));
     } else {
         fmt::print("{}", answer);
         fmt::print("{}, {} of them computed now in {:.2f} s, {} undecided\n", counted(summary.points, "point"),
                    run.computed.points, run.computed.seconds, summary.undecided);
+        if (summary.interpolated > 0)
+            fmt::print("  {} interpolated to within {:.3g} % (nonlinear.interpolation; --every-point computes all)\n",
+                       counted(summary.interpolated, "point"), 100 * bound);
         for (const auto& [reason, count] : summary.reasons)
             fmt::print("  {}: {}\n", counted(count, "point"), reason_text(reason));
         fmt::print("results: {}\n", (std::filesystem::path(options.directory) / run_files::results).string());
@@ -94,6 +103,7 @@ int sweep(const Options& options, Invocation& invocation)
 {
     const auto date = timestamp(options.timestamp);
     Spec spec = options.spec.empty() ? read_spec_text(embedded_spec(), "(embedded example)") : read_spec(options.spec);
+    if (options.every_point) spec.nonlinear.interpolation = 0;
     if (options.ideal_loop) spec.joint = with_ideal_loop(spec.joint);
     choose_charts(spec);
 
@@ -114,7 +124,7 @@ int sweep(const Options& options, Invocation& invocation)
     run_options.engine.interrupt = &invocation.interrupted;
     if (line.shown()) run_options.engine.progress = [&](const Progress& p) { line.update(p); };
     catch_interrupts(invocation);
-    const auto evaluate = evaluator(spec.nonlinear);
+    const auto evaluate = evaluator(spec.nonlinear, plan.axes);
     const auto run = invocation.cluster ? run_on_cluster(plan, spec.joint, evaluate, run_options, *invocation.cluster)
                                         : run_sweep(plan, spec.joint, evaluate, run_options);
     line.end();
@@ -142,7 +152,7 @@ int sweep(const Options& options, Invocation& invocation)
         answer = terminal_summary(report);
         page = write_sweep_report(report, spec, options.directory);
     }
-    tell(options, summary, run, answer, page);
+    tell(options, summary, spec.nonlinear.interpolation, run, answer, page);
     return undecided > options.max_undecided ? exit_undecided : exit_done;
 }
 
@@ -170,6 +180,8 @@ void add_sweep(CLI::App& app, Invocation& invocation)
                      "date on the page: now, or seconds since 1970; default: SOURCE_DATE_EPOCH, else none");
     verb->add_flag("--ideal-loop", options->ideal_loop,
                    "the paper's loop: no sampling, dead time, filter, lag or integral");
+    verb->add_flag("--every-point", options->every_point,
+                   "compute every point of a dense nonlinear map, interpolate none");
     verb->add_flag("--json", options->json, "machine-readable summary");
     verb->footer(
         "Example: stickslip sweep examples/02-ball-screw/spec-with-memory.toml -o out\n"

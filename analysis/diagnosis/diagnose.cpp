@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/diagnose.h"
 
+#include "analysis/diagnosis/audit/effort_drive.h"
 #include "analysis/diagnosis/audit/inspect.h"
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/fit/jumps.h"
@@ -74,13 +75,16 @@ std::vector<Record> usable_pieces(const Joint& joint, const std::vector<Record>&
 Prepared audited(const Joint& joint, const std::vector<Record>& usable, Diagnosis& d)
 {
     Prepared p;
-    for (const Record& r : usable) {
+    std::vector<Record> records = usable;
+    const EffortDrive drive = drive_by_effort(records, joint, d.notes);
+    for (const Record& r : records) {
         p.cases.push_back(prepare(r, joint, d.notes));
         p.cases.back().number = p.cases.size() - 1;
     }
     share_noise(p.cases, joint.sensor, d.notes);
     for (const auto& c : p.cases) p.documented.push_back(c.joint);
     p.audit = audit(p.cases);
+    audit_effort(drive, p.cases, p.audit, d.reasons);
     describe_data(p.cases, d);  // the audit may take back what was rebuilt between rows
     d.notes.insert(d.notes.end(), p.audit.notes.begin(), p.audit.notes.end());
     return p;
@@ -127,32 +131,27 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
     }
     if (d.verdict == Verdict::unknown && !f.quiet && !f.why_not) tell_unexplained(f, d);
     double audited = 0;
-    if (wrong_controller) {
+    if (wrong_controller && !p.cases[0].controller_error.empty()) {
+        audited = share_of_controller(d.signals) * p.audit.findings[0].gain;
+    } else if (wrong_controller) {
         const auto alone = audit_alone ? held : hold_out(p.cases, p.documented, p.scales, f.none, runs, parallel);
         audited = std::clamp(alone.overall.explained, 0.0, 1.0);
     }
     tell_ladder(p, f, audited, d);
     const bool only_numbers = f.judged.only_corrections && f.judged.noise_left;
-    if (f.by_ladder && !audit_alone && wrong_controller && shown && !only_numbers)
+    const bool closed_loop = p.cases[0].controller_error.empty();  // else both were found independently
+    if (f.by_ladder && !audit_alone && wrong_controller && shown && !only_numbers && closed_loop)
         put_controller_in_order(cause_of(p, f.none, 0), f.judged.noise_left, d);
     if (!f.climbed && shown) d.remainder.share = f.quiet ? 0 : std::clamp(1 - held.overall.explained, 0.0, 1.0);
     if (shown) tell_rivals(p, f, ranked, winner, d);
     const bool settled = f.quiet || f.by_ladder || winner.accepted || wrong_controller;
     if (!shown || reject_if_not_validated(d, {settled, p.noise_documented()})) return;
+    const Joint documented = result.after;
     result.after = p.cases[0].joint;
+    if (p.cases[0].ticks.source == CommandSource::measured)
+        result.after.actuator = documented.actuator, result.after.control.delay = documented.control.delay;
     if (!audit_alone)
         result.after = edited(result.after, winner.candidate, in_si(winner.candidate, winner.x[1], p.scales), 0);
-}
-
-/// A rig's one cause as a ladder of one rung.
-DiagnosisResult with_one_rung(DiagnosisResult result)
-{
-    Diagnosis& d = result.diagnosis;
-    if (d.verdict != Verdict::gap || d.effects.empty()) return result;
-    d.ladder.push_back({d.effects[0].names, std::clamp(d.overall.explained, 0.0, 1.0), d.overall.interval,
-                        d.effects[0].parameters, d.ambiguous_with, d.effects[0].probability});
-    d.ceiling.share = not_set;  // the flexible model is one of joints
-    return result;
 }
 
 using Progress = std::function<void(const char* stage, double done)>;
@@ -234,7 +233,7 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
         if (options.progress) options.progress(stage, done);
     };
     try {
-        if (std::ranges::all_of(records, is_rig)) return with_one_rung(diagnose_rig(joint, records, parallel));
+        if (std::ranges::all_of(records, is_rig)) return diagnose_rig(joint, records, parallel);
         find(joint, records, parallel, options, progress, result);
     } catch (const Interrupted&) {
         tell_interrupted(stage, joint, result);

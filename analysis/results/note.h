@@ -14,19 +14,23 @@ struct Note {
         told,           ///< `text`, as it came
         contradiction,  ///< `text`: record and joint cannot both be in their units; nothing was concluded
         // what a record holds
-        too_few_rows,      ///< values: rows, how many are needed
-        position_still,    ///< the position does not change beyond its noise
-        nothing_drives,    ///< neither a command nor a reference was logged
-        uneven_ticks,      ///< values: periods of the loop between two rows, no whole number
-        no_command,        ///< the command is computed from the reference
-        no_effort,         ///< no effort was measured
-        holes,             ///< values: holes in time, start and end of the first
-        rows_missing,      ///< what happened in them is simulated
-        irregular_rows,    ///< every row is used at its own time
-        rebuilt_ticks,     ///< logged at every second tick
-        slow_log,          ///< logged slower than the loop
-        scattered_stamps,  ///< about the documented period
-        starts_moving,     ///< cut from a longer record
+        too_few_rows,        ///< values: rows, how many are needed
+        position_still,      ///< the position does not change beyond its noise
+        nothing_drives,      ///< neither a command nor a reference was logged
+        uneven_ticks,        ///< values: periods of the loop between two rows, no whole number
+        no_command,          ///< the command is computed from the reference
+        driven_by_effort,    ///< neither a command nor a reference: the measured effort drives the joint
+        another_controller,  ///< the measured effort does; values: part of its squares that the documented structure
+                             ///< leaves at any gains, that a PID leaves, and its k_p, k_v, k_i
+        no_such_controller,  ///< values: that part; none is named
+        no_effort,           ///< no effort was measured
+        holes,               ///< values: holes in time, start and end of the first
+        rows_missing,        ///< what happened in them is simulated
+        irregular_rows,      ///< every row is used at its own time
+        rebuilt_ticks,       ///< logged at every second tick
+        slow_log,            ///< logged slower than the loop
+        scattered_stamps,    ///< about the documented period
+        starts_moving,       ///< cut from a longer record
         // its noise
         noisier_than_documented,  ///< the floor is estimated
         no_documented_noise,      ///< the floor is estimated

@@ -33,6 +33,18 @@ constexpr Sentence sentences[] = {
     {Code::no_command,
      "no command was logged; it is computed from the reference, the measured motion and the documented controller, so "
      "that the controller itself cannot be audited"},
+    {Code::driven_by_effort,
+     "neither a command nor a reference was logged: the measured effort drives the simulated joint, and the controller "
+     "takes no part"},
+    {Code::another_controller,
+     "the documented controller does not make the measured effort: with any gains it leaves {share0} of its squares, a "
+     "PID "
+     "with k_p = {2:.4g}, k_v = {3:.4g}, k_i = {4:.4g} leaves {share1}. The measured effort drives the simulated "
+     "joint"},
+    {Code::no_such_controller,
+     "another controller than the documented one made the measured effort ({share0} of its squares remain at any "
+     "gains), and "
+     "none is named; causes in the mechanism were sought with the measured effort as the drive"},
     {Code::no_effort,
      "no effort was measured: inertia, gain and torque constant can be distinguished by friction and load only"},
     {Code::holes,

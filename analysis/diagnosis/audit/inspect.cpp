@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/audit/inspect.h"
 
+#include "analysis/diagnosis/audit/effort_drive.h"
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/records/ticks.h"
 
@@ -74,7 +75,9 @@ Inspection inspect(const Record& r, const Joint& joint)
     if (ticks > slower_log && (ticks >= most_ticks_per_row || std::abs(ticks - std::round(ticks)) > whole_ticks))
         result.notes.push_back({.code = Note::Code::uneven_ticks, .record = r.name, .values = {ticks}});
     const bool command = !r.effort_command.empty() || !r.drive.empty();
-    if (!command && r.reference_position.empty()) result.shortages.push_back({Note::Code::nothing_drives, r.name});
+    const bool effort = !with_effort_of_current(r, joint).effort_measured.empty();
+    if (!command && !effort && r.reference_position.empty())
+        result.shortages.push_back({Note::Code::nothing_drives, r.name});
     if (!command && !r.reference_position.empty()) result.notes.push_back({Note::Code::no_command, r.name});
     if (r.effort_measured.empty() && r.current.empty()) result.notes.push_back({Note::Code::no_effort, r.name});
     return result;

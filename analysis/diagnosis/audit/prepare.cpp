@@ -2,6 +2,7 @@
 #include "analysis/diagnosis/audit/prepare.h"
 
 #include "analysis/diagnosis/audit/audit.h"
+#include "analysis/diagnosis/audit/effort_drive.h"
 #include "analysis/diagnosis/records/even_clock.h"
 #include "analysis/joint/parameters.h"
 
@@ -127,11 +128,20 @@ void find_start(Case& c, std::vector<Note>& notes)
     notes.push_back({Note::Code::starts_moving, c.ticks.name});
 }
 
+/// Noise of the effort that drives the joint.
+double drive_noise(const Case& c, const Record& record, double doubt, std::vector<Note>& notes)
+{
+    if (c.joint.sensor.effort_noise > 0) return c.joint.sensor.effort_noise;
+    notes.push_back({Note::Code::no_documented_effort_noise, record.name});
+    return doubt * noise_of(record.effort_measured);
+}
+
 Case prepare_with_effort(const Record& record, const Joint& joint, std::vector<Note>& notes)
 {
     Case c;
     c.joint = joint;
     c.ticks = on_clock(record, c.joint);
+    if (c.ticks.source == CommandSource::measured) c.joint = behind_its_effort(joint);
     c.supply_logged = !record.supply_voltage.empty();
     for (std::size_t k = 0, row = 0; k < c.ticks.size() && !record.temperature.empty(); ++k) {
         if (k > 0 && c.ticks.logged[k]) ++row;
@@ -168,10 +178,11 @@ Case prepare_with_effort(const Record& record, const Joint& joint, std::vector<N
     const double command_noise = unknown_between ? c.sigma * std::hypot(control.k_p, control.k_v * noise_rate) *
                                                        std::abs(c.joint.actuator.effort_gain)
                                                  : 0;
+    // an estimate that is a little low would make a gap of plain noise
+    constexpr double doubt = 1.03;
+    if (c.ticks.source == CommandSource::measured) c.drive_sigma = drive_noise(c, record, doubt, notes);
     if (c.ticks.has_effort) {
         const double range = rms(record.effort_measured);
-        // an estimate that is a little low would make a gap of plain noise
-        constexpr double doubt = 1.03;
         double sigma = c.joint.sensor.effort_noise;
         if (sigma == 0) {
             sigma = effort_noise_of(c, record.effort_measured);
@@ -208,14 +219,7 @@ Case prepare(const Record& stamped, const Joint& nominal, std::vector<Note>& not
         record.time = std::move(*even);
         notes.push_back({Note::Code::scattered_stamps, record.name});
     }
-    if (record.effort_measured.empty() && !record.current.empty() && joint.actuator.kind == ActuatorKind::dc_motor) {
-        // a motor's current is its effort: one place converts it
-        Record converted = record;
-        for (double i : record.current)
-            converted.effort_measured.push_back(joint.actuator.effort_gain * joint.actuator.k_t * i);
-        return prepare_with_effort(converted, joint, notes);
-    }
-    return prepare_with_effort(record, joint, notes);
+    return prepare_with_effort(with_effort_of_current(std::move(record), joint), joint, notes);
 }
 
 void share_noise(std::vector<Case>& cases, const Sensor& documented, std::vector<Note>& notes)

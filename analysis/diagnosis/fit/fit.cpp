@@ -11,6 +11,14 @@
 #include <cmath>
 
 namespace stickslip::gap {
+double reading_floor(const Case& c, double omega)
+{
+    if (c.drive_sigma == 0) return c.sigma;
+    const double kick = c.drive_sigma * c.row_step / flatten(c.joint).driven_inertia();
+    return std::hypot(c.sigma,
+                      kick * std::sqrt(kick_amplification(omega, c.row_step) / noise_amplification(omega, c.row_step)));
+}
+
 double effort_floor(const Case& c, double omega)
 {
     const double drag = push_of(c.joint.actuator, 0, c.joint.actuator.supply_voltage, 0).drag;

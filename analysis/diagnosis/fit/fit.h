@@ -12,12 +12,14 @@ namespace stickslip::gap {
 /// A record ready to be fitted: on its clock, with the joint that held in it and its noise.
 struct Case {
     Ticks ticks;
-    Joint joint;                      ///< nominal, after what the controller audit has settled
-    double sigma = 1;                 ///< standard deviation of a reading, quantisation included
-    double effort_sigma = 0;          ///< of a measured effort; 0: effort is not judged
-    std::size_t number = 0;           ///< of the record among all: which own parameters are its
-    double row_step = 1e-3;           ///< s between two readings
-    std::vector<double> temperature;  ///< °C at every tick; empty: not logged
+    Joint joint;                           ///< nominal, after what the controller audit has settled
+    double sigma = 1;                      ///< standard deviation of a reading, quantisation included
+    double effort_sigma = 0;               ///< of a measured effort; 0: effort is not judged
+    double drive_sigma = 0;                ///< of a measured effort that drives the joint
+    std::vector<double> controller_error;  ///< of that effort, less what the documented controller asks for, each row
+    std::size_t number = 0;                ///< of the record among all: which own parameters are its
+    double row_step = 1e-3;                ///< s between two readings
+    std::vector<double> temperature;       ///< °C at every tick; empty: not logged
     bool supply_logged = false;
     bool noise_documented = true;                      ///< the sensor's own numbers set the floor
     double skip_from = infinity, skip_to = -infinity;  ///< s; rows held out of the fit
@@ -87,6 +89,10 @@ Joint edited(const Joint& joint, const Candidate& candidate, const std::vector<d
 
 /// The same, as the simulation takes it; only here do unmodelled forces take part.
 Plant edited_plant(const Joint& joint, const Candidate& candidate, const std::vector<double>& si, std::size_t record);
+
+/// Standard deviation of a reading's noise that would leave the innovation of a true joint: the encoder's own, and what
+/// the noise of a measured effort that drives it makes of its motion.
+double reading_floor(const Case& c, double omega);
 
 /// Standard deviation of the effort's innovation in a true joint: the sensor's own noise, and in a motor the back-EMF
 /// of the velocity that the encoder's noise makes in the observer.

@@ -56,7 +56,7 @@ std::size_t residual_count(const Case& c)
 /// Appends the scaled residuals of one record: position rows, then effort rows.
 void append_residuals(const Case& c, double omega, const Innovation& innovation, std::vector<double>& scaled)
 {
-    const double per_floor = 1 / (c.sigma * std::sqrt(noise_amplification(omega, c.row_step)));
+    const double per_floor = 1 / (reading_floor(c, omega) * std::sqrt(noise_amplification(omega, c.row_step)));
     constexpr double far = 1e6;  // a diverged prediction is bad, not infinitely bad
     for (std::size_t k = 0; k < c.ticks.size(); ++k)
         if (c.ticks.logged[k]) {

@@ -105,7 +105,8 @@ std::vector<DriveForce> hold_out_drive_force(const std::vector<Case>& documented
     const auto now = evaluate(cases, models[0]->candidate, si, observer);
     for (std::size_t i = 0; i < cases.size();
          ++i) {  // what the first model leaves is the noise: no record drowns others
-        cases[i].sigma *= std::sqrt(std::max(now.records[i].position, 1e-12));
+        const double left = std::sqrt(std::max(now.records[i].position, 1e-12));
+        cases[i].sigma *= left, cases[i].drive_sigma *= left;
         if (cases[i].effort_sigma > 0) cases[i].effort_sigma *= std::sqrt(std::max(now.records[i].effort, 1e-12));
     }
     std::vector<std::vector<double>> squares(models.size());

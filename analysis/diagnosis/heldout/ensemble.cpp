@@ -136,7 +136,7 @@ std::vector<SignalSquares> predicted_squares(const Case& c, const Joint& joint, 
             n += 1;
         }
     position.difference /= std::max(n, 1.0);
-    position.floor = c.sigma * c.sigma * noise_amplification(slow, c.row_step);
+    position.floor = std::pow(reading_floor(c, slow), 2) * noise_amplification(slow, c.row_step);
     effort.difference /= std::max(n, 1.0);
     effort.floor = std::pow(effort_floor(c, slow), 2);
     position.rows = effort.rows = n;

@@ -102,7 +102,7 @@ Signals FunctionsOfSignals::signals(const Case& c, const Candidate& candidate, c
     Innovation innovation;
     Plant plant = edited_plant(c.joint, candidate, si, c.number);
     predict(plant, c.ticks, known_command(plant, c.ticks), omega, innovation);
-    const double per_floor = 1 / (c.sigma * std::sqrt(noise_amplification(omega, c.row_step)));
+    const double per_floor = 1 / (reading_floor(c, omega) * std::sqrt(noise_amplification(omega, c.row_step)));
     const double per_effort = c.effort_sigma > 0 ? 1 / effort_floor(c, omega) : 0;
     const auto rows = static_cast<Eigen::Index>(c.ticks.rows());
     s.position = s.effort = Eigen::VectorXd::Zero(rows);

@@ -36,10 +36,12 @@ double HeldOutData::raise_floor(const Candidate& candidate, const std::vector<do
     const auto now = evaluate(documented_, candidate, si, levels[ladder_level]);
     double left = 0;
     for (std::size_t i = 0; i < documented_.size(); ++i) {
-        const double sigma = documented_[i].sigma * std::sqrt(std::max(1.0, now.records[i].position));
+        const double raised = std::sqrt(std::max(1.0, now.records[i].position));
+        const double sigma = documented_[i].sigma * raised, drive = documented_[i].drive_sigma * raised;
         const double effort = documented_[i].effort_sigma * std::sqrt(std::max(1.0, now.records[i].effort));
-        fitted_[i].sigma = sigma, fitted_[i].effort_sigma = effort;
-        for (auto& rest : rest_) rest[i].sigma = sigma, rest[i].effort_sigma = effort;
+        const auto raise = [&](Case& c) { c.sigma = sigma, c.drive_sigma = drive, c.effort_sigma = effort; };
+        raise(fitted_[i]);
+        for (auto& rest : rest_) raise(rest[i]);
         left += std::log(std::max(1.0, now.records[i].position) * std::max(1.0, now.records[i].effort));
     }
     return left / static_cast<double>(documented_.size());

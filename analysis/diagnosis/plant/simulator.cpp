@@ -102,7 +102,8 @@ namespace {
 /// Whether every tick's command was logged.
 bool logged_throughout(const Ticks& ticks)
 {
-    return ticks.source == CommandSource::logged && ticks.ticks_per_row == 1 && !ticks.lost;
+    return ticks.source == CommandSource::measured ||
+           (ticks.source == CommandSource::logged && ticks.ticks_per_row == 1 && !ticks.lost);
 }
 
 }  // namespace
@@ -132,16 +133,17 @@ std::vector<double> known_command(const Plant& plant, const Ticks& ticks)
 
 namespace {
 
-/// e_k = n_k − q̂_k with q̂, v̂ driven by e, for one reading that is off by one; `take` gets e and v̂.
+/// e_k = n_k − q̂_k with q̂, v̂ driven by e, for one reading that is off by one or a joint that is faster by `kick`;
+/// `take` gets e and v̂.
 template <class Take>
-void respond(double omega, double step, Take&& take)
+void respond(double omega, double step, Take&& take, double reading = 1, double kick = 0)
 {
     const double T = std::min(step, 0.5 / std::max(omega, 1e-9));
     const double g = 1.6 * omega * T, k = omega * omega * T;
     constexpr double settled = 1e-9;  // of the step that is answered
-    double q = 0, v = 0;
+    double q = 0, v = -kick;
     for (int i = 0; i < 100000; ++i) {
-        const double e = (i == 0 ? 1 : 0) - q;
+        const double e = (i == 0 ? reading : 0) - q;
         q += g * e;
         v += k * e;
         take(e, v);
@@ -156,6 +158,14 @@ double noise_amplification(double omega, double step)
 {
     double sum = 0;
     respond(omega, step, [&](double e, double) { sum += e * e; });
+    return sum;
+}
+
+double kick_amplification(double omega, double step)
+{
+    double sum = 0;
+    respond(
+        omega, step, [&](double e, double) { sum += e * e; }, 0, 1);
     return sum;
 }
 

@@ -66,6 +66,9 @@ double noise_amplification(double omega, double step);
 /// The innovation of a free inertia under this observer after a reading that is off by one, reading by reading.
 std::vector<double> innovation_response(double omega, double step);
 
+/// Variance of the innovation over that of a velocity by which the joint is faster at every reading, independently, s².
+double kick_amplification(double omega, double step);
+
 /// Variance of the observer's velocity just after a correction, over the encoder's variance, 1/s².
 double velocity_noise_amplification(double omega, double step);
 

@@ -239,6 +239,18 @@ inline constexpr double price_of_parameter = 0.003;
 /// observer that shows less, noise decides the ranking.
 inline constexpr double visible_excess = 0.3;
 
+/// Part of the squares of a measured effort. Where the documented controller leaves more of them at any gains, another
+/// controller ran, and the measured effort drives the simulated joint. Reason: below that a gain, a delay or a lag that
+/// differs is found as such; simulated with a controller that did not run, the joint moves otherwise than the machine,
+/// and every cause would be fitted to that. Evidence: in 100 records of 50 joints (blind cases of another's making,
+/// their commands removed) the documented structure leaves at most 0.07, in 90 of them less than 0.01; of a PID
+/// documented as a PD controller it leaves 0.44 to 0.52.
+inline constexpr double made_by_controller = 0.1;
+/// The same for a PID that is named in its place, and how far its integral gain may differ between records. Reason: the
+/// noise of the effort hides less than that; one controller ran in all records. Evidence: that PID leaves less than
+/// 0.005 in its three records, with integral gains that differ by 0.1 %.
+inline constexpr double made_by_pid = 0.02, one_integral = 0.1;
+
 /// Part of the limit. A command below it is not limited. Reason: logs are rounded.
 inline constexpr double below_limit = 0.999;
 

@@ -199,6 +199,27 @@ void fill_from_rows(const Record& r, const std::vector<double>& commanded, const
     for (std::size_t k = 0; k + 1 < t.size(); ++k) t.step[k] = t.time[k + 1] - t.time[k];
 }
 
+CommandSource source_of(const Record& r)
+{
+    if (!r.effort_command.empty() || !r.drive.empty()) return CommandSource::logged;
+    if (!r.reference_position.empty()) return CommandSource::reconstructed;
+    return r.effort_measured.empty() ? CommandSource::none : CommandSource::measured;
+}
+
+/// The mean effort of every tick: held where the log has a row for every tick of the loop, else straight between rows.
+void drive_by_measured(const std::vector<double>& effort, bool held, Ticks& t)
+{
+    const auto m = static_cast<std::size_t>(t.ticks_per_row);
+    double last = 0;
+    for (std::size_t k = 0; k < t.size(); ++k) {
+        const std::size_t row = k / m, next = held ? row : std::min(row + 1, effort.size() - 1);
+        const double part = (static_cast<double>(k % m) + 0.5) / static_cast<double>(m);
+        const double mean = std::lerp(effort[row], effort[next], part);
+        t.command[k] = last = is_set(mean) ? mean : last;
+        t.effort[k] = not_set;
+    }
+}
+
 }  // namespace
 
 Ticks on_clock(const Record& record, const Joint& joint)
@@ -217,13 +238,11 @@ Ticks on_clock(const Record& record, const Joint& joint)
     const int m = t.ticks_per_row;
     const std::size_t rows = r.rows(), n = rows == 0 ? 0 : (rows - 1) * m + 1;
     t.has_velocity = !r.velocity.empty();
-    t.has_effort = !r.effort_measured.empty();
     t.has_reference = !r.reference_position.empty();
     t.at_rest = r.at_rest_at_start.value_or(true);
+    t.source = source_of(r);
+    t.has_effort = !r.effort_measured.empty() && t.source != CommandSource::measured;
     const std::vector<double>& commanded = r.effort_command.empty() ? r.drive : r.effort_command;
-    t.source = !commanded.empty() ? CommandSource::logged
-               : t.has_reference  ? CommandSource::reconstructed
-                                  : CommandSource::none;
     reserve_ticks(t, n, step, joint.actuator.supply_voltage);
     t.feed_forward = at_every_tick(r.feed_forward, m, n);
     t.load = at_every_tick(r.load_effort, m, n);
@@ -232,6 +251,11 @@ Ticks on_clock(const Record& record, const Joint& joint)
     const double documented = body.model == Model::single_mass ? body.inertia : body.link_inertia;
     for (double& inertia : t.inertia) inertia /= documented;
     fill_from_rows(r, commanded, logged_rows, t);
+    if (t.source == CommandSource::measured) {
+        const double period = joint.control.period;
+        const bool every_tick = t.regular && std::abs(step - period) < whole_ticks * period;  // NaN: no loop is known
+        drive_by_measured(r.effort_measured, every_tick, t);
+    }
     if (m == 2 && !t.lost && t.has_velocity && joint.control.velocity_estimate.form != EstimateForm::exact &&
         joint.control.velocity_estimate.average == 1)
         rebuild_halves(t, joint);

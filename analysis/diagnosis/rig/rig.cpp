@@ -155,8 +155,11 @@ void take_memory(const Rig& rig, RigLaw law, const RigNumbers& p, Joint& joint)
 
 bool is_rig(const Record& r)
 {
+    // a position beside an effort alone is what joint states hold; a rig logs where its load point is, or a normal load
+    const bool load_point = r.position.empty() && !r.reference_position.empty();
+    const bool slider = !r.position.empty() && r.reference_position.empty() && !r.normal_load.empty();
     return !r.effort_measured.empty() && r.effort_command.empty() && r.drive.empty() && r.current.empty() &&
-           r.position.empty() != r.reference_position.empty();
+           (load_point || slider);
 }
 
 namespace {
@@ -174,6 +177,15 @@ std::vector<Record> long_enough(const std::vector<Record>& records, Diagnosis& d
                                  .record = r.name,
                                  .values = {static_cast<double>(r.rows()), static_cast<double>(fewest)}});
     return enough;
+}
+
+/// The one cause as a ladder of one rung.
+void tell_one_rung(Diagnosis& d)
+{
+    if (d.verdict != Verdict::gap || d.effects.empty()) return;
+    d.ladder.push_back({d.effects[0].names, std::clamp(d.overall.explained, 0.0, 1.0), d.overall.interval,
+                        d.effects[0].parameters, d.ambiguous_with, d.effects[0].probability});
+    d.ceiling.share = not_set;  // the flexible model is one of joints
 }
 
 }  // namespace
@@ -216,6 +228,7 @@ DiagnosisResult diagnose_rig(const Joint& joint, const std::vector<Record>& give
         d.reasons.push_back({Note::Code::rig_no_law_predicts});
     }
     d.traces = traces_of(rig, records, best.law, entries[order[0]].fit.p);
+    tell_one_rung(d);
     return result;
 }
 

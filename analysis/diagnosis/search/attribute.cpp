@@ -70,11 +70,13 @@ std::vector<Candidate> single_candidates(const std::vector<Case>& cases, const A
 {
     std::vector<Candidate> all;
     const bool logged = cases[0].ticks.source == CommandSource::logged;
+    const bool behind_effort = cases[0].ticks.source == CommandSource::measured;
     for (const auto& e : effects()) {
         if (e.name == "quantisation") continue;  // the audit reads it off the grid
         const bool of_controller = e.name.starts_with("gain-k_") || e.name == "velocity-filter" ||
                                    e.name == "feed-forward" || e.name == "dead-zone";
-        if (of_controller && (logged || audit.possible)) continue;
+        if (of_controller && (logged || behind_effort || audit.possible)) continue;
+        if (behind_effort && e.stage == "actuator" && e.name != "effort-gain") continue;  // it acts before the sensor
         if (e.name == "velocity-filter" && audit.filter_seen) continue;
         for (const auto& f : e.forms) {
             if (f.own > 0 && cases.size() < 2) continue;

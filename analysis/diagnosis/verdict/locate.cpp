@@ -11,7 +11,21 @@ namespace {
 
 constexpr double omega = 50;  // rad/s, at which the residual force is read
 
+/// What a controller had filtered before the first row was not logged; it forgets.
+double forgets_at(const Control& control, const Ticks& t)
+{
+    constexpr double memories = 15;  // e⁻¹⁵ of it is left
+    if (t.at_rest || t.size() == 0) return -infinity;
+    return t.time[0] + memories * (control.velocity_estimate.tau + t.step[0]);
+}
+
 }  // namespace
+
+double share_of_controller(const std::vector<Share>& signals)
+{
+    const auto found = std::ranges::find(signals, "effort", &Share::name);
+    return found == signals.end() ? 0 : found->share;
+}
 
 std::vector<Share> locate_signals(const std::vector<Case>& cases, const std::vector<Joint>& documented)
 {
@@ -32,18 +46,17 @@ std::vector<Share> locate_signals(const std::vector<Case>& cases, const std::vec
         Innovation innovation;
         predict(plant, t, known_command(plant, t), omega, innovation);
         const double to_force = plant.driven_inertia() * omega * omega;
-        const double motion_floor = std::pow(to_force * c.sigma, 2) * noise_amplification(omega, c.row_step);
+        const double motion_floor =
+            std::pow(to_force * reading_floor(c, omega), 2) * noise_amplification(omega, c.row_step);
         const double effort_square = std::pow(effort_floor(c, omega), 2);
         const double step = audited ? command_step(t) : 0, command_floor = std::pow(per_command * step, 2) / 12;
         Block block(3, 0);
         double started = t.size() ? t.time[0] : 0;
-        // what a controller had filtered before the first row was not logged; it forgets
-        constexpr double memories = 15;  // e⁻¹⁵ of it is left
-        const double forgotten = t.at_rest || t.size() == 0
-                                     ? -infinity
-                                     : t.time[0] + memories * (plant.control.velocity_estimate.tau + t.step[0]);
+        const double forgotten = forgets_at(plant.control, t);
+        std::size_t row = 0;
         for (std::size_t k = 0; k < t.size(); ++k) {
             if (!t.logged[k]) continue;
+            const double of_controller = row < c.controller_error.size() ? c.controller_error[row++] : not_set;
             if (t.time[k] - started > block_seconds) {
                 blocks.push_back(block);
                 block.assign(3, 0);
@@ -59,6 +72,7 @@ std::vector<Share> locate_signals(const std::vector<Case>& cases, const std::vec
             if (audited && t.enabled[k] && t.time[k] > forgotten)
                 count(0, per_command * (t.command[k] - wanted[k]), command_floor);
             if (c.effort_sigma > 0) count(1, innovation.effort[k], effort_square);
+            count(1, of_controller, c.drive_sigma * c.drive_sigma);
             count(2, to_force * innovation.position[k], motion_floor);
         }
         blocks.push_back(block);

@@ -9,6 +9,10 @@ namespace stickslip::gap {
 /// holds the joints before the audit corrected them.
 std::vector<Share> locate_signals(const std::vector<Case>& cases, const std::vector<Joint>& documented);
 
+/// Share of the effort stage: where the measured effort drives the joint no loop is closed, and what the controller
+/// does is a share of the forces.
+double share_of_controller(const std::vector<Share>& signals);
+
 /// Shares of the motion's gap by regime. Speed regimes (stuck, low speed, sliding) exclude each other and are the
 /// whole, the rest overlap: reversal, direction, acceleration, saturation, thirds of the positions, light and heavy
 /// load (effort below a third and above two thirds of its 95th percentile), early and late third of a record, cold and

@@ -202,7 +202,8 @@ void add_record(const Predicted& p, Sums& of_regimes, Sums& of_bands)
 {
     const Case& c = p.c;
     const Ticks& t = c.ticks;
-    const double floor = c.sigma * c.sigma * noise_amplification(omega, c.row_step);
+    const double reading = std::pow(reading_floor(c, omega), 2),
+                 floor = reading * noise_amplification(omega, c.row_step);
     const auto floors = floors_of_bands(c.row_step);
     Bands split(c.row_step);
     Block block(regimes, 0), band_block(bands.size(), 0);
@@ -226,7 +227,7 @@ void add_record(const Predicted& p, Sums& of_regimes, Sums& of_bands)
             if (in[i]) block[i] += excess, of_regimes.squares[i] += excess + 1, of_regimes.counts[i] += 1;
         const auto parts = split(error);
         for (std::size_t b = 0; b < bands.size(); ++b) {
-            const double square = parts[b] * parts[b], noise = c.sigma * c.sigma * floors[b];
+            const double square = parts[b] * parts[b], noise = reading * floors[b];
             band_block[b] += (square - noise) / floor;
             of_bands.squares[b] += square / noise, of_bands.counts[b] += 1;
         }

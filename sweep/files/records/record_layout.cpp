@@ -99,10 +99,22 @@ class LayoutReader {
         return signal;
     }
 
+    /// Whether somebody wrote the column of the file first and the signal behind it.
+    bool turned_round(const std::string& name, const toml::node& node, const std::string& path)
+    {
+        const auto* text = node.as_string();
+        if (!text || signal_named(name) || !signal_named(text->get())) return false;
+        complaints_.add(
+            Place(node.source()), path + "." + name,
+            "is no signal of a record, " + text->get() + " is: expected " + text->get() + " = \"" + name + "\"");
+        return true;
+    }
+
     void read_columns(const toml::table& table, const std::string& path, RecordLayout::Rule& rule)
     {
         for (auto&& [key, node] : table) {
             const std::string name(key.str());
+            if (turned_round(name, node, path)) continue;
             const Signal* signal = known_signal(name, Place(key.source()), path);
             if (!signal) continue;
             const Place place(key.source());

@@ -35,6 +35,9 @@ TEST_CASE("layouts that are wrong")
     CHECK_THAT(
         error("columns.positon = \"x\"\n"),
         StartsWith("record.toml:1:9: record.columns.positon: is no signal of a record") && EndsWith("\"position\"?"));
+    CHECK(error("columns.q_des = \"reference_position\"\n") ==
+          "record.toml:1:17: record.columns.q_des: is no signal of a record, reference_position is: expected "
+          "reference_position = \"q_des\"");
     CHECK_THAT(error("columns.position = 3\n"),
                StartsWith("record.toml:1:20: record.columns.position: is 3, expected the name of a column"));
     CHECK_THAT(error("columns.position = { nam = \"x\" }\n"),

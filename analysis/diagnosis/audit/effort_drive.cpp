@@ -1,0 +1,183 @@
+#include "analysis/diagnosis/audit/effort_drive.h"
+
+#include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/plant/simulator.h"
+#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/records/ticks.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace stickslip::gap {
+namespace {
+
+bool no_command(const Record& r)
+{
+    return r.effort_command.empty() && r.drive.empty();
+}
+
+/// What a controller could have made its effort of, one row an entry.
+struct Terms {
+    std::vector<double> error, integral, velocity, rate, documented, added, effort;
+};
+
+double slope(const std::vector<double>& y, const std::vector<double>& time, std::size_t k)
+{
+    const std::size_t a = k == 0 ? 0 : k - 1, b = std::min(k + 1, y.size() - 1);
+    return (y[b] - y[a]) / (time[b] - time[a]);
+}
+
+Terms terms_of(const Record& r, const Joint& joint)
+{
+    Terms terms;
+    const Ticks ticks = on_clock(r, joint);
+    const Plant plant = flatten(joint);
+    Innovation innovation;
+    predict(plant, ticks, known_command(plant, ticks), levels[1], innovation);
+    double integral = 0;
+    for (std::size_t k = 0, tick = 0; k < r.rows(); ++k, ++tick) {
+        while (tick + 1 < ticks.size() && ticks.time[tick] < r.time[k]) ++tick;
+        const double error = r.reference_position[k] - r.position[k];
+        if (k > 0) integral += error * (r.time[k] - r.time[k - 1]);
+        terms.error.push_back(error);
+        terms.integral.push_back(integral);
+        terms.velocity.push_back(r.velocity.empty() ? slope(r.position, r.time, k) : r.velocity[k]);
+        terms.rate.push_back(r.reference_velocity.empty() ? slope(r.reference_position, r.time, k)
+                                                          : r.reference_velocity[k]);
+        const double predicted = innovation.predicted_effort[tick];
+        terms.documented.push_back(std::isfinite(predicted) ? predicted : 0);
+        terms.added.push_back(r.feed_forward.empty() ? 0 : r.feed_forward[k]);
+        terms.effort.push_back(r.effort_measured[k]);
+    }
+    return terms;
+}
+
+/// Least squares of the effort on some columns, `late` rows before it; rows at the largest effort may be at a limit.
+struct Regression {
+    double left = 1;
+    Eigen::VectorXd x;
+};
+
+Regression regress(const Terms& terms, const std::vector<const std::vector<double>*>& columns, bool constant,
+                   std::size_t late)
+{
+    double largest = 0;
+    for (double e : terms.effort) largest = std::max(largest, std::abs(e));
+    constexpr double scatter = 8;  // standard deviations between the largest and the least reading of one effort
+    const double below = policy::below_limit * (largest - scatter * noise_of(terms.effort));
+    std::vector<std::size_t> rows;
+    for (std::size_t k = late; k < terms.effort.size(); ++k)
+        if (std::abs(terms.effort[k]) < below) rows.push_back(k);
+    const auto n = static_cast<Eigen::Index>(rows.size());
+    const auto m = static_cast<Eigen::Index>(columns.size()) + (constant ? 1 : 0);
+    if (n <= m) return {};
+    Eigen::MatrixXd a(n, m);
+    Eigen::VectorXd b(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const std::size_t k = rows[static_cast<std::size_t>(i)];
+        for (std::size_t j = 0; j < columns.size(); ++j) a(i, static_cast<Eigen::Index>(j)) = (*columns[j])[k - late];
+        if (constant) a(i, m - 1) = 1;
+        b[i] = terms.effort[k];
+    }
+    const Eigen::VectorXd x = a.colPivHouseholderQr().solve(b);
+    return {b.squaredNorm() > 0 ? (b - a * x).squaredNorm() / b.squaredNorm() : 0, x};
+}
+
+constexpr std::size_t most_rows_late = 3;  // a bus and a filter; more is no loop that was tuned by anybody
+
+}  // namespace
+
+Record with_effort_of_current(Record record, const Joint& joint)
+{
+    if (!record.effort_measured.empty() || joint.actuator.kind != ActuatorKind::dc_motor) return record;
+    for (double i : record.current)
+        record.effort_measured.push_back(joint.actuator.effort_gain * joint.actuator.k_t * i);
+    return record;
+}
+
+EffortOfController effort_of_controller(const Record& record, const Joint& joint)
+{
+    const Terms terms = terms_of(record, joint);
+    EffortOfController found;
+    double squares = 0, missed = 0;
+    for (std::size_t k = 0; k < terms.effort.size(); ++k) {
+        found.error.push_back(terms.effort[k] - terms.documented[k]);
+        squares += terms.effort[k] * terms.effort[k], missed += found.error[k] * found.error[k];
+    }
+    if (squares > 0) found.as_documented = missed / squares;
+    for (std::size_t late = 0; late <= most_rows_late; ++late) {
+        const auto own =
+            regress(terms, {&terms.documented, &terms.error, &terms.velocity, &terms.rate, &terms.added}, false, late);
+        found.left = std::min(found.left, own.left);
+        const auto pid =
+            regress(terms, {&terms.error, &terms.velocity, &terms.integral, &terms.rate, &terms.added}, true, late);
+        if (pid.left >= found.left_pid) continue;
+        found.left_pid = pid.left;
+        found.k_p = pid.x[0], found.k_v = -pid.x[1], found.k_i = pid.x[2];
+    }
+    return found;
+}
+
+EffortDrive drive_by_effort(std::vector<Record>& records, const Joint& nominal, std::vector<Note>& notes)
+{
+    EffortDrive drive;
+    for (const Record& r : records) {
+        const Joint joint = joint_in(r, nominal);
+        const Record converted = with_effort_of_current(r, joint);
+        if (!no_command(r) || converted.effort_measured.empty()) return {};
+        drive.controllers.emplace_back();
+        if (r.reference_position.empty()) continue;
+        drive.controllers.back() = effort_of_controller(converted, joint);
+        if (drive.controllers.back().left < policy::made_by_controller) return {};
+    }
+    std::erase_if(notes, [](const Note& n) { return n.code == Note::Code::no_command; });
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        const auto& c = drive.controllers[i];
+        if (c.error.empty())
+            notes.push_back({Note::Code::driven_by_effort, records[i].name});
+        else
+            notes.push_back({.code = Note::Code::another_controller,
+                             .record = records[i].name,
+                             .values = {c.left, c.left_pid, c.k_p, c.k_v, c.k_i}});
+        records[i].reference_position.clear(), records[i].reference_velocity.clear();
+    }
+    return drive;
+}
+
+void audit_effort(const EffortDrive& drive, std::vector<Case>& cases, Audit& audit, std::vector<Note>& reasons)
+{
+    std::vector<double> k_i;
+    double left = 0, left_pid = 0, documented = 0;
+    for (std::size_t i = 0; i < drive.controllers.size(); ++i) {
+        const auto& c = drive.controllers[i];
+        if (c.error.empty()) continue;
+        cases[i].controller_error = c.error;
+        k_i.push_back(c.k_i);
+        left = std::max(left, c.left), left_pid = std::max(left_pid, c.left_pid);
+        documented = std::max(documented, c.as_documented);
+    }
+    if (k_i.empty()) return;
+    const double mean = std::accumulate(k_i.begin(), k_i.end(), 0.0) / static_cast<double>(k_i.size());
+    double spread = 0;
+    for (double k : k_i) spread = std::max(spread, std::abs(k - mean));
+    const Control& control = cases[0].joint.control;
+    const bool lacks_integral = control.structure == Structure::pid && control.k_i == 0;
+    if (!lacks_integral || left_pid > policy::made_by_pid || spread > policy::one_integral * std::abs(mean)) {
+        reasons.push_back({.code = Note::Code::no_such_controller, .values = {left}});
+        return;
+    }
+    for (auto& c : cases) c.joint.control.k_i = mean;
+    audit.findings.push_back({"gain-k_i", "gain-k_i.value", mean, spread, Quantity::integral_gain,
+                              1 - left_pid / std::max(documented, left_pid)});
+}
+
+Joint behind_its_effort(Joint joint)
+{
+    joint.actuator = Actuator{};
+    joint.control.delay = 0;
+    return joint;
+}
+
+}  // namespace stickslip::gap

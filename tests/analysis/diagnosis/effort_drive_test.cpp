@@ -1,0 +1,122 @@
+#include "analysis/diagnosis/audit/effort_drive.h"
+
+#include "analysis/diagnosis/diagnose.h"
+#include "analysis/diagnosis/plant/simulator.h"
+#include "analysis/diagnosis/policy/policy.h"
+#include "tests/analysis/diagnosis/small_machine.h"
+
+#include <catch2/catch.hpp>
+
+using namespace stickslip;
+using namespace stickslip::gap;
+using test::Machine;
+
+namespace {
+
+void one_after_another(std::size_t count, const std::function<void(std::size_t)>& task)
+{
+    for (std::size_t i = 0; i < count; ++i) task(i);
+}
+
+/// What a bus of joint states holds: no command, and of the controller nothing.
+Record without_command(const Machine& m, unsigned seed, bool with_reference)
+{
+    Record r = test::record_of(m, seed);
+    r.effort_command.clear();
+    if (!with_reference) r.reference_position.clear(), r.reference_velocity.clear();
+    return r;
+}
+
+bool has_note(const std::vector<Note>& notes, Note::Code code)
+{
+    return std::any_of(notes.begin(), notes.end(), [&](const Note& n) { return n.code == code; });
+}
+
+Machine with_torque_sensor()
+{
+    Machine m;
+    m.effort_noise = 0.01;
+    return m;
+}
+
+}  // namespace
+
+TEST_CASE("the noise of a measured effort shows in the innovation as a stationary process says", "[diagnosis][drive]")
+{
+    // a free mass under white kicks in velocity, s.d. 1 per reading, and the observer's own correction: what the
+    // innovation's variance is in the long run
+    const double omega = 50, step = 1e-3;
+    std::mt19937 random(7);
+    std::normal_distribution<double> normal;
+    double q = 0, v = 0, squares = 0;
+    const int rows = 2'000'000;
+    for (int k = 0; k < rows; ++k) {
+        const double e = q;
+        squares += e * e;
+        q -= 1.6 * omega * step * e, v -= omega * omega * step * e;
+        v += normal(random);
+        q += step * v;
+    }
+    CHECK(kick_amplification(omega, step) == Approx(squares / rows).epsilon(0.03));
+    // e″ + 2ζω e′ + ω²e = w has the variance S/(4ζω³) with the density S = 1/T of kicks a second apart by T
+    CHECK(kick_amplification(omega, 1e-5) == Approx(1 / (1e-5 * 4 * 0.8 * omega * omega * omega)).epsilon(0.01));
+}
+
+TEST_CASE("a log of position and effort alone tells what the joint lacks", "[diagnosis][drive][slow]")
+{
+    Machine m = with_torque_sensor();
+    m.gravity = 6;
+    m.amplitude = 5;
+    const std::vector<Record> records{without_command(m, 1, false), without_command(m, 2, false)};
+    const auto result = diagnose(test::nominal_joint(), records, one_after_another);
+    CHECK(has_note(result.diagnosis.notes, Note::Code::driven_by_effort));
+    REQUIRE(result.diagnosis.verdict == Verdict::gap);
+    CHECK(result.diagnosis.effects[0].names == std::vector<std::string>{"gravity"});
+    CHECK(result.after.load.gravity_amplitude == Approx(6).epsilon(0.02));
+}
+
+TEST_CASE("a joint that is its document has no gap where its measured effort drives it", "[diagnosis][drive][slow]")
+{
+    const Machine m = with_torque_sensor();
+    const std::vector<Record> records{without_command(m, 1, false), without_command(m, 2, false)};
+    const auto result = diagnose(test::nominal_joint(), records, one_after_another);
+    CHECK(result.diagnosis.verdict == Verdict::no_gap);
+}
+
+TEST_CASE("a controller that did not run as documented leaves the effort to drive the joint", "[diagnosis][drive]")
+{
+    Machine m = with_torque_sensor();
+    m.k_i = 20000;
+    m.load = -8;
+    std::vector<Record> records{without_command(m, 1, true)};
+    std::vector<Note> notes;
+    drive_by_effort(records, test::nominal_joint(), notes);
+    REQUIRE(has_note(notes, Note::Code::another_controller));
+    CHECK(records[0].reference_position.empty());
+    const auto& values = notes.back().values;
+    CHECK(values[0] > policy::made_by_controller);
+    CHECK(values[1] < 0.01);
+    CHECK(values[4] == Approx(m.k_i).epsilon(0.05));
+}
+
+TEST_CASE("a controller that differs by its gains or behind a limit is still the documented one", "[diagnosis][drive]")
+{
+    Machine m = with_torque_sensor();
+    SECTION("half the gain")
+    {
+        m.k_p /= 2;
+    }
+    SECTION("an actuator that gives less")
+    {
+        m.gain = 0.7;
+    }
+    SECTION("a limit")
+    {
+        m.limit = 3;
+    }
+    std::vector<Record> records{without_command(m, 1, true)};
+    std::vector<Note> notes;
+    drive_by_effort(records, test::nominal_joint(), notes);
+    CHECK(notes.empty());
+    CHECK_FALSE(records[0].reference_position.empty());
+}

@@ -124,7 +124,7 @@ Work work_of(const Options& options)
         }
     }();
     const auto population = fmt::format(
-        "{} along its {} record{}, 2 to 10 % off its document, with one cause of the catalogue that makes 1.5 to 8 "
+        "{} along its {} record{}, 2 to 10 % off its document, with one cause of the catalogue that makes 1.5 to 4 "
         "times "
         "the gap of the rest, or none",
         std::filesystem::path(options.joint).filename().string(), given.records.size(),

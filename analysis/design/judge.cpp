@@ -29,7 +29,7 @@ Judge::Judge(const Joint& joint, const Requirements& requirements, Curve::Kind t
     velocity_ = steady.velocity;
     steady_effort_ = std::abs(steady.friction) + std::abs(joint.load.constant);
     if (loop_kind(joint) != LoopKind::ideal)
-        effort_gain_ = std::abs(actuation(joint, velocity_, stickslip::steady_effort(joint)).gain);
+        effort_gain_ = std::abs(actuation(joint, velocity_, stickslip::steady_effort(joint, velocity_)).gain);
 }
 
 double Judge::reach_for(double margin) const

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 #include "analysis/base/work_limits.h"
@@ -58,6 +59,29 @@ Eigen::VectorXcd eigenvalues_of(Eigen::MatrixXd matrix)
     return matrix.eigenvalues();
 }
 
+/// The eigenvalues of A: integrators, states that no rate depends on, are at 0 to the last digit.
+std::vector<Complex> poles_of(const Eigen::MatrixXd& A)
+{
+    std::vector<Eigen::Index> kept(static_cast<std::size_t>(A.rows()));
+    std::iota(kept.begin(), kept.end(), 0);
+    std::vector<Complex> poles;
+    for (bool found = true; found;) {
+        found = false;
+        for (std::size_t i = 0; i < kept.size(); ++i) {
+            const auto asks = [&](Eigen::Index k) { return A(k, kept[i]) != 0; };
+            if (std::any_of(kept.begin(), kept.end(), asks)) continue;
+            poles.push_back(0);
+            kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(i));
+            found = true;
+            break;
+        }
+    }
+    if (kept.empty()) return poles;
+    const auto others = eigenvalues_of(A(kept, kept));
+    poles.insert(poles.end(), others.begin(), others.end());
+    return poles;
+}
+
 /// The line Re s = σ upwards from the real axis, around integrators by an arc, and the loop along it.
 class Line {
   public:
@@ -86,7 +110,7 @@ class Line {
 
 /// By how much 1 + L turns from the start of the line to where L has died out; nothing where a root lies on the line or
 /// in the arc around integrators, within which |L| has to be large.
-std::optional<double> turning(const Line& line, double size, double delay, bool integrates)
+std::optional<double> turning(const Line& line, double size, double delay, bool integrates, double nearest)
 {
     constexpr double far = 1e-3, small = 0.5, most_turned = 0.3, most_bent = 0.1, large = 10;
     const auto is_small = [&](const Line::Look& look) { return line.size(look) < small; };
@@ -121,7 +145,7 @@ std::optional<double> turning(const Line& line, double size, double delay, bool 
             turned += std::arg(middle.closed / here.closed) + std::arg(there.closed / middle.closed);
         } else {
             step = (next - omega) / 2;
-            if (step < 1e-13 * end) return std::nullopt;
+            if (step < std::min(1e-13 * end, 1e-3 * nearest)) return std::nullopt;
             continue;
         }
         step = 1.6 * (next - omega);
@@ -133,12 +157,13 @@ std::optional<double> turning(const Line& line, double size, double delay, bool 
 /// How many roots lie right of Re s = σ: those of A and the turns of 1 + L. Nothing where a root lies on the line. The
 /// imaginary axis is left by an arc around the integrators at s = 0, several of which rounding moves to either side; no
 /// root of 1 + L lies within the arc where |L| is large on it.
-std::optional<int> roots_right_of(const LateLoop& loop, const Opened& open, double gain, double sigma)
+std::optional<int> roots_right_of(const LateLoop& loop, const Opened& open, double gain, double sigma,
+                                  double nearest = infinity)
 {
     constexpr double integrators = 1e-5, around = 1e-4;
     int right = 0;
     double size = 0;
-    const auto poles = eigenvalues_of(loop.A);
+    const auto poles = poles_of(loop.A);
     for (const Complex& s : poles) size = std::max(size, std::abs(s));
     bool integrates = false;
     for (const Complex& s : poles) {
@@ -147,7 +172,7 @@ std::optional<int> roots_right_of(const LateLoop& loop, const Opened& open, doub
         right += !beside && s.real() > sigma;
     }
     const Line line(loop, open, gain, sigma, integrates ? around * size : 0);
-    const auto turned = turning(line, size, loop.delay, integrates);
+    const auto turned = turning(line, size, loop.delay, integrates, nearest);
     if (!turned) return std::nullopt;
     return right - static_cast<int>(std::lround(*turned / pi));
 }
@@ -213,29 +238,47 @@ LateLoop late_loop(const LoopPlant& plant, double delay, double tau, const LoopG
     return loop;
 }
 
+namespace {
+
+/// Newton's method from `s`; nothing where it does not settle. `rounding` is what is left of a step near s = 0.
+std::optional<Complex> polished(const Opened& open, double gain, Complex s, double rounding)
+{
+    for (int i = 0; i < 12; ++i) {
+        const auto F = open.closing(gain, s);
+        const Complex step = F.value / F.slope;
+        if (!std::isfinite(std::abs(step))) return std::nullopt;
+        s -= step;
+        if (std::abs(step) <= std::max(1e-14 * std::abs(s), rounding)) return s;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
 std::vector<Complex> roots(const LateLoop& loop, double gain)
 {
     constexpr int nodes = 32;
-    const Eigen::VectorXcd raw = eigenvalues_of(late_matrix(loop, gain, nodes));
-    std::vector<Complex> found;
-    if (raw.size() == 0) return found;
+    // where dead time is short, its nodes lose the digits of slow roots, and without dead time these are near
+    Eigen::VectorXcd starts = eigenvalues_of(loop.A + loop.input * (loop.held - gain * loop.output));
+    std::vector<Complex> raw(starts.begin(), starts.end()), found;
+    if (raw.empty()) return found;
     const Opened open(loop);
-    for (Complex s : raw) {
-        const Complex start = s;
-        bool settled = false;
-        for (int i = 0; i < 12 && !settled; ++i) {
-            const auto F = open.closing(gain, s);
-            const Complex step = F.value / F.slope;
-            if (!std::isfinite(std::abs(step))) break;
-            s -= step;
-            settled = std::abs(step) <= 1e-14 * std::abs(s);
+    double size = 0;
+    for (const Complex& s : raw) size = std::max(size, std::abs(s));
+    if (loop.delay == 0) {
+        for (const Complex start : raw) {
+            const auto s = polished(open, gain, start, 0);
+            found.push_back(s && std::abs(*s - start) < 1e-6 * std::abs(start) ? *s : start);
         }
-        const bool near = std::abs(s - start) < 1e-2 * (1 + std::abs(start));
-        if (loop.delay == 0) {
-            found.push_back(settled && std::abs(s - start) < 1e-6 * std::abs(start) ? s : start);
-        } else if (near && settled) {
-            const auto same = [&](Complex other) { return std::abs(other - s) < 1e-9 * (1e-6 + std::abs(s)); };
-            if (std::none_of(found.begin(), found.end(), same)) found.push_back(s);
+    } else {
+        starts = eigenvalues_of(late_matrix(loop, gain, nodes));
+        raw.insert(raw.end(), starts.begin(), starts.end());
+        for (const Complex start : raw) {
+            const auto s = polished(open, gain, start, 1e-15 * size);
+            const auto same = [&](Complex other) {
+                return std::abs(other - *s) < 1e-9 * (1e-6 + std::abs(*s)) + 1e-14 * size;
+            };
+            if (s && std::none_of(found.begin(), found.end(), same)) found.push_back(*s);
         }
     }
     std::sort(found.begin(), found.end(),
@@ -251,8 +294,8 @@ double late_growth(const LateLoop& loop, double gain)
     for (const auto& s : all) size = std::max(size, std::abs(s));
     double most = all.front().real();
     if (loop.delay > 0) {
-        const double beside = most + 1e-7 * (std::abs(most) + 1e-3 * std::abs(all.front()));
-        const auto right = roots_right_of(loop, Opened(loop), gain, beside);
+        const double nearest = 1e-7 * (std::abs(most) + 1e-3 * std::abs(all.front()));
+        const auto right = roots_right_of(loop, Opened(loop), gain, most + nearest, nearest);
         if (!right || *right != 0) return not_set;
     }
     constexpr double rounding = 1e-14;
@@ -261,12 +304,27 @@ double late_growth(const LateLoop& loop, double gain)
 
 namespace {
 
-/// −T of the turned gain, the base closed: a positive real number where a positive gain puts a root at iω.
-Complex towards_axis(const Opened& open, double omega)
+/// −T of the turned gain, the base closed: a positive real number where a positive gain puts a root at s.
+Complex towards(const Opened& open, Complex s)
 {
-    const Complex s(0, omega), late = open.late(s);
+    const Complex late = open.late(s);
     const auto [out, held] = open.prompt(s);
     return -out * late / (1.0 - held * late);
+}
+
+Complex towards_axis(const Opened& open, double omega)
+{
+    return towards(open, Complex(0, omega));
+}
+
+/// The gain that puts a real root at 0, where −T is no integrator and not nothing there; `beside` is a place near it.
+std::optional<Crossing> crossing_at_rest(const Opened& open, double beside)
+{
+    constexpr double alike = 1e-6;
+    const double still = towards(open, 0).real(), near = std::abs(towards_axis(open, beside));
+    if (!(still > alike * near && still * alike < near)) return std::nullopt;
+    const double left = towards(open, -beside).real(), right = towards(open, beside).real();
+    return Crossing{1 / still, 0, right < left ? 1 : -1};
 }
 
 struct Reach {
@@ -298,6 +356,7 @@ AxisCrossings axis_crossings(const LateLoop& loop)
     const Opened open(loop);
     const auto phase = [&](double omega) { return std::arg(towards_axis(open, omega)); };
     const double widest = loop.delay > 0 ? 0.3 / loop.delay : reach.to;
+    if (const auto still = crossing_at_rest(open, reach.from)) found.crossings.push_back(*still);
     double omega = reach.from, at = phase(omega), step = 0.1 * omega;
     const auto turn = [](double from, double to) { return std::remainder(to - from, 2 * pi); };
     for (long steps = 0; omega < reach.to; ++steps) {
@@ -333,7 +392,27 @@ AxisCrossings axis_crossings(const LateLoop& loop)
     return found;
 }
 
-std::vector<Interval> stable_gains(const LateLoop& loop, const AxisCrossings& all, double own)
+namespace {
+
+/// Growth somewhere between two neighbouring crossings, at the own gain where that lies there, so that no window
+/// contradicts the verdict. Where it cannot be confirmed at one gain, another has the same sign.
+double growth_between(const LateLoop& loop, double low, double high, double own)
+{
+    if (own > low && own < high) {
+        const double growth = late_growth(loop, own);
+        if (std::isfinite(growth)) return growth;
+    }
+    const double from = low > 0 ? low : high < infinity ? 1e-6 * high : 1, to = high < infinity ? high : 1e6 * from;
+    for (const double share : {0.5, 0.25, 0.75, 0.1, 0.9}) {
+        const double growth = late_growth(loop, from * std::pow(to / from, share));
+        if (std::isfinite(growth)) return growth;
+    }
+    return not_set;
+}
+
+}  // namespace
+
+std::vector<Interval> stable_gains(const LateLoop& loop, AxisCrossings& all, double own)
 {
     std::vector<double> bounds{0};
     for (const auto& c : all.crossings) bounds.push_back(c.k_p);
@@ -341,12 +420,13 @@ std::vector<Interval> stable_gains(const LateLoop& loop, const AxisCrossings& al
     std::vector<Interval> intervals;
     for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
         const double low = bounds[i], high = bounds[i + 1];
-        // at the own gain, so that no window contradicts the verdict
-        const double probe = own > low && own < high ? own
-                             : high == infinity      ? (low == 0 ? 1 : 2 * low)
-                             : low == 0              ? high / 2
-                                                     : std::sqrt(low * high);
-        if (!(late_growth(loop, probe) < 0)) continue;
+        const double growth = growth_between(loop, low, high, own);
+        if (std::isnan(growth)) {
+            // nothing is said of gains from here on
+            all.searched_to = low;
+            break;
+        }
+        if (!(growth < 0)) continue;
         if (!intervals.empty() && intervals.back().high == low)
             intervals.back().high = high;
         else

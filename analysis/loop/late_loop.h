@@ -41,8 +41,9 @@ struct AxisCrossings {
 };
 AxisCrossings axis_crossings(const LateLoop& loop);
 
-/// The open intervals of the gain in which all roots decay.
-std::vector<Interval> stable_gains(const LateLoop& loop, const AxisCrossings& crossings, double own);
+/// The open intervals of the gain in which all roots decay. Where that cannot be confirmed between two crossings,
+/// `searched_to` comes down to the lower of them.
+std::vector<Interval> stable_gains(const LateLoop& loop, AxisCrossings& crossings, double own);
 
 /// The loop opened at the command, `output` being all of its gains and `held` none.
 CommandMargins command_margins(const LateLoop& loop);

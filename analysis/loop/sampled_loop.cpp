@@ -85,7 +85,9 @@ DiscreteLoop sampled_loop(const LoopPlant& plant, const LoopTiming& t, const Loo
 
     const bool estimates = base.estimates() || turned.estimates();
     const bool travels = base.travelled != 0 || turned.travelled != 0;
-    const bool integrates = base.integral != 0 || turned.integral != 0;
+    const bool sums = base.integral != 0 || turned.integral != 0;
+    // two sums that no estimate decays into each other are one integrator: apart, their difference would stay for ever
+    const bool joined = sums && travels && t.exact, integrates = sums && !joined;
     const int held = late + (fraction > 0);
     const Layout at = layout_of(plant, t, estimates, integrates, travels, held);
     const auto unit = [&](int i) { return RowVectorXd(RowVectorXd::Unit(at.size, i)); };
@@ -101,10 +103,17 @@ DiscreteLoop sampled_loop(const LoopPlant& plant, const LoopTiming& t, const Loo
     D = MatrixXd::Zero(at.size, at.size);
     D.topLeftCorner(at.plant, at.plant) = period.difference;
     const RowVectorXd reading = of_plant(plant.C);
-    RowVectorXd velocity = RowVectorXd::Zero(at.size), travelled = velocity, sum = velocity;
+    RowVectorXd velocity = RowVectorXd::Zero(at.size), travelled = velocity, sum = velocity, joint_sum = velocity;
+    const bool of_base = base.integral != 0 || base.travelled != 0;  ///< the joined sum acts by itself, or g times
     if (estimates && t.exact) {
         velocity = of_plant(plant.C_v);
-        if (travels) {
+        if (joined) {
+            const LoopGains& own = of_base ? base : turned;
+            D.row(at.filter) = t.period * (own.integral * reading + own.travelled * velocity);
+            joint_sum = unit(at.filter);
+            travelled = t.period * velocity;
+            sum = t.period * reading;
+        } else if (travels) {
             travelled = unit(at.filter) + t.period * velocity;
             D.row(at.filter) = t.period * velocity;
         }
@@ -123,8 +132,9 @@ DiscreteLoop sampled_loop(const LoopPlant& plant, const LoopTiming& t, const Loo
         sum = unit(at.integral) + D.row(at.integral);
     }
     const auto command = [&](const LoopGains& g) {
-        return RowVectorXd(
-            -(g.position * reading + g.velocity * velocity + g.integral * sum + g.travelled * travelled));
+        RowVectorXd sent = g.position * reading + g.velocity * velocity + g.integral * sum + g.travelled * travelled;
+        if (&g == (of_base ? &base : &turned)) sent += joint_sum;
+        return RowVectorXd(-sent);
     };
     // the command of `back` ticks ago; the newest is not yet a state
     loop.input = Eigen::VectorXd::Zero(at.size);
@@ -144,6 +154,11 @@ DiscreteLoop sampled_loop(const LoopPlant& plant, const LoopTiming& t, const Loo
         if (i == 0) loop.input[at.commands] = 1;
     }
     loop.output = -command(turned);
+    // of a cascade's position gain all that is turned reads the position, and so does its part of the joined sum
+    if (joined && of_base) {
+        const double read = turned.position + t.period * turned.integral;
+        loop.input[at.filter] = -t.period * turned.integral / read;
+    }
     return loop;
 }
 

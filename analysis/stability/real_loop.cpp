@@ -74,7 +74,7 @@ void take_endless(StableGains& gains)
 
 LoopPlant loop_plant(const Joint& joint, const LinearJoint& linear, double velocity)
 {
-    const auto acts = actuation(joint, velocity, steady_effort(joint));
+    const auto acts = actuation(joint, velocity, steady_effort(joint, velocity));
     const LinearJoint open = opened(joint, linear);
     const int n = open.bodies, states = open.states(), lag = joint.actuator.lag > 0;
     LoopPlant plant;
@@ -102,11 +102,10 @@ LoopPlant loop_plant(const Joint& joint, const LinearJoint& linear, double veloc
     return plant;
 }
 
-double steady_effort(const Joint& joint)
+double steady_effort(const Joint& joint, double velocity)
 {
-    const auto steady = steady_sliding(joint);
-    const double share = joint.mechanism.model == Model::single_mass ? 1 - joint.friction.load_coefficient : 1;
-    return steady.friction / share - joint.load.constant;
+    if (joint.mechanism.model != Model::single_mass) return carried_efforts(joint, velocity, joint.load.constant)[0];
+    return steady_force(joint.friction, velocity) / (1 - joint.friction.load_coefficient) - joint.load.constant;
 }
 
 Actuation actuation(const Joint& joint, double velocity, double effort)
@@ -144,7 +143,7 @@ bool limits_leave(const Joint& joint, double velocity)
     const auto& a = joint.actuator;
     const auto& c = joint.control;
     if (c.kind == ControlKind::force) return true;
-    const double effort = std::abs(steady_effort(joint));
+    const double effort = std::abs(steady_effort(joint, velocity));
     if (a.kind == ActuatorKind::effort) {
         const double left = a.sag_effort < infinity ? 1 - effort / a.sag_effort : 1;
         return left > 0 && effort <= a.limit && effort / left <= std::abs(a.effort_gain) * c.effort_limit;
@@ -158,9 +157,15 @@ bool limits_leave(const Joint& joint, double velocity)
     return acts.gain > 0 && command <= std::min(most, c.effort_limit);
 }
 
+bool remembers_little(const Joint& joint)
+{
+    constexpr double most_readings = 1000;  // as many as dead ticks: the map of a tick is a matrix of that size
+    return loop_kind(joint) != LoopKind::sampled || joint.control.velocity_estimate.average <= most_readings;
+}
+
 std::optional<RealLoop> real_loop(const Joint& joint, const LinearJoint& linear, double velocity, TurnedGain turned)
 {
-    if (!linear.rational()) return {};
+    if (!linear.rational() || !remembers_little(joint)) return {};
     const auto gains = split(joint, turned);
     if (!gains) return {};
     const auto plant = loop_plant(joint, linear, velocity);

@@ -21,8 +21,8 @@ struct Actuation {
 /// At the commanded velocity. NaN where the supply cannot bring the effort up.
 Actuation actuation(const Joint& joint, double velocity, double effort);
 
-/// The effort on the motor, in joint coordinates, that slides the joint steadily, its load taken off.
-double steady_effort(const Joint& joint);
+/// The effort on the motor, in joint coordinates, that slides the joint steadily at V, its load taken off.
+double steady_effort(const Joint& joint, double velocity);
 
 /// Whether the limits of controller and actuator leave that effort: without it there is no steady sliding.
 bool limits_leave(const Joint& joint, double velocity);
@@ -36,6 +36,9 @@ struct RealLoop {
     std::variant<DiscreteLoop, LateLoop> loop;
     double gain = 1;
 };
+/// Whether a controller averages so few readings that the map from tick to tick can hold them.
+bool remembers_little(const Joint& joint);
+
 std::optional<RealLoop> real_loop(const Joint& joint, const LinearJoint& linear, double velocity, TurnedGain turned);
 
 /// The mechanism about steady sliding at V with its actuator, without its controller.

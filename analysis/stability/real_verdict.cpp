@@ -12,6 +12,12 @@ std::uint8_t code_of(double growth)
     return growth < 0 ? 1 : growth == 0 ? verdict_neutral : 0;
 }
 
+/// Why a joint has no loop to judge.
+Reason without_loop(const Joint& joint, const LinearJoint& linear)
+{
+    return linear.rational() && remembers_little(joint) ? Reason::not_finite : Reason::unsupported;
+}
+
 }  // namespace
 
 double sliding_velocity(const Joint& joint, double commanded)
@@ -53,7 +59,7 @@ PointResult real_point(const Joint& joint, double commanded)
     const auto linear = linear_joint(joint, velocity);
     const auto loop = real_loop(joint, linear, velocity, TurnedGain::all);
     if (!loop) {
-        point.reason = linear.rational() ? Reason::not_finite : Reason::unsupported;
+        point.reason = without_loop(joint, linear);
         return point;
     }
     point.spectral_abscissa = growth(*loop);
@@ -90,7 +96,7 @@ LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
     add_frictions(linear, verdict);
     const auto all = real_loop(joint, linear, V, TurnedGain::all);
     if (!all) {
-        verdict.steady.reason = linear.rational() ? Reason::not_finite : Reason::unsupported;
+        verdict.steady.reason = without_loop(joint, linear);
         return verdict;
     }
     memory.spectral_abscissa = growth(*all);

@@ -1,0 +1,116 @@
+// Real loops at the edges of their numbers: found by tests/reliability/loops.py, kept one by one.
+#include "analysis/stability/real_loop.h"
+#include "tests/analysis/simulation/joints.h"
+
+#include <catch2/catch.hpp>
+
+using namespace stickslip;
+
+namespace {
+
+Joint reference(double k_p, double k_v)
+{
+    Joint joint = example_joint(k_p, k_v, 1e-3);
+    joint.control.velocity_estimate.form = EstimateForm::backward_difference;
+    return joint;
+}
+
+}  // namespace
+
+TEST_CASE("A dead time far below every other time leaves the windows as they are without it", "[loop]")
+{
+    // slow roots beside it: those of the integral, k_i/k_p = 1e-3 1/s and less towards stiff springs
+    for (const double k_i : {0.0, 100.0, 1e6}) {
+        Joint joint = reference(60e3, 10);
+        joint.control.k_i = k_i;
+        const double prompt = linear_verdict(joint).state_variable.stable_intervals.at(0).low;
+        for (const double delay : {1e-9, 1e-8, 1e-7}) {
+            joint.control.delay = delay;
+            const auto memory = linear_verdict(joint).state_variable;
+            INFO("k_i " << k_i << " delay " << delay);
+            REQUIRE(memory.stable_intervals.size() == 1);
+            CHECK(memory.stable_intervals[0].low == Approx(prompt).epsilon(2e2 * delay / 1e-5 * 1e-2));
+            CHECK(std::isfinite(memory.spectral_abscissa));
+        }
+    }
+}
+
+TEST_CASE("Three integrators beside slow roots are counted, none of them moved by rounding", "[loop]")
+{
+    // k_p 27 N/m with k_v 500: a root at −k_p/(k_v + …), a thousandth of what rounding makes of a triple pole at 0
+    Joint joint = reference(27, 500);
+    joint.friction.law = CoulombViscous{60, 20};
+    joint.control.k_i = 0.02;
+    joint.control.delay = 2e-3;
+    const auto memory = linear_verdict(joint).state_variable;
+    CHECK(memory.stable);
+    // (k_v + viscous) s² + k_p s + k_i = 0 where the mass is slow
+    CHECK(memory.spectral_abscissa == Approx(-0.02 / 27).epsilon(0.05));
+    REQUIRE(memory.stable_intervals.size() == 1);
+    CHECK(memory.stable_intervals[0].low < 27);
+}
+
+TEST_CASE("A sampled cascade with a measured velocity has one integrator", "[loop]")
+{
+    Joint joint = reference(0, 0);
+    auto& c = joint.control;
+    c.structure = Structure::cascade;
+    c.velocity_estimate.form = EstimateForm::exact;
+    c.position_gain = 300, c.velocity_gain = 220, c.velocity_integral_gain = 11000;
+    const double prompt = growth_rate(joint);
+    REQUIRE(prompt < 0);
+    c.period = 1e-6;
+    // its sums apart leave a multiplier at 1 for ever: neutral
+    const auto memory = linear_verdict(joint).state_variable;
+    CHECK(memory.stable);
+    CHECK(memory.spectral_abscissa == Approx(prompt).epsilon(1e-3));
+    REQUIRE_FALSE(memory.stable_intervals.empty());
+    const auto [low, high] = memory.stable_intervals.back();
+    CHECK((300 > low && 300 < high));
+    c.period = 1e-3;
+    const auto window = linear_verdict(joint).state_variable.stable_intervals.at(0);
+    for (const double inside : {0.999, 1.001}) {
+        c.position_gain = window.high * inside;
+        CHECK((growth_rate(joint) < 0) == (inside < 1));
+    }
+}
+
+TEST_CASE("The effort of steady sliding is that at the velocity at which the joint slides", "[loop]")
+{
+    // an encoder that reads 0.8 per displacement: the joint slides 1/0.8 times as fast
+    Joint scaled = reference(60e3, 10);
+    scaled.friction.law = CoulombViscous{60, 5000};
+    scaled.sensor.position_scale = 0.8;
+    scaled.actuator.sag_effort = 100;
+    Joint plain = scaled;
+    plain.sensor.position_scale = 1;
+    plain.control.V0 = scaled.control.V0 / 0.8;
+    plain.control.k_p = 0.8 * 60e3, plain.control.k_v = 0.8 * 10;
+    CHECK(growth_rate(scaled) == Approx(growth_rate(plain)).epsilon(1e-10));
+}
+
+TEST_CASE("An average of more readings than a map can hold is refused, not run out of memory over", "[loop]")
+{
+    Joint joint = reference(60e3, 10);
+    joint.control.period = 1e-3;
+    joint.control.velocity_estimate.average = 1e8;
+    CHECK(linear_verdict(joint).steady.reason == Reason::unsupported);
+    CHECK(linear_point(joint).reason == Reason::unsupported);
+}
+
+TEST_CASE("A drive that pushes the wrong way is held by a contact up to the gain that undoes it", "[loop]")
+{
+    for (const double delay : {0.0, 1e-4}) {
+        Joint joint = reference(10e3, 0);
+        joint.friction.law = CoulombViscous{60, 500};
+        joint.control.contact_stiffness = 30e3;
+        joint.control.delay = delay;
+        joint.actuator.effort_gain = -0.4;
+        const auto memory = linear_verdict(joint).state_variable;
+        CHECK(memory.stable);
+        REQUIRE(memory.stable_intervals.size() == 1);
+        CHECK(memory.stable_intervals[0].low == 0);
+        CHECK(memory.stable_intervals[0].high == Approx(30e3 / 0.4).epsilon(1e-9));
+        CHECK(memory.crossings.front().direction == 1);
+    }
+}

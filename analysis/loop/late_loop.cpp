@@ -123,7 +123,8 @@ std::optional<double> turning(const Line& line, double size, double delay, bool 
     while (!is_far(end) || !is_far(1.7 * end))
         if ((end *= 2) > 1e12 * (1 + size)) return std::nullopt;
     const double widest = delay > 0 ? most_turned / delay : end;
-    double turned = 0, omega = 0, step = 1e-5 * end;
+    // whatever turns beside the start is as far from it as the nearest root
+    double turned = 0, omega = 0, step = std::min(1e-5 * end, nearest);
     Line::Look here = line.at(0);
     if (integrates && !(std::abs(here.prompt) > large && std::abs(line.at(line.arc()).prompt) > large))
         return std::nullopt;
@@ -240,15 +241,20 @@ LateLoop late_loop(const LoopPlant& plant, double delay, double tau, const LoopG
 
 namespace {
 
-/// Newton's method from `s`; nothing where it does not settle. `rounding` is what is left of a step near s = 0.
+/// Newton's method from `s`; nothing where it does not settle. A step of `rounding` is none, nor is one that no longer
+/// shrinks beside a root: of slow roots of fast loops rounding takes the last digits.
 std::optional<Complex> polished(const Opened& open, double gain, Complex s, double rounding)
 {
-    for (int i = 0; i < 12; ++i) {
+    double last = infinity;
+    for (int i = 0; i < 16; ++i) {
         const auto F = open.closing(gain, s);
         const Complex step = F.value / F.slope;
-        if (!std::isfinite(std::abs(step))) return std::nullopt;
+        const double size = std::abs(step);
+        if (!std::isfinite(size)) return std::nullopt;
         s -= step;
-        if (std::abs(step) <= std::max(1e-14 * std::abs(s), rounding)) return s;
+        if (size <= std::max(1e-14 * std::abs(s), rounding)) return s;
+        if (size > 0.5 * last && size < 1e-6 * std::abs(s)) return s;
+        last = size;
     }
     return std::nullopt;
 }
@@ -286,6 +292,22 @@ std::vector<Complex> roots(const LateLoop& loop, double gain)
     return found;
 }
 
+namespace {
+
+/// Whether no root lies further right than this one of the size |s|, by more than what the count resolves: beside slow
+/// roots of fast loops rounding takes its digits.
+bool is_rightmost(const LateLoop& loop, double gain, double real, double size)
+{
+    const Opened open(loop);
+    for (const double share : {1e-7, 1e-5, 1e-3}) {
+        const double nearest = share * (std::abs(real) + 1e-3 * size);
+        if (const auto right = roots_right_of(loop, open, gain, real + nearest, nearest)) return *right == 0;
+    }
+    return false;
+}
+
+}  // namespace
+
 double late_growth(const LateLoop& loop, double gain)
 {
     const auto all = roots(loop, gain);
@@ -293,11 +315,7 @@ double late_growth(const LateLoop& loop, double gain)
     double size = 0;
     for (const auto& s : all) size = std::max(size, std::abs(s));
     double most = all.front().real();
-    if (loop.delay > 0) {
-        const double nearest = 1e-7 * (std::abs(most) + 1e-3 * std::abs(all.front()));
-        const auto right = roots_right_of(loop, Opened(loop), gain, most + nearest, nearest);
-        if (!right || *right != 0) return not_set;
-    }
+    if (loop.delay > 0 && !is_rightmost(loop, gain, most, std::abs(all.front()))) return not_set;
     constexpr double rounding = 1e-14;
     return std::abs(most) < rounding * (loop.delay > 0 ? std::abs(all.front()) : size) ? 0 : most;
 }
@@ -317,18 +335,20 @@ Complex towards_axis(const Opened& open, double omega)
     return towards(open, Complex(0, omega));
 }
 
-/// The gain that puts a real root at 0, where −T is no integrator and not nothing there; `beside` is a place near it.
+/// The gain that puts a real root at 0, where −T is flat and not nothing from there to `beside`: an integrator, which
+/// rounding may leave beside 0, is not.
 std::optional<Crossing> crossing_at_rest(const Opened& open, double beside)
 {
-    constexpr double alike = 1e-6;
-    const double still = towards(open, 0).real(), near = std::abs(towards_axis(open, beside));
-    if (!(still > alike * near && still * alike < near)) return std::nullopt;
+    constexpr double flat = 0.1;
+    const double still = towards(open, 0).real();
+    if (!(still > 0 && std::abs(towards_axis(open, beside) - still) < flat * still)) return std::nullopt;
     const double left = towards(open, -beside).real(), right = towards(open, beside).real();
     return Crossing{1 / still, 0, right < left ? 1 : -1};
 }
 
 struct Reach {
     double from, to;
+    double rounding;  ///< below it a pole may be an integrator
 };
 Reach features(const LateLoop& loop)
 {
@@ -342,8 +362,8 @@ Reach features(const LateLoop& loop)
     for (const Complex& s : eigenvalues_of(closed))
         if (std::abs(s) < 1e-9 * high) low = std::min(low, 1e-6 * high);
     if (loop.delay > 0) low = std::min(low, 1 / loop.delay);
-    constexpr double turns = 50 * pi, far = 1e4, above = 30;
-    return {1e-4 * low, loop.delay > 0 ? std::max(turns / loop.delay, above * high) : far * high};
+    constexpr double turns = 50 * pi, far = 1e4, above = 30, integrator = 1e-9;
+    return {1e-4 * low, loop.delay > 0 ? std::max(turns / loop.delay, above * high) : far * high, integrator * high};
 }
 
 }  // namespace
@@ -356,7 +376,8 @@ AxisCrossings axis_crossings(const LateLoop& loop)
     const Opened open(loop);
     const auto phase = [&](double omega) { return std::arg(towards_axis(open, omega)); };
     const double widest = loop.delay > 0 ? 0.3 / loop.delay : reach.to;
-    if (const auto still = crossing_at_rest(open, reach.from)) found.crossings.push_back(*still);
+    if (const auto still = crossing_at_rest(open, std::max(reach.from, reach.rounding)))
+        found.crossings.push_back(*still);
     double omega = reach.from, at = phase(omega), step = 0.1 * omega;
     const auto turn = [](double from, double to) { return std::remainder(to - from, 2 * pi); };
     for (long steps = 0; omega < reach.to; ++steps) {

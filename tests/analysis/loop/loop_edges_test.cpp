@@ -59,7 +59,7 @@ TEST_CASE("A sampled cascade with a measured velocity has one integrator", "[loo
     c.position_gain = 300, c.velocity_gain = 220, c.velocity_integral_gain = 11000;
     const double prompt = growth_rate(joint);
     REQUIRE(prompt < 0);
-    c.period = 1e-6;
+    c.period = 1e-7;
     // its sums apart leave a multiplier at 1 for ever: neutral
     const auto memory = linear_verdict(joint).state_variable;
     CHECK(memory.stable);

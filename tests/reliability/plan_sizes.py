@@ -58,7 +58,7 @@ def least_found(effect, predicted, joint, folder):
     while seen - missed > 1:
         middle = (seen + missed) // 2
         missed, seen = (missed, middle) if found(middle) else (middle, seen)
-    return predicted * STEP ** seen
+    return predicted * STEP ** (seen - 0.5)  # between the largest that is missed and the smallest that is found
 
 
 joint = tomllib.loads(pathlib.Path(JOINT).read_text(encoding="utf-8"))

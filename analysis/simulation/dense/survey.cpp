@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace stickslip::dense {
 namespace {
@@ -10,6 +11,22 @@ namespace {
 /// of them would not be seen.
 constexpr int looked_at_every = 16;
 constexpr int fewest_checks = 2;  ///< along an axis
+
+/// An even lattice, so that no part of a cell is out of sight, and along each axis between the nodes where there is a
+/// point between: on a line of nodes the other axes alone would be checked.
+std::vector<int> check_indices(const LineNodes& line, int low, int high)
+{
+    const int points = high - low + 1, count = checks(points);
+    std::vector<int> indices;
+    for (int j = 0; j < count; ++j) {
+        const int even = low + (2 * j + 1) * points / (2 * count);
+        int best = even;
+        for (int i = low; i <= high && line.is_node(even); ++i)
+            if (!line.is_node(i) && (line.is_node(best) || std::abs(i - even) < std::abs(best - even))) best = i;
+        indices.push_back(best);
+    }
+    return indices;
+}
 
 }  // namespace
 
@@ -41,18 +58,14 @@ bool Survey::want_nodes(const Interpolant& nodes)
     return lacks;
 }
 
-/// An even lattice, so that no part of a cell is out of sight, and none of it nodes.
 bool Survey::want_checks(const Box& box, const Interpolant& interpolant)
 {
+    std::array<std::vector<int>, dimensions> at;
+    for (int d = 0; d < dimensions; ++d) at[d] = check_indices(interpolant.line(d), box.low[d], box.high[d]);
     bool lacks = false;
-    for_each_index({{0, 0, 0}, {checks(box.size(0)) - 1, checks(box.size(1)) - 1, checks(box.size(2)) - 1}},
-                   [&](const Index& part) {
-                       Index i;
-                       for (int d = 0; d < dimensions; ++d)
-                           i[d] = box.low[d] + (2 * part[d] + 1) * box.size(d) / (2 * checks(box.size(d)));
-                       for (int d = 0; d < dimensions && interpolant.is_node(i); ++d) i[d] += i[d] < box.high[d];
-                       lacks |= want(i);
-                   });
+    for (const int a : at[0])
+        for (const int b : at[1])
+            for (const int c : at[2]) lacks |= want({a, b, c});
     return lacks;
 }
 

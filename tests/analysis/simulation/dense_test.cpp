@@ -77,7 +77,7 @@ TEST_CASE("a dense map of the slip law over V0 and k_p", "[dense][slow]")
 TEST_CASE("a dense map of the bistable strip", "[dense][slow]")
 {
     check({example_joint(2.2e4, 47.5, 1e-2), {{"control.k_v", 40, 52, 80, false}, {"control.k_p", 5e3, 5e4, 80, true}}},
-          0.35);
+          0.5);
 }
 
 TEST_CASE("a dense map of Stribeck friction", "[dense]")

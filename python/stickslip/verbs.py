@@ -216,13 +216,26 @@ def _robot_file(robot: Mapping[str, JointLike], folder: Path) -> Path:
     return path
 
 
-def export(joint: JointLike, to: str, name: str = "joint", settings: Mapping[str, Any] | None = None, **options: Any) -> Answer:
-    """Elements of a simulator (mjcf, urdf, sdf, isaaclab, ros2_control) as answer["text"], and what they cannot say."""
+def export(joint: JointLike, to: str, name: str = "joint", settings: Mapping[str, Any] | None = None,
+           records: Mapping[str, Any] | None = None, log: Mapping[str, Any] | None = None, **options: Any) -> Answer:
+    """Elements of a simulator (mjcf, urdf, sdf, isaaclab, ros2_control) as answer["text"], and what they cannot say.
+
+    With held-out `records`, as `diagnose` takes them, answer["gap_left"] is what the text leaves of the gap there, in noise
+    floors; answer["gap"] has it signal by signal, beside what the joint itself leaves.
+    """
+    from .records import write_record
+
     words: list[Any] = []
     for key, value in options.items():
         words += ["--" + key.replace("_", "-"), value]
-    with _input(joint) as file:
-        return Answer(program.answer_of(["export", file, "--to", to, "--name", name, *words, *_settings(settings)]))
+    with _input(joint) as file, tempfile.TemporaryDirectory(prefix="stickslip-") as temporary:
+        files = [write_record(key, record, Path(temporary), log or {}) for key, record in (records or {}).items()]
+        if files:
+            words += ["--records", *files]
+        try:
+            return Answer(program.answer_of(["export", file, "--to", to, "--name", name, *words, *_settings(settings)]))
+        except program.StickslipError as error:
+            raise program.StickslipError(str(error).replace(temporary + "/", "")) from None
 
 
 def import_robot(robot: str | Path, joint: str, at: Mapping[str, float] | None = None,

@@ -99,6 +99,16 @@ std::string simulator_name(Simulator to)
     return "";
 }
 
+std::string gap_left_text(const GapLeft& left)
+{
+    std::string text = fmt::format("On these records the text leaves {:.3g} × the noise floor, the joint {:.3g} ×",
+                                   left.text, left.joint);
+    for (const auto& s : left.signals)
+        text += fmt::format("\n  {}: {:.3g} {} by the text, {:.3g} by the joint, {:.3g} is noise", s.signal, s.text,
+                            s.unit, s.joint, s.floor);
+    return text;
+}
+
 std::string lost_text(const ExportAnswer& answer, const NotExpressible& lost)
 {
     switch (lost.why) {

@@ -207,6 +207,8 @@ with tempfile.TemporaryDirectory() as folder:
                                            "control.k_i=1..1e4", "--json")))
     for simulator in ("mjcf", "urdf", "sdf", "isaaclab", "ros2_control"):
         check("export", json.loads(stickslip("export", str(loop), "--to", simulator, "--json")))
+        check("export", json.loads(stickslip("export", str(loop), "--to", simulator, "--json", "--records",
+                                             str(pathlib.Path(folder, "record-0.2", "record.csv")))))
     robot = pathlib.Path(folder, "elbow.xml")
     robot.write_text(stickslip("export", str(loop), "--to", "mjcf", "--name", "elbow"), encoding="utf-8")
     check("import", json.loads(stickslip("import", str(robot), "--joint", "elbow", "--json")))

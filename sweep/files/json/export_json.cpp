@@ -45,7 +45,15 @@ nlohmann::ordered_json export_json(const ExportAnswer& answer, const std::string
     auto& lost = json["not_expressible"] = nlohmann::ordered_json::array();
     for (const auto& n : answer.not_expressible)
         lost.push_back({{"key", n.key}, {"why", why(n)}, {"why_code", name_of(n.why)}});
-    json["gap_left"] = answer.gap_left ? nlohmann::ordered_json(*answer.gap_left) : nlohmann::ordered_json(nullptr);
+    json["gap_left"] = nullptr;
+    if (!answer.gap_left) return json;
+    const GapLeft& left = *answer.gap_left;
+    json["gap_left"] = left.text;
+    auto& gap =
+        json["gap"] = {{"joint", left.joint}, {"text", left.text}, {"signals", nlohmann::ordered_json::array()}};
+    for (const auto& s : left.signals)
+        gap["signals"].push_back(
+            {{"name", s.signal}, {"unit", s.unit}, {"joint", s.joint}, {"text", s.text}, {"floor", s.floor}});
     return json;
 }
 

@@ -4,7 +4,10 @@
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/gather_records.h"
+#include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/study/export/gap_left.h"
 #include "sweep/words/export_text.h"
 
 #include <fmt/format.h>
@@ -18,7 +21,7 @@ namespace {
 
 struct Options {
     std::string joint, to, name = "joint";
-    std::vector<std::string> settings;
+    std::vector<std::string> settings, records;
     double timestep = not_set, link_inertia = not_set, speed = not_set;
     bool json = false;
 };
@@ -28,6 +31,17 @@ Simulator simulator_of(const std::string& name)
     for (const auto& s : simulators)
         if (s.name == name) return s.value;
     throw BadInput("--to: got \"" + name + "\"");  // the command line has checked it
+}
+
+GapLeft left_on(const Options& options, const Joint& joint, const ExportOptions& wanted)
+{
+    const auto given = gather_records(options.records, {options.joint, {}, {}}, joint);
+    if (!given.gaps.empty()) throw BadInput(given.gaps);
+    try {
+        return gap_left(joint, simulator_of(options.to), wanted, given.records, parallel_for_each);
+    } catch (const std::invalid_argument& e) {
+        throw BadInput("--records: " + std::string(e.what()));
+    }
 }
 
 int export_verb(const Options& options)
@@ -44,6 +58,7 @@ int export_verb(const Options& options)
     } catch (const std::invalid_argument& e) {
         throw BadInput(fmt::format("--link-inertia: got {}, but {}", options.link_inertia, e.what()));
     }
+    if (!options.records.empty()) answer.gap_left = left_on(options, joint, wanted);
     const auto text = simulator_text(answer, options.name);
     const auto why = [&](const NotExpressible& n) { return lost_text(answer, n); };
     if (options.json) {
@@ -54,6 +69,10 @@ int export_verb(const Options& options)
     // the text may go into a file; what is missing in it is for whoever reads the terminal
     if (!answer.not_expressible.empty()) fmt::print(stderr, "Not in this text:\n");
     for (const auto& n : answer.not_expressible) fmt::print(stderr, "  {}: {}\n", n.key, why(n));
+    if (answer.gap_left)
+        fmt::print(stderr, "{}\n", gap_left_text(*answer.gap_left));
+    else if (!answer.not_expressible.empty())
+        fmt::print(stderr, "What that leaves of the gap: add --records FILE… that the diagnosis has not seen\n");
     return exit_done;
 }
 
@@ -79,6 +98,8 @@ void add_export(CLI::App& app, Invocation& invocation)
     verb->add_option("--speed", options->speed,
                      "velocity at which friction without a Coulomb level is evaluated; default: control.V0")
         ->check(CLI::PositiveNumber);
+    verb->add_option("--records", options->records,
+                     "held-out records of the joint: what gap is left by the joint, and by what the text holds of it");
     verb->add_flag("--json", options->json, "machine-readable, stable names");
     verb->footer("Example: stickslip export corrected-joint.toml --to mjcf --name elbow > elbow.xml");
     verb->callback([options, &invocation] { invocation.exit_code = export_verb(*options); });

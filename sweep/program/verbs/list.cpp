@@ -6,6 +6,7 @@
 #include "sweep/files/toml/commented_text.h"
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/study/export/effect_targets.h"
 #include "sweep/study/start/starting_joint.h"
 
 #include <fmt/format.h>
@@ -74,6 +75,18 @@ Json joint_list()
     return json;
 }
 
+/// What `export` can write of an effect for each simulator.
+Json simulator_list(const std::array<EffectTarget, std::size(simulators)>& targets)
+{
+    Json json;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        Json lost = Json::array();
+        for (const auto& n : targets[i].lost) lost.push_back({{"key", n.key}, {"why_code", name_of(n.why)}});
+        json[std::string(simulators[i].name)] = {{"says", name_of(targets[i].says)}, {"lost", lost}};
+    }
+    return json;
+}
+
 /// The catalogue of the diagnosis; a parameter's name is the effect's name, a dot, and its own.
 Json effect_list(bool with_parameters)
 {
@@ -84,7 +97,11 @@ Json effect_list(bool with_parameters)
                    {"form", effect.form},
                    {"source", effect.source},
                    {"signature", effect.signature}};
+        const auto targets = targets_of(effect);
+        for (std::size_t i = 0; i < targets.size() && !with_parameters; ++i)
+            entry[std::string(simulators[i].name)] = name_of(targets[i].says);
         if (with_parameters) {
+            entry["simulators"] = simulator_list(targets);
             entry["confusable_with"] = effect.confusable;
             entry["parameters"] = Json::array();
             for (const auto& form : effect.forms)

@@ -88,13 +88,26 @@ struct ExportOptions {
     double timestep = not_set;  ///< of the simulator; not set: its usual one, shorter where the joint needs it
 };
 
+/// What a signal of the records still differs by, RMS in its unit.
+struct SignalLeft {
+    std::string signal, unit;
+    double joint = 0;  ///< from a run of the joint as it is, without noise
+    double text = 0;   ///< from a run of what the text holds of it
+    double floor = 0;  ///< by noise alone
+};
+
+struct GapLeft {
+    double joint = 0, text = 0;  ///< RMS over the signals, each over its noise floor
+    std::vector<SignalLeft> signals;
+};
+
 struct ExportAnswer {
     Simulator to = Simulator::mjcf;
     SimulatorJoint joint;
     double timestep = not_set;
     int delay_steps = 0;
     std::vector<NotExpressible> not_expressible;
-    std::optional<double> gap_left;  ///< overall, in noise floors; only where records were given
+    std::optional<GapLeft> gap_left;  ///< where records were given
 };
 
 ExportAnswer export_joint(const Joint& joint, Simulator to, const ExportOptions& options = {});

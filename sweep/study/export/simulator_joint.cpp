@@ -132,6 +132,7 @@ void take_drive(SimulatorJoint& s, const Joint& joint)
     const double loop = shaft * N * measured;
     s.feedback_link = measured == 1 && joint.mechanism.model != Model::single_mass && c.feedback == Feedback::link;
     const Gains gains = gains_of(c);
+    s.effort_per_command = shaft * N;
     s.k_p = gains.k_p * loop;
     s.k_v = gains.k_v * loop;
     s.k_i = gains.k_i * loop;

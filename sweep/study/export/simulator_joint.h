@@ -19,7 +19,8 @@ struct SimulatorJoint {
     DryFriction motor, link;                                            ///< of one mass: all on the link
     double gravity_amplitude = 0, gravity_phase = 0;
     double k_p = 0, k_v = 0, k_i = 0, integral_limit = infinity;
-    double back_emf = 0;  ///< damping by a DC motor's back-EMF; comes on top of `motor.viscous`
+    double effort_per_command = 1;  ///< at the joint, per unit of the controller's output
+    double back_emf = 0;            ///< damping by a DC motor's back-EMF; comes on top of `motor.viscous`
     double effort_limit = infinity;
     double no_load_speed = infinity, stall_effort = infinity;  ///< DC motor at its supply voltage
     double period = not_set, delay = 0;

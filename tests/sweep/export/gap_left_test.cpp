@@ -1,0 +1,135 @@
+// What is left of the gap by what a text holds, against a closed form, and what each simulator can say of each effect.
+#include <catch2/catch.hpp>
+
+#include "analysis/diagnosis/plant/simulator.h"
+#include "sweep/study/export/effect_targets.h"
+#include "sweep/study/export/gap_left.h"
+#include "sweep/study/start/starting_joint.h"
+
+#include <cmath>
+
+using namespace stickslip;
+
+namespace {
+
+const ParallelFor in_order = [](std::size_t n, const std::function<void(std::size_t)>& task) {
+    for (std::size_t i = 0; i < n; ++i) task(i);
+};
+
+Joint damped()
+{
+    Joint joint = starting_joint(Model::single_mass, "coulomb-viscous", Motion::revolute);
+    joint.mechanism.inertia = 0.2;
+    joint.friction.law = CoulombViscous{.coulomb = 0, .viscous = 1};
+    joint.control.k_p = 200, joint.control.k_v = 12;
+    joint.control.period = 1e-3;
+    joint.control.velocity_estimate.form = EstimateForm::backward_difference;
+    joint.sensor.position_noise = 1e-5;
+    return joint;
+}
+
+/// What the joint would log over a slow sine.
+Record record_of(const Joint& joint)
+{
+    Record r;
+    r.name = "held-out.csv";
+    for (int k = 0; k < 8000; ++k) {
+        r.time.push_back(1e-3 * k);
+        r.reference_position.push_back(0.2 * (1 - std::cos(r.time.back())));
+    }
+    r.position.assign(r.time.size(), 0);
+    const auto trace = gap::closed_loop(gap::flatten(joint), gap::on_clock(r, joint), 3);
+    r.position = trace.position, r.effort_command = trace.command;
+    return r;
+}
+
+GapLeft left_of(const Joint& joint, Simulator to)
+{
+    return gap_left(joint, to, {}, {record_of(joint)}, in_order);
+}
+
+}  // namespace
+
+TEST_CASE("export: a load that a simulator lacks leaves its share over the position gain")
+{
+    Joint joint = damped();
+    const double without = left_of(joint, Simulator::mjcf).text;
+    CHECK(without < 2);
+    joint.load.constant = 3;
+    for (const auto to : {Simulator::mjcf, Simulator::isaaclab, Simulator::sdf}) {
+        const GapLeft left = left_of(joint, to);
+        REQUIRE(left.signals.size() == 2);  // effort_command, position
+        // the loop holds it by F/k_p of error; that takes 2ζ/ω = 65 ms to begin
+        CHECK(left.signals[1].text == Approx(3 / 200.).epsilon(0.02));
+        CHECK(left.signals[0].text == Approx(3).epsilon(0.02));
+        CHECK(left.signals[1].joint < 2 * left.signals[1].floor);
+        CHECK(left.joint < 2);
+        CHECK(left.text > 100);
+    }
+}
+
+TEST_CASE("export: behind a gear, what is left stands in the units of the record")
+{
+    Joint joint = starting_joint(Model::two_mass, "coulomb-viscous", Motion::revolute);
+    joint.mechanism.motor_inertia = 2e-5, joint.mechanism.link_inertia = 0.05;
+    joint.mechanism.transmission.ratio = 50, joint.mechanism.transmission.stiffness = 4000;
+    joint.mechanism.transmission.damping = 3;
+    joint.frictions.motor.law = CoulombViscous{.coulomb = 0, .viscous = 2e-3};
+    joint.frictions.link.law = CoulombViscous{.coulomb = 0, .viscous = 0.1};
+    joint.control.k_p = 0.4, joint.control.k_v = 0.02, joint.control.period = 1e-3;
+    joint.control.velocity_estimate.form = EstimateForm::backward_difference;
+    joint.sensor.position_noise = 1e-3;
+    joint.load.constant = 5;  // 0.1 N·m at the motor's shaft, which the loop holds by 0.25 rad
+    const GapLeft left = left_of(joint, Simulator::mjcf);
+    REQUIRE(left.signals.size() == 2);
+    CHECK(left.signals[0].text == Approx(0.1).epsilon(0.03));
+    CHECK(left.signals[1].text == Approx(0.25).epsilon(0.03));
+    CHECK(left.joint < 2);
+}
+
+TEST_CASE("export: a joint without a record simulation and a record without a reference are refused")
+{
+    const Joint joint = damped();
+    Record r = record_of(joint);
+    CHECK_THROWS_AS(
+        gap_left(starting_joint(Model::lever, "coulomb-viscous", Motion::revolute), Simulator::mjcf, {}, {r}, in_order),
+        std::invalid_argument);
+    r.reference_position.clear();
+    CHECK_THROWS_WITH(gap_left(joint, Simulator::mjcf, {}, {r}, in_order), Catch::Contains("reference_position"));
+}
+
+TEST_CASE("export: every effect is held by each simulator wholly, partly or not at all")
+{
+    using Says = EffectTarget::Says;
+    const auto says = [](const char* effect, Simulator to) {
+        return targets_of(*gap::effect_named(effect))[static_cast<std::size_t>(to)].says;
+    };
+    for (const auto& effect : gap::effects()) {
+        const auto targets = targets_of(effect);
+        for (const auto& target : targets) CHECK((target.says == Says::all) == target.lost.empty());
+    }
+    // by hand, from the formats' own documentation
+    for (const char* effect : {"coulomb-level", "viscous", "inertia", "gravity"}) {
+        INFO(effect);
+        for (const auto to : {Simulator::mjcf, Simulator::urdf, Simulator::sdf}) CHECK(says(effect, to) == Says::all);
+        CHECK(says(effect, Simulator::ros2_control) == Says::nothing);
+    }
+    for (const char* effect : {"gain-k_p", "gain-k_v"}) {
+        INFO(effect);
+        CHECK(says(effect, Simulator::urdf) == Says::nothing);
+        for (const auto to : {Simulator::mjcf, Simulator::sdf, Simulator::isaaclab, Simulator::ros2_control})
+            CHECK(says(effect, to) == Says::all);
+    }
+    CHECK(says("backlash", Simulator::mjcf) == Says::all);
+    CHECK(says("compliance", Simulator::mjcf) == Says::all);
+    CHECK(says("compliance", Simulator::isaaclab) == Says::part);
+    CHECK(says("gain-k_i", Simulator::mjcf) == Says::nothing);
+    CHECK(says("gain-k_i", Simulator::ros2_control) == Says::all);
+    for (const char* effect :
+         {"constant-load", "cogging", "asymmetric-friction", "presliding", "delay", "actuator-lag", "velocity-filter",
+          "quantisation", "sensor-offset", "periodic-disturbance", "load-dependent-friction", "friction-drift"})
+        for (const auto& simulator : simulators) {
+            INFO(effect << " " << simulator.name);
+            CHECK(says(effect, simulator.value) == Says::nothing);
+        }
+}

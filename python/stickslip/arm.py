@@ -24,7 +24,8 @@ if TYPE_CHECKING:
 def with_arm_load(records: Mapping[str, Any], robot: str | Path | None = None, *,
                   inverse_dynamics: "InverseDynamics | None" = None, armature: Mapping[str, float] | None = None,
                   at: Mapping[str, float] | None = None, window: float | None = None) -> "dict[str, pandas.DataFrame]":
-    """The records of the joints of one log, each with the columns `load_effort` (N·m or N) and `inertia` (kg·m² or kg).
+    """The records of the joints of one log, each with the columns `load_effort`, `load_error` (N·m or N) and
+    `inertia` (kg·m² or kg). `load_error` is an example of what `load_effort` is wrong by, from noise and smoothing: it counts as noise.
 
     `records` has a data frame for each joint that moves, under its name in `robot`: a URDF or MJCF, whose dynamics the
     program computes; joints without a record stand still at the coordinates `at` (rad or m), or at their zero.
@@ -58,11 +59,12 @@ def with_arm_load(records: Mapping[str, Any], robot: str | Path | None = None, *
         for name, inertia in (armature or {}).items():
             words += ["--armature", f"{name}={float(inertia)!r}"]
         table = _arm_load(frames, window, words, at)
-        columns = {name: (table[name + "_load_effort"].to_numpy(), table[name + "_inertia"].to_numpy()) for name in frames}
+        columns = {name: tuple(table[f"{name}_{what}"].to_numpy() for what in ("load_effort", "load_error", "inertia")) for name in frames}
     else:
         table = _arm_load(frames, window, [], None)
         columns = _loads(table, inverse_dynamics, list(frames), armature or {})
-    return {name: frame.assign(load_effort=columns[name][0], inertia=columns[name][1]) for name, frame in frames.items()}
+    return {name: frame.assign(load_effort=columns[name][0], load_error=columns[name][1], inertia=columns[name][2])
+            for name, frame in frames.items()}
 
 
 def _column(name: str, frame: "pandas.DataFrame", column: str) -> "numpy.ndarray":
@@ -100,9 +102,12 @@ def _loads(table: "pandas.DataFrame", inverse_dynamics: "InverseDynamics", names
     """As the program does it: the effort without the joint's own acceleration, turned round; the mass matrix' diagonal."""
     import numpy
 
-    q, dq, ddq = (numpy.stack([table[f"{name}_{what}"].to_numpy() for name in names], axis=1)
-                  for what in ("position", "velocity", "acceleration"))
-    load, inertia = numpy.empty_like(q), numpy.empty_like(q)
+    def motion(ending: str) -> "list[numpy.ndarray]":
+        return [numpy.stack([table[f"{name}_{what}{ending}"].to_numpy() for name in names], axis=1)
+                for what in ("position", "velocity", "acceleration")]
+
+    (q, dq, ddq), again = motion(""), motion("_again")
+    load, error, inertia = numpy.empty_like(q), numpy.empty_like(q), numpy.empty_like(q)
     still = numpy.zeros(len(names))
 
     def efforts(*motion: "numpy.ndarray") -> "numpy.ndarray":
@@ -114,11 +119,12 @@ def _loads(table: "pandas.DataFrame", inverse_dynamics: "InverseDynamics", names
     for row in range(len(q)):
         held = efforts(q[row], still, still)
         for i, name in enumerate(names):
-            unit, others = still.copy(), ddq[row].copy()
-            unit[i], others[i] = 1, 0
+            unit, others, again_others = still.copy(), ddq[row].copy(), again[2][row].copy()
+            unit[i], others[i], again_others[i] = 1, 0, 0
             inertia[row, i] = efforts(q[row], still, unit)[i] - held[i] + armature.get(name, 0.0)
             load[row, i] = -efforts(q[row], dq[row], others)[i]
+            error[row, i] = -efforts(again[0][row], again[1][row], again_others)[i] - load[row, i]
             if not (numpy.isfinite(load[row, i]) and inertia[row, i] > 0):
                 raise StickslipError(f"{name}: inverse_dynamics gives inertia {inertia[row, i]:g} and load {load[row, i]:g} in "
                                      f"row {row}, expected an inertia above 0 and a finite load")
-    return {name: (load[:, i], inertia[:, i]) for i, name in enumerate(names)}
+    return {name: (load[:, i], error[:, i], inertia[:, i]) for i, name in enumerate(names)}

@@ -49,6 +49,7 @@ Inspection inspect(const Record& r, const Joint& joint)
     check_column(r, "supply_voltage", r.supply_voltage, result);
     check_column(r, "feed_forward", r.feed_forward, result);
     check_column(r, "load_effort", r.load_effort, result);
+    check_column(r, "load_error", r.load_error, result);
     check_column(r, "inertia", r.inertia, result);
     for (std::size_t k = 0; k < r.inertia.size() && result.errors.empty(); ++k)
         if (!(r.inertia[k] > 0))

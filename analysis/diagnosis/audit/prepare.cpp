@@ -136,6 +136,25 @@ double drive_noise(const Case& c, const Record& record, double doubt, std::vecto
     return doubt * noise_of(record.effort_measured);
 }
 
+/// What the error of a known load adds to the predictions: those with it against those without.
+void measure_load_error(Case& c)
+{
+    if (c.ticks.load_error.empty() || c.ticks.load.empty()) return;
+    const Plant plant = flatten(c.joint);
+    Ticks wrong = c.ticks;
+    for (std::size_t k = 0; k < wrong.size(); ++k) wrong.load[k] += wrong.load_error[k];
+    const auto command = known_command(plant, c.ticks);
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+        Innovation right, off;
+        predict(plant, c.ticks, command, levels[l], right);
+        predict(plant, wrong, command, levels[l], off);
+        std::vector<double> difference;
+        for (std::size_t k = 0; k < c.ticks.size(); ++k)
+            if (c.ticks.logged[k]) difference.push_back(off.position[k] - right.position[k]);
+        c.load_sigma[l] = rms(difference);
+    }
+}
+
 Case prepare_with_effort(const Record& record, const Joint& joint, std::vector<Note>& notes)
 {
     Case c;
@@ -194,6 +213,7 @@ Case prepare_with_effort(const Record& record, const Joint& joint, std::vector<N
             std::hypot(sigma, effort_part * range, c.joint.actuator.kind == ActuatorKind::effort ? command_noise : 0);
     }
     if (!record.at_rest_at_start) find_start(c, notes);
+    measure_load_error(c);
     return c;
 }
 

@@ -74,8 +74,9 @@ Ticks cut(const Case& c, const std::vector<Piece>& some)
 {
     const Ticks& t = c.ticks;
     Ticks out = t;
-    for (auto* column : {&out.time, &out.step, &out.reference, &out.reference_rate, &out.position, &out.velocity,
-                         &out.command, &out.effort, &out.supply, &out.feed_forward, &out.load, &out.inertia})
+    for (auto* column :
+         {&out.time, &out.step, &out.reference, &out.reference_rate, &out.position, &out.velocity, &out.command,
+          &out.effort, &out.supply, &out.feed_forward, &out.load, &out.load_error, &out.inertia})
         column->clear();
     out.enabled.clear(), out.logged.clear(), out.jumps.clear();
     const auto m = static_cast<std::size_t>(t.ticks_per_row);
@@ -97,6 +98,7 @@ Ticks cut(const Case& c, const std::vector<Piece>& some)
         append(out.command, t.command, from, p.end), append(out.effort, t.effort, from, p.end);
         append(out.supply, t.supply, from, p.end), append(out.enabled, t.enabled, from, p.end);
         append(out.feed_forward, t.feed_forward, from, p.end), append(out.load, t.load, from, p.end);
+        append(out.load_error, t.load_error, from, p.end);
         append(out.inertia, t.inertia, from, p.end), append(out.logged, t.logged, from, p.end);
         out.judged.insert(out.judged.end(), p.begin - from, 0);
         out.judged.insert(out.judged.end(), p.end - p.begin, 1);

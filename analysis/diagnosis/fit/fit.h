@@ -16,6 +16,7 @@ struct Case {
     double sigma = 1;                      ///< standard deviation of a reading, quantisation included
     double effort_sigma = 0;               ///< of a measured effort; 0: effort is not judged
     double drive_sigma = 0;                ///< of a measured effort that drives the joint
+    std::array<double, 3> load_sigma{};    ///< RMS of a prediction by what a known load is wrong by, at each of `levels`
     std::vector<double> controller_error;  ///< of that effort, less what the documented controller asks for, each row
     std::size_t number = 0;                ///< of the record among all: which own parameters are its
     double row_step = 1e-3;                ///< s between two readings
@@ -91,7 +92,7 @@ Joint edited(const Joint& joint, const Candidate& candidate, const std::vector<d
 Plant edited_plant(const Joint& joint, const Candidate& candidate, const std::vector<double>& si, std::size_t record);
 
 /// Standard deviation of a reading's noise that would leave the innovation of a true joint: the encoder's own, and what
-/// the noise of a measured effort that drives it makes of its motion.
+/// the noise of a measured effort that drives it, or the error of a known load, makes of its motion.
 double reading_floor(const Case& c, double omega);
 
 /// Standard deviation of the effort's innovation in a true joint: the sensor's own noise, and in a motor the back-EMF

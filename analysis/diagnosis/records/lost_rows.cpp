@@ -39,8 +39,8 @@ Record with_lost_rows(const Record& r, const std::vector<std::size_t>& strides, 
     fill(full.time, straight);
     fill(full.position, between);
     fill(full.reference_position, reference_between);
-    for (auto* column :
-         {&full.reference_velocity, &full.link_position, &full.feed_forward, &full.load_effort, &full.inertia})
+    for (auto* column : {&full.reference_velocity, &full.link_position, &full.feed_forward, &full.load_effort,
+                         &full.load_error, &full.inertia})
         fill(*column, straight);
     for (auto* column : {&full.velocity, &full.effort_command, &full.drive, &full.effort_measured, &full.current})
         fill(*column, unknown);

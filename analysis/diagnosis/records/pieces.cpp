@@ -20,7 +20,7 @@ Record part(const Record& whole, std::size_t from, std::size_t to)
     for (auto* column :
          {&r.time, &r.reference_position, &r.reference_velocity, &r.position, &r.velocity, &r.effort_command,
           &r.effort_measured, &r.drive, &r.current, &r.supply_voltage, &r.temperature, &r.torque_enable,
-          &r.link_position, &r.feed_forward, &r.load_effort, &r.inertia, &r.normal_load})
+          &r.link_position, &r.feed_forward, &r.load_effort, &r.load_error, &r.inertia, &r.normal_load})
         if (!column->empty())
             *column = {column->begin() + static_cast<std::ptrdiff_t>(from),
                        column->begin() + static_cast<std::ptrdiff_t>(to)};

@@ -28,6 +28,7 @@ struct Record {
     std::vector<double> link_position;       ///< m | rad: a second encoder, on the link
     std::vector<double> feed_forward;        ///< in the unit of the command: what was added to the controller's own
     std::vector<double> load_effort;         ///< N | N·m: a known load on the link, positive along the motion
+    std::vector<double> load_error;          ///< N | N·m: an example of what load_effort is wrong by, row by row
     std::vector<double> inertia;      ///< kg | kg·m²: the inertia that moves (two-mass: the link's) in this row
     std::vector<double> normal_load;  ///< normal stress or force of a friction rig, in its own unit
     std::vector<std::pair<std::string, double>>

@@ -111,6 +111,7 @@ Ticks first_ticks(const Ticks& ticks, std::size_t count)
     take(t.position, ticks.position), take(t.velocity, ticks.velocity);
     take(t.command, ticks.command), take(t.effort, ticks.effort), take(t.supply, ticks.supply);
     take(t.feed_forward, ticks.feed_forward), take(t.load, ticks.load), take(t.inertia, ticks.inertia);
+    take(t.load_error, ticks.load_error);
     take(t.enabled, ticks.enabled), take(t.logged, ticks.logged), take(t.judged, ticks.judged);
     return t;
 }
@@ -246,6 +247,7 @@ Ticks on_clock(const Record& record, const Joint& joint)
     reserve_ticks(t, n, step, joint.actuator.supply_voltage);
     t.feed_forward = at_every_tick(r.feed_forward, m, n);
     t.load = at_every_tick(r.load_effort, m, n);
+    t.load_error = at_every_tick(r.load_error, m, n);
     t.inertia = at_every_tick(r.inertia, m, n);
     const Mechanism& body = joint.mechanism;
     const double documented = body.model == Model::single_mass ? body.inertia : body.link_inertia;

@@ -36,6 +36,7 @@ struct Ticks {
     std::vector<double> effort;                     ///< measured, NaN where it was not
     std::vector<double> supply;                     ///< V, NaN unknown
     std::vector<double> feed_forward, load, inertia;  ///< known of every tick; inertia over the documented; empty: not
+    std::vector<double> load_error;                   ///< an example of what `load` is wrong by; empty: exact
     std::vector<std::uint8_t> enabled, logged;
     std::vector<std::size_t> jumps;    ///< ticks with a row after which the reference jumps before the next row
     std::vector<Restart> restarts;     ///< none in a whole record

@@ -30,6 +30,8 @@ constexpr Signal signal_list[] = {
      "what the controller adds to its own output"},
     {"load_effort", &Record::load_effort, Quantity::effort, false, false,
      "known load on the link, positive in the direction of motion"},
+    {"load_error", &Record::load_error, Quantity::effort, false, false,
+     "an example of what load_effort is wrong by, as arm-load writes it: it counts as noise"},
     {"inertia", &Record::inertia, Quantity::inertia, false, false, "of the link where it changes"},
     {"normal_load", &Record::normal_load, Quantity::number, false, true,
      "on the friction, in a unit of its own (friction rigs)"},

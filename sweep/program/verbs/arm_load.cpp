@@ -42,9 +42,9 @@ double default_window(const std::vector<double>& time)
 /// Of one joint of the table.
 struct Moved {
     std::string name;
-    JointMotion motion;
-    int index = -1;       ///< in the robot
-    double armature = 0;  ///< of the description, and what was added
+    JointMotion motion, again;  ///< as it was measured, and as if it were measured again
+    int index = -1;             ///< in the robot
+    double armature = 0;        ///< of the description, and what was added
 };
 
 std::vector<std::string> joints_of(const std::string& file)
@@ -79,9 +79,11 @@ std::vector<Moved> motions_of(const Options& options, std::vector<double>& time)
         const auto column = name + std::string(ending);
         const auto series = read_series(options.table, column, SeriesQuantity{Quantity::number, Motion::revolute});
         time = series.time;
+        const double window = is_set(options.window) ? options.window : default_window(time);
         try {
-            all.push_back({name, smoothed(series.time, series.value,
-                                          is_set(options.window) ? options.window : default_window(time))});
+            auto motion = smoothed(series.time, series.value, window);
+            auto again = measured_again(series.time, series.value, motion, window, all.size() + 1);
+            all.push_back({name, std::move(motion), std::move(again)});
         } catch (const std::invalid_argument& e) {
             throw BadInput(options.table + ": " + column + ": " + e.what());
         }
@@ -124,6 +126,33 @@ std::string table_of(const std::vector<double>& time, const std::vector<std::str
     return text + "\n";
 }
 
+/// Loads along the measured motions, and what those along the motions measured again differ from them by.
+struct Loads {
+    std::vector<JointLoad> loads;
+    std::vector<std::vector<double>> errors;
+};
+
+Loads loads_of(const Options& options, std::vector<Moved>& all)
+{
+    const Robot robot = read_robot(options.robot);
+    find_in_robot(robot, options, all);
+    std::vector<int> indices;
+    std::vector<JointMotion> motions, again;
+    for (const auto& joint : all) {
+        indices.push_back(joint.index);
+        motions.push_back(joint.motion), again.push_back(joint.again);
+    }
+    const auto pose = read_pose(robot, options.pose);
+    Loads of{arm_loads(robot, indices, motions, pose), {}};
+    const auto others = arm_loads(robot, indices, again, pose);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        for (double& inertia : of.loads[k].inertia) inertia += all[k].armature;
+        auto& error = of.errors.emplace_back(others[k].load);
+        for (std::size_t row = 0; row < error.size(); ++row) error[row] -= of.loads[k].load[row];
+    }
+    return of;
+}
+
 int arm_load(const Options& options)
 {
     if (is_set(options.window) && !(options.window > 0))
@@ -132,23 +161,20 @@ int arm_load(const Options& options)
     auto all = motions_of(options, time);
     std::vector<std::string> names;
     std::vector<const std::vector<double>*> columns;
-    std::vector<JointLoad> loads;
+    Loads of;
     if (options.robot.empty()) {
         for (const auto& joint : all) {
-            for (const char* what : {"_position", "_velocity", "_acceleration"}) names.push_back(joint.name + what);
-            columns.insert(columns.end(), {&joint.motion.position, &joint.motion.velocity, &joint.motion.acceleration});
+            for (const char* what : {"_position", "_velocity", "_acceleration", "_position_again", "_velocity_again",
+                                     "_acceleration_again"})
+                names.push_back(joint.name + what);
+            for (const auto* motion : {&joint.motion, &joint.again})
+                columns.insert(columns.end(), {&motion->position, &motion->velocity, &motion->acceleration});
         }
     } else {
-        const Robot robot = read_robot(options.robot);
-        find_in_robot(robot, options, all);
-        std::vector<int> indices;
-        std::vector<JointMotion> motions;
-        for (const auto& joint : all) indices.push_back(joint.index), motions.push_back(joint.motion);
-        loads = arm_loads(robot, indices, motions, read_pose(robot, options.pose));
+        of = loads_of(options, all);
         for (std::size_t k = 0; k < all.size(); ++k) {
-            for (double& inertia : loads[k].inertia) inertia += all[k].armature;
-            for (const char* what : {"_load_effort", "_inertia"}) names.push_back(all[k].name + what);
-            columns.insert(columns.end(), {&loads[k].load, &loads[k].inertia});
+            for (const char* what : {"_load_effort", "_load_error", "_inertia"}) names.push_back(all[k].name + what);
+            columns.insert(columns.end(), {&of.loads[k].load, &of.errors[k], &of.loads[k].inertia});
         }
     }
     const auto text = table_of(time, names, columns);
@@ -165,7 +191,8 @@ void add_arm_load(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
     auto* verb = app.add_subcommand(
-        "arm-load", "Write load_effort and inertia of each joint of a moving arm, for the records that diagnose reads");
+        "arm-load",
+        "Write load_effort, load_error and inertia of each joint of a moving arm, for the records that diagnose reads");
     verb->add_option("TABLE", options->table,
                      "CSV with time and JOINT_position of every joint that moves, s, rad and m")
         ->required();
@@ -181,6 +208,9 @@ void add_arm_load(CLI::App& app, Invocation& invocation)
     verb->footer(
         "Example: stickslip arm-load positions.csv --robot arm.urdf --armature elbow=0.12 -o loads.csv\n"
         "Gravity is in load_effort: the joint file must then have no gravity of its own.\n"
+        "load_error is an example of what load_effort is wrong by (noise of the encoders, corners that the cubic "
+        "rounds):\n"
+        "diagnose counts it as noise.\n"
         "Exit codes: 0 done, 2 bad input.");
     verb->callback([options, &invocation] { invocation.exit_code = arm_load(*options); });
 }

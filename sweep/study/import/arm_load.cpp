@@ -1,5 +1,7 @@
 #include "sweep/study/import/arm_load.h"
 
+#include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/numerics/seeded_noise.h"
 #include "sweep/study/import/placed.h"
 
 #include <Eigen/QR>
@@ -115,6 +117,16 @@ JointMotion smoothed(const std::vector<double>& time, const std::vector<double>&
         motion.acceleration.push_back(2 * c[2] / (window * window));
     }
     return motion;
+}
+
+JointMotion measured_again(const std::vector<double>& time, const std::vector<double>& position,
+                           const JointMotion& motion, double window, std::uint64_t seed)
+{
+    const double sigma = gap::noise_of(position);
+    SeededNoise noise(seed);
+    std::vector<double> readings = motion.position;
+    for (double& q : readings) q += sigma * noise();
+    return smoothed(time, readings, window);
 }
 
 std::vector<JointLoad> arm_loads(const Robot& robot, const std::vector<int>& moved,

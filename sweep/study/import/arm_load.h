@@ -3,6 +3,7 @@
 #pragma once
 #include "sweep/study/import/robot.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,12 @@ std::vector<double> inverse_dynamics(const Robot& robot, const std::vector<doubl
 /// A cubic through the rows within half a `window` of each row, by least squares (Savitzky, Golay 1964, Anal. Chem. 36,
 /// 1627-1639; rows need not be evenly spaced). Throws std::invalid_argument where fewer than five rows lie in a window.
 JointMotion smoothed(const std::vector<double>& time, const std::vector<double>& position, double window);
+
+/// The motion as if it were measured again: the smoothed one taken for true, with fresh noise of the size that the
+/// readings have, smoothed as they were. What then differs is an example of what `motion` itself is wrong by, noise and
+/// smeared corners alike (parametric bootstrap: Efron, Tibshirani 1993, An Introduction to the Bootstrap, 6.5).
+JointMotion measured_again(const std::vector<double>& time, const std::vector<double>& position,
+                           const JointMotion& motion, double window, std::uint64_t seed);
 
 /// Loads of those joints that `moved` has, by index of the joint; the others stand still at the `pose`.
 std::vector<JointLoad> arm_loads(const Robot& robot, const std::vector<int>& moved,

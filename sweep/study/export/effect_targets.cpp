@@ -13,8 +13,8 @@ namespace {
 
 using Says = EffectTarget::Says;
 
-/// Joints of every kind that an effect may ask for: one mass, two masses, a loop with feed-forward, one that integrates,
-/// a motor at a supply.
+/// Joints of every kind that an effect may ask for: one mass, two masses, a loop with feed-forward, one that
+/// integrates, a motor at a supply.
 std::vector<Joint> kinds()
 {
     Joint one = starting_joint(Model::single_mass, "coulomb-viscous", Motion::revolute);

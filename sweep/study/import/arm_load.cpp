@@ -119,14 +119,44 @@ JointMotion smoothed(const std::vector<double>& time, const std::vector<double>&
     return motion;
 }
 
+namespace {
+
+/// What a cubic through a window makes of accelerations: their mean with the weights (1 − (2s/w)²)², which are the
+/// twofold integral of the weights that it gives the positions.
+std::vector<double> smeared(const std::vector<double>& time, const std::vector<double>& x, double window)
+{
+    std::vector<double> mean;
+    std::size_t from = 0;
+    for (std::size_t row = 0; row < time.size(); ++row) {
+        while (time[from] < time[row] - window / 2) ++from;
+        double sum = 0, weights = 0;
+        for (std::size_t i = from; i < time.size() && time[i] <= time[row] + window / 2; ++i) {
+            const double s = 2 * (time[i] - time[row]) / window, weight = (1 - s * s) * (1 - s * s);
+            sum += weight * x[i], weights += weight;
+        }
+        mean.push_back(sum / weights);
+    }
+    return mean;
+}
+
+}  // namespace
+
 JointMotion measured_again(const std::vector<double>& time, const std::vector<double>& position,
                            const JointMotion& motion, double window, std::uint64_t seed)
 {
     const double sigma = gap::noise_of(position);
     SeededNoise noise(seed);
-    std::vector<double> readings = motion.position;
-    for (double& q : readings) q += sigma * noise();
-    return smoothed(time, readings, window);
+    std::vector<double> noisy = motion.position;
+    for (double& q : noisy) q += sigma * noise();
+    const auto with = smoothed(time, noisy, window), without = smoothed(time, motion.position, window);
+    JointMotion again = motion;
+    again.acceleration = smeared(time, motion.acceleration, window);
+    for (std::size_t k = 0; k < time.size(); ++k) {
+        again.position[k] += with.position[k] - without.position[k];
+        again.velocity[k] += with.velocity[k] - without.velocity[k];
+        again.acceleration[k] += with.acceleration[k] - without.acceleration[k];
+    }
+    return again;
 }
 
 std::vector<JointLoad> arm_loads(const Robot& robot, const std::vector<int>& moved,

@@ -29,9 +29,10 @@ std::vector<double> inverse_dynamics(const Robot& robot, const std::vector<doubl
 /// 1627-1639; rows need not be evenly spaced). Throws std::invalid_argument where fewer than five rows lie in a window.
 JointMotion smoothed(const std::vector<double>& time, const std::vector<double>& position, double window);
 
-/// The motion as if it were measured again: the smoothed one taken for true, with fresh noise of the size that the
-/// readings have, smoothed as they were. What then differs is an example of what `motion` itself is wrong by, noise and
-/// smeared corners alike (parametric bootstrap: Efron, Tibshirani 1993, An Introduction to the Bootstrap, 6.5).
+/// The motion as if it were measured again: what differs from `motion` is an example of what that is wrong by
+/// (parametric bootstrap: Efron, Tibshirani 1993, An Introduction to the Bootstrap, 6.5). The smoothed motion is taken
+/// for true, with fresh noise of the size that the readings have; and its accelerations are smeared once more, as those
+/// of corners were: what that changes of a position is the same again, half the kernel's second moment times the jump.
 JointMotion measured_again(const std::vector<double>& time, const std::vector<double>& position,
                            const JointMotion& motion, double window, std::uint64_t seed);
 

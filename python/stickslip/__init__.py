@@ -9,6 +9,7 @@ from .arm import with_arm_load
 from .joint import Joint, Key
 from .logs import read_log
 from .plots import plot_boundary, plot_effects, plot_map, plot_motion
+from .poses import sweep_poses
 from .program import Interrupted, StickslipError, executable, version
 from .verbs import (boundary, check_gap, compare, design, diagnose, diagnose_robot, evaluate, export, import_robot, margins,
                     read_answer, simulate, sweep, timeline)
@@ -23,4 +24,4 @@ def __getattr__(name: str):
 __all__ = ["Answer", "Interrupted", "Joint", "Key", "StickslipError", "boundary", "check_gap", "compare",
            "design", "diagnose", "diagnose_robot",
            "evaluate", "executable", "export", "import_robot", "margins", "plot_boundary", "plot_effects", "plot_map", "plot_motion",
-           "read_answer", "read_log", "simulate", "sweep", "timeline", "version", "with_arm_load"]
+           "read_answer", "read_log", "simulate", "sweep", "sweep_poses", "timeline", "version", "with_arm_load"]

@@ -166,3 +166,29 @@ def test_without_the_arm_in_it_the_same_record_has_a_gap(urdf):
     records = simulated(6, 5)
     diagnosis = stickslip.diagnose(joint_files()["lower"], {"run": records["lower"]})
     assert diagnosis["verdict"] != "no-gap" and diagnosis["gap"]["overall"]["before"] > 10
+
+
+def test_a_map_over_the_pose_says_that_only_the_stretched_arm_sticks(urdf):
+    """Rate-and-state friction on the upper joint: one mass and one state have a critical gain that grows with the inertia."""
+    A, B, L, V = 1.0, 1.5, 1e-3, 1e-2
+    elbow, outer = numpy.linspace(0, 3, 7), [0.0, 0.7]
+
+    def critical(inertia):  # ((B − A)/L)(1 + m V²/(L A)), by hand (paper, equations 36 and 37 at k_v = 0)
+        return (B - A) / L * (1 + inertia * V**2 / (L * A))
+
+    inertia = numpy.array([mass_matrix((0, q))[0, 0] + ROTOR[0] for q in elbow])
+    between = float(critical(inertia).min() + critical(inertia).max()) / 2
+    joint = stickslip.Joint.from_dict({"joint": {"motion": "revolute", "inertia": 1.0}, "control": {"k_p": between, "V0": V},
+                                       "friction": {"law": "rate-and-state", "f0": 60.0, "A": A, "B": B, "L": L, "V_star": V}})
+    maps = stickslip.sweep_poses(urdf, "upper", {"lower": elbow, "upper": outer}, joint, armature=ROTOR[0])
+    assert maps["inertia"].dims == ("lower", "upper")
+    for i in range(2):
+        assert numpy.allclose(maps["inertia"][:, i], inertia, rtol=1e-9)
+        assert numpy.allclose(maps["gravity_effort"][:, i], [-bias((outer[i], q), (0, 0))[0] for q in elbow], atol=1e-9)
+        assert numpy.allclose(maps["k_cr"][:, i], critical(inertia), rtol=1e-6)
+        assert list(maps["state_variable_stable"].values[:, i]) == list(critical(inertia) < between)
+    assert not maps["state_variable_stable"].values[0, 0] and maps["state_variable_stable"].values[-1, 0]  # stretched, folded
+    with pytest.raises(StickslipError, match="pose:1:8: lowr: is no joint of the robot"):
+        stickslip.sweep_poses(urdf, "upper", {"lowr": elbow}, joint)
+    with pytest.raises(StickslipError, match="both have lower"):
+        stickslip.sweep_poses(urdf, "upper", {"lower": elbow}, joint, at={"lower": 1})

@@ -256,3 +256,13 @@ def test_the_version_is_that_of_the_program():
     assert stickslip.__version__ == stickslip.version()
     with pytest.raises(AttributeError):
         stickslip.nothing_of_this_name
+
+
+def test_commands_that_are_joint_states_give_the_velocity_of_the_reference(tmp_path):
+    states, messages = "sensor_msgs/msg/JointState", []
+    for k, t in enumerate(sample.T):
+        messages.append(("/goal", states, t, sample.ros2_joint_state(k)))
+        messages.append(("/joint_states", states, t + 0.001, sample.ros2_joint_state(k)))
+    frame = stickslip.read_log(sample.mcap_of(tmp_path / "run.mcap", messages), joint="elbow", topic="/joint_states", command="/goal")
+    assert numpy.allclose(frame["reference_position"], sample.Q[:, 1])
+    assert numpy.allclose(frame["reference_velocity"], sample.DQ[:, 1])

@@ -38,6 +38,12 @@ def record(path: Path, messages: Iterable[Message], cdr: bool, joint: str | None
     return _columns(path, states, numbers, topic, command, joint)
 
 
+def _sent(messages, name: str, of: str) -> list[tuple[float, float]]:
+    """What was sent to the joint: time of receipt and value; messages may lack the joint or the quantity."""
+    found = [(received, getattr(state, of), state.names.index(name)) for received, state in messages if name in state.names]
+    return [(received, values[i]) for received, values, i in found if i < len(values)]
+
+
 def _columns(path, states, numbers, topic, command, joint):
     # several drivers may share a topic, each with messages of its own joints
     lists = {tuple(state.names): None for _, state in states[topic]}
@@ -65,7 +71,7 @@ def _columns(path, states, numbers, topic, command, joint):
     if "position" not in columns:
         raise StickslipError(f"{path}: topic {topic} has no position of {name}")
     if command in states:
-        sent = [(r, s.position[s.names.index(name)]) for r, s in states[command] if name in s.names and s.names.index(name) < len(s.position)]
+        sent = _sent(states[command], name, "position")
     else:
         given = numbers.get(command, [])
         wrong = [len(v) for _, v in given if len(v) not in (1, len(driver))]
@@ -75,6 +81,9 @@ def _columns(path, states, numbers, topic, command, joint):
     if sent:
         guessed.append(f"reference is the last message of {command} received before each row")
         columns["reference_position"] = held(received, [r for r, _ in sent], [v for _, v in sent])
+        speeds = _sent(states[command], name, "velocity") if command in states else []
+        if len(speeds) == len(sent):
+            columns["reference_velocity"] = held(received, [r for r, _ in speeds], [v for _, v in speeds])
     else:
         guessed.append("no command topic was named: the record has no reference")
     return frame_of(path, {"time": t, **columns}, guessed)

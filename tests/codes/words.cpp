@@ -153,6 +153,11 @@ std::string rightmost_roots_text()
     return "#rightmost-roots";
 }
 
+std::string gap_left_text(const GapLeft&)
+{
+    return "#gap-left";
+}
+
 std::string lost_text(const ExportAnswer&, const NotExpressible& lost)
 {
     return "#" + std::string(name_of(lost.why));

@@ -65,7 +65,7 @@ def test_loads_and_inertias_are_those_of_the_closed_form(urdf):
             assert numpy.allclose(frame["inertia"], inertia, rtol=1e-5)
             wrong = numpy.abs(frame["load_effort"] - load) / numpy.abs(load).max()
             assert wrong[15:-15].max() < 1e-3  # what a cubic over 30 ms makes of these sines
-            assert wrong.max() < 2e-2          # at both ends half of the window is missing
+            assert wrong.max() < 2e-2          # at both ends the row is not in the middle of its window
         assert numpy.allclose(by_urdf[name]["load_effort"], by_engine[name]["load_effort"], rtol=1e-9, atol=1e-9)
 
 
@@ -74,7 +74,7 @@ def test_what_the_helper_cannot_use_is_said(urdf):
     good = {"time": t, "position": numpy.sin(t)}
     for records, told in (({"upper": good, "lower": {"time": t + 0.5, "position": t}}, "lower: its rows are at other times"),
                           ({"upper": {"time": t}}, "upper: has no column position"),
-                          ({"upper": {"time": t[:5] * 100, "position": t[:5]}}, "upper_position: has 1 rows within the window"),
+                          ({"upper": {"time": t[:5] * 100, "position": t[:5]}}, "upper_position: has 2 rows within the window"),
                           ({"uper": good}, "upper")):
         with pytest.raises(StickslipError, match=told):
             stickslip.with_arm_load(records, urdf)

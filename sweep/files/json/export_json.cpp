@@ -57,4 +57,15 @@ nlohmann::ordered_json export_json(const ExportAnswer& answer, const std::string
     return json;
 }
 
+nlohmann::ordered_json effect_targets_json(const std::array<EffectTarget, std::size(simulators)>& targets)
+{
+    nlohmann::ordered_json json;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        auto& target = json[std::string(simulators[i].name)] = {{"says", name_of(targets[i].says)},
+                                                                {"lost", nlohmann::ordered_json::array()}};
+        for (const auto& n : targets[i].lost) target["lost"].push_back({{"key", n.key}, {"why_code", name_of(n.why)}});
+    }
+    return json;
+}
+
 }  // namespace stickslip

@@ -2,11 +2,11 @@
 #include "analysis/diagnosis/fit/effect.h"
 #include "analysis/joint/keys.h"
 #include "analysis/joint/parameters.h"
+#include "sweep/files/json/export_json.h"
 #include "sweep/files/reference/reference_text.h"
 #include "sweep/files/toml/commented_text.h"
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/program/verbs/verbs.h"
-#include "sweep/study/export/effect_targets.h"
 #include "sweep/study/start/starting_joint.h"
 
 #include <fmt/format.h>
@@ -75,18 +75,6 @@ Json joint_list()
     return json;
 }
 
-/// What `export` can write of an effect for each simulator.
-Json simulator_list(const std::array<EffectTarget, std::size(simulators)>& targets)
-{
-    Json json;
-    for (std::size_t i = 0; i < targets.size(); ++i) {
-        Json lost = Json::array();
-        for (const auto& n : targets[i].lost) lost.push_back({{"key", n.key}, {"why_code", name_of(n.why)}});
-        json[std::string(simulators[i].name)] = {{"says", name_of(targets[i].says)}, {"lost", lost}};
-    }
-    return json;
-}
-
 /// The catalogue of the diagnosis; a parameter's name is the effect's name, a dot, and its own.
 Json effect_list(bool with_parameters)
 {
@@ -101,7 +89,7 @@ Json effect_list(bool with_parameters)
         for (std::size_t i = 0; i < targets.size() && !with_parameters; ++i)
             entry[std::string(simulators[i].name)] = name_of(targets[i].says);
         if (with_parameters) {
-            entry["simulators"] = simulator_list(targets);
+            entry["simulators"] = effect_targets_json(targets);
             entry["confusable_with"] = effect.confusable;
             entry["parameters"] = Json::array();
             for (const auto& form : effect.forms)

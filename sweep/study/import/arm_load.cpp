@@ -97,8 +97,11 @@ JointMotion smoothed(const std::vector<double>& time, const std::vector<double>&
     JointMotion motion;
     std::size_t from = 0, to = 0;
     for (std::size_t row = 0; row < time.size(); ++row) {
-        while (time[from] < time[row] - window / 2) ++from;
-        while (to < time.size() && time[to] <= time[row] + window / 2) ++to;
+        // at both ends the window stays whole and the row is not in its middle: half of one would leave much more noise
+        const double begin = std::max(time.front(), std::min(time[row] - window / 2, time.back() - window));
+        const double rounding = 1e-9 * window;
+        while (time[from] < begin - rounding) ++from;
+        while (to < time.size() && time[to] <= begin + window + rounding) ++to;
         const auto n = to - from;
         if (n < least_rows)
             throw std::invalid_argument("has " + std::to_string(n) + " rows within the window round t = " +

@@ -25,8 +25,9 @@ struct JointLoad {
 std::vector<double> inverse_dynamics(const Robot& robot, const std::vector<double>& q, const std::vector<double>& dq,
                                      const std::vector<double>& ddq);
 
-/// A cubic through the rows within half a `window` of each row, by least squares (Savitzky, Golay 1964, Anal. Chem. 36,
-/// 1627-1639; rows need not be evenly spaced). Throws std::invalid_argument where fewer than five rows lie in a window.
+/// A cubic through the rows within half a `window` of each row, at both ends through the first or last window, by least
+/// squares (Savitzky, Golay 1964, Anal. Chem. 36, 1627-1639; rows need not be evenly spaced). Throws
+/// std::invalid_argument where fewer than five rows lie in a window.
 JointMotion smoothed(const std::vector<double>& time, const std::vector<double>& position, double window);
 
 /// The motion as if it were measured again: what differs from `motion` is an example of what that is wrong by

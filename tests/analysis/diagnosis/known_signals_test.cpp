@@ -85,3 +85,38 @@ TEST_CASE("what noise makes of a joint is measured with the load and the inertia
     REQUIRE(spread.simulated);
     for (std::size_t l = 0; l < levels.size(); ++l) CHECK(spread.mean[l][0].position == Approx(1).margin(0.3));
 }
+
+TEST_CASE("what a known load is wrong by is in the floor of a prediction and in noisy runs", "[gap]")
+{
+    constexpr double E = 0.5, w = 30, zeta = 0.8;
+    Joint j = test::nominal_joint();
+    j.friction.law = CoulombViscous{.coulomb = 0, .viscous = 0};
+    j.sensor.encoder_quantum = 0, j.sensor.position_noise = 1e-7;
+    Record r;
+    r.name = "free.csv";
+    for (int k = 0; k < 8000; ++k) {
+        r.time.push_back(1e-3 * k);
+        r.load_error.push_back(E * std::sin(w * r.time.back()));
+    }
+    r.position.assign(r.time.size(), 0);
+    r.reference_position = r.effort_command = r.load_effort = r.position;
+    std::vector<Note> notes;
+    const Case c = prepare(r, j, notes);
+    for (const double omega : levels) {
+        // d'' + 2 zeta omega d' + omega² d = e/M
+        const double gain = 1 / std::hypot(omega * omega - w * w, 2 * zeta * omega * w);
+        const double expected = E / j.mechanism.inertia * gain / std::sqrt(2.0);
+        const double passed_on = std::sqrt(noise_amplification(omega, c.row_step));
+        const double by_load = std::sqrt(std::pow(reading_floor(c, omega), 2) - c.sigma * c.sigma) * passed_on;
+        CHECK(by_load == Approx(expected).epsilon(0.03));
+    }
+    const auto run = [&](double sign, std::uint64_t seed, bool wrong) {
+        Ticks t = c.ticks;
+        for (std::size_t k = 0; k < t.size(); ++k) t.load[k] += sign * t.load_error[k];
+        if (!wrong) t.load_error.clear();
+        return closed_loop(flatten(c.joint), t, seed).true_position;
+    };
+    CHECK(run(0, 1, true) == run(1, 1, false));   // odd seeds have it,
+    CHECK(run(0, 2, true) == run(-1, 2, false));  // even ones its opposite,
+    CHECK(run(0, 0, true) == run(0, 0, false));   // and a run without noise none of it
+}

@@ -19,8 +19,8 @@ double reading_floor(const Case& c, double omega)
         const double kick = c.drive_sigma * c.row_step / flatten(c.joint).driven_inertia();
         floor = std::hypot(floor, kick * std::sqrt(kick_amplification(omega, c.row_step) / passed_on));
     }
-    const auto nearest = std::ranges::min_element(
-        levels, {}, [&](double level) { return std::abs(std::log(omega / level)); });
+    const auto nearest =
+        std::ranges::min_element(levels, {}, [&](double level) { return std::abs(std::log(omega / level)); });
     const double by_load = c.load_sigma[static_cast<std::size_t>(nearest - levels.begin())];
     return by_load == 0 ? floor : std::hypot(floor, by_load / std::sqrt(passed_on));
 }

@@ -12,11 +12,11 @@ namespace stickslip::gap {
 /// A record ready to be fitted: on its clock, with the joint that held in it and its noise.
 struct Case {
     Ticks ticks;
-    Joint joint;                           ///< nominal, after what the controller audit has settled
-    double sigma = 1;                      ///< standard deviation of a reading, quantisation included
-    double effort_sigma = 0;               ///< of a measured effort; 0: effort is not judged
-    double drive_sigma = 0;                ///< of a measured effort that drives the joint
-    std::array<double, 3> load_sigma{};    ///< RMS of a prediction by what a known load is wrong by, at each of `levels`
+    Joint joint;                         ///< nominal, after what the controller audit has settled
+    double sigma = 1;                    ///< standard deviation of a reading, quantisation included
+    double effort_sigma = 0;             ///< of a measured effort; 0: effort is not judged
+    double drive_sigma = 0;              ///< of a measured effort that drives the joint
+    std::array<double, 3> load_sigma{};  ///< RMS of a prediction by what a known load is wrong by, at each of `levels`
     std::vector<double> controller_error;  ///< of that effort, less what the documented controller asks for, each row
     std::size_t number = 0;                ///< of the record among all: which own parameters are its
     double row_step = 1e-3;                ///< s between two readings

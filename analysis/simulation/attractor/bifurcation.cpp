@@ -216,6 +216,7 @@ std::optional<BranchPoint> fold_of_cycles(const Flow& flow, const BranchPoint& o
     // the start may stand at the fold itself
     if (lower.size() == 2) return highest_between(flow, lower.front(), on_branch, lower.back(), options);
     if (known.size() < 2) return {};
+    const double least = std::min(least_amplitude * flow.scale()[0], 0.5 * on_branch.start[0]);
     for (int i = 0; i < 400 && known.back().k_p > known[known.size() - 2].k_p; ++i) {
         const auto next = cycle_of_amplitude(flow, predict(flow, known, known.back().start[0] * factor), options);
         if (!next) {
@@ -223,7 +224,7 @@ std::optional<BranchPoint> fold_of_cycles(const Flow& flow, const BranchPoint& o
             factor = std::sqrt(factor);
             continue;
         }
-        if (next->start[0] < least_amplitude * flow.scale()[0]) return {};
+        if (next->start[0] < least) return {};
         known.push_back(*next);
         if (i > 3 && i % 4 == 0) factor = std::clamp(factor * factor, 1 / 1.15, 1.15);
     }
@@ -251,12 +252,15 @@ BranchPoint last_at_rising_gain(const Flow& flow, BranchPoint at, const CycleOpt
 std::optional<BranchPoint> fold_of_cycles(const Flow& flow, const HopfPoint& hopf, const CycleOptions& options)
 {
     if (!(hopf.lyapunov > 0)) return {};
-    const double a = 0.05 * flow.scale()[0];
-    BranchPoint guess{hopf.k_p, flow.steady() + a * hopf.direction};
-    guess.start[1] = flow.steady()[1];
-    const auto start = cycle_of_amplitude(*flow.with_gain(hopf.k_p), guess, options);
-    if (!start) return {};
-    return fold_of_cycles(flow, *start, options);
+    // next to a degenerate point the gain of a branch runs off within small amplitudes: smaller ones are tried, too
+    for (const double amplitude : {0.05, 0.01, 2e-3, 5e-4}) {
+        const double a = amplitude * flow.scale()[0];
+        BranchPoint guess{hopf.k_p, flow.steady() + a * hopf.direction};
+        guess.start[1] = flow.steady()[1];
+        const auto start = cycle_of_amplitude(*flow.with_gain(hopf.k_p), guess, options);
+        if (start) return fold_of_cycles(flow, *start, options);
+    }
+    return {};
 }
 
 }  // namespace stickslip

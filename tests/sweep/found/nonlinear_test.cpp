@@ -35,6 +35,17 @@ TEST_CASE("W5: the fold beyond a nearly degenerate Hopf point is found from eith
     }
 }
 
+TEST_CASE("W5: the fold of a branch whose gain runs off within small amplitudes is found at every gain")
+{
+    const auto joint = found("w5-small-orbits");
+    // as located by `boundary --kind fold`
+    const double k_cr = 788.7785, fold = 7.047285 * k_cr;
+    for (const double factor : {0.5, 0.99, 1.0001, 1.5}) {
+        CAPTURE(factor);
+        CHECK(fold_of(joint, factor * k_cr) == Approx(fold).epsilon(1e-5));
+    }
+}
+
 TEST_CASE("W7: the fold close above a subcritical linear boundary is found on a wide axis, too")
 {
     const auto joint = found("w7");

@@ -105,7 +105,8 @@ constexpr Sentence sentences[] = {
     {Code::free_force, "{force} would explain {share0} of it"},
     {Code::nothing_earns, "no cause reduces the gap on held-out data, with inertia, friction and load refitted"},
     {Code::takes_too_little,
-     "{names} comes nearest, but explains only {share0} of the gap, of which {share1} is explainable"},
+     "{names} comes nearest, but explains only {share0} of what corrected parameters leave, of which {share1} is "
+     "explainable"},
     {Code::nearer_force,
      "{names} comes nearest, but {force} explains the records clearly better, and has the shape of no effect of the "
      "catalogue"},

@@ -36,6 +36,29 @@ Eigen::VectorXd bounded(const Candidate& c, Eigen::VectorXd x)
     return x;
 }
 
+double prior_mean(const Candidate& c, std::size_t i)
+{
+    for (const auto* f : c.forms) {
+        if (i >= c.count_of(*f)) {
+            i -= c.count_of(*f);
+            continue;
+        }
+        if (f->seeds.empty() || i >= f->seeds[0].size()) return 0;
+        return f->parameters[i].logarithmic ? std::log(f->seeds[0][i]) : f->seeds[0][i];
+    }
+    return 0;
+}
+
+std::optional<std::size_t> record_of(const Candidate& c, std::size_t i)
+{
+    for (const auto* f : c.forms) {
+        const std::size_t shared = f->parameters.size() - f->own;
+        if (i < c.count_of(*f)) return i < shared ? std::nullopt : std::optional((i - shared) / f->own);
+        i -= c.count_of(*f);
+    }
+    return std::nullopt;
+}
+
 std::vector<double> in_si(const Candidate& candidate, const Eigen::VectorXd& x, const Scales& scales)
 {
     std::vector<double> si(static_cast<std::size_t>(x.size()));

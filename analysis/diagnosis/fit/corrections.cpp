@@ -1,5 +1,7 @@
 #include "analysis/diagnosis/fit/corrections.h"
 
+#include "analysis/diagnosis/fit/candidate_numbers.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -60,7 +62,7 @@ Corrections::Corrections(const std::vector<Case>& cases, const Scales& scales, c
                           sd,
                           help};
         if (logarithmic) p.low = std::exp(p.low), p.high = std::exp(p.high);
-        sds_.push_back(sd);
+        sds_.push_back({sd});
         return p;
     };
     add(
@@ -74,7 +76,8 @@ Corrections::Corrections(const std::vector<Case>& cases, const Scales& scales, c
         number(Quantity::effort, Scale::effort, false, prior.coulomb * level, "change of the Coulomb level"),
         [](Joint& to, const double* p) { for_all_frictions(to, p[0], shift_coulomb); }, false);
     const double drag = std::max(viscous * scales.velocity / scales.effort, prior.least);
-    usual_effort_ = prior.widest * prior.small_term * level;
+    small_sd_ = prior.small_term * level;
+    usual_effort_ = prior.widest * small_sd_;
     usual_drag_ = prior.widest * prior.viscous * drag;
     add(
         "viscous",
@@ -110,8 +113,10 @@ Corrected Corrections::beside(const Candidate& causes) const
         if (is_cause(e.name)) continue;
         all.candidate.effects.push_back(&e);
         all.candidate.forms.push_back(&e.forms[0]);
-        all.numbers += all.candidate.count_of(e.forms[0]);
-        all.candidate.prior_sd.resize(all.numbers, sds_[i]);
+        const std::size_t count = all.candidate.count_of(e.forms[0]);
+        for (std::size_t k = 0; k < count; ++k)  // the numbers of all records have one
+            all.candidate.prior_sd.push_back(sds_[i][std::min(k, sds_[i].size() - 1)]);
+        all.numbers += count;
     }
     all.corrections = all.candidate.effects.size();
     all.candidate.effects.insert(all.candidate.effects.end(), causes.effects.begin(), causes.effects.end());
@@ -136,8 +141,9 @@ Corrected Corrections::but(Corrected all, std::size_t correction)
 bool Corrections::same_number(const Effect& effect, const EffectForm& form) const
 {
     // a form with a name of its own changes something else, one of two masses, say; forms of gravity do not
-    return (form.name.empty() || effect.name == "gravity") &&
-           std::ranges::any_of(effects_, [&](const Effect& own) { return own.name == effect.name; });
+    return (form.name.empty() || effect.name == "gravity") && std::ranges::any_of(effects_, [&](const Effect& own) {
+               return own.name == effect.name && !is_small_term(own);
+           });
 }
 
 bool Corrections::is_usual(const Candidate& causes, const Eigen::VectorXd& x, const Effect& cause) const
@@ -162,10 +168,11 @@ bool Corrections::is_one(const Candidate& causes, const Eigen::VectorXd& x) cons
     for (std::size_t i = 0; i < causes.effects.size(); ++i) {
         const auto count = static_cast<Eigen::Index>(causes.count_of(*causes.forms[i]));
         const bool same = same_number(*causes.effects[i], *causes.forms[i]);
-        for (std::size_t k = 0; k < effects_.size(); ++k)
-            if (same && causes.effects[i]->name == effects_[k].name &&
-                x.segment(at, count).cwiseAbs().maxCoeff() <= widest_ * sds_[k])
-                return true;
+        for (std::size_t k = 0; k < effects_.size(); ++k) {
+            if (causes.effects[i]->name != effects_[k].name) continue;
+            if (same && x.segment(at, count).cwiseAbs().maxCoeff() <= widest_ * sds_[k][0]) return true;
+            if (is_small_term(effects_[k]) && is_usual(causes, x, *causes.effects[i])) return true;
+        }
         at += count;
     }
     return false;
@@ -174,8 +181,9 @@ bool Corrections::is_one(const Candidate& causes, const Eigen::VectorXd& x) cons
 Eigen::VectorXd Corrections::start(const Corrected& to, const Corrected& from, const Eigen::VectorXd& corrections,
                                    const Eigen::VectorXd& causes)
 {
-    // factors are logarithms, so zero leaves every number as it is
+    // factors are logarithms, so zero leaves every number as it is; small terms stay where they lie, without a size
     Eigen::VectorXd x = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(to.candidate.parameter_count()));
+    for (std::size_t i = 0; i < to.numbers; ++i) x[static_cast<Eigen::Index>(i)] = prior_mean(to.candidate, i);
     Eigen::Index at = 0;
     for (std::size_t i = 0; i < to.corrections; ++i) {
         const auto count = static_cast<Eigen::Index>(to.candidate.count_of(*to.candidate.forms[i]));

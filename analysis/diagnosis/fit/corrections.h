@@ -1,5 +1,6 @@
 // The numbers of a joint file are a few per cent off: inertia, Coulomb and viscous friction and load enter every
-// comparison as numbers with a prior, refitted on both sides. They are corrections of the document, no causes.
+// comparison as numbers with a prior, refitted on both sides. So do the small terms that every machine has and no
+// document: a ripple, a cogging, a drift. They are corrections of the document, no causes.
 #pragma once
 #include "analysis/diagnosis/fit/fit.h"
 #include "analysis/diagnosis/policy/rules.h"
@@ -21,6 +22,14 @@ class Corrections {
   public:
     Corrections(const std::vector<Case>& cases, const Scales& scales, const CorrectionPrior& prior);
 
+    /// One of the small terms, as the effect of the catalogue that it is: a size with a prior around nothing, and where
+    /// or how fast it acts around these numbers of a fit.
+    void add_small_term(const Effect& effect, const EffectForm& form, const Eigen::VectorXd& x);
+    /// The effects that may be small terms, in the order in which they are looked for.
+    static std::span<const std::string_view> small_terms();
+    /// Whether a correction is a small term, no number of the document.
+    static bool is_small_term(const Effect& correction);
+
     /// The causes behind the corrections.
     Corrected beside(const Candidate& causes) const;
     /// The same with one of the corrections left out: its number stays as documented.
@@ -29,9 +38,13 @@ class Corrections {
     bool same_number(const Effect& effect, const EffectForm& form) const;
     /// Whether a cause is one of the small terms that every machine has, and no larger than they are.
     bool is_usual(const Candidate& causes, const Eigen::VectorXd& x, const Effect& cause) const;
-    /// Whether one of the causes changes a number that a correction changes, and by no more than its prior allows: then
-    /// it is that correction, held back by nothing.
+    /// Whether one of the causes changes a number that a correction changes, or is a small term that is one, and is no
+    /// larger than its prior allows: then it is that correction, held back by nothing.
     bool is_one(const Candidate& causes, const Eigen::VectorXd& x) const;
+    /// How far a correction with numbers from `at` on is from the document, in standard deviations of its prior: of a
+    /// wave its amplitude, wherever it lies.
+    static double deviations(const Candidate& candidate, std::size_t correction, std::size_t at,
+                             const Eigen::VectorXd& x);
     /// Numbers for that: corrections from `corrections` (empty: as documented) of `from`, causes from `causes`.
     static Eigen::VectorXd start(const Corrected& to, const Corrected& from, const Eigen::VectorXd& corrections,
                                  const Eigen::VectorXd& causes);
@@ -39,11 +52,12 @@ class Corrections {
   private:
     void add(std::string_view name, const EffectParameter& parameter, void (*apply)(Joint&, const double*), bool own);
 
-    std::deque<Effect> effects_;  // candidates point at them
-    std::vector<double> sds_;     // of each one's number
+    std::deque<Effect> effects_;            // candidates point at them
+    std::vector<std::vector<double>> sds_;  // of the numbers of each
     std::size_t records_;
     double weight_, widest_;
     double usual_effort_ = 0, usual_drag_ = 0;  ///< largest small term, in units of a parameter's scale
+    double small_sd_ = 0;                       ///< of the prior of its size
 };
 
 }  // namespace stickslip::gap

@@ -34,9 +34,13 @@ double effort_floor(const Case& c, double omega)
 double prior_cost(const Candidate& candidate, const Eigen::VectorXd& x)
 {
     double cost = 0;
-    for (Eigen::Index i = 0; i < x.size() && candidate.prior_weight > 0; ++i)
-        if (const double sd = candidate.sd_of(static_cast<std::size_t>(i)); sd > 0)
-            cost += candidate.prior_weight * (x[i] / sd) * (x[i] / sd);
+    for (Eigen::Index i = 0; i < x.size() && candidate.prior_weight > 0; ++i) {
+        const auto parameter = static_cast<std::size_t>(i);
+        if (const double sd = candidate.sd_of(parameter); sd > 0) {
+            const double off = (x[i] - prior_mean(candidate, parameter)) / sd;
+            cost += candidate.prior_weight * off * off;
+        }
+    }
     return cost;
 }
 
@@ -135,7 +139,8 @@ LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidat
         for (Eigen::Index i = 0; i < n && candidate.prior_weight > 0; ++i)
             if (const double sd = candidate.sd_of(static_cast<std::size_t>(i)); sd > 0) {
                 const double row = candidate.prior_weight * static_cast<double>(cases.size()) / (sd * sd);
-                normal(i, i) += row, gradient[i] += row * fit.x[i];
+                normal(i, i) += row;
+                gradient[i] += row * (fit.x[i] - prior_mean(candidate, static_cast<std::size_t>(i)));
             }
         fit.information = normal;
         bool better = false;

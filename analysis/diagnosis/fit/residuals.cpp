@@ -1,5 +1,7 @@
 #include "analysis/diagnosis/fit/residuals.h"
 
+#include "analysis/diagnosis/fit/candidate_numbers.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -34,18 +36,6 @@ double add_blocks(const std::vector<double>& scaled, std::size_t begin, std::siz
 std::size_t block_rows(const Case& c)
 {
     return std::max<std::size_t>(4, static_cast<std::size_t>(block_time / c.row_step));
-}
-
-/// Whose value this parameter is: the number of a record, or no_record where all share it.
-constexpr std::size_t no_record = static_cast<std::size_t>(-1);
-std::size_t record_of(const Candidate& candidate, std::size_t parameter)
-{
-    for (const auto* f : candidate.forms) {
-        const std::size_t shared = f->parameters.size() - f->own;
-        if (parameter < candidate.count_of(*f)) return parameter < shared ? no_record : (parameter - shared) / f->own;
-        parameter -= candidate.count_of(*f);
-    }
-    return no_record;
 }
 
 std::size_t residual_count(const Case& c)
@@ -89,8 +79,8 @@ class Predictions {
     bool needs(const Case& c, const Place& place) const
     {
         if (place.moved == no_parameter) return true;
-        const std::size_t own = record_of(candidate_, place.moved);
-        return own == no_record || own == std::min(c.number, candidate_.records - 1);
+        const auto own = record_of(candidate_, place.moved);
+        return !own || *own == std::min(c.number, candidate_.records - 1);
     }
     void go(std::span<const Place> places, const std::vector<double>* known,
             std::vector<std::vector<double>>& residuals)

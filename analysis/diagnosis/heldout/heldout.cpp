@@ -1,5 +1,8 @@
 #include "analysis/diagnosis/heldout/heldout.h"
 
+#include "analysis/diagnosis/fit/block.h"
+#include "analysis/diagnosis/fit/candidate_numbers.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -111,6 +114,15 @@ std::vector<Case> without(const std::vector<Case>& cases, const Fold& fold)
 
 namespace {
 
+/// What belongs to the record that is held out keeps what was fitted to it: no other record knows the phase of its
+/// disturbance, or how its Coulomb level differs from theirs, and a prior would take it back.
+Kept of_the_fold(const Candidate& candidate, const Fold& fold, std::size_t record)
+{
+    Kept kept(candidate.parameter_count(), 0);
+    for (std::size_t i = 0; i < kept.size() && fold.from == -infinity; ++i) kept[i] = record_of(candidate, i) == record;
+    return kept;
+}
+
 /// The joint of a fold after the cause is fitted to everything but the fold.
 Joint refitted(const std::vector<Case>& cases, const Fold& fold, const Scales& scales, const Attribution& found)
 {
@@ -123,9 +135,10 @@ Joint refitted(const std::vector<Case>& cases, const Fold& fold, const Scales& s
     // the start is near: a long first step would only lose it where these records say little
     constexpr double first_step = 0.03;
     constexpr int evaluations = 40;
-    const auto refit =
-        rough ? search_rough(rest, found.candidate, scales, found.x[level], levels[level], evaluations, first_step)
-              : descend(rest, found.candidate, scales, found.x[level], levels[level], few);
+    const Kept kept = of_the_fold(found.candidate, fold, c.number);
+    const auto refit = rough ? search_block(rest, found.candidate, scales, found.x[level], levels[level], evaluations,
+                                            first_step, kept)
+                             : descend_block(rest, found.candidate, scales, found.x[level], levels[level], few, kept);
     return edited(c.joint, found.candidate, in_si(found.candidate, refit.x, scales), c.number);
 }
 

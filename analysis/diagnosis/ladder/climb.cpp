@@ -72,7 +72,10 @@ LadderSearch::LadderSearch(const std::vector<Case>& cases, const Scales& scales,
     data_.raise_floor({}, {});
     fitter_->renew();
     correct(corrected_);
-    if (!singles.empty()) first_ = climber_->next(corrected_);
+    if (singles.empty()) return;
+    auto looks = climber_->looks(corrected_);
+    find_small_terms(looks);
+    first_ = climber_->judged(looks);
 }
 
 LadderSearch::~LadderSearch() = default;
@@ -83,7 +86,7 @@ void LadderSearch::correct(FittedSet& set)
     // which lets the next one go further, until both agree.
     constexpr int most_rounds = 5;
     constexpr double settled = 0.02;  // of mean log square
-    Eigen::VectorXd x = fitter_->start({}, {}, {});
+    Eigen::VectorXd x = fitter_->start({}, set, {});
     double before = infinity;
     for (int round = 0; round < most_rounds; ++round) {
         x = fitter_->refit({}, x).x;
@@ -132,7 +135,7 @@ Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t mo
                 rivals.push_back(t);
         set = rivals[0];
         settle(set);
-        if (rivals.size() > 1) set = climber_->compared(rivals);
+        set = climber_->compared(rivals);
         // exchange: a cause that only stood in for what came later goes, and makes room
         for (std::size_t i = 0; i < set.causes.effects.size() && set.causes.effects.size() > 1;) {
             FittedSet less = climber_->without(set, i);
@@ -189,8 +192,7 @@ std::vector<FarNumber> LadderSearch::far_off(const Ladder& ladder) const
     std::size_t at = 0;
     for (std::size_t i = 0; i < last.model.corrections; at += c.count_of(*c.forms[i++])) {
         // what differs from record to record is no number of the document
-        const double off = std::abs(last.fit.x[static_cast<Eigen::Index>(at)]);
-        if (c.forms[i]->own > 0 || off < rules_.far_off * c.sd_of(at)) continue;
+        if (c.forms[i]->own > 0 || Corrections::deviations(c, i, at, last.fit.x) < rules_.far_off) continue;
         far.push_back({c.effects[i], fitter_->fit_without(last, i).all_left()});
     }
     return far;

@@ -55,6 +55,7 @@ double margin_of(const FittedSet& better, const LadderRules& rules);
 
 class Climber;
 class SetFitter;
+struct Start;
 /// Whether all that a set leaves is noise: then there is nothing to climb for.
 using OnlyNoise = std::function<bool(const FittedSet&)>;
 
@@ -81,6 +82,7 @@ class LadderSearch {
 
   private:
     void correct(FittedSet& set);
+    void find_small_terms(std::vector<Start>& looks);
     void settle(const FittedSet& set);
     Ladder finished(FittedSet set);
     void correct_alone(Ladder& ladder) const;
@@ -88,7 +90,7 @@ class LadderSearch {
     const Scales& scales_;
     const LadderRules& rules_;
     const ParallelFor& parallel_;
-    std::shared_ptr<const Corrections> corrections_;
+    std::shared_ptr<Corrections> corrections_;
     HeldOutData data_;
     std::vector<Window> documented_;
     FittedSet corrected_;

@@ -26,7 +26,10 @@ class Climber {
     }
 
     /// Every cause that is not yet in the set on top of it; the best few of a first look, judged, best first.
-    std::vector<FittedSet> next(const FittedSet& below)
+    std::vector<FittedSet> next(const FittedSet& below) { return judged(looks(below)); }
+
+    /// The best few before they are judged.
+    std::vector<Start> looks(const FittedSet& below)
     {
         std::vector<Start> looks;
         // divided masses cost ten times as much: beside another cause only those that come near alone, and beside them
@@ -46,7 +49,7 @@ class Climber {
                          [](const Start& a, const Start& b) { return a.objective < b.objective; });
         std::erase_if(looks, [](const Start& s) { return s.x0.size() == 0; });
         if (looks.size() > rules_.finalists) looks.resize(rules_.finalists);
-        return judged(looks);
+        return looks;
     }
 
     std::vector<FittedSet> judged(const std::vector<Start>& starts)

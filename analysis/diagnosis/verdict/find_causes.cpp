@@ -81,7 +81,11 @@ void shorten_to_likely(const LadderSearch& search, const Prepared& p, const Para
     const auto unlikely = [&] {
         return !j.noise_left && j.ladder.rungs.size() > 1 && j.chances.back() < policy::least_chance_of_further_rung;
     };
-    while (small_against_corrections(j) || unlikely()) {
+    // where nothing can be named beside corrections that take most of the gap, they are the answer
+    const auto corrections_alone = [&] {
+        return j.why_not && !j.ladder.rungs.empty() && corrections_take_most(j.shares);
+    };
+    while (small_against_corrections(j) || unlikely() || corrections_alone()) {
         JudgedLadder shorter;
         shorter.noise_below = j.noise_left || j.noise_below;
         shorter.with_small_terms = j.with_small_terms;

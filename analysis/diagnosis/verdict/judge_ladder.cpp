@@ -2,12 +2,14 @@
 
 #include "analysis/diagnosis/verdict/chances.h"
 
+#include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/search/search.h"
 #include "analysis/diagnosis/verdict/experiment.h"
 #include "analysis/diagnosis/verdict/verdict.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace stickslip::gap {
@@ -23,6 +25,23 @@ Shares shares_of(const Ladder& ladder, const Flexible& of_corrected, const Flexi
     s.explainable_to = std::min(of_corrected.after, of_last.after);
     if (!s.rungs.empty()) s.explainable_to = std::min(s.explainable_to, s.rungs.back());
     return s;
+}
+
+/// Squares of what the corrections of a set are off by, in standard deviations of their priors.
+double deviations_of_corrections(const FittedSet& set)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < set.model.numbers; ++i)
+        if (const double sd = set.model.candidate.sd_of(i); sd > 0)
+            sum += std::pow((set.fit.x[static_cast<Eigen::Index>(i)] - prior_mean(set.model.candidate, i)) / sd, 2);
+    return sum;
+}
+
+/// Whether corrections stand in for the causes when these are left out: they go further off than documents are.
+bool corrections_stand_in(const Ladder& ladder)
+{
+    return !ladder.rungs.empty() && ladder.last().model.numbers > 0 &&
+           deviations_of_corrections(ladder.corrected) - deviations_of_corrections(ladder.last()) > policy::standing_in;
 }
 
 /// Whether the rungs take most of what is explainable beyond the corrections.
@@ -47,11 +66,12 @@ std::optional<Note> why_not(const JudgedLadder& j)
 {
     const auto& rungs = j.ladder.rungs;
     if (!j.noise_left && !takes_most(j.shares)) {
-        const double whole = std::max(1e-300, j.shares.documented);
-        return Note{
-            .code = Note::Code::takes_too_little,
-            .names = names_of(rungs[0].causes),
-            .values = {(j.shares.base - j.shares.rungs[0]) / whole, (j.shares.base - j.shares.explainable_to) / whole}};
+        // of what the corrections leave: beside them both may be next to nothing of the whole gap
+        const double whole = std::max(1e-300, j.shares.base);
+        const double taken = std::max(0.0, j.shares.base - j.shares.rungs[0]);
+        return Note{.code = Note::Code::takes_too_little,
+                    .names = names_of(rungs[0].causes),
+                    .values = {taken / whole, (j.shares.base - j.shares.explainable_to) / whole}};
     }
     if (!j.noise_left && only_nearest(j))
         return Note{.code = Note::Code::force_in_the_rest,
@@ -82,6 +102,12 @@ std::vector<std::string> JudgedLadder::with_numbers(std::vector<std::string> cau
 {
     for (const auto& [effect, share] : numbers) causes.emplace_back(effect->name);
     return causes;
+}
+
+bool corrections_take_most(const Shares& s)
+{
+    return s.documented - s.base >= std::max(policy::least_of_gap * s.documented,
+                                             policy::least_of_explainable * (s.documented - s.explainable_to));
 }
 
 namespace {
@@ -189,6 +215,7 @@ void judge(JudgedLadder& j, const HeldOutData& data, const Scales& scales, const
     j.of_corrected = regress(data, scales, base.model.candidate, base.x, base.fit.x);
     j.of_last = ladder.rungs.empty() ? j.of_corrected : regress(data, scales, last.model.candidate, last.x, last.fit.x);
     j.shares = shares_of(ladder, j.of_corrected, j.of_last);
+    if (corrections_stand_in(ladder)) j.shares.base = std::max(j.shares.base, j.shares.corrected);
     j.winner = at_all_levels(data.cases(), scales, nominal, last);
     j.winner.refined = true;
     // its fit weighed by what it leaves: errors are those of the documented noise
@@ -199,10 +226,7 @@ void judge(JudgedLadder& j, const HeldOutData& data, const Scales& scales, const
     j.usual = usual_of_machines(ladder);
     if (ladder.rungs.empty()) {
         // nothing but the document's numbers: if they take most of what is explainable, that is the answer
-        const double taken = j.shares.documented - j.shares.base;
-        const double least = std::max(policy::least_of_gap * j.shares.documented,
-                                      policy::least_of_explainable * (j.shares.documented - j.shares.explainable_to));
-        j.only_corrections = j.noise_left || taken >= least;
+        j.only_corrections = j.noise_left || corrections_take_most(j.shares);
         if (!j.only_corrections) j.why_not = Note{Note::Code::nothing_earns};
         return;
     }

@@ -58,6 +58,9 @@ std::vector<double> odds_of_rivals(const JudgedLadder& judged, std::size_t rung)
 /// How sure every rung is: against its rivals, and against what is left of the explainable.
 std::vector<double> chances_of(const JudgedLadder& judged);
 
+/// Whether corrections of the document alone take most of the gap, and of what is explainable of it.
+bool corrections_take_most(const Shares& shares);
+
 /// Whether the corrections take so much more of the gap than the last rung that it is not what the gap comes from.
 bool small_against_corrections(const JudgedLadder& judged);
 

@@ -45,7 +45,7 @@ bool reject_if_not_validated(Diagnosis& d, const Standing& standing)
     if (!d.effects.empty()) why->names = d.effects[0].names;
     d.reasons.insert(d.reasons.begin(), *why);
     d.ladder.clear();
-    d.remainder.share = 1;
+    d.corrected_share = 0, d.remainder.share = 1;
     d.ambiguous_with.clear();
     d.next_experiment = {};
     return true;

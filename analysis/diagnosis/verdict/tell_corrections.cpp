@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/verdict/tell_corrections.h"
 
+#include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/policy/policy.h"
 
 #include <algorithm>
@@ -20,7 +21,10 @@ std::vector<Correction> corrections_of(const Prepared& p, const JudgedLadder& j)
             const auto& parameter = c.parameter(i);
             std::string name = std::string(c.effects[n]->name) + "." + std::string(parameter.name);
             if (c.forms[n]->own > 0) name = "coulomb-level.change in " + p.cases[k].ticks.name;
-            const double sd = c.sd_of(i) * (parameter.logarithmic ? 1 : unit_of(parameter.scale, p.scales));
+            // a small term has no document to be off: its prior is that of its size
+            const bool of_document = prior_mean(c, i) == 0;
+            const double sd =
+                !of_document ? not_set : c.sd_of(i) * (parameter.logarithmic ? 1 : unit_of(parameter.scale, p.scales));
             all.push_back({c.forms[n]->own > 0 ? "coulomb-level" : std::string(c.effects[n]->name),
                            {name, si[i], quality.standard_error[i], std::string(unit_of(parameter.quantity, motion))},
                            sd});
@@ -37,7 +41,8 @@ std::vector<std::string> furthest_off(const JudgedLadder& j)
     std::vector<std::string> name;
     for (std::size_t n = 0; n < j.corrections; ++n)
         for (std::size_t k = 0; k < c.count_of(*c.forms[n]); ++k, ++i)
-            if (const double off = std::abs(x[static_cast<Eigen::Index>(i)]) / c.sd_of(i); off > largest) {
+            if (const double off = std::abs(x[static_cast<Eigen::Index>(i)]) / c.sd_of(i);
+                off > largest && !Corrections::is_small_term(*c.effects[n])) {
                 largest = off;
                 name = {c.forms[n]->own > 0 ? "coulomb-level" : std::string(c.effects[n]->name)};
             }
@@ -62,6 +67,7 @@ std::vector<std::string> that_matter(const Prepared& p, const JudgedLadder& j)
         Eigen::VectorXd less = x;
         less.segment(at, count).setZero();
         at += count;
+        if (Corrections::is_small_term(*c.effects[n])) continue;  // in no document
         const std::string name = c.forms[n]->own > 0 ? "coulomb-level" : std::string(c.effects[n]->name);
         if (squares(less) - all > policy::worth_correcting * (none - all) &&
             std::find(names.begin(), names.end(), name) == names.end())

@@ -135,7 +135,8 @@ void tell_ladder(const Prepared& p, const Findings& f, double audited, Diagnosis
     const auto first = static_cast<std::ptrdiff_t>(p.audit.findings.empty() ? 0 : 1);
     d.corrections = corrections_of(p, j);
     const double gap = std::max(1e-300, j.shares.documented);
-    d.corrected_share = std::max(0.0, 1 - j.shares.corrected / gap);
+    // where nothing is named, no cause stands beside the corrections
+    d.corrected_share = std::max(0.0, 1 - (told ? j.shares.corrected : j.shares.base) / gap);
     for (const auto& [effect, share] : j.numbers) {
         if (!j.named) break;  // numbers alone are corrections, however much they take
         auto rung = rung_of(j, whole, *effect, share);
@@ -153,7 +154,8 @@ void tell_ladder(const Prepared& p, const Findings& f, double audited, Diagnosis
     d.ceiling.interval = {audited + rest * std::clamp(explainable.low + more, 0.0, 1.0),
                           audited + rest * std::clamp(explainable.high + more, 0.0, 1.0)};
     d.ceiling.depends_on = signals_in(j.of_corrected);
-    d.remainder.share = rest * std::clamp((told ? beyond_noise(j.ladder.last().all_left()) : gap) / gap, 0.0, 1.0);
+    const double left = told ? beyond_noise(j.ladder.last().all_left()) : j.shares.base;
+    d.remainder.share = rest * std::clamp(left / gap, 0.0, 1.0);
     if (!j.noise_left) d.remainder.structure = signals_in(j.of_last);
 }
 

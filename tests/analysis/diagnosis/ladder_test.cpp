@@ -121,6 +121,37 @@ TEST_CASE(
         CHECK(rival.misfit > c.ladder.rungs[0].misfit + margin_of(c.ladder.rungs[0], policy::ladder));
 }
 
+TEST_CASE("the small terms that every machine has are corrections beside a cause, which then leaves next to nothing",
+          "[gap][ladder]")
+{
+    Machine m;
+    m.viscous = 3;  // documented: 1.5
+    m.inertia = 1.2 * 1.03;
+    m.ripple = 0.06, m.cogging = 0.08;  // 3 and 4 % of the Coulomb level
+    const Climbed c(m);
+    REQUIRE(c.ladder.rungs.size() == 1);
+    CHECK(c.ladder.rungs[0].causes.effects[0]->name == "viscous");
+    CHECK(share(c.ladder.last().all_left(), c.ladder.documented) < 0.01);
+    const FittedSet& set = c.ladder.last();
+    const auto si = in_si(set.model.candidate, set.fit.x, c.scales);
+    const auto term = [&](std::string_view name) {
+        std::array<double, 3> numbers{};
+        std::size_t at = 0;
+        for (std::size_t i = 0; i < set.model.corrections; ++i) {
+            const auto count = set.model.candidate.count_of(*set.model.candidate.forms[i]);
+            if (set.model.candidate.effects[i]->name == name)
+                std::copy_n(si.begin() + static_cast<std::ptrdiff_t>(at), 3, numbers.begin());
+            at += count;
+        }
+        return numbers;
+    };
+    const auto ripple = term("position-dependent-friction"), cogging = term("cogging");
+    CHECK(std::hypot(cogging[0], cogging[1]) == Approx(m.cogging).margin(0.01));
+    CHECK(cogging[2] == Approx(m.waves).epsilon(0.01));
+    CHECK(std::hypot(ripple[0], ripple[1]) == Approx(m.ripple).margin(0.01));
+    CHECK(ripple[2] == Approx(1.3 * m.waves).epsilon(0.01));
+}
+
 TEST_CASE("what remains is told by the signal that it depends on", "[gap][ladder]")
 {
     Machine m;

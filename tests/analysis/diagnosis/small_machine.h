@@ -30,6 +30,9 @@ struct Machine {
     double picked_up_at = 3;      ///< s
     double k_i = 0;               ///< N/(m·s)
     double integral_limit = 1e9;  ///< N, of the integral's share of the command
+    double ripple = 0;            ///< N, of the Coulomb level over the position
+    double cogging = 0;           ///< N
+    double waves = 200;           ///< rad/m, of both
     double one_way = 0;           ///< part of the viscous slope that changes its sign with the direction
 };
 
@@ -91,16 +94,17 @@ inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
             else
                 followed = std::clamp(followed, q - m.bellows_play, q + m.bellows_play);
             const double push = std::clamp(m.gain * u, -m.limit, m.limit) + m.load - m.gravity * std::sin(q) -
-                                m.cubic * q * q * q - m.bellows * followed;
-            if (std::abs(v) < band && std::abs(push) <= m.coulomb) {
+                                m.cubic * q * q * q - m.bellows * followed + m.cogging * std::sin(m.waves * q);
+            const double level = m.coulomb + m.ripple * std::cos(1.3 * m.waves * q);
+            if (std::abs(v) < band && std::abs(push) <= level) {
                 v = 0;
                 continue;
             }
             const double direction = std::abs(v) < band ? std::copysign(1.0, push) : std::copysign(1.0, v);
             const double carried = m.picked_up * std::clamp((t + i * h - m.picked_up_at) / 0.5, 0.0, 1.0);
-            const double next = v + h / (m.inertia + carried) *
-                                        (push - direction * m.coulomb - m.viscous * v - m.drag * v * std::abs(v) -
-                                         m.one_way * std::abs(v));
+            const double next =
+                v + h / (m.inertia + carried) *
+                        (push - direction * level - m.viscous * v - m.drag * v * std::abs(v) - m.one_way * std::abs(v));
             if (next * v < 0)
                 v = 0;
             else

@@ -27,8 +27,10 @@ TEST_CASE("every code of a note has a name of its own and a sentence of its own"
 
 TEST_CASE("why the nearest cause is not the answer is said from its code and numbers", "[report]")
 {
-    CHECK(note_text({.code = Code::takes_too_little, .names = {"stribeck", "viscous"}, .values = {0.31, 0.8}}) ==
-          "stribeck with viscous comes nearest, but explains only 31 % of the gap, of which 80 % is explainable");
+    CHECK(
+        note_text({.code = Code::takes_too_little, .names = {"stribeck", "viscous"}, .values = {0.31, 0.8}}) ==
+        "stribeck with viscous comes nearest, but explains only 31 % of what corrected parameters leave, of which 80 % "
+        "is explainable");
     Note force{.code = Code::nearer_force, .names = {"gravity"}, .signal = "position"};
     CHECK_THAT(note_text(force), Contains("gravity comes nearest, but a force that depends on the position alone"));
     force.signal = "hysteresis";

@@ -1,0 +1,105 @@
+// The small terms that every machine has and no document: a ripple of the friction, a cogging, a drift. They are looked
+// for once, in what the nearest cause leaves, and are corrections from then on.
+#include "analysis/diagnosis/ladder/climber.h"
+
+#include "analysis/diagnosis/fit/block.h"
+#include "analysis/diagnosis/fit/seeds.h"
+#include "analysis/diagnosis/policy/policy.h"
+
+#include <algorithm>
+
+namespace stickslip::gap {
+namespace {
+
+constexpr double omega = levels[ladder_level];
+constexpr int steps = 2;  // a size is nearly linear
+
+bool documented(const Joint& joint, std::string_view term)
+{
+    Joint copy = joint;
+    const Friction& friction = main_friction(copy);
+    if (term == "cogging") return joint.load.cogging.amplitude != 0;
+    if (term == "friction-drift") return friction.drift.change != 0;
+    return friction.ripple.amplitude != 0;
+}
+
+/// A term behind a fitted model, its size alone fitted.
+struct Tried {
+    Eigen::VectorXd own;  ///< the term's numbers
+    double objective = infinity;
+};
+
+Tried tried(const std::vector<Case>& cases, const Scales& scales, const Candidate& model, const Eigen::VectorXd& x,
+            const Candidate& term, const Eigen::VectorXd& start)
+{
+    Candidate with = model;
+    with.effects.push_back(term.effects[0]), with.forms.push_back(term.forms[0]);
+    Eigen::VectorXd all(x.size() + start.size());
+    all << x, start;
+    Kept kept(static_cast<std::size_t>(all.size()), 1);
+    for (std::size_t i = 0; i < term.parameter_count(); ++i)
+        kept[static_cast<std::size_t>(x.size()) + i] = term.parameter(i).quantity != Quantity::effort;
+    const auto fit = descend_block(cases, with, scales, all, omega, steps, kept);
+    return {fit.x.tail(start.size()), fit.evaluation.objective};
+}
+
+/// Adds to the corrections each small term that earns its place beside these causes with these numbers, which the
+/// corrections stand in front of. What the causes or the document have is not looked for again. The cases carry the
+/// noise that fits are weighed by.
+void add_small_terms(Corrections& corrections, const std::vector<Case>& cases, const Scales& scales,
+                     const Candidate& causes, Eigen::VectorXd x, const ParallelFor& parallel)
+{
+    for (const std::string_view name : Corrections::small_terms()) {
+        const bool is_cause = std::ranges::any_of(causes.effects, [&](const auto* e) { return e->name == name; });
+        if (is_cause || documented(cases[0].joint, name)) continue;
+        const Effect& effect = *effect_named(name);
+        const Candidate term{{&effect}, {&effect.forms[0]}, cases.size()};
+        if (!term.applies(cases[0].joint)) continue;
+        const Corrected model = corrections.beside(causes);
+        const auto si = in_si(model.candidate, x, scales);
+        const auto from = starts(cases, scales, term, model.candidate, si);
+        std::vector<Tried> all(from.size());
+        parallel(from.size(), [&](std::size_t i) { all[i] = tried(cases, scales, model.candidate, x, term, from[i]); });
+        const auto best = std::ranges::min_element(all, {}, &Tried::objective);
+        const double without = evaluate(cases, model.candidate, si, omega).objective + prior_cost(model.candidate, x);
+        if (best == all.end() || !(best->objective < (1 - policy::worth_a_small_term) * without)) continue;
+        corrections.add_small_term(effect, *term.forms[0], best->own);
+        const Corrected with = corrections.beside(causes);
+        Eigen::VectorXd next =
+            Corrections::start(with, model, x, x.tail(x.size() - static_cast<Eigen::Index>(model.numbers)));
+        next.segment(static_cast<Eigen::Index>(with.numbers) - best->own.size(), best->own.size()) = best->own;
+        x = next;
+    }
+}
+
+}  // namespace
+
+/// In what the nearest of the first causes leaves, if that is more than noise. All of them, and the corrections alone,
+/// have the terms from then on.
+void LadderSearch::find_small_terms(std::vector<Start>& looks)
+{
+    if (looks.empty()) return;
+    Start& nearest = looks[0];
+    std::vector<Corrected> models;
+    for (const auto& look : looks) models.push_back(corrections_->beside(look.causes));
+    nearest.x0 = fitter_->refit(nearest.causes, nearest.x0).x;
+    const auto si = in_si(models[0].candidate, nearest.x0, scales_);
+    const auto left = evaluate(data_.cases(), models[0].candidate, si, levels[ladder_level]);
+    if (std::ranges::all_of(
+            left.records, [](const Misfit& m) { return std::max(m.position, m.effort) < 1 + policy::slack_of_floor; }))
+        return;
+    data_.raise_floor(models[0].candidate, si);
+    const auto numbers = models[0].numbers;
+    add_small_terms(*corrections_, data_.fitted(), scales_, nearest.causes, nearest.x0, parallel_);
+    if (corrections_->beside(nearest.causes).numbers == numbers) {
+        settle(corrected_);
+        return;
+    }
+    for (std::size_t i = 0; i < looks.size(); ++i)
+        looks[i].x0 =
+            Corrections::start(corrections_->beside(looks[i].causes), models[i], looks[i].x0,
+                               looks[i].x0.tail(looks[i].x0.size() - static_cast<Eigen::Index>(models[i].numbers)));
+    correct(corrected_);
+}
+
+}  // namespace stickslip::gap

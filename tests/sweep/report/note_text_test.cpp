@@ -16,7 +16,8 @@ TEST_CASE("every code of a note has a name of its own and a sentence of its own"
         const auto code = static_cast<Code>(i);
         INFO(name_of(code));
         CHECK(names.insert(std::string(name_of(code))).second);
-        const Note note{code, "a.csv", {"one", "two", "three"}, "velocity", {2, 3, 4, 5, 6}, std::string(name_of(code))};
+        const Note note{code,       "a.csv",         {"one", "two", "three"},
+                        "velocity", {2, 3, 4, 5, 6}, std::string(name_of(code))};
         const std::string text = note_text(note);
         CHECK_THAT(text, Catch::StartsWith("a.csv: "));
         CHECK(text == "a.csv: " + remark_text(note));

@@ -61,6 +61,15 @@ struct Field {
     Need need = Need::optional;
     std::string_view help;
     Role role = Role::plain;
+    std::string_view symbol = {}, name = {};  ///< on charts and pages; empty: the key stands for itself
+
+    /// "k_{p}", "position gain". A # stands for the table of the number: signs.h.
+    constexpr Field called(std::string_view sign, std::string_view word) const
+    {
+        Field named = *this;
+        named.symbol = sign, named.name = word;
+        return named;
+    }
 };
 
 /// A short list of numbers inside a parameter struct (the states of a law); plain data, no allocation.

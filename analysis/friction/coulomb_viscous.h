@@ -32,8 +32,12 @@ struct CoulombViscous {
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number({"coulomb", Quantity::effort, not_negative, Need::required, "Coulomb friction"}, self.coulomb);
-        visit.number({"viscous", Quantity::damping, not_negative, Need::required, "viscous friction"}, self.viscous);
+        visit.number(Field{"coulomb", Quantity::effort, not_negative, Need::required, "Coulomb friction"}.called(
+                         "F_{c}", "Coulomb friction"),
+                     self.coulomb);
+        visit.number(Field{"viscous", Quantity::damping, not_negative, Need::required, "viscous friction"}.called(
+                         "F_{v}", "viscous friction"),
+                     self.viscous);
     }
 };
 

@@ -46,8 +46,12 @@ struct Dahl {
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number({"coulomb", Quantity::effort, positive, Need::required, "Coulomb friction"}, self.coulomb);
-        visit.number({"sigma0", Quantity::stiffness, positive, Need::required, "bristle stiffness"}, self.sigma0);
+        visit.number(Field{"coulomb", Quantity::effort, positive, Need::required, "Coulomb friction"}.called(
+                         "F_{c}", "Coulomb friction"),
+                     self.coulomb);
+        visit.number(Field{"sigma0", Quantity::stiffness, positive, Need::required, "bristle stiffness"}.called(
+                         "σ_{0}", "bristle stiffness"),
+                     self.sigma0);
         visit.number({"exponent", Quantity::number, Range{1, infinity, false, true}, Need::optional,
                       "shape of the approach to the Coulomb level", Role::label},
                      self.exponent);

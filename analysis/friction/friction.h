@@ -15,12 +15,14 @@ struct Asymmetry {
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number(
-            {"coulomb", Quantity::effort, any_finite, Need::optional, "half the Coulomb difference between + and −"},
-            self.coulomb);
-        visit.number(
-            {"viscous", Quantity::damping, any_finite, Need::optional, "half the viscous difference between + and −"},
-            self.viscous);
+        visit.number(Field{"coulomb", Quantity::effort, any_finite, Need::optional,
+                           "half the Coulomb difference between + and −"}
+                         .called("F_{c}", "Coulomb friction"),
+                     self.coulomb);
+        visit.number(Field{"viscous", Quantity::damping, any_finite, Need::optional,
+                           "half the viscous difference between + and −"}
+                         .called("F_{v}", "viscous friction"),
+                     self.viscous);
     }
 };
 
@@ -80,14 +82,23 @@ struct Memory {
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number({"A", Quantity::effort, not_negative, Need::optional, "direct velocity effect, 0 for none"},
-                     self.A);
-        visit.number({"B", Quantity::effort, not_negative, Need::optional, "evolution effect, 0 for none"}, self.B);
-        visit.number({"L", Quantity::position, positive, Need::optional, "characteristic slip distance"}, self.L);
-        visit.number({"V_star", Quantity::velocity, positive, Need::optional, "reference velocity V*"}, self.V_star);
         visit.number(
-            {"lag", Quantity::time, not_negative, Need::optional, "time lag of the velocity dependence, 0 for none"},
-            self.lag);
+            Field{"A", Quantity::effort, not_negative, Need::optional, "direct velocity effect, 0 for none"}.called(
+                "A", "direct effect"),
+            self.A);
+        visit.number(Field{"B", Quantity::effort, not_negative, Need::optional, "evolution effect, 0 for none"}.called(
+                         "B", "evolution effect"),
+                     self.B);
+        visit.number(Field{"L", Quantity::position, positive, Need::optional, "characteristic slip distance"}.called(
+                         "L", "slip distance"),
+                     self.L);
+        visit.number(Field{"V_star", Quantity::velocity, positive, Need::optional, "reference velocity V*"}.called(
+                         "V*", "reference velocity"),
+                     self.V_star);
+        visit.number(Field{"lag", Quantity::time, not_negative, Need::optional,
+                           "time lag of the velocity dependence, 0 for none"}
+                         .called("τ", "time lag"),
+                     self.lag);
         visit.flag("lag_viscous",
                    "the whole friction follows the speed late, viscous part included; else its level alone",
                    self.lag_viscous);

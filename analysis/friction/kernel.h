@@ -85,11 +85,17 @@ struct Kernel {
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number({"f0", Quantity::effort, any_finite, Need::optional, "friction at V_star", Role::label}, self.f0);
-        visit.number({"f_v", Quantity::damping, any_finite, Need::required, "direct velocity effect"}, self.f_v);
         visit.number(
-            {"V_star", Quantity::velocity, any_finite, Need::optional, "velocity at which friction is f0", Role::label},
-            self.V_star);
+            Field{"f0", Quantity::effort, any_finite, Need::optional, "friction at V_star", Role::label}.called(
+                "f_{0}", "friction at the reference velocity"),
+            self.f0);
+        visit.number(Field{"f_v", Quantity::damping, any_finite, Need::required, "direct velocity effect"}.called(
+                         "f_{v}", "instantaneous velocity slope"),
+                     self.f_v);
+        visit.number(Field{"V_star", Quantity::velocity, any_finite, Need::optional, "velocity at which friction is f0",
+                           Role::label}
+                         .called("V*", "reference velocity"),
+                     self.V_star);
         visit.rows("exponentials", "decaying parts of the kernel", self.exponentials);
         visit.rows("delays", "delayed parts of the kernel", self.impulses);
         // a walker that knows samples digests or fills them; for any other the table is a file name

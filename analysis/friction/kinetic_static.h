@@ -35,9 +35,13 @@ struct KineticStatic {
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number({"kinetic", Quantity::effort, not_negative, Need::required, "friction in motion"}, self.kinetic);
-        visit.number({"static", Quantity::effort, not_negative, Need::required, "friction to break away from rest"},
-                     self.breakaway);
+        visit.number(Field{"kinetic", Quantity::effort, not_negative, Need::required, "friction in motion"}.called(
+                         "F_{k}", "kinetic friction"),
+                     self.kinetic);
+        visit.number(
+            Field{"static", Quantity::effort, not_negative, Need::required, "friction to break away from rest"}.called(
+                "F_{s}", "static friction"),
+            self.breakaway);
     }
 };
 

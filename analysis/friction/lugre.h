@@ -69,13 +69,25 @@ struct LuGre {
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number({"sigma0", Quantity::stiffness, positive, Need::required, "bristle stiffness"}, self.sigma0);
-        visit.number({"sigma1", Quantity::damping, not_negative, Need::required, "bristle damping"}, self.sigma1);
-        visit.number({"sigma2", Quantity::damping, not_negative, Need::required, "viscous friction"}, self.sigma2);
-        visit.number({"coulomb", Quantity::effort, positive, Need::required, "Coulomb friction"}, self.coulomb);
-        visit.number({"static", Quantity::effort, positive, Need::required, "static friction"}, self.breakaway);
-        visit.number({"stribeck_velocity", Quantity::velocity, positive, Need::required, "Stribeck velocity"},
-                     self.stribeck_velocity);
+        visit.number(Field{"sigma0", Quantity::stiffness, positive, Need::required, "bristle stiffness"}.called(
+                         "σ_{0}", "bristle stiffness"),
+                     self.sigma0);
+        visit.number(Field{"sigma1", Quantity::damping, not_negative, Need::required, "bristle damping"}.called(
+                         "σ_{1}", "bristle damping"),
+                     self.sigma1);
+        visit.number(Field{"sigma2", Quantity::damping, not_negative, Need::required, "viscous friction"}.called(
+                         "σ_{2}", "viscous friction"),
+                     self.sigma2);
+        visit.number(Field{"coulomb", Quantity::effort, positive, Need::required, "Coulomb friction"}.called(
+                         "F_{c}", "Coulomb friction"),
+                     self.coulomb);
+        visit.number(Field{"static", Quantity::effort, positive, Need::required, "static friction"}.called(
+                         "F_{s}", "static friction"),
+                     self.breakaway);
+        visit.number(
+            Field{"stribeck_velocity", Quantity::velocity, positive, Need::required, "Stribeck velocity"}.called(
+                "v_{s}", "Stribeck velocity"),
+            self.stribeck_velocity);
     }
 };
 

@@ -94,15 +94,19 @@ struct MaxwellSlip {
     static void fields(Self& self, Visitor& visit)
     {
         visit.rows("elements", "springs that slip at their yield force", self.elements);
-        visit.number({"viscous", Quantity::damping, not_negative, Need::optional, "viscous friction"}, self.viscous);
+        visit.number(Field{"viscous", Quantity::damping, not_negative, Need::optional, "viscous friction"}.called(
+                         "F_{v}", "viscous friction"),
+                     self.viscous);
         visit.number({"attraction", Quantity::effort_rate, positive, Need::optional,
                       "generalised form: how fast a slipping element approaches its level"},
                      self.attraction);
         visit.number({"static_ratio", Quantity::number, Range{1, infinity, false, true}, Need::optional,
                       "slip level at rest over slip level in fast sliding"},
                      self.static_ratio);
-        visit.number({"stribeck_velocity", Quantity::velocity, positive, Need::optional, "Stribeck velocity"},
-                     self.stribeck_velocity);
+        visit.number(
+            Field{"stribeck_velocity", Quantity::velocity, positive, Need::optional, "Stribeck velocity"}.called(
+                "v_{s}", "Stribeck velocity"),
+            self.stribeck_velocity);
     }
 
   private:

@@ -46,16 +46,24 @@ struct RateStateParameters {
     static void fields(Self& self, Visitor& visit)
     {
         visit.number(
-            {"f0", Quantity::effort, any_finite, Need::required, "friction at the reference velocity", Role::label},
+            Field{"f0", Quantity::effort, any_finite, Need::required, "friction at the reference velocity", Role::label}
+                .called("f_{0}", "friction at the reference velocity"),
             self.f0);
-        visit.number({"A", Quantity::effort, positive, Need::required, "direct velocity effect"}, self.A);
-        visit.numbers({"B", Quantity::effort, not_negative, Need::required, "evolution effect, one value a state"},
-                      self.B);
+        visit.number(Field{"A", Quantity::effort, positive, Need::required, "direct velocity effect"}.called(
+                         "A", "direct effect"),
+                     self.A);
         visit.numbers(
-            {"L", Quantity::position, positive, Need::required, "characteristic slip distance, one value a state"},
+            Field{"B", Quantity::effort, not_negative, Need::required, "evolution effect, one value a state"}.called(
+                "B", "evolution effect"),
+            self.B);
+        visit.numbers(
+            Field{"L", Quantity::position, positive, Need::required, "characteristic slip distance, one value a state"}
+                .called("L", "slip distance"),
             self.L);
-        visit.number({"V_star", Quantity::velocity, positive, Need::required, "reference velocity V*", Role::label},
-                     self.V_star);
+        visit.number(
+            Field{"V_star", Quantity::velocity, positive, Need::required, "reference velocity V*", Role::label}.called(
+                "V*", "reference velocity"),
+            self.V_star);
     }
 };
 

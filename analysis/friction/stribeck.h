@@ -44,14 +44,23 @@ struct Stribeck {
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number({"c0", Quantity::effort, not_negative, Need::required, "Coulomb friction"}, self.c0);
-        visit.number({"c1", Quantity::damping, not_negative, Need::required, "viscous friction"}, self.c1);
+        visit.number(Field{"c0", Quantity::effort, not_negative, Need::required, "Coulomb friction"}.called(
+                         "c_{0}", "Coulomb friction"),
+                     self.c0);
+        visit.number(Field{"c1", Quantity::damping, not_negative, Need::required, "viscous friction"}.called(
+                         "c_{1}", "viscous slope"),
+                     self.c1);
         visit.number(
-            {"c2", Quantity::effort, not_negative, Need::required, "static friction above Coulomb, 0 for none"},
+            Field{"c2", Quantity::effort, not_negative, Need::required, "static friction above Coulomb, 0 for none"}
+                .called("c_{2}", "Stribeck peak"),
             self.c2);
-        visit.number({"c3", Quantity::velocity, positive, Need::required, "Stribeck velocity"}, self.c3);
-        visit.number({"c4", Quantity::number, positive, Need::optional, "exponent, 2 is the Gaussian form (22)"},
-                     self.c4);
+        visit.number(Field{"c3", Quantity::velocity, positive, Need::required, "Stribeck velocity"}.called(
+                         "c_{3}", "Stribeck velocity"),
+                     self.c3);
+        visit.number(
+            Field{"c4", Quantity::number, positive, Need::optional, "exponent, 2 is the Gaussian form (22)"}.called(
+                "c_{4}", "Stribeck exponent"),
+            self.c4);
     }
 
   private:

@@ -68,8 +68,10 @@ struct TimeLag {
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number({"lag", Quantity::time, positive, Need::required, "by how much friction follows velocity"},
-                     self.lag);
+        visit.number(
+            Field{"lag", Quantity::time, positive, Need::required, "by how much friction follows velocity"}.called(
+                "τ", "time lag"),
+            self.lag);
         visit.table("curve", "friction-velocity curve of steady sliding", self.curve);
     }
 };

@@ -33,9 +33,12 @@ struct Actuator {
     {
         visit.choice("kind", "effort source or DC motor", self.kind, actuator_kinds);
         visit.number(
-            {"effort_gain", Quantity::effort, any_finite, Need::optional, "effort per unit of the drive signal"},
+            Field{"effort_gain", Quantity::effort, any_finite, Need::optional, "effort per unit of the drive signal"}
+                .called("k_{a}", "effort gain"),
             self.effort_gain);
-        visit.number({"lag", Quantity::time, not_negative, Need::optional, "time constant of the actuator"}, self.lag);
+        visit.number(Field{"lag", Quantity::time, not_negative, Need::optional, "time constant of the actuator"}.called(
+                         "τ", "time lag"),
+                     self.lag);
         visit.number({"limit", Quantity::effort, positive, Need::optional, "limit of the effort"}, self.limit);
         if (self.kind == ActuatorKind::effort) {
             visit.number({"sag_effort", Quantity::effort, positive, Need::optional,
@@ -43,11 +46,17 @@ struct Actuator {
                          self.sag_effort);
             return;
         }
-        visit.number({"k_t", Quantity::torque_constant, positive, Need::required, "torque constant"}, self.k_t);
-        visit.number({"k_e", Quantity::back_emf, not_negative, Need::required, "back-EMF constant"}, self.k_e);
-        visit.number({"resistance", Quantity::resistance, positive, Need::required, "winding resistance"},
+        visit.number(Field{"k_t", Quantity::torque_constant, positive, Need::required, "torque constant"}.called(
+                         "k_{t}", "torque constant"),
+                     self.k_t);
+        visit.number(Field{"k_e", Quantity::back_emf, not_negative, Need::required, "back-EMF constant"}.called(
+                         "k_{e}", "back-EMF constant"),
+                     self.k_e);
+        visit.number(Field{"resistance", Quantity::resistance, positive, Need::required, "winding resistance"}.called(
+                         "R", "winding resistance"),
                      self.resistance);
-        visit.number({"supply_voltage", Quantity::voltage, positive, Need::optional, "supply voltage"},
+        visit.number(Field{"supply_voltage", Quantity::voltage, positive, Need::optional, "supply voltage"}.called(
+                         "U_{0}", "supply voltage"),
                      self.supply_voltage);
         visit.number({"supply_resistance", Quantity::resistance, not_negative, Need::optional,
                       "source resistance of the supply"},

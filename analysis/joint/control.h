@@ -35,8 +35,9 @@ struct VelocityEstimate {
     static void fields(Self& self, Visitor& visit)
     {
         visit.choice("form", "how velocity is estimated", self.form, estimate_forms);
-        visit.number({"tau", Quantity::time, not_negative, Need::optional,
-                      "time constant of the first-order filter, 0 for none"},
+        visit.number(Field{"tau", Quantity::time, not_negative, Need::optional,
+                           "time constant of the first-order filter, 0 for none"}
+                         .called("τ_{v}", "velocity filter time constant"),
                      self.tau);
         visit.number(
             {"average", Quantity::number, whole_positive, Need::optional, "positions averaged before the difference"},
@@ -79,11 +80,13 @@ struct Control {
         else
             cascade_fields(self, visit);
         integral_fields(self, visit);
-        visit.number(
-            {"V0", Quantity::velocity, any_finite, Need::optional, "commanded velocity (maps need it)", Role::speed},
-            self.V0);
-        visit.number({"force_rate", Quantity::effort_rate, any_finite, Need::optional,
-                      "force control: rate of the contact force, in place of V0", Role::speed},
+        visit.number(Field{"V0", Quantity::velocity, any_finite, Need::optional, "commanded velocity (maps need it)",
+                           Role::speed}
+                         .called("V_{0}", "commanded velocity"),
+                     self.V0);
+        visit.number(Field{"force_rate", Quantity::effort_rate, any_finite, Need::optional,
+                           "force control: rate of the contact force, in place of V0", Role::speed}
+                         .called("Ḟ_{0}", "force rate"),
                      self.force_rate);
         visit.number({"contact_stiffness", Quantity::stiffness, not_negative, Need::optional,
                       "stiffness k_c between link and surroundings, beside k_p"},
@@ -91,13 +94,19 @@ struct Control {
         visit.number({"force_gain", Quantity::number, not_negative, Need::optional,
                       "force control: share of the contact force that is fed back to the motor"},
                      self.force_gain);
-        visit.number({"period", Quantity::time, sample_times, Need::optional, "sample time of the loop"}, self.period);
+        visit.number(Field{"period", Quantity::time, sample_times, Need::optional, "sample time of the loop"}.called(
+                         "T", "sample time"),
+                     self.period);
         visit.flag("reference_velocity", "velocity feedback acts on the velocity error, not on velocity alone",
                    self.reference_velocity);
-        visit.number({"effort_limit", Quantity::effort, positive, Need::optional, "limit of the controller's output"},
-                     self.effort_limit);
-        visit.number({"delay", Quantity::time, not_negative, Need::optional, "dead time behind the command"},
-                     self.delay);
+        visit.number(
+            Field{"effort_limit", Quantity::effort, positive, Need::optional, "limit of the controller's output"}
+                .called("u_{max}", "controller limit"),
+            self.effort_limit);
+        visit.number(
+            Field{"delay", Quantity::time, not_negative, Need::optional, "dead time behind the command"}.called(
+                "T_{d}", "dead time"),
+            self.delay);
         visit.table("velocity_estimate", "how the loop estimates velocity", self.velocity_estimate);
         visit.table("feed_forward", "what the controller adds for the commanded motion", self.feed_forward);
         visit.table("dither", "a vibration that the controller adds to its output", self.dither);
@@ -126,44 +135,58 @@ struct Control {
     template <class Self, class Visitor>
     static void sum_fields(Self& self, Visitor& visit)
     {
-        visit.number({"k_p", Quantity::stiffness, any_finite, Need::required, "position gain"}, self.k_p);
-        visit.number({"k_v", Quantity::damping, any_finite, Need::optional, "velocity gain"}, self.k_v);
-        visit.number(
-            {"k_i", Quantity::integral_gain, any_finite, Need::optional, "gain on the integral of the position error"},
-            self.k_i);
+        visit.number(Field{"k_p", Quantity::stiffness, any_finite, Need::required, "position gain"}.called(
+                         "k_{p}", "position gain"),
+                     self.k_p);
+        visit.number(Field{"k_v", Quantity::damping, any_finite, Need::optional, "velocity gain"}.called(
+                         "k_{v}", "velocity gain"),
+                     self.k_v);
+        visit.number(Field{"k_i", Quantity::integral_gain, any_finite, Need::optional,
+                           "gain on the integral of the position error"}
+                         .called("k_{i}", "integral gain"),
+                     self.k_i);
     }
     template <class Self, class Visitor>
     static void cascade_fields(Self& self, Visitor& visit)
     {
         visit.number(
-            {"position_gain", Quantity::rate, any_finite, Need::required, "commanded velocity per position error"},
+            Field{"position_gain", Quantity::rate, any_finite, Need::required, "commanded velocity per position error"}
+                .called("K_{pos}", "position gain of the cascade"),
             self.position_gain);
-        visit.number({"velocity_gain", Quantity::damping, any_finite, Need::required, "effort per velocity error"},
-                     self.velocity_gain);
-        visit.number({"velocity_integral_gain", Quantity::stiffness, any_finite, Need::optional,
-                      "effort per integral of the velocity error"},
+        visit.number(
+            Field{"velocity_gain", Quantity::damping, any_finite, Need::required, "effort per velocity error"}.called(
+                "K_{v}", "velocity gain of the cascade"),
+            self.velocity_gain);
+        visit.number(Field{"velocity_integral_gain", Quantity::stiffness, any_finite, Need::optional,
+                           "effort per integral of the velocity error"}
+                         .called("K_{i}", "integral gain of the velocity loop"),
                      self.velocity_integral_gain);
-        visit.number({"velocity_reset_time", Quantity::time, positive, Need::optional,
-                      "velocity_gain per velocity_integral_gain, instead of it"},
+        visit.number(Field{"velocity_reset_time", Quantity::time, positive, Need::optional,
+                           "velocity_gain per velocity_integral_gain, instead of it"}
+                         .called("T_{n}", "reset time of the velocity loop"),
                      self.velocity_reset_time);
     }
     template <class Self, class Visitor>
     static void integral_fields(Self& self, Visitor& visit)
     {
-        visit.number({"integral_limit", Quantity::effort, positive, Need::optional,
-                      "limit of the integral's share of the output"},
+        visit.number(Field{"integral_limit", Quantity::effort, positive, Need::optional,
+                           "limit of the integral's share of the output"}
+                         .called("u_{i,max}", "limit of the integral"),
                      self.integral_limit);
         visit.choice("anti_windup", "what the integral does while the output is at its limit", self.anti_windup,
                      anti_windups);
-        visit.number({"tracking_time", Quantity::time, positive, Need::optional,
-                      "back-calculation: time constant with which the integral follows the limited output"},
+        visit.number(Field{"tracking_time", Quantity::time, positive, Need::optional,
+                           "back-calculation: time constant with which the integral follows the limited output"}
+                         .called("T_{t}", "tracking time"),
                      self.tracking_time);
-        visit.number({"integral_band", Quantity::position, positive, Need::optional,
-                      "the integral grows only while the position error is within it"},
+        visit.number(Field{"integral_band", Quantity::position, positive, Need::optional,
+                           "the integral grows only while the position error is within it"}
+                         .called("e_{i}", "integral band"),
                      self.integral_band);
-        visit.number(
-            {"dead_zone", Quantity::position, not_negative, Need::optional, "position errors within it count as none"},
-            self.dead_zone);
+        visit.number(Field{"dead_zone", Quantity::position, not_negative, Need::optional,
+                           "position errors within it count as none"}
+                         .called("e_{0}", "dead zone"),
+                     self.dead_zone);
     }
 };
 

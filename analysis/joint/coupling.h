@@ -16,18 +16,25 @@ struct NormalLoad {
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number({"displacement", Quantity::stiffness, any_finite, Need::optional,
-                      "normal force per displacement of the link"},
+        visit.number(Field{"displacement", Quantity::stiffness, any_finite, Need::optional,
+                           "normal force per displacement of the link"}
+                         .called("n_{0}", "normal force per displacement"),
                      self.displacement);
-        visit.number({"velocity", Quantity::damping, any_finite, Need::optional, "normal force per velocity"},
-                     self.velocity);
-        visit.number({"acceleration", Quantity::inertia, any_finite, Need::optional, "normal force per acceleration"},
-                     self.acceleration);
-        visit.number({"mu", Quantity::number, not_negative, Need::optional,
-                      "friction per normal force in steady sliding; not set: friction per friction.normal_load"},
+        visit.number(
+            Field{"velocity", Quantity::damping, any_finite, Need::optional, "normal force per velocity"}.called(
+                "n_{1}", "normal force per velocity"),
+            self.velocity);
+        visit.number(
+            Field{"acceleration", Quantity::inertia, any_finite, Need::optional, "normal force per acceleration"}
+                .called("n_{2}", "normal force per acceleration"),
+            self.acceleration);
+        visit.number(Field{"mu", Quantity::number, not_negative, Need::optional,
+                           "friction per normal force in steady sliding; not set: friction per friction.normal_load"}
+                         .called("μ", "friction coefficient"),
                      self.mu);
-        visit.number({"alpha", Quantity::number, not_negative, Need::optional,
-                      "Linker-Dieterich coefficient: friction per normal force that a step takes out of the state"},
+        visit.number(Field{"alpha", Quantity::number, not_negative, Need::optional,
+                           "Linker-Dieterich coefficient: friction per normal force that a step takes out of the state"}
+                         .called("α", "Linker-Dieterich coefficient"),
                      self.alpha);
         visit.number({"from_load", Quantity::number, any_finite, Need::optional,
                       "normal force on the link per effort that the transmission carries (several inertias)"},

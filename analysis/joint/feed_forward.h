@@ -71,8 +71,9 @@ struct FeedForward {
         visit.number(
             {"acceleration", Quantity::inertia, any_finite, Need::optional, "effort per acceleration of the reference"},
             self.acceleration);
-        visit.number({"coulomb", Quantity::effort, any_finite, Need::optional,
-                      "push against dry friction, in the direction that coulomb_from names"},
+        visit.number(Field{"coulomb", Quantity::effort, any_finite, Need::optional,
+                           "push against dry friction, in the direction that coulomb_from names"}
+                         .called("F_{c}", "Coulomb friction"),
                      self.coulomb);
         visit.choice("coulomb_from",
                      "what switches that push: velocity of the reference, measured velocity, side of the position "

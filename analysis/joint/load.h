@@ -29,9 +29,13 @@ struct Load {
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number({"constant", Quantity::effort, any_finite, Need::optional, "constant load"}, self.constant);
-        visit.number({"gravity_amplitude", Quantity::effort, any_finite, Need::optional, "m g l of a pendulum load"},
-                     self.gravity_amplitude);
+        visit.number(Field{"constant", Quantity::effort, any_finite, Need::optional, "constant load"}.called(
+                         "F_{load}", "constant load"),
+                     self.constant);
+        visit.number(
+            Field{"gravity_amplitude", Quantity::effort, any_finite, Need::optional, "m g l of a pendulum load"}.called(
+                "m g l", "gravity amplitude"),
+            self.gravity_amplitude);
         visit.number(
             {"gravity_phase", Quantity::angle, any_finite, Need::optional, "q at which gravity pulls nothing, negated"},
             self.gravity_phase);

@@ -18,17 +18,21 @@ struct Transmission {
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number({"stiffness", Quantity::stiffness, positive, Need::required,
-                      "stiffness at the joint side (lever: motor_transmission at the motor side)", Role::stiffness},
+        visit.number(Field{"stiffness", Quantity::stiffness, positive, Need::required,
+                           "stiffness at the joint side (lever: motor_transmission at the motor side)", Role::stiffness}
+                         .called("k_{#}", "# stiffness"),
                      self.stiffness);
         visit.number(
-            {"damping", Quantity::damping, not_negative, Need::optional, "damping, at the side of the stiffness"},
+            Field{"damping", Quantity::damping, not_negative, Need::optional, "damping, at the side of the stiffness"}
+                .called("c_{#}", "# damping"),
             self.damping);
         visit.number(
-            {"ratio", Quantity::number, positive, Need::optional, "reduction N: motor motion per joint motion"},
+            Field{"ratio", Quantity::number, positive, Need::optional, "reduction N: motor motion per joint motion"}
+                .called("N", "transmission ratio"),
             self.ratio);
         visit.number(
-            {"backlash", Quantity::position, not_negative, Need::optional, "total clearance at the joint side"},
+            Field{"backlash", Quantity::position, not_negative, Need::optional, "total clearance at the joint side"}
+                .called("β", "backlash"),
             self.backlash);
     }
 };
@@ -49,26 +53,34 @@ struct Mechanism {
         visit.choice("motion", "what the joint does; units follow", self.motion, motions);
         visit.choice("model", "lumped model of the paper", self.model, models);
         if (self.model == Model::single_mass) {
-            visit.number({"inertia", Quantity::inertia, positive, Need::required, "moving inertia m", Role::inertia},
-                         self.inertia);
+            visit.number(
+                Field{"inertia", Quantity::inertia, positive, Need::required, "moving inertia m", Role::inertia}.called(
+                    "m", "inertia"),
+                self.inertia);
             return;
         }
-        visit.number({"motor_inertia", Quantity::inertia, positive, Need::required, "motor inertia at the motor side",
-                      Role::inertia},
+        visit.number(Field{"motor_inertia", Quantity::inertia, positive, Need::required,
+                           "motor inertia at the motor side", Role::inertia}
+                         .called("m_{mot}", "motor inertia"),
                      self.motor_inertia);
-        visit.number({"link_inertia", Quantity::inertia, positive, Need::required, "link inertia", Role::inertia},
-                     self.link_inertia);
+        visit.number(
+            Field{"link_inertia", Quantity::inertia, positive, Need::required, "link inertia", Role::inertia}.called(
+                "m_{link}", "link inertia"),
+            self.link_inertia);
         if (self.model == Model::two_mass) {
             visit.table("transmission", "between motor and link", self.transmission);
             return;
         }
         const bool lever = self.model == Model::lever;
-        visit.number({"transmission_inertia", lever ? Quantity::rotary_inertia : Quantity::inertia, positive,
-                      Need::required, "transmission inertia (lever: J_tr about its pivot)", Role::inertia},
+        visit.number(Field{"transmission_inertia", lever ? Quantity::rotary_inertia : Quantity::inertia, positive,
+                           Need::required, "transmission inertia (lever: J_tr about its pivot)", Role::inertia}
+                         .called("m_{tr}", "transmission inertia"),
                      self.transmission_inertia);
         if (lever)
-            visit.number({"lever_arm", Quantity::length, positive, Need::required, "joint-side lever arm d"},
-                         self.lever_arm);
+            visit.number(
+                Field{"lever_arm", Quantity::length, positive, Need::required, "joint-side lever arm d"}.called(
+                    "d", "lever arm"),
+                self.lever_arm);
         visit.table("motor_transmission", "between motor and transmission", self.motor_transmission);
         visit.table("transmission_link", "between transmission and link", self.transmission_link);
     }

@@ -12,9 +12,10 @@ struct Sensor {
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number(
-            {"encoder_quantum", Quantity::position, not_negative, Need::optional, "step of the encoder, 0 for none"},
-            self.encoder_quantum);
+        visit.number(Field{"encoder_quantum", Quantity::position, not_negative, Need::optional,
+                           "step of the encoder, 0 for none"}
+                         .called("Δ_{q}", "encoder quantum"),
+                     self.encoder_quantum);
         visit.number({"position_noise", Quantity::position, not_negative, Need::optional,
                       "standard deviation of the position noise"},
                      self.position_noise);
@@ -25,8 +26,9 @@ struct Sensor {
                      self.position_offset);
         visit.number({"position_scale", Quantity::number, positive, Need::optional, "reading per true position"},
                      self.position_scale);
-        visit.number({"delay", Quantity::time, not_negative, Need::optional,
-                      "dead time of the reading: how long it is on its way to the controller and the log"},
+        visit.number(Field{"delay", Quantity::time, not_negative, Need::optional,
+                           "dead time of the reading: how long it is on its way to the controller and the log"}
+                         .called("T_{s}", "dead time of the reading"),
                      self.delay);
     }
 };

@@ -21,7 +21,7 @@ class Judge {
   public:
     Judge(const Joint& joint, const Requirements& requirements, Curve::Kind theory);
 
-    /// The same judge asked for another margin; it remembers what was judged.
+    /// The same judge with another margin; it remembers what was judged.
     Judge with_margin(double margin) const;
 
     /// The pair at a point of the search's plane, (ln k_p, asinh(k_v/unit)). Each is judged once.

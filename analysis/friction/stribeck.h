@@ -1,4 +1,4 @@
-// The Stribeck curve: friction that depends on the current velocity alone.
+// The Stribeck curve: friction that depends on the present velocity only.
 #pragma once
 #include <cmath>
 

@@ -16,7 +16,7 @@ enum class CoulombFrom {
 inline constexpr Choice<CoulombFrom> coulomb_sources[] = {
     {"reference", CoulombFrom::reference}, {"velocity", CoulombFrom::velocity}, {"error", CoulombFrom::error}};
 
-/// What the controller adds for the motion it is told to make: acceleration · r̈ + the push against dry friction + the
+/// What the controller adds for the commanded motion: acceleration · r̈ + the push against dry friction + the
 /// effort that holds gravity at r. `velocity` is the share of ṙ in the velocity error velocity · ṙ − v. All of it but a
 /// push that follows the motion itself depends on the reference r alone, so that it moves no root.
 struct FeedForward {

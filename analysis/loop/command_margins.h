@@ -1,4 +1,4 @@
-// How far a loop is from its boundary, opened at the command: what every kind of loop is asked alike.
+// How far a loop is from its boundary, opened at the command: the same for every kind of loop.
 #pragma once
 #include <complex>
 #include <functional>

@@ -37,8 +37,8 @@ std::string_view name_of(LocationMethod method);
 /// One located point of a boundary along one parameter. The true crossing lies within [low, high].
 struct BoundaryPoint {
     double value = 0, low = 0, high = 0;
-    int direction = 0;       ///< +1: turns unstable as the parameter rises; −1: turns stable; 0: not told
-    bool converged = false;  ///< false: the bracket is wider than asked for
+    int direction = 0;       ///< +1: turns unstable as the parameter rises; −1: turns stable; 0: not known
+    bool converged = false;  ///< false: the bracket is wider than requested
     int evaluations = 0;
     LocationMethod method = LocationMethod::interpolation;
 

@@ -33,7 +33,7 @@ void check_probabilities(const Diagnosis& d, Found& found)
     }
     if (!each || sum > 1 + rounding) found.push_back("probabilities-exceed-one");
     if (is_named(d) && d.effects[0].probability < most - rounding) found.push_back("first-cause-is-not-the-likeliest");
-    // a rival that cannot be told from the first has 1/e of its odds at least (policy.h)
+    // a rival that cannot be distinguished from the first has 1/e of its odds at least (policy.h)
     if (is_named(d) && !d.ambiguous_with.empty() && d.effects[0].probability > 1 / (1 + std::exp(-1.0)) + 1e-3)
         found.push_back("sure-beside-a-rival");
     for (const auto& rung : d.ladder)

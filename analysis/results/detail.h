@@ -27,7 +27,7 @@ enum class Detail : std::uint8_t {
     no_level,  ///< a law without a level that place, time or load could change
     // a motion that was followed
     limit_of_turns,
-    limit_of_work,        ///< of one verdict; more is to be asked for
+    limit_of_work,        ///< of one verdict; a higher effort may be requested
     larger_not_followed,  ///< a larger disturbance, to its end
     stopped,              ///< it could not be followed any further
     // no growth rate

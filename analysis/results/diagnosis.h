@@ -39,7 +39,7 @@ struct Share {
     std::string name;
     double share = 0;
     ConfidenceInterval interval;
-    double rms = 0, floor = 0;  ///< in `unit`; regimes: in floors
+    double rms = 0, floor = 0;  ///< in `unit`; regimes: in noise floors
     std::string unit;
 };
 
@@ -76,7 +76,7 @@ struct Cause {
     double misfit = 0;       ///< score of the fit; 0 is noise
 };
 
-/// One cause of the ladder, given those above it and with the joint's own numbers refitted on both sides.
+/// One cause of the ladder, given those above it and with the nuisance parameters refitted on both sides.
 struct LadderRung {
     std::vector<std::string> names;  ///< one, or the audit's findings together
     double share = 0;                ///< of the gap's held-out squares beyond the noise
@@ -113,7 +113,7 @@ struct SignalGap {
 };
 
 struct OverallGap {
-    double before = 0, after = 0, floor = 0, explained = 0;  ///< in floors
+    double before = 0, after = 0, floor = 0, explained = 0;  ///< in noise floors
     ConfidenceInterval interval;                             ///< of explained
     double own_floor = 0;  ///< what noisy simulations with the cause differ by; 0: by no more than `floor`
 
@@ -130,7 +130,7 @@ struct OverallGap {
 };
 
 /// The force that drives the joint, low-passed, against what the model asks for along the measured motion: RMS over
-/// held-out data with the joint's own numbers refitted, without and with the first cause. corner 0: not judged.
+/// held-out data with the nuisance parameters refitted, without and with the first cause. corner 0: not judged.
 struct DriveForceGap {
     std::string unit;
     double corner = 0;  ///< Hz
@@ -167,7 +167,7 @@ struct Diagnosis {
     std::vector<Share> signals, regimes;
     std::vector<Cause> effects;
     std::vector<std::vector<std::string>> ambiguous_with;
-    std::optional<CauseSet> set;  ///< where a guarantee was asked for
+    std::optional<CauseSet> set;  ///< where a guarantee was requested
     NextExperiment next_experiment;
     std::vector<SignalGap> gap;
     OverallGap overall;

@@ -17,7 +17,7 @@ double search_effort();
 struct CrossingSearch {
     std::vector<Crossing> crossings;  ///< ascending in k_p, every one with 0 < k_p ≤ searched_to
     double searched_to = infinity;    ///< beyond this gain there may be more
-    bool exhausted = false;           ///< given up before the gain that was asked for
+    bool exhausted = false;           ///< given up before the requested gain
     std::vector<Interval> doubtful;   ///< bands of ω narrower than 1e-9 ω that bounds could not clear: a touch or a
                                       ///< double root may hide there
 };

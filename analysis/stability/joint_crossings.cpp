@@ -151,7 +151,7 @@ std::optional<int> roots_right(const LinearJoint& j)
 }
 
 /// The stable gains from the number of roots right of the axis at the joint's own gain, and a pair more or less at each
-/// crossing: nothing is asked where rounding would answer. Nothing where the own gain says nothing, or the numbers
+/// crossing: nothing is evaluated where rounding would decide. Nothing where the own gain says nothing, or the numbers
 /// contradict a count at the far end.
 std::optional<std::vector<Interval>> stable_by_count(const LinearJoint& j, const std::vector<Crossing>& crossings,
                                                      double searched_to, Gain gain)

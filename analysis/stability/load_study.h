@@ -10,7 +10,7 @@
 namespace stickslip {
 
 /// At one load: growth rates max Re s by both theories, critical gain with memory (NaN where there is none), least
-/// velocity gain by velocity alone.
+/// velocity gain of the velocity-only model.
 struct LoadedVerdict {
     double load, velocity_only, state_variable, k_cr, k_v_min;
 };

@@ -25,7 +25,7 @@ int range_scan(const Joint& joint)
     return 0;
 }
 
-/// What costs many searches is asked of joints that answer late only where more than the usual effort is allowed.
+/// What costs many searches is computed for joints with delays only where more than the usual effort is allowed.
 constexpr double effort_of_late_studies = 10;
 
 std::vector<ReductionStudy> named_only(const Joint& joint)

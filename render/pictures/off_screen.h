@@ -1,5 +1,5 @@
 // OpenGL without a screen, for the pictures that need it: an EGL context without any surface (Mesa's software renderer
-// or a graphics card). Neither an X server nor DISPLAY is asked for.
+// or a graphics card). Neither an X server nor DISPLAY is needed.
 #pragma once
 #include "render/drawing/encode.h"
 

@@ -15,7 +15,8 @@
 namespace stickslip {
 namespace {
 
-/// The lanes' vector code and Eigen's are fixed when they are compiled; what the machine has is told for the reader.
+/// The lanes' vector code and Eigen's are fixed when they are compiled; what the machine has is reported for the
+/// reader.
 std::string cpu_kind()
 {
     utsname machine{};

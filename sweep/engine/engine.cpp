@@ -126,7 +126,7 @@ ComputeReport compute(const Plan& plan, const Joint& base, const EvaluateChunk& 
                       Workload workload, Journal& journal, ChunkIndex& index, const EngineOptions& options)
 {
     const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
-    // TBB gives no more threads than cores unless it is told that more are meant.
+    // TBB gives no more threads than cores unless more are requested.
     const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
     tbb::task_arena arena(threads);
     Computation computation(plan, base, evaluate, source, workload, journal, index, options);

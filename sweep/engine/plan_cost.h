@@ -1,4 +1,4 @@
-// What a sweep costs, told before it starts. Everything that estimates size or time takes it from here.
+// What a sweep costs, stated before it starts. Everything that estimates size or time takes it from here.
 #pragma once
 #include <cstdint>
 #include <string>

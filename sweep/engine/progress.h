@@ -1,4 +1,4 @@
-// How far a long piece of work has come, told now and then.
+// How far a long piece of work has come, reported now and then.
 #pragma once
 #include <atomic>
 #include <chrono>
@@ -24,7 +24,7 @@ struct Progress {
 /// Called from any thread, never from two at once.
 using TellProgress = std::function<void(const Progress&)>;
 
-/// Counts points from any number of threads and tells at most every `seconds`; the end is always told. Without a
+/// Counts points from any number of threads and reports at most every `seconds`; the end is always reported. Without a
 /// function to tell it to, it only counts.
 class ProgressMeter {
   public:

@@ -33,7 +33,7 @@ class RunDirectory {
     /// Opens an existing directory alone, to merge it. Throws Refused.
     explicit RunDirectory(std::filesystem::path path);
 
-    /// The plan as it was first written here: same id as the plan asked for, with the provenance of the first run.
+    /// The plan as it was first written here: same id as the present plan, with the provenance of the first run.
     const Plan& plan() const { return plan_; }
 
     std::filesystem::path file(const char* name) const { return path_ / name; }

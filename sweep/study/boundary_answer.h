@@ -27,8 +27,8 @@ struct BoundaryAnswer {
     std::vector<FollowedBoundary> curves;
     std::vector<Meeting> meetings = {};      ///< of the boundaries with the lines through the design
     std::vector<BoundaryChart> charts = {};  ///< of the curves; none where somebody asked to stop before
-    std::string outcome_means;               ///< "position of 0.0001 m", mark-up, where outcomes were asked for
-    std::optional<SetPoint> set_point = {};  ///< of the design, where boundaries of hunting were asked for
+    std::string outcome_means;               ///< "position of 0.0001 m", mark-up, where outcomes were requested
+    std::optional<SetPoint> set_point = {};  ///< of the design, where boundaries of hunting were requested
 };
 
 }  // namespace stickslip

@@ -1,4 +1,4 @@
-// A design of gains and what it was asked of.
+// A design of gains and the joint it is for.
 #pragma once
 #include "analysis/boundary/kinds/nearest.h"
 #include "analysis/design/design.h"

@@ -39,7 +39,7 @@ Interval k_p_range(const Joint& joint, const StableGains& own, const StableGains
     return {range.low / beside, range.high * beside};
 }
 
-/// From 0 to beyond the last end, or beyond what velocity alone demands.
+/// From 0 to beyond the last end, or beyond what the velocity-only model requires.
 double k_v_end(const Joint& joint)
 {
     Interval range{joint.control.k_v, joint.control.k_v};

@@ -37,7 +37,7 @@ void add_demands(LinearDetails& d, Joint joint)
     for (const double V : simple.x) simple.y.push_back(simple_at(V));
 }
 
-/// Velocity gains worth a line: the joint's own, and parts and multiples of what velocity alone asks for here.
+/// Velocity gains worth a line: the joint's own, and parts and multiples of what the velocity-only model requires here.
 std::vector<double> shown_gains(const Joint& joint, const LinearStudy& study)
 {
     const double asked = study.comparison.k_v_demanded_velocity_only();

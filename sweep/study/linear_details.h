@@ -28,11 +28,11 @@ struct LinearDetails {
     LinearStudy study;
     double velocity = missing;                        ///< commanded
     bool sampled_finely = true;                       ///< false with delays and tables: the curves are coarser
-    Samples demanded_memory, demanded_simple;         ///< least k_v over the velocity; simple: velocity alone
+    Samples demanded_memory, demanded_simple;         ///< least k_v over the velocity; simple: the velocity-only model
     std::vector<LeastVelocities> least_velocities;    ///< empty: known at one velocity only
     Samples response_memory, response_simple;         ///< |X/D| over ω
     double ramp_rate = missing;                       ///< of the joint's own spring; force control only
-    std::optional<std::array<RampSprings, 2>> ramps;  ///< with memory, by velocity alone
+    std::optional<std::array<RampSprings, 2>> ramps;  ///< with memory, by the velocity-only model
 };
 
 /// The joint slides steadily unless study.compliance is NaN; then there are no curves.

@@ -23,7 +23,7 @@ struct Slice {
     std::vector<Held> held;
     std::vector<double> abscissa;  ///< 1/s
     std::vector<Region> region;
-    std::vector<MapReading> readings;  ///< what the nonlinear joint does, where the sweep asked
+    std::vector<MapReading> readings;  ///< what the nonlinear joint does, where the sweep computes it
     Axis depth;                        ///< a third axis to move along; its name is empty where there is none
     std::vector<MapLayer> layers;      ///< this slice among them
 };
@@ -33,7 +33,7 @@ struct Profile {
     Axis axis;
     std::vector<Held> held;
     std::vector<double> abscissa;      ///< 1/s
-    std::vector<MapReading> readings;  ///< what the nonlinear joint does, where the sweep asked
+    std::vector<MapReading> readings;  ///< what the nonlinear joint does, where the sweep computes it
 };
 
 /// "k_{v} = 10 N·s/m, V_{0} = 1 mm/s"

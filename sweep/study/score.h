@@ -17,7 +17,7 @@ struct Answer {
     std::string verdict;                    ///< gap | no-gap | unknown | insufficient-data
     std::vector<EffectSet> ranked;          ///< best first
     std::vector<double> probabilities;      ///< of the ranked sets; may be shorter or empty
-    std::vector<EffectSet> ambiguous_with;  ///< what cannot be told from the first
+    std::vector<EffectSet> ambiguous_with;  ///< what cannot be distinguished from the first
     double gap_before = unknown_value, gap_after = unknown_value;
 };
 

@@ -1,4 +1,4 @@
-// What a sweep is to compute, validated and in SI: the joint, the axes, and what is asked at each point.
+// What a sweep is to compute, validated and in SI: the joint, the axes, and what to compute at each point.
 #pragma once
 #include "analysis/joint/joint.h"
 #include "analysis/results/boundary.h"
@@ -60,7 +60,7 @@ struct NonlinearSpec {
     }
 };
 
-/// What `stickslip boundary SPEC` is asked where its command line says nothing.
+/// The questions of `stickslip boundary SPEC` where its command line has none.
 struct BoundarySpec {
     std::vector<BoundaryKind> kinds;  ///< empty: both linear theories
     std::vector<std::string> along;   ///< "PATH" or "PATH=FROM..TO", as in --along
@@ -107,7 +107,7 @@ struct Spec {
     std::vector<std::pair<std::string, double>>
         design;  ///< the marked point: one value an axis, in the order of the axes
     NonlinearSpec nonlinear;
-    std::optional<BoundarySpec> boundary;  ///< no [boundary] table: not asked
+    std::optional<BoundarySpec> boundary;  ///< no [boundary] table: none
     ReportSpec report;
     CheckSpec check;
 

@@ -17,7 +17,7 @@ std::string outcome_words(const DiagnosisFacts& facts);
 /// "The gap is new: 2.1 noise floors by coulomb-level. …": what stands first on page and terminal.
 std::string comparison_sentence(const DiagnosisComparison& c);
 
-/// One change stands in the cause's parameter and in the data-sheet number that it makes: of both the latter is told.
+/// One change stands in the cause's parameter and in the data-sheet number that it makes: the latter is shown.
 bool told(const NumberChange& change, const DiagnosisComparison& step);
 
 /// "Coulomb level: 1.1000 ± 0.0007 N·m → 1.2100 ± 0.0007 N·m, 111 standard errors"

@@ -12,7 +12,7 @@ std::string whole_percent(double part);
 
 Table causes_table(const Diagnosis& d);
 Table parameters_table(const Diagnosis& d);
-/// What the joint's own numbers become with the first cause; no rows where it changes none of them.
+/// What the documented parameters become with the first cause; no rows where it changes none of them.
 Table values_table(const Diagnosis& d);
 /// "166.9 (166.1 … 167.6) N·s/m", or that the records do not say.
 std::string value_text(const SheetValue& value);

@@ -12,7 +12,7 @@ std::string nearest_text(const NearestBoundary& nearest, Motion motion);
 Headline nearest_headline(const NearestBoundary& nearest, Motion motion);
 
 /// "m, V_{0}, A, B − A and L": the numbers that a distance is over. B is in a distance over A and B − A, but not by
-/// itself: whoever is told of five numbers has to be told which.
+/// itself: a reader of "five parameters" has to know which.
 std::string uncertain_numbers(const NearestBoundary& nearest, Motion motion);
 
 /// What the letters of that sentence stand for: "L: slip distance. B − A: evolution effect minus direct effect.", below

@@ -32,7 +32,7 @@ std::string stable_gains(const Joint& joint, const StateVariableVerdict& memory)
            (limited ? ", searched up to " + stiffness(memory.searched_to, motion) + "." : ".");
 }
 
-/// What friction of velocity alone would ask for where it says no, and memory does not.
+/// What the velocity-only model would require where it says no, and memory does not.
 std::string asked_by_velocity(const Joint& joint, const VelocityOnlyVerdict& velocity_only)
 {
     if (velocity_only.stable_k_v.empty()) return " at every k_{v}.";
@@ -202,9 +202,10 @@ std::string reason_text(Reason reason)
         case Reason::neutral:
             return "neutral: small disturbances neither grow nor decay, as nothing damps them";
         case Reason::limit_too_low:
-            return "limit-too-low: the effort limit is below the effort of steady sliding: there is no steady sliding";
+            return "the effort limit is below the effort that steady sliding needs: the joint cannot slide at this "
+                   "velocity";
         case Reason::diverges:
-            return "diverges: the motion runs away from steady sliding, which no spring or damper holds back";
+            return "the motion runs away from steady sliding: no spring and no damper holds it back";
     }
     return "unknown";
 }

@@ -34,7 +34,7 @@ BoundaryRequest completed(BoundaryRequest request, const Joint& joint, const std
     return request;
 }
 
-/// The default, finer where a linear theory is asked about so many decades that its intervals would become wide.
+/// The default, finer where a linear theory covers so many decades that its intervals would become wide.
 int scan_of(BoundaryKind kind, const Axis& axis)
 {
     constexpr double intervals_per_decade = 8;

@@ -19,8 +19,8 @@ struct BoundaryRequest {
 /// 1e-10 for the linear theories, 1e-6 for folds and hunting, 1e-4 for outcomes; 3e-4 is that of folds that only
 /// simulation tells (all but those of one body with memory in the ideal loop).
 double default_precision(BoundaryKind kind);
-/// 200 intervals for the linear theories, 40 where each point is a motion; a linear theory is asked at 8 a decade at
-/// least.
+/// 200 intervals for the linear theories, 40 where each point is a motion; a linear theory is evaluated at 8 a decade
+/// at least.
 int default_scan(BoundaryKind kind);
 
 /// Every boundary of a kind between the ends of an axis, and what the search does not exclude. v_min: along control.V0,
@@ -39,7 +39,7 @@ double hunting_side(const Joint& joint);
 bool has_smooth_orbits(const Joint& joint, const std::vector<Axis>& axes);
 
 /// The side of a joint: negative where stable (no limit cycle; the disturbance dies out; no hunting), positive where
-/// not, NaN where it cannot be told. Continuous for the linear kinds.
+/// not, NaN where it cannot be decided. Continuous for the linear kinds.
 double side_of(const Joint& joint, const BoundaryRequest& request);
 
 }  // namespace stickslip

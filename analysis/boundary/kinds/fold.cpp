@@ -13,7 +13,7 @@ namespace stickslip {
 namespace {
 
 constexpr double same_place = 2e-3;  ///< relative: two seeds that led to one place of a chart
-constexpr int hopf_samples = 24;     ///< points of a linear boundary at which its criticality is asked
+constexpr int hopf_samples = 24;     ///< points of a linear boundary at which its criticality is evaluated
 
 /// Folds over a chart: seeds from the linear boundary and from the guarding grid.
 class FoldSearch {

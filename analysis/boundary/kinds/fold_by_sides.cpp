@@ -12,7 +12,7 @@
 namespace stickslip {
 namespace {
 
-/// Relative: how near to a fold a motion that passes slowly is told from a cycle. A sampled loop's fold was 6e-5 off
+/// Relative: how near to a fold a slow passage is distinguished from a cycle. A sampled loop's fold was 6e-5 off
 /// against an independent integration of 1200 s.
 constexpr double resolved = 1e-4;
 static_assert(by_sides_precision > 2 * resolved);

@@ -23,7 +23,7 @@ struct OrbitTurn {
 /// parameters as shares of their axes.
 class OrbitSystem {
   public:
-    /// Axes give the paths and ranges of the parameters. The joint has to have a smooth flow at the time it is asked.
+    /// Axes give the paths and ranges of the parameters. The joint has to have a smooth flow when it is evaluated.
     OrbitSystem(const Joint& joint, const std::vector<Axis>& axes, double rtol = 1e-10);
 
     int section() const { return section_; }  ///< size of w

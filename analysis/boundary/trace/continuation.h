@@ -35,7 +35,7 @@ struct CurveWalk {
     double turn = 0.3;                                                        ///< rad between neighbouring tangents
     int limit = 600;
     int renewal = 1;  ///< points between Jacobians that are computed afresh
-    /// What a change of order one of each unknown is, inverted; asked anew at each point.
+    /// What a change of order one of each unknown is, inverted; evaluated anew at each point.
     std::function<Eigen::VectorXd(const Eigen::VectorXd& z)> weight;
 };
 

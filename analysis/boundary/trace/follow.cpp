@@ -134,7 +134,7 @@ class Guard {
 
 namespace {
 
-/// The precision asked for, or what the steps need: a walk would take the scatter of wide brackets for turns.
+/// The requested precision, or what the steps need: a walk would take the scatter of wide brackets for turns.
 double fine_enough(double precision, const Axis& x, const Axis& y, double step)
 {
     constexpr double of_a_step = 0.05;

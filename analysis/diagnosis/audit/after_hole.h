@@ -14,7 +14,8 @@ class AfterHole {
     {
     }
 
-    /// Whether the estimate of the velocity at tick k goes back to a reading that was not logged; asked tick by tick.
+    /// Whether the estimate of the velocity at tick k goes back to a reading that was not logged; evaluated tick by
+    /// tick.
     bool holds(std::size_t k)
     {
         if (matters_ && !ticks_.logged[k]) until_ = ticks_.time[k] + memory_;

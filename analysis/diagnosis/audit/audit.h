@@ -1,4 +1,4 @@
-// The controller audit: is the logged command what the documented controller would have asked for?
+// The controller audit: is the logged command that of the documented controller?
 #pragma once
 #include "analysis/diagnosis/fit/fit.h"
 #include "analysis/results/note.h"

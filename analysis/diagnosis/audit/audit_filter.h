@@ -1,4 +1,4 @@
-// What logged velocities say of the controller's filter: they are its own numbers.
+// What logged velocities say of the controller's filter, which computed them.
 #pragma once
 #include "analysis/diagnosis/audit/audit.h"
 

@@ -178,7 +178,7 @@ Case prepare_with_effort(const Record& record, const Joint& joint, std::vector<N
     const double grid = grid_of(record.position);
     const bool coarser = coarser_grid(grid, c.joint.sensor);
     if (coarser) gridded.encoder_quantum = grid;
-    // a stated noise is believed unless it is clearly too small, the more so where rounding in the loop shakes the
+    // a documented noise is used unless it is clearly too small, the more so where rounding in the loop shakes the
     // joint; a step of the encoder alone says nothing of noise
     const double believed = c.joint.sensor.position_noise > 0 ? coarser ? 2 : 1.25 : 1.02;
     if (!documented || estimated > believed * reading_sigma(gridded, span)) {

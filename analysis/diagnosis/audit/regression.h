@@ -16,7 +16,7 @@ class GainRegression {
         double k_p = 0, k_v = 0, k_p_error = 0, k_v_error = 0;
         double misfit = 1;         ///< rms of what is left over rms of u
         double used = 0, rms = 0;  ///< rows, and the rms of u over them
-        bool both = false;         ///< whether b could be told from a
+        bool both = false;         ///< whether b could be distinguished from a
     };
 
     void add(double a, double b, double u) { rows_.push_back({a, b, u}); }

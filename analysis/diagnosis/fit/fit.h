@@ -22,7 +22,7 @@ struct Case {
     double row_step = 1e-3;                ///< s between two readings
     std::vector<double> temperature;       ///< °C at every tick; empty: not logged
     bool supply_logged = false;
-    bool noise_documented = true;                      ///< the sensor's own numbers set the floor
+    bool noise_documented = true;                      ///< the documented sensor sets the noise floor
     double skip_from = infinity, skip_to = -infinity;  ///< s; rows held out of the fit
     double step_factor = 1;                            ///< longer time steps for a first look
     bool judged(std::size_t tick) const
@@ -102,7 +102,8 @@ double effort_floor(const Case& c, double omega);
 /// Least mean squares over the floor that count: noise, or what stood still and has no logarithm.
 inline constexpr double noise_square = 1, exact_square = 1e-12;
 
-/// How far predictions are from one record at one level: mean squares over their floors, 1 where only noise is left.
+/// How far predictions are from one record at one level: mean squares over their noise floors, 1 where only noise
+/// remains.
 struct Misfit {
     double position = 0;
     double effort = 1;  ///< 1 where effort is not judged

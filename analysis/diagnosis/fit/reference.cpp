@@ -7,7 +7,7 @@
 namespace stickslip::gap {
 namespace {
 
-/// What the controller's own numbers say of k_p r + k_v ṙ, tick by tick.
+/// What the logged terms of the controller say of k_p r + k_v ṙ, tick by tick.
 struct Seen {
     std::vector<double> sum;    ///< NaN between rows, and while a limit held
     std::vector<double> least;  ///< while a limit held: the sum was this or further out; else NaN

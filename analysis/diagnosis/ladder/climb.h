@@ -1,5 +1,5 @@
 // The ladder of causes: in the order in which they pay on data that no fit has seen, each given those above it, with
-// the corrections of the joint's own numbers refitted on both sides of every comparison.
+// the nuisance parameters refitted on both sides of every comparison.
 #pragma once
 #include "analysis/diagnosis/fit/corrections.h"
 #include "analysis/diagnosis/ladder/windows.h"
@@ -49,7 +49,7 @@ struct Ladder {
     const FittedSet& last() const { return rungs.empty() ? corrected : rungs.back(); }
 };
 
-/// By how much of held-out mean log square one set has to beat another so that it is told from it: model error is as
+/// By how much of held-out mean log square one set has to beat another to be distinguished from it: model error is as
 /// large as what the better one leaves beyond the noise, noise itself as the rows allow.
 double margin_of(const FittedSet& better, const LadderRules& rules);
 

@@ -61,7 +61,7 @@ class Climber {
         return sets;
     }
 
-    /// The best of those that could not be told from the first, each fitted anew to the lower floor that it has left.
+    /// The best of those that could not be distinguished from the first, each fitted anew to the lower noise floor.
     FittedSet compared(const std::vector<FittedSet>& rivals)
     {
         std::vector<Start> again;

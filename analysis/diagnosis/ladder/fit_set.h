@@ -26,7 +26,7 @@ class SetFitter {
         : data_(data), scales_(scales), corrections_(corrections), ranges_(ranges)
     {
     }
-    /// Excerpts anew, after the floors have moved.
+    /// Excerpts anew, after the noise floors have moved.
     void renew();
     /// Numbers of a set: corrections as in `like`, causes as given.
     Eigen::VectorXd start(const Candidate& causes, const FittedSet& like, const Eigen::VectorXd& of_causes) const;

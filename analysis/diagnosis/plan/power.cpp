@@ -16,8 +16,8 @@ namespace {
 /// Of the noise, where two effects are compared: each then stands well above it, see could_have_shown().
 constexpr double deviations = 5;
 
-/// What an effect has to change in the surprises, root mean square in floors, for the diagnosis to see it: over many
-/// rows that is less than the noise of one.
+/// What an effect has to change in the surprises, root mean square in noise floors, for the diagnosis to see it: over
+/// many rows that is less than the noise of one.
 double seen()
 {
     return std::sqrt(policy::visible_excess);
@@ -105,7 +105,7 @@ class Planned {
             evaluate(cases_, {}, {}, omega, &nominal_.back());
         }
     }
-    /// What the effect changes in the surprises of every level, in floors.
+    /// What the effect changes in the surprises of every observer bandwidth, in noise floors.
     std::vector<std::vector<double>> change(const Sized& s, double u) const
     {
         std::vector<std::vector<double>> all;

@@ -14,9 +14,9 @@ struct Run {
     Rest rest;
     double velocity;   ///< at the start
     double* position;  ///< what the prediction gets wrong, one entry a tick of the whole record
-    double* effort;    ///< the same of the effort; null: not asked for
+    double* effort;    ///< the same of the effort; null: not wanted
     double* predicted_velocity;
-    double* predicted_effort;  ///< null: not asked for, nor the velocity
+    double* predicted_effort;  ///< null: not wanted, nor the velocity
 };
 
 /// Predicts along runs of one kind, several at once. A run's bits depend on no other run and on no instruction set.

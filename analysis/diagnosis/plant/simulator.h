@@ -20,7 +20,7 @@ struct Trace {
 /// equal seeds give equal noise.
 Trace closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t seed);
 
-/// The controller's command from the measured motion: what it would have asked for at each tick.
+/// The controller's command from the measured motion: what it would have commanded at each tick.
 std::vector<double> command_of(const Plant& plant, const Ticks& ticks);
 
 /// The integral of this controller's error over the measured motion, before each tick's reading; empty where it keeps

@@ -46,7 +46,7 @@ struct LadderRules {
     double rows_of_margin;              ///< the same where all is noise, times rows
     std::span<const PhysicalRange> ranges;
     double far_off;        ///< standard deviations from which on a document's number may be a cause beside others
-    double worth_telling;  ///< share of the squares from which on a dependence is told
+    double worth_telling;  ///< share of the squares from which on a dependence is reported
 };
 
 }  // namespace stickslip::gap

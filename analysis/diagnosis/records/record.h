@@ -10,7 +10,7 @@ namespace stickslip {
 
 /// Columns of equal length, row k at time[k]; a column that was not logged is empty. A missing value is NaN.
 /// Signs and timing follow the sampled loop: position is what the encoder said, effort_command what the controller
-/// then asked for and held until the next tick, effort_measured what reached the mechanism just after that update.
+/// then commanded and held until the next tick, effort_measured what reached the mechanism just after that update.
 struct Record {
     std::string name;                        ///< file name, for reports
     std::vector<double> time;                ///< s

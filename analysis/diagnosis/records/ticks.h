@@ -12,7 +12,7 @@ namespace stickslip::gap {
 
 /// Where the command that drives a prediction comes from.
 enum class CommandSource {
-    logged,         ///< the controller's own numbers
+    logged,         ///< computed by the controller itself
     reconstructed,  ///< computed from the reference and the measured motion by the joint's controller
     measured,       ///< the measured effort, put in at the mechanism: no controller takes part
     none            ///< neither a command nor a reference: only a rig's friction can be judged

@@ -164,7 +164,7 @@ bool is_rig(const Record& r)
 
 namespace {
 
-/// Those with rows enough; the others are told.
+/// Those with rows enough; the others are reported.
 std::vector<Record> long_enough(const std::vector<Record>& records, Diagnosis& d)
 {
     constexpr std::size_t fewest = 100;

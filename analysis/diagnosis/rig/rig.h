@@ -1,4 +1,4 @@
-// A friction rig: a load point moves as it was told, a spring pulls the slider, and only the force is measured.
+// A friction rig: a load point moves as commanded, a spring pulls the slider, and only the force is measured.
 #pragma once
 #include "analysis/base/parallel_for.h"
 #include "analysis/diagnosis/records/record.h"

@@ -125,7 +125,7 @@ struct Shape {
     bool remembers() const { return effect == &of_follower(); }
 };
 
-/// A shape behind the corrections of the joint's own numbers, if there are any.
+/// A shape behind the nuisance parameters, if there are any.
 struct Beside {
     Candidate candidate;
     std::size_t numbers = 0;  ///< of the corrections
@@ -205,7 +205,7 @@ std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scale
         const auto& front = starts[i].front;
         LevelFit& fit = starts[i].fit;
         const std::size_t in_front = front.size() / beside.blocks().size();
-        // first the force alone: a play without a force shows nothing
+        // first the force alone: hysteresis without a force shows nothing
         fit = descend_block(part(shape), candidate, scales, beside.start(front), omega, iterations,
                             beside.kept(in_front));
         if (in_front > shape.given)
@@ -231,7 +231,7 @@ std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scale
         judge(a, nominal);
         fits[i] = {shape.effect->name, std::move(a)};
     });
-    // a follower with next to no play is the position
+    // a follower with next to no width is the position
     const auto misfit = [](const FreeFit& f) {
         return mean_log_misfit(f.fit.evaluation) + (f.of == of_follower().name ? policy::least_of_free_force : 0);
     };

@@ -16,7 +16,7 @@ struct FreeFit {
     Attribution fit;
 };
 
-/// One fit of each of the shapes, at all levels, beside corrections of the joint's own numbers where they are
+/// One fit of each of the shapes, at all bandwidths, with corrections of the joint's own parameters where they are
 /// given; the best one first.
 std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
                                      const ParallelFor& parallel, const Corrections* corrections = nullptr);

@@ -175,7 +175,7 @@ void refine(const std::vector<Case>& cases, const std::vector<Case>& part, const
                 least = o, start = i;
         auto fit = improve(part, a.candidate, scales, from[start], levels[l], 12);
         a.evaluations += fit.evaluations;
-        // the middle level's numbers are the ones that are told: they and their errors come from all data
+        // the parameters of the middle bandwidth are reported: they and their errors come from all data
         if (l == 1 && !jagged(a.candidate))
             fit = descend(cases, a.candidate, scales, fit.x, levels[l], 1);
         else

@@ -35,7 +35,7 @@ struct JudgedLadder {
     double with_small_terms = infinity;  ///< mean log misfit with small terms of machines that were taken away
     bool usual = false;                  ///< the last cause is a small term that every machine has
     bool named = false;                  ///< causes are named
-    bool only_corrections = false;       ///< the document's own numbers are all that is wrong
+    bool only_corrections = false;       ///< only documented parameters are wrong, by no more than such errors
     std::optional<Note> why_not;         ///< where nothing is named
     std::vector<double> chances;         ///< of every rung
     /// Numbers of the document that are causes beside the rungs, and what they take. In the winner they stand behind

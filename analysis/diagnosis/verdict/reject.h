@@ -9,7 +9,7 @@ namespace stickslip::gap {
 struct Standing {
     /// Its predictions explain to within noise, the controller's audit found it, or a cross-validated comparison.
     bool settled = false;
-    bool noise_documented = false;  ///< floors are those of the document
+    bool noise_documented = false;  ///< noise floors are the documented ones
 };
 
 /// The verdict becomes `unknown` if the named cause enlarges the gap on held-out data, or if an unsettled cause leaves

@@ -34,7 +34,7 @@ constexpr int longest_wait = 32;        ///< turns until what creeps past a fold
 constexpr int most_settling = 8;        ///< turns that a scaled motion gets to forget how it was scaled
 constexpr double settled_growth = 0.3;  ///< change of growth, relative, of one that has
 constexpr double near_return = 1e-3;    ///< gap after several turns, per amplitude, from which an orbit is looked for
-constexpr int patient_turns = 600;      ///< before what only watching says of repeats is believed
+constexpr int patient_turns = 600;      ///< before repeats seen by watching alone count
 constexpr int most_steps =
     3'000'000;  ///< of a motion without a limit of work; 3000 turns of an irregular one took 2.1 million
 constexpr int wild_turns = 600;     ///< before a motion that neither closes nor settles is called irregular
@@ -80,7 +80,7 @@ bool Follower::may_rest() const
 }
 
 /// Shooting continues the branch on which a body slides through its V = 0, where the body may stick: there a cycle is
-/// believed only if the motion itself goes around it without a stop.
+/// accepted only if the motion itself goes around it without a stop.
 bool Follower::makes_turn(const Cycle& cycle) const
 {
     if (!may_rest()) return true;

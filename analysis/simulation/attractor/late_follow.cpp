@@ -33,7 +33,8 @@ Attractor from_turns(const std::deque<Turn>& turns, int newest, Attractor result
     return result;
 }
 
-/// A motion that has neither closed nor settled. One that was cut short for want of work tells less, and is asked less.
+/// A motion that has neither closed nor settled. One that was cut short for want of work says less, and less is read
+/// from it.
 Attractor unclosed(const LateFlow& flow, const std::deque<Turn>& turns, bool cut_short, Attractor result)
 {
     using Kind = Attractor::Kind;
@@ -72,7 +73,7 @@ Attractor follow(const LateFlow& flow, const FlowVector& from, bool steady_attra
         result.reason = reason;
         return result;
     };
-    // the past is a part of the motion: it is quiet where a whole lag has been, and a turn
+    // the past is a part of the motion: it has settled where a whole lag has, and a cycle
     double quiet_since = 0;
     const auto settled = [&](const FlowVector& y) {
         if (distance(flow, y, steady) > settled_size) quiet_since = flow.clock(y);

@@ -149,7 +149,7 @@ void judge(const Joint& joint, const AnyFlow& flow, const NonlinearOptions& opti
     // a disturbance that hardly excites the mode drowns where the mode itself, whose rate it is, still shows
     if (std::isnan(verdict.growth_rate)) verdict.growth_rate = growth_of_mode();
     const auto linear = linear_side(joint);
-    // small disturbances neither decay nor grow; where a disturbance of some size is asked for, that one is followed
+    // small disturbances neither decay nor grow; where a disturbance of some size is given, that one is followed
     if (linear.undamped && stated_small) return leave_open(Reason::neutral, verdict);
     const bool measurable = std::abs(verdict.growth_rate) > measurable_growth * std::abs(mode.s);
     const bool decays = measurable ? verdict.growth_rate < 0 : linear.abscissa <= 0;

@@ -46,7 +46,7 @@ struct NonlinearVerdict {
     Reason reason = Reason::none;
     Detail detail = Detail::none;                   ///< where more is known than the reason says
     Detail growth_missing = Detail::none;           ///< why there is no growth rate
-    Detail fold_missing = Detail::none;             ///< why a fold was asked for and not found
+    Detail fold_missing = Detail::none;             ///< why a fold was looked for and not found
     LargerTried searched_from = LargerTried::none;  ///< larger disturbances, where the stated one decays
     bool used_fallback = false;                     ///< CVODE gave up on the way and Rodas5P finished
 };

@@ -5,7 +5,7 @@
 namespace stickslip {
 namespace {
 
-constexpr double same_orbit = 1e-6;  ///< gap of an orbit that closes sooner than it was asked to, per size
+constexpr double same_orbit = 1e-6;  ///< gap of an orbit that closes sooner than required, per size
 /// Multiplier, as a modulus, of an orbit beside which none of twice its turns attracts any more: in the logistic map
 /// that one loses its hold where the multiplier of the first has come to 1 − √6.
 constexpr double most_repelling = 3;

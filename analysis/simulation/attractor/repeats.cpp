@@ -6,7 +6,7 @@
 namespace stickslip {
 namespace {
 
-constexpr double slowest_closing = 0.999;  ///< ratio of successive gaps that is still believed
+constexpr double slowest_closing = 0.999;  ///< largest ratio of successive gaps that still counts as closing
 constexpr double clear_ratio = 0.5;        ///< of successive gaps, that a few of them suffice to tell
 constexpr double lasting = 0.9;            ///< gap of neighbours, per the same some rounds before
 constexpr double distinct = 10;            ///< of neighbours that differ, per what closed turns may

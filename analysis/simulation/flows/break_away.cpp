@@ -6,7 +6,7 @@
 namespace stickslip {
 namespace {
 
-/// Where the exponent of the drop is read, per speed asked for: at the first of them where the drop is more than what
+/// Where the exponent of the drop is read, per requested speed: at the first of them where the drop is more than what
 /// rounding makes of two equal forces.
 constexpr double first_speeds[] = {1e-6, 1e-4, 1e-2};
 constexpr double clear_drop = 1e5 * std::numeric_limits<double>::epsilon();  ///< per static force

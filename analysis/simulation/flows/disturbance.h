@@ -29,7 +29,7 @@ struct Disturbance {
 
 inline constexpr double small_disturbance = 1e-6;
 
-/// How much of |s| a measured growth rate must be before its sign is believed; below, the spectrum decides.
+/// How much of |s| a measured growth rate must be before its sign counts; below, the spectrum decides.
 inline constexpr double measurable_growth = 1e-6;
 
 /// Over which the growth of a small disturbance along the mode s is measured: one turn, or a factor of 3 if that comes

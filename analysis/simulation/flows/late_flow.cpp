@@ -8,7 +8,7 @@
 namespace stickslip {
 namespace {
 
-/// Share of the time between kinks by which the side of a kink is told.
+/// Share of the time between kinks by which the side of a kink is decided.
 constexpr double beside = 1e-9;
 
 /// What rounding leaves of a step is none: per lag, and per time.

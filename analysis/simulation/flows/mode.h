@@ -11,7 +11,7 @@ namespace stickslip {
 /// or takes by its error must be small beside it.
 inline constexpr double clear_change = 5;
 
-/// |s| of a mode that cannot be told from zero, per largest |s|: what rounding makes of an eigenvalue.
+/// |s| of a mode that cannot be distinguished from zero, per largest |s|: what rounding makes of an eigenvalue.
 inline constexpr double neutral_mode = 1e-14;
 
 /// The eigenvalue of largest real part and its eigenvectors: along a trajectory near steady sliding,

@@ -1,4 +1,4 @@
-// What the lanes are asked and what they answer: plain numbers in the four dimensionless groups.
+// Questions to the lanes, and their answers: plain numbers in the four dimensionless groups.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -18,7 +18,7 @@ struct Groups {
     bool operator==(const Groups&) const = default;
 };
 
-/// One motion to follow. What small disturbances do is told by the slow eigenvalue and not followed.
+/// One motion to follow. What small disturbances do follows from the slow eigenvalue.
 struct Job {
     Groups groups;
     double rate;           ///< real part of the slow eigenvalue: small disturbances grow where it is positive
@@ -30,7 +30,7 @@ struct Job {
 };
 
 enum class Ending : std::uint8_t {
-    decays,    ///< back to steady sliding; the search, if asked for, found no cycle
+    decays,    ///< back to steady sliding; the search, if there was one, found no cycle
     cycle,     ///< small disturbances grow into this cycle
     bistable,  ///< small disturbances decay, a larger one ends in this cycle
     left_over  ///< not for the lanes: the reference must decide

@@ -9,10 +9,10 @@
 namespace stickslip::lanes {
 namespace {
 
-/// A rough search is believed where every turn loses more than that of its amplitude; a rough cycle where the return
+/// A rough search counts where every turn loses more than that of its amplitude; a rough cycle where the return
 /// map contracts by that. Elsewhere a fold or the linear boundary is near, and tolerance decides. Evidence: over the 61
 /// × 61 gains of the bistable strip (examples/03-bistable-strip) every outcome and region is that of searches that are
-/// all fine and every number within 2·10⁻⁵ of theirs; with all rough searches believed an overshoot is off by 0.4 %.
+/// all fine and every number within 2·10⁻⁵ of theirs; with all rough searches accepted an overshoot is off by 0.4 %.
 constexpr double clear_decay = 0.95, clear_multiplier = 0.95;
 constexpr double rough_closure = 1e-4;  ///< as `closure`
 constexpr double refined = 1e-2;        ///< largest step of a refinement, per amplitude
@@ -95,7 +95,7 @@ Action Program::begin(const Job& job, const Settings& settings)
     return begin_phase(phase_);
 }
 
-/// The basin of a stated disturbance is asked to full tolerance at once, and so is what a rough search would not tell.
+/// The basin of a stated disturbance is decided to full tolerance at once, and so is what a rough search leaves open.
 Action Program::begin_phase(Phase phase)
 {
     phase_ = phase;
@@ -126,7 +126,7 @@ Action Program::follow(const double (&start)[3])
     return start_at(start[0], start[1], start[2]);
 }
 
-/// The disturbance has decayed; where that is asked for, the search for a cycle beside steady sliding begins.
+/// The disturbance has decayed; where that is wanted, the search for a coexisting cycle begins.
 Action Program::decayed()
 {
     if (phase_ == Phase::search && care_ == Care::rough && weakest_decay_ > clear_decay) return all_finely();

@@ -40,7 +40,7 @@ enum class Phase : std::uint8_t {
 };
 
 inline constexpr double settled_size = 1e-3;  ///< of X K, w, p/β, below which the linear theory holds
-inline constexpr double peak_told = 1e-6;     ///< the same where the highest point of the way is asked for, too
+inline constexpr double peak_told = 1e-6;     ///< the same where the highest point of the way is wanted, too
 
 class Program {
   public:

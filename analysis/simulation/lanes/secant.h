@@ -7,7 +7,7 @@ namespace stickslip::lanes {
 
 inline constexpr double closure = 3e-7;  ///< remaining distance to the fixed point of the return map, per amplitude
 inline constexpr double uncertain_multiplier = 0.995;  ///< beyond, the reference decides
-/// Distance to the fixed point, per amplitude, from which a motion whose basin is asked for is taken to it by secants.
+/// Distance to the fixed point, per amplitude, from which a motion whose basin is wanted is taken to it by secants.
 /// A decay to steady sliding has its fixed point a whole amplitude away; past the ghost of a cycle a secant step is no
 /// longer than that, and the motion goes on as before.
 inline constexpr double near_cycle = 0.05;

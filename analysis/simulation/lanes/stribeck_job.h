@@ -1,4 +1,4 @@
-// What the lanes of Stribeck joints are asked and what they answer: plain numbers in dimensionless groups.
+// Questions to the lanes of Stribeck joints, and their answers: plain numbers in dimensionless groups.
 #pragma once
 #include "analysis/simulation/lanes/job.h"
 
@@ -22,7 +22,7 @@ struct StribeckGroups {
     double damping() const;
 };
 
-/// One motion to follow; as in Job, what small disturbances do is told by the slow eigenvalue.
+/// One motion to follow; as in Job, what small disturbances do follows from the slow eigenvalue.
 struct StribeckJob {
     StribeckGroups groups;
     double rate;       ///< real part of the slow eigenvalue

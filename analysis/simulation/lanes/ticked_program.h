@@ -13,7 +13,7 @@ struct LoopVerdict;
 
 namespace stickslip::lanes {
 
-/// A joint that lanes can follow (ticked_batch.h), what is asked, and where the answer goes. `answered` stays false
+/// A joint that lanes can follow (ticked_batch.h), the question, and where the answer goes. `answered` stays false
 /// where the motion could not be followed in lanes.
 struct TickedJob {
     const Joint* joint;
@@ -35,7 +35,7 @@ struct TickedPiece {
     double rtol = 1e-8;
 };
 
-/// What the motion passed since the program was told last.
+/// What the motion passed since the program last looked.
 struct TickedPassage {
     double w_low, w_high, rest;
 };

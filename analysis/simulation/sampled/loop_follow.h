@@ -58,7 +58,7 @@ class LoopFollower {
     /// From where the loop is. `steady` is its state in steady sliding, empty where it has none.
     LoopFollower(SampledLoop& loop, const std::vector<double>& steady, double origin, const LoopFollowOptions& options);
 
-    /// To be told of all that the loop does within a tick.
+    /// Called with all that the loop does within a tick.
     TurnWatch watch;
     /// After a tick; `moved` is false where it could not be followed. May put the loop into another state, on the way
     /// to a cycle far away.

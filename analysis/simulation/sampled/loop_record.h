@@ -4,7 +4,7 @@
 
 namespace stickslip {
 
-/// What the joint is told to do, row by row [reading units]; `velocity` and `feed_forward` may be empty.
+/// What the joint is commanded to do, row by row [reading units]; `velocity` and `feed_forward` may be empty.
 struct ReferenceMotion {
     std::vector<double> time, position, velocity, feed_forward;
 };

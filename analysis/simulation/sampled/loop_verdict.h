@@ -48,7 +48,7 @@ class LoopInquiry {
     SampledLoop& loop() { return *loop_; }
     double origin() const { return origin_; }  ///< position of the link in steady sliding
     LoopFollower& follower() { return *follower_; }
-    /// Its next tick needs no more than an outline: where it goes to is asked, not how.
+    /// Its next tick needs no more than an outline: where it goes to is wanted, not how.
     bool coarse() const { return follower_->on_its_way() && (phase_ != Phase::stated || follower_->has_peak()); }
     /// How it ended; the next one may be open then.
     void ended(const LoopEnd& end);

@@ -24,7 +24,7 @@ double tick_of(const Joint& joint);
 inline constexpr std::string_view no_time_step =
     "the fastest rate of the joint leaves no time step that the simulation can take";
 
-/// What one tick read and asked for. Where readings come late, the loop lives at the moment that is read: all dead time
+/// What one tick read and commanded. Where readings come late, the loop lives at the moment that is read: all dead time
 /// lies behind the command, and the effort beside a reading is that of `ticks_late()` ticks later.
 struct TickReadings {
     double position = 0, velocity = 0, command = 0, effort = 0;

@@ -45,7 +45,7 @@ constexpr int settled_steps = 20;
 constexpr int most_restarts = 5;
 
 constexpr double may_touch = 1;        ///< an event value that is larger at both ends of a step does not vanish between
-constexpr double slope_share = 1e-3;   ///< of a step, over which the slope of an event at its ends is told
+constexpr double slope_share = 1e-3;   ///< of a step, over which the slope of an event at its ends is measured
 constexpr double touch_width = 1e-12;  ///< of a step, to which the instant of a touch is located
 
 }  // namespace

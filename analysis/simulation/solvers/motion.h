@@ -36,7 +36,7 @@ struct Instant {
 
 /// Follows one flow. Laws that are set-valued at rest stick there while the force needed to hold the mass stays within
 /// the static friction; sticking has a closed form (the spring winds up at V_0) and ends with forward or reverse
-/// sliding. Friction that answers late is followed by the one-step method whichever is asked for: it ends its steps at
+/// sliding. Friction that answers late is followed by the one-step method whichever is requested: it ends its steps at
 /// kinks.
 class SlidingMotion {
   public:

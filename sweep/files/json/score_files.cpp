@@ -33,7 +33,7 @@ double number_or_nan(const Json& j, const char* key)
     return j.contains(key) && j[key].is_number() ? j[key].get<double>() : unknown_value;
 }
 
-/// Reads {case: …} with one reader a case; whatever goes wrong is told with the name of the case.
+/// Reads {case: …} with one reader a case; whatever goes wrong is reported with the name of the case.
 template <class T, class Read>
 std::map<std::string, T> parse_cases(const std::string& text, const char* what, Read read)
 {
@@ -165,7 +165,7 @@ std::string score_text(const Score& s)
         if (!j.right_or_ambiguous)
             wrong += fmt::format("  {:<10} {:<7} {:<7} {:<7} {:<44} said {}\n", j.name, j.kind, j.strength, j.engine,
                                  j.expected, j.answered_at_all ? j.answered : "nothing");
-    if (!s.parts.empty()) text = "";  // told for each kind of joint
+    if (!s.parts.empty()) text = "";  // stated for each kind of joint
     for (const Score& part : s.parts) text += score_text(part);
     return wrong.empty() || !s.parts.empty() ? text : text + "not named\n" + wrong;
 }

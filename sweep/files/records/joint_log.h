@@ -15,7 +15,7 @@ struct LoggedJoint {
     std::filesystem::path robot_file;  ///< the same for all joints; may be empty
 };
 
-/// What the readers of foreign logs are told, as `stickslip convert` takes it.
+/// Settings of the readers of foreign logs, as `stickslip convert` takes them.
 struct LogOptions {
     std::string topic, command, time, episode;
 };

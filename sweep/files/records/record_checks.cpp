@@ -136,7 +136,7 @@ class Checks {
                           true});
     }
 
-    /// The measured effort against the command that asked for it.
+    /// The measured effort against its command.
     void effort()
     {
         if (joint_.actuator.kind != ActuatorKind::effort || r_.effort_measured.empty()) return;

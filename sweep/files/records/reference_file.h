@@ -1,4 +1,4 @@
-// What a joint is told to do, from a file, and the record of what it did, to one.
+// The reference of a joint, from a file, and the record of what it did, to one.
 #pragma once
 #include "analysis/simulation/sampled/loop_record.h"
 

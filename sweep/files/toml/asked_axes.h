@@ -1,4 +1,4 @@
-// What a verb is asked about when it takes a joint or a spec: the design point, and axes named on the command line.
+// The subject of a verb that takes a joint or a spec: the design point, and axes named on the command line.
 #pragma once
 #include "sweep/study/spec.h"
 

@@ -1,4 +1,4 @@
-// The [boundary] table of a spec: what `stickslip boundary` is asked where its command line says nothing.
+// The [boundary] table of a spec: the questions of `stickslip boundary` where its command line has none.
 #pragma once
 #include "sweep/files/text/toml_input.h"
 #include "sweep/files/toml/hand_keys.h"

@@ -1,4 +1,4 @@
-// A sweep from TOML: joint, axes, design point, what is asked and what is drawn.
+// A sweep from TOML: joint, axes, design point, questions and charts.
 #pragma once
 #include "sweep/engine/plan_cost.h"
 #include "sweep/study/spec.h"

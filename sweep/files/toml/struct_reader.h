@@ -173,7 +173,7 @@ class StructReader {
         return doubtful;
     }
 
-    /// Rules beyond ranges (`problem()`), asked only of a struct whose parts are sound and, in a change, complete.
+    /// Rules beyond ranges (`problem()`), checked only in a struct whose parts are sound and, in a change, complete.
     template <class Struct>
     void check_rules(const Struct& s, std::size_t complaints_before)
     {

@@ -128,7 +128,7 @@ Json answer_of(const fs::path& scratch)
     return answer;
 }
 
-/// What is asked of the answers beside the answers.
+/// Options of scoring.
 void use_answers(const Options& options, const std::vector<fs::path>& cases, const Json& all)
 {
     if (options.truth.empty()) return;

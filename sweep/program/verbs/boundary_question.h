@@ -1,4 +1,4 @@
-// What `stickslip boundary` is asked, from its command line and the [boundary] table of a spec.
+// The questions of `stickslip boundary`, from its command line and the [boundary] table of a spec.
 #pragma once
 #include "analysis/boundary/kinds/boundary.h"
 #include "sweep/files/toml/asked_axes.h"

@@ -147,7 +147,7 @@ int run(const Options& options, const Invocation& invocation)
     Work work = work_of(options);
     auto& calibration = work.calibration;
     tell_plan(work.cases, work.left);
-    write_whole(options.output, calibration_json(calibration));  // a disk that is full is told before the work
+    write_whole(options.output, calibration_json(calibration));  // a full disk is reported before the work
     const auto start = std::chrono::steady_clock::now();
     std::size_t done = 0;
     for (const int n : work.left) {

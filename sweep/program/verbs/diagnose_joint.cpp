@@ -77,7 +77,7 @@ void GatheredRecords::add(RecordReading reading)
         if (needs_every_value(signal)) gaps.push_back(place + "; the diagnosis needs every value; remove these rows");
 }
 
-/// What the caller is told: INTERFACE of `diagnose`.
+/// The exit code of `diagnose`.
 int exit_code_of(const Diagnosis& d, bool contradicted)
 {
     if (contradicted) return exit_bad_input;

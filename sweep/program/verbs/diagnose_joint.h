@@ -42,12 +42,12 @@ struct JointOfRobot {
 /// diagnosis.json as text.
 std::string joint_diagnosis_json(const JointDiagnosis& found);
 
-/// diagnosis.json, corrected-joint.toml, next-experiment.csv and, where asked for, the page; what an earlier answer
+/// diagnosis.json, corrected-joint.toml, next-experiment.csv and, where requested, the page; what an earlier answer
 /// left there goes.
 void write_joint_diagnosis(const JointDiagnosis& found, const std::filesystem::path& directory,
                            const std::string& command, bool page, const JointOfRobot& of = {});
 
-/// What the caller of `diagnose` is told: INTERFACE.
+/// The exit code of `diagnose`.
 int exit_code_of(const Diagnosis& d, bool contradicted);
 
 /// The folder of the answer, tried before the work and not after it.

@@ -24,7 +24,7 @@ namespace {
 
 using Status = JointOutcome::Status;
 
-/// Those that were asked for, in the order of the file.
+/// The requested ones, in the order of the file.
 std::vector<RobotJoint> chosen(const RobotJoints& robot, const std::vector<std::string>& only)
 {
     std::vector<std::string> names;

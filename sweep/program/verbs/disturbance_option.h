@@ -50,7 +50,7 @@ struct DisturbanceOption {
             ->check(finite_number());
     }
 
-    /// What is asked, and where nothing is, what the spec says. A size belongs to its kind: another kind starts
+    /// The disturbance of the command line, or else that of the spec. A size belongs to its kind: another kind starts
     /// without.
     Disturbance disturbance(const NonlinearSpec& spec) const
     {

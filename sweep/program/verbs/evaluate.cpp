@@ -47,14 +47,14 @@ struct Options {
     bool json = false, ideal_loop = false;
 };
 
-/// The motion under the asked disturbance, where one is asked and the joint slides.
+/// The motion under the given disturbance, where there is one and the joint slides.
 std::optional<DisturbedMotion> disturbed(const Joint& joint, const AskedDisturbance& force)
 {
     if (force.kind.empty()) return std::nullopt;
     return disturbed_motion(joint, force);
 }
 
-/// What the theory says over the asked record of the normal load.
+/// What the theory says over the given record of the normal load.
 std::optional<LoadStudy> loaded(const Joint& joint, const SurroundingsOption& surroundings)
 {
     if (!surroundings.loaded()) return std::nullopt;
@@ -72,8 +72,8 @@ nlohmann::ordered_json forced_json(const AskedDisturbance& asked, const Disturbe
             {"final", motion.memory.position.back()}};
 }
 
-/// What it does at a set point: asked of a loop that integrates or has something against dry friction there, and of one
-/// whose set point is all that is commanded.
+/// What it does at a set point: computed for a loop that integrates or has something against dry friction there, and of
+/// one whose set point is all that is commanded.
 std::optional<SetPoint> resting(const Joint& joint)
 {
     const auto& c = joint.control;

@@ -12,7 +12,7 @@
 namespace stickslip {
 
 struct GuaranteeOption {
-    double coverage = 0;  ///< 0: none was asked for
+    double coverage = 0;  ///< 0: none was requested
     std::vector<std::string> files;
 
     void add_to(CLI::App& verb);
@@ -25,7 +25,7 @@ struct Guarantee {
     guarantee::Promise promise;
 };
 
-/// Empty where none was asked for. Throws BadInput that says what is missing where the promise cannot be given: before
+/// Empty where none was requested. Throws BadInput that says what is missing where the promise cannot be given: before
 /// anything is computed, and never silently.
 std::optional<Guarantee> guarantee_for(const GuaranteeOption& option, const Joint& joint,
                                        const std::vector<Record>& records);

@@ -1,4 +1,4 @@
-// What the readers of foreign logs are told, as options of a verb.
+// Settings of the readers of foreign logs, as options of a verb.
 #pragma once
 #include "sweep/files/records/joint_log.h"
 

@@ -1,4 +1,4 @@
-// stickslip new: a commented file that runs, to be filled with one's own numbers.
+// stickslip new: a commented file that runs, to be filled with the numbers of a real joint.
 #include "analysis/friction/law.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/toml/asked_axes.h"

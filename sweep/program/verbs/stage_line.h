@@ -20,7 +20,7 @@ class StageLine {
     StageLine(const StageLine&) = delete;
     StageLine& operator=(const StageLine&) = delete;
 
-    /// To be told of stages. It must not be called once the line is gone.
+    /// Called at each stage. It must not be called once the line is gone.
     std::function<void(const std::string& stage, double done)> listener();
     /// The same tasks, counted.
     ParallelFor counted(ParallelFor run);

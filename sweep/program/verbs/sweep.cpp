@@ -71,7 +71,7 @@ PlanOptions plan_options_of(const Options& options, const Spec& spec)
     return plan_options;
 }
 
-/// What came of it, on standard output; `page` is empty where no report was asked for.
+/// What came of it, on standard output; `page` is empty where no report was requested.
 void tell(const Options& options, const SweepSummary& summary, double bound, const RunReport& run,
           const std::string& answer, const std::filesystem::path& page)
 {

@@ -1,4 +1,4 @@
-// The date on a page. There is none unless it is asked for, so that equal results give equal pages.
+// The date on a page. There is none unless requested, so that equal results give equal pages.
 #pragma once
 #include <string>
 

@@ -1,4 +1,4 @@
-// What a wrong command line is told: what was given, what is allowed, the nearest name, and an example.
+// The message for a wrong command line: what was given, what is allowed, the nearest name, and an example.
 #pragma once
 #include <CLI/CLI.hpp>
 

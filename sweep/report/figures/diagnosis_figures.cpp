@@ -182,7 +182,7 @@ std::vector<Figure> trace_figures(const Diagnosis& d)
                             trace.effort_after,
                             named};
         const bool forces = !trace.effort_measured.empty();
-        // a rig's load point moves as it was told: there is nothing to get wrong
+        // a rig's load point moves as commanded: there is nothing to get wrong
         const bool moves = rms(difference(trace.measured, trace.before)) > 0;
         if (moves) figures.push_back(residual(motion));
         if (forces) figures.push_back(residual(effort));

@@ -11,7 +11,7 @@
 
 namespace stickslip {
 
-/// What is asked: d(t) by kind or by file, for how long.
+/// The disturbance: d(t) by kind or by file, for how long.
 struct AskedDisturbance {
     std::string kind;  ///< "impulse", "step", "sine", "noise", or a file of two columns, time and force
     double size = 1, omega = missing, duration = missing;

@@ -120,7 +120,7 @@ void add_figures(Section& section, const BoundaryAnswer& answer, const BoundaryC
         section.figures.push_back(std::move(sharp));
 }
 
-/// Nothing but set points was asked about.
+/// All questions are about set points.
 bool asks_of_set_points_only(const BoundaryAnswer& answer)
 {
     const auto hunting = [](const auto& b) { return is_hunting(b.kind); };

@@ -117,7 +117,7 @@ std::string comparison_words(const Comparison& c, const Words& words)
            "(Rabinowicz, §5): amplitudes are a matter of the nonlinear joint, and of its maps.";
 }
 
-/// Whether anything is asked: a chart of zeros shows nothing.
+/// Whether anything is required: a chart of zeros shows nothing.
 bool demands_any(const Samples& demand)
 {
     return std::any_of(demand.y.begin(), demand.y.end(), [](double k_v) { return k_v > 0 || std::isnan(k_v); });

@@ -1,4 +1,4 @@
-// The heart of the paper on a page: what friction of velocity alone and friction with memory demand of one joint.
+// The heart of the paper on a page: what the velocity-only model and friction with memory require of one joint.
 #pragma once
 #include "analysis/joint/joint.h"
 #include "analysis/results/report.h"

@@ -53,7 +53,7 @@ std::vector<std::string> one_of(const Diagnosis& d)
     return causes;
 }
 
-/// From which probability on a cause is told flatly, and from which on as probable. Reason: nine in ten is what the
+/// From which probability on a cause is stated flatly, and from which on as probable. Reason: nine in ten is what the
 /// answers at that probability kept in blind cases; below one half the rest together is likelier than the cause.
 constexpr double told_flatly = 0.9, told_as_probable = 0.5;
 

@@ -7,7 +7,7 @@
 
 namespace stickslip {
 
-/// What stays possible, and how often such a set is right; none where no guarantee was asked for.
+/// What stays possible, and how often such a set is right; none where no guarantee was requested.
 std::vector<Headline> guarantee_card(const Diagnosis& d);
 
 }  // namespace stickslip

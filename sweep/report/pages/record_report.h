@@ -1,4 +1,4 @@
-// The page of a joint that followed a reference: what was asked, what it did, and with which effort.
+// The page of a joint that followed a reference: the command, what it did, and with which effort.
 #pragma once
 #include "analysis/joint/joint.h"
 #include "analysis/results/report.h"

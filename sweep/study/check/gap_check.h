@@ -18,7 +18,7 @@ struct GapRegression {
         new_gap,       ///< there was none
         grown,         ///< the gap as documented
         remainder,     ///< what the named cause leaves has grown
-        new_cause,     ///< a cause that was not there, and that the baseline's could be told from
+        new_cause,     ///< a cause that was not there, and that is distinguished from the baseline's
         number_moved,  ///< a number of the joint
         no_answer      ///< the records say too little now, and did not then
     };

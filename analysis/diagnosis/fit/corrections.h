@@ -34,8 +34,6 @@ class Corrections {
     Corrected beside(const Candidate& causes) const;
     /// The same with one of the corrections left out: its number stays as documented.
     static Corrected but(Corrected all, std::size_t correction);
-    /// Whether this form of a cause changes a number that a correction changes.
-    bool same_number(const Effect& effect, const EffectForm& form) const;
     /// Whether a cause is one of the small terms that every machine has, and no larger than they are.
     bool is_usual(const Candidate& causes, const Eigen::VectorXd& x, const Effect& cause) const;
     /// Whether one of the causes changes a number that a correction changes, or is a small term that is one, and is no
@@ -50,6 +48,8 @@ class Corrections {
                                  const Eigen::VectorXd& causes);
 
   private:
+    /// Whether this form of a cause changes a number that a correction changes.
+    bool same_number(const Effect& effect, const EffectForm& form) const;
     void add(std::string_view name, const EffectParameter& parameter, void (*apply)(Joint&, const double*), bool own);
 
     std::deque<Effect> effects_;            // candidates point at them

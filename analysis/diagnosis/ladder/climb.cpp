@@ -152,6 +152,7 @@ Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t mo
         settle(*better);
         set = climber_->compared({*better});
     }
+    if (!set.causes.effects.empty() && set.causes.effects.size() < most_rungs) set = climber_->freed(std::move(set));
     return finished(std::move(set));
 }
 
@@ -182,6 +183,15 @@ Ladder LadderSearch::finished(FittedSet set)
             climber_->in_place_of(ladder.rungs[i], i > 0 ? ladder.rungs[i - 1].causes : Candidate{}));
     correct_alone(ladder);
     return ladder;
+}
+
+bool LadderSearch::usually_off() const
+{
+    const Candidate& c = corrected_.model.candidate;
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < corrected_.model.corrections; at += c.count_of(*c.forms[i++]))
+        if (Corrections::deviations(c, i, at, corrected_.fit.x) >= rules_.far_off) return false;
+    return true;
 }
 
 std::vector<FarNumber> LadderSearch::far_off(const Ladder& ladder) const

@@ -78,6 +78,11 @@ class LadderSearch {
     /// The ladder of causes that are known.
     Ladder of(const Attribution& known);
 
+    /// The joint with its corrections and no cause.
+    const FittedSet& corrected() const { return corrected_; }
+    /// Whether these corrections are no further off than documents usually are.
+    bool usually_off() const;
+
     const HeldOutData& data() const { return data_; }
 
   private:

@@ -13,6 +13,7 @@
 namespace stickslip::gap {
 
 constexpr std::size_t near = 3, dear_looks = 6;  // singles, best first
+constexpr double at_the_bound = 0.99;            // of it: a descent ends just inside
 
 /// Whether the causes beyond those of `without` earn their place.
 bool earns(const FittedSet& without, const FittedSet& with, const LadderRules& rules);
@@ -93,6 +94,29 @@ class Climber {
         std::ranges::stable_sort(starts, {}, &Start::objective);
         if (starts.size() > most) starts.resize(most);
         return judged(starts);
+    }
+
+    /// The set with those of its corrections as causes that stand at the bound of what a document is off: held back,
+    /// they bend what is fitted with them.
+    FittedSet freed(FittedSet set)
+    {
+        for (std::size_t i = 0, at = 0; i < set.model.corrections;) {
+            const Candidate& all = set.model.candidate;
+            const bool bound = Corrections::deviations(all, i, at, set.fit.x) > at_the_bound * rules_.prior.widest;
+            const auto single = std::ranges::find_if(
+                singles_, [&](const Attribution& s) { return s.candidate.effects[0]->name == all.effects[i]->name; });
+            at += all.count_of(*all.forms[i++]);
+            if (!bound || all.forms[i - 1]->own > 0 || Corrections::is_small_term(*all.effects[i - 1]) ||
+                single == singles_.end())
+                continue;
+            const Effect* effect = single->candidate.effects[0];
+            Start start{set.causes, effect, &effect->forms[0], single->x};
+            fitter_.look(start, set);
+            if (start.x0.size() == 0) continue;
+            FittedSet more = judged({start})[0];
+            if (more.plausible && more.misfit < set.misfit) set = std::move(more), i = at = 0;
+        }
+        return set;
     }
 
     /// The set without one of its causes.

@@ -94,14 +94,14 @@ inline constexpr double doubt_of_rest = 0.22;
 /// are off, right second rungs had 0.78 and more and the wrong one 0.30; on a measured ball screw a second rung beside
 /// the published asymmetry had 0.22.
 inline constexpr double least_chance_of_further_rung = 0.5;
-/// Part of the squares that the corrections take. A rung that takes less is not named where more than noise remains or
-/// where it is a small term of every machine (`small_term`); if no rung is left, the wrong parameters are the answer. A
-/// documented parameter is exempt: it is a rung only where it is further off than documents usually are. The same part
-/// of a controller finding's share decides whether a cause in the mechanism is named with it. Reason: a cause that
-/// moves the joint by less than half as much as the corrections is one of the small terms of every machine (ripple, an
-/// uneven winding). Evidence: in a joint whose four documented parameters were 2-9 % off and nothing else, a cogging of
-/// 1.7 % of the Coulomb level took 8 % of the gap and the corrections 86 %; a viscous friction of a tenth of the
-/// documented one took 9 % of the gap, and all but 4 % of what corrections of inertia and Coulomb friction left.
+/// Part of the squares that the corrections, or the causes above, take. A last rung that is a small term of every
+/// machine (`small_term`) and takes less is not named; if no rung is left, the wrong parameters are the answer. The
+/// same part of a controller finding's share decides whether a cause in the mechanism is named with it. Reason: a
+/// ripple or an uneven winding that moves the joint by less than half as much is not what the gap comes from; of any
+/// other cause the share says nothing, because it depends on how far the joint file is off. Evidence: in a joint whose
+/// four documented parameters were 2-9 % off and nothing else, a cogging of 1.7 % of the Coulomb level took 8 % of the
+/// gap and the corrections 86 %. On an arm under gravity whose file was 3 % off, corrections took 98 % and hid a
+/// Stribeck peak of 60 % of the Coulomb level, and four periods of dead time.
 inline constexpr double least_against_corrections = 0.25;
 /// Part of the squares that the causes of a ladder take. A documented parameter that is `far_off` and whose removal
 /// costs more is a rung with them. Reason: a parameter that shrinks the gap as much as a cause belongs to the answer;

@@ -25,16 +25,6 @@ bool every_last_cause(const Ladder& ladder, const std::function<bool(std::size_t
     return true;
 }
 
-/// Whether the last rung is a number of the document's own.
-bool corrects_the_document(const Ladder& ladder)
-{
-    const auto number = [&](std::size_t i) {
-        const Candidate& causes = ladder.rungs.back().causes;
-        return ladder.corrections->same_number(*causes.effects[i], *causes.forms[i]);
-    };
-    return every_last_cause(ladder, number);
-}
-
 }  // namespace
 
 std::vector<double> odds_of_rivals(const JudgedLadder& j, std::size_t i)
@@ -82,16 +72,11 @@ bool usual_of_machines(const Ladder& ladder)
 
 bool small_against_corrections(const JudgedLadder& j)
 {
+    // small terms that every machine has are not what the gap comes from, beside corrections or another cause
     const Shares& s = j.shares;
-    // what is needed to leave noise is there; small terms that every machine has are not what the gap comes from
-    if ((j.noise_left || j.noise_below) && !j.usual) return false;
-    // a number of the document that needs no rung for what its uncertainty allows has one because it is further off
-    // than documents are: corrections beside it that are held back by their own take on its part
-    if (s.rungs.empty() || corrects_the_document(j.ladder)) return false;
+    if (!j.usual || s.rungs.empty()) return false;
     const double above = s.rungs.size() > 1 ? s.rungs[s.rungs.size() - 2] : s.corrected;
-    // such a term is as little what the gap comes from beside another cause
-    const double others = s.documented - (j.usual ? above : s.corrected);
-    return above - s.rungs.back() < policy::least_against_corrections * others;
+    return above - s.rungs.back() < policy::least_against_corrections * (s.documented - above);
 }
 
 }  // namespace stickslip::gap

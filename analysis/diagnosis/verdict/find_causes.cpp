@@ -66,13 +66,25 @@ void hold_ladder_against_free_forces(const Prepared& p, const std::function<void
 
 /// What explains to within noise with the document's numbers as they are is the answer, with a ladder of its own
 /// causes.
-void tell_accepted(const Prepared& p, const ParallelFor& parallel, Findings& f)
+void tell_accepted(LadderSearch& search, const Prepared& p, const ParallelFor& parallel, Findings& f)
 {
-    const std::vector<Attribution> none;
-    LadderSearch search(p.cases, p.scales, none, policy::ladder, parallel);
     f.judged.ladder = search.of(*f.decision.winner);
     judge(f.judged, search.data(), p.scales, p.nominal, parallel);
     f.climbed = true;
+}
+
+/// Whether the document, off by no more than documents usually are, is accepted as the cause is: then it needs none.
+/// Every document is a little off; few joints have that cause.
+bool document_suffices(LadderSearch& search, const Prepared& p, const ParallelFor& parallel, Findings& f)
+{
+    if (!search.usually_off() || !at_all_levels(p.cases, p.scales, p.nominal, search.corrected()).accepted)
+        return false;
+    f.judged = {};
+    f.judged.ladder = search.climb({}, 0);
+    judge(f.judged, search.data(), p.scales, p.nominal, parallel);
+    f.climbed = f.by_ladder = true;
+    f.why_not = f.judged.why_not;
+    return true;
 }
 
 /// Rungs that are small against the corrections go, and further ones that are less likely than not, the last first.
@@ -149,10 +161,13 @@ void find_causes(Prepared& p, std::size_t pair_partners, const std::function<voi
         }
     }
     if (accepted(f.decision) && !(f.by_ladder && f.judged.noise_left)) {
+        const std::vector<Attribution> none;
+        LadderSearch search(p.cases, p.scales, none, policy::ladder, parallel);
+        if (document_suffices(search, p, parallel, f)) return;
         f.by_ladder = false;
         hold_against_free_forces(p, progress, parallel, f);
         f.judged = {};
-        tell_accepted(p, parallel, f);
+        tell_accepted(search, p, parallel, f);
     }
     if (f.by_ladder) hold_ladder_against_free_forces(p, progress, parallel, f);
     if (f.by_ladder) f.why_not = f.judged.why_not;

@@ -100,7 +100,8 @@ void hold_against(JudgedLadder& j, const FreeFit& force)
 
 std::vector<std::string> JudgedLadder::with_numbers(std::vector<std::string> causes) const
 {
-    for (const auto& [effect, share] : numbers) causes.emplace_back(effect->name);
+    for (const auto& [effect, share] : numbers)
+        if (!std::ranges::count(causes, effect->name)) causes.emplace_back(effect->name);
     return causes;
 }
 

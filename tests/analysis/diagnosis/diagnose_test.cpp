@@ -304,6 +304,21 @@ TEST_CASE("a number of the document that takes as much as the cause beside it is
     CHECK(sum(near) == Approx(1).margin(0.05));
 }
 
+TEST_CASE("a document that is usually off needs no cause, even where one explains to within noise", "[gap][ladder]")
+{
+    Machine m;
+    m.inertia = 1.2 * 0.98, m.coulomb = 2 * 0.98, m.viscous = 1.5 * 0.98;  // what a scale of 1.02 explains, too
+    DiagnosisOptions options;
+    options.ensemble = 4;
+    const auto d = diagnose(nominal_joint(), records_of(m), in_order, options).diagnosis;
+    for (const auto& cause : d.effects) UNSCOPED_INFO(cause.names[0] << " " << cause.probability);
+    REQUIRE(d.verdict == Verdict::gap);
+    const std::set<std::string> numbers{"inertia", "coulomb-level", "viscous", "constant-load"};
+    for (const auto& name : d.effects.at(0).names) CHECK(numbers.contains(name));
+    for (const auto& correction : d.corrections)
+        if (correction.name == "inertia") CHECK(correction.number.value == Approx(0.98).margin(0.003));
+}
+
 TEST_CASE("an inertia that changes on the way is no document that is off", "[gap][ladder][slow]")
 {
     Machine m;

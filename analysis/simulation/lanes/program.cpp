@@ -1,7 +1,6 @@
 #include "analysis/simulation/lanes/program.h"
 
 #include <algorithm>
-#include <numbers>
 
 #include "analysis/numerics/hermite.h"
 #include "analysis/simulation/lanes/dense_output.h"
@@ -14,9 +13,6 @@ namespace {
 /// × 61 gains of the bistable strip (examples/03-bistable-strip) every outcome and region is that of searches that are
 /// all fine and every number within 2·10⁻⁵ of theirs; with all rough searches accepted an overshoot is off by 0.4 %.
 constexpr double clear_decay = 0.95, clear_multiplier = 0.95;
-constexpr double rough_closure = 1e-4;  ///< as `closure`
-constexpr double refined = 1e-2;        ///< largest step of a refinement, per amplitude
-constexpr int most_refinements = 5;
 
 struct Dense : DenseOutput {
     Dense(const StepView& s, int component) : DenseOutput{s.y0[component], s.y1[component], {0, 0, 0}}
@@ -44,10 +40,6 @@ Program::Program() = default;
 Phase Program::phase() const
 {
     return phase_;
-}
-double Program::tolerance() const
-{
-    return care_ == Care::rough ? settings_->rough : settings_->rtol;
 }
 double Program::settled() const
 {
@@ -104,12 +96,6 @@ Action Program::begin_phase(Phase phase)
     return follow(phase == Phase::search ? job_->rest_start : job_->start);
 }
 
-Action Program::all_finely()
-{
-    care_ = Care::fine;
-    return follow(phase_ == Phase::search ? job_->rest_start : job_->start);
-}
-
 Action Program::follow(const double (&start)[3])
 {
     const double largest = std::max({std::abs(job_->groups.K * start[0]), std::abs(start[1]), std::abs(start[2])});
@@ -129,7 +115,7 @@ Action Program::follow(const double (&start)[3])
 /// The disturbance has decayed; where that is wanted, the search for a coexisting cycle begins.
 Action Program::decayed()
 {
-    if (phase_ == Phase::search && care_ == Care::rough && weakest_decay_ > clear_decay) return all_finely();
+    if (phase_ == Phase::search && care_ == Care::rough && weakest_decay_ > clear_decay) return all_again(Care::fine);
     if (phase_ == Phase::search || !job_->search) return finish(Ending::decays);
     return begin_phase(Phase::search);
 }
@@ -155,35 +141,6 @@ void Program::note_extremum(const StepView& s)
     answer_.w_min = std::min(answer_.w_min, extremum);
 }
 
-/// Where the next turn starts, after one from turn_start_ to `end`.
-SecantSearch::State Program::next_turn(Point end, Point& start)
-{
-    if (phase_ == Phase::stated) return secants_.next_in_basin(turn_start_, end, start);
-    if (care_ == Care::refining) {
-        const auto state = secants_.refine(turn_start_, end, start);
-        const bool near = length(start - turn_start_) < refined * length(end);
-        return near && ++refinements_ <= most_refinements ? state : SecantSearch::State::lost;
-    }
-    weakest_decay_ = std::max(weakest_decay_, length(end) / length(turn_start_));
-    const double close = care_ == Care::rough ? rough_closure : closure;
-    return secants_.next(turn_start_, end, phase_ == Phase::search, start, close);
-}
-
-/// Growth a turn of a small disturbance, e-folds; without bounds where it does not turn.
-double Program::linear_growth() const
-{
-    return 2 * std::numbers::pi * job_->rate / job_->frequency;
-}
-
-/// Of motions that turn about steady sliding and change speed by less than e: smaller ones are weakly nonlinear.
-bool Program::none_smaller(Point end)
-{
-    const double swing = std::max(answer_.w_max, -answer_.w_min);
-    if (!(swing < 1) || !smaller_.none(turn_start_, end, linear_growth())) return false;
-    weakest_decay_ = std::max(weakest_decay_, std::exp(linear_growth()));
-    return true;
-}
-
 Action Program::end_of_turn(const StepView& step, double fraction)
 {
     const auto& g = job_->groups;
@@ -198,19 +155,20 @@ Action Program::end_of_turn(const StepView& step, double fraction)
         const auto state = next_turn(end, start);
         if (state == SecantSearch::State::closed) {
             if (care_ == Care::rough) {
-                if (secants_.multiplier() > clear_multiplier) return all_finely();
-                care_ = Care::refining;
+                if (secants_.multiplier() > clear_multiplier) return all_again(Care::fine);
+                refine(Care::refining);
+            } else if (phase_ == Phase::cycle && care_ != Care::exact && weakly_contracting()) {
+                refine(Care::exact);
             } else {
-                if (secants_.multiplier() > uncertain_multiplier) return give_up();
+                if (weakly_contracting()) return give_up();
                 answer_.multiplier = secants_.multiplier();
                 answer_.x_max = std::max(turn_start_.a / g.K, X);
                 answer_.reached = phase_ != Phase::search;
                 return finish(phase_ == Phase::cycle ? Ending::cycle : Ending::bistable);
             }
         } else {
-            const int limit = phase_ == Phase::stated ? settings_->patient_turn_limit : settings_->turn_limit;
-            if (state == SecantSearch::State::lost || answer_.turns >= limit)
-                return care_ == Care::fine ? give_up() : all_finely();
+            const int limit = in_basin() ? settings_->patient_turn_limit : settings_->turn_limit;
+            if (state == SecantSearch::State::lost || answer_.turns >= limit) return with_more_care();
             if (phase_ == Phase::search && (length(start) < settled_size || none_smaller(end))) return decayed();
         }
     }

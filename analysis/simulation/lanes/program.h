@@ -65,7 +65,14 @@ class Program {
     Action decayed();
     Action follow(const double (&start)[3]);
     Action begin_phase(Phase phase);
-    Action all_finely();
+    /// A search is made roughly first; what it finds is refined, what is not clear is searched again finely, and what
+    /// secants do not tell, turn by turn. Cycles that hardly attract are refined once more, exactly.
+    enum class Care : std::uint8_t { rough, refining, fine, patient, exact };
+    void refine(Care care);
+    bool weakly_contracting() const;
+    Action all_again(Care care);
+    Action with_more_care();
+    bool in_basin() const;
     SecantSearch::State next_turn(Point end, Point& start);
     double linear_growth() const;
     bool none_smaller(Point end);
@@ -81,8 +88,6 @@ class Program {
     double size_ = 1;  ///< of the start, at most 1
     SecantSearch secants_;
     SmallerCycles smaller_;
-    /// A search is made roughly first; what it finds is refined, and what is not clear is searched again finely.
-    enum class Care : std::uint8_t { rough, refining, fine };
     Care care_ = Care::fine;
     int refinements_ = 0;
     double weakest_decay_ = 0;  ///< largest |end|/|start| of a turn

@@ -143,6 +143,8 @@ class SecantSearch {
         proposal = end + step;
         return length(proposal - start) < closure * length(end) ? State::closed : State::searching;
     }
+    /// The next turn is one of another map, whose own secants are not known.
+    void change_map() { refined_ = false; }
     double multiplier() const { return multiplier_; }
     void forget() { count_ = 0; }
 

@@ -201,6 +201,46 @@ TEST_CASE("close to the linear boundary the linear theory ends the search for cy
     }
 }
 
+TEST_CASE("lanes leave the ghost of a fold behind", "[lanes]")
+{
+    // heavy joints without a critical gain: a turn near the ghost loses next to nothing, and secants led back out for
+    // ever
+    const double gains[][3] = {
+        {0.0125893, 39.8107, 23713.7}, {0.0501187, 12.5893, 50118.7}, {0.0794328, 8.91251, 37583.7}};
+    for (const auto& [V0, k_v, k_p] : gains) {
+        CAPTURE(V0, k_v, k_p);
+        const Joint joint = example_joint(k_p, k_v, V0);
+        PointResult row = linear_point(joint);
+        nonlinear_points({&joint, 1}, {}, {&row, 1});
+        CHECK(row.path == DecisionPath::lanes);
+        CHECK(row.outcome == Outcome::stable_sliding);
+        CHECK(row.region != Region::bistable);
+        CHECK(nonlinear_verdict(joint, {}).region == NonlinearRegion::stable);
+    }
+}
+
+TEST_CASE("lanes close cycles that hardly attract", "[lanes]")
+{
+    // next to the linear boundary a turn leaves 0.997 of a distance and more
+    const double gains[][3] = {{2.51189e-3, 22.3872, 70794.6},
+                               {1e-2, 2.81838, 501187},
+                               {2.51189e-2, 17.7828, 237137},
+                               {1.25893e-2, 25.1189, 237137}};
+    for (const auto& [V0, k_v, k_p] : gains) {
+        CAPTURE(V0, k_v, k_p);
+        const Joint joint = example_joint(k_p, k_v, V0);
+        PointResult row = linear_point(joint);
+        nonlinear_points({&joint, 1}, {}, {&row, 1});
+        CHECK(row.path == DecisionPath::lanes);
+        NonlinearOptions exact;
+        exact.rtol = 1e-11;
+        const auto by_cvode = nonlinear_verdict(joint, exact);
+        CHECK(row.outcome == by_cvode.outcome);
+        CHECK(row.amplitude == Approx(by_cvode.amplitude).epsilon(1e-5));
+        CHECK(row.period == Approx(by_cvode.period).epsilon(1e-6));
+    }
+}
+
 // more of them, with figures: benchmark_simulation_accuracy
 TEST_CASE("lanes against CVODE at rtol 1e-11: random joints", "[lanes][slow]")
 {

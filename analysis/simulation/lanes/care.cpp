@@ -1,0 +1,90 @@
+// With how much care a lane searches its cycle: roughly first, then finer, turn by turn or more exactly, where the
+// answer asks for it.
+#include "analysis/simulation/lanes/program.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace stickslip::lanes {
+namespace {
+
+constexpr double rough_closure = 1e-4;  ///< as `closure`
+constexpr double refined = 1e-2;        ///< largest step of a refinement, per amplitude
+constexpr int most_refinements = 5;
+/// Where the return map hardly contracts, a turn must be known as much better, beside the tolerance of the sweep.
+constexpr double exactness = 1e-2, least_tolerance = 1e-12;
+
+}  // namespace
+
+double Program::tolerance() const
+{
+    if (care_ == Care::rough) return settings_->rough;
+    return care_ == Care::exact ? std::max(exactness * settings_->rtol, least_tolerance) : settings_->rtol;
+}
+
+Action Program::all_again(Care care)
+{
+    care_ = care;
+    return follow(phase_ == Phase::search ? job_->rest_start : job_->start);
+}
+
+/// With more care where there is more: secants that lead past the ghost of a cycle come back from it for ever, and turn
+/// by turn the motion leaves it behind.
+Action Program::with_more_care()
+{
+    if (care_ == Care::rough || care_ == Care::refining) return all_again(Care::fine);
+    return care_ == Care::fine && phase_ == Phase::search ? all_again(Care::patient) : give_up();
+}
+
+/// The cycle is closed again from here on with that care.
+void Program::refine(Care care)
+{
+    care_ = care;
+    refinements_ = 0;
+    secants_.change_map();
+}
+
+/// Whether what a turn leaves of a distance is too near to all of it for the errors of a turn.
+bool Program::weakly_contracting() const
+{
+    return secants_.multiplier() >
+           (care_ == Care::exact ? 1 - exactness * (1 - uncertain_multiplier) : uncertain_multiplier);
+}
+
+/// Whether the motion is followed into what it ends in, turn by turn, and no secant may take it elsewhere.
+bool Program::in_basin() const
+{
+    return phase_ == Phase::stated || care_ == Care::patient;
+}
+
+/// Where the next turn starts, after one from turn_start_ to `end`.
+SecantSearch::State Program::next_turn(Point end, Point& start)
+{
+    if (in_basin()) return secants_.next_in_basin(turn_start_, end, start);
+    if (care_ == Care::refining || care_ == Care::exact) {
+        const auto state = secants_.refine(turn_start_, end, start);
+        const bool near = length(start - turn_start_) < refined * length(end);
+        return near && ++refinements_ <= most_refinements ? state : SecantSearch::State::lost;
+    }
+    weakest_decay_ = std::max(weakest_decay_, length(end) / length(turn_start_));
+    const double close = care_ == Care::rough ? rough_closure : closure;
+    return secants_.next(turn_start_, end, phase_ == Phase::search, start, close);
+}
+
+/// Growth a turn of a small disturbance, e-folds; without bounds where it does not turn.
+double Program::linear_growth() const
+{
+    return 2 * std::numbers::pi * job_->rate / job_->frequency;
+}
+
+/// Of motions that turn about steady sliding and change speed by less than e: smaller ones are weakly nonlinear.
+bool Program::none_smaller(Point end)
+{
+    const double swing = std::max(answer_.w_max, -answer_.w_min);
+    if (!(swing < 1) || !smaller_.none(turn_start_, end, linear_growth())) return false;
+    weakest_decay_ = std::max(weakest_decay_, std::exp(linear_growth()));
+    return true;
+}
+
+}  // namespace stickslip::lanes

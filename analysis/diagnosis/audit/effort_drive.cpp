@@ -65,8 +65,7 @@ Regression regress(const Terms& terms, const std::vector<const std::vector<doubl
 {
     double largest = 0;
     for (double e : terms.effort) largest = std::max(largest, std::abs(e));
-    constexpr double scatter = 8;  // standard deviations between the largest and the least reading of one effort
-    const double below = policy::below_limit * (largest - scatter * noise_of(terms.effort));
+    const double below = policy::below_limit * (largest - policy::scatter_at_limit * noise_of(terms.effort));
     std::vector<std::size_t> rows;
     for (std::size_t k = late; k < terms.effort.size(); ++k)
         if (std::abs(terms.effort[k]) < below) rows.push_back(k);
@@ -84,8 +83,6 @@ Regression regress(const Terms& terms, const std::vector<const std::vector<doubl
     const Eigen::VectorXd x = a.colPivHouseholderQr().solve(b);
     return {b.squaredNorm() > 0 ? (b - a * x).squaredNorm() / b.squaredNorm() : 0, x};
 }
-
-constexpr std::size_t most_rows_late = 3;  // a bus and a filter; more is no loop that was tuned by anybody
 
 }  // namespace
 
@@ -107,7 +104,7 @@ EffortOfController effort_of_controller(const Record& record, const Joint& joint
         squares += terms.effort[k] * terms.effort[k], missed += found.error[k] * found.error[k];
     }
     if (squares > 0) found.as_documented = missed / squares;
-    for (std::size_t late = 0; late <= most_rows_late; ++late) {
+    for (std::size_t late = 0; late <= policy::most_rows_late; ++late) {
         const auto own =
             regress(terms, {&terms.documented, &terms.error, &terms.velocity, &terms.rate, &terms.added}, false, late);
         found.left = std::min(found.left, own.left);

@@ -41,7 +41,8 @@ void Corrections::add_small_term(const Effect& effect, const EffectForm& form, c
         // of a wave one radian over the travel is what a record resolves; a time hardly shows: a factor of e
         sds.push_back(p.grid != FrequencyGrid::none ? std::exp(-at) : 1);
         p.grid = FrequencyGrid::none;
-        p.low = std::exp(at - widest_ * sds.back()), p.high = std::exp(at + widest_ * sds.back());
+        p.low = std::max(p.low, std::exp(at - widest_ * sds.back()));
+        p.high = std::min(p.high, std::exp(at + widest_ * sds.back()));
         small.seeds[0].push_back(std::exp(at));
     }
     Effect& e = effects_.emplace_back();

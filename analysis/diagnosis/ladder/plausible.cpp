@@ -76,4 +76,17 @@ bool plausible(const Candidate& causes, const Eigen::VectorXd& x, const Scales& 
     return true;
 }
 
+EffectForm with_physical_waves(const Effect& effect, EffectForm form, const Scales& scales,
+                               std::span<const PhysicalRange> ranges)
+{
+    for (auto& p : form.parameters)
+        for (const auto& range : ranges) {
+            if (range.effect != effect.name || range.parameter != p.name || range.per != Per::period_of_travel)
+                continue;
+            const double unit = 2 * std::numbers::pi / scales.position / unit_of(p.scale, scales);
+            p.low = std::max(p.low, range.low * unit), p.high = std::min(p.high, range.high * unit);
+        }
+    return form;
+}
+
 }  // namespace stickslip::gap

@@ -9,4 +9,8 @@ namespace stickslip::gap {
 bool plausible(const Candidate& causes, const Eigen::VectorXd& x, const Scales& scales, const Joint& joint,
                std::span<const PhysicalRange> ranges);
 
+/// A form of the effect whose fits cannot leave the physical range of waves: at least so many periods of the travel.
+EffectForm with_physical_waves(const Effect& effect, EffectForm form, const Scales& scales,
+                               std::span<const PhysicalRange> ranges);
+
 }  // namespace stickslip::gap

@@ -4,6 +4,7 @@
 
 #include "analysis/diagnosis/fit/block.h"
 #include "analysis/diagnosis/fit/seeds.h"
+#include "analysis/diagnosis/ladder/plausible.h"
 #include "analysis/diagnosis/policy/policy.h"
 
 #include <algorithm>
@@ -23,51 +24,77 @@ bool documented(const Joint& joint, std::string_view term)
     return friction.ripple.amplitude != 0;
 }
 
-/// A term behind a fitted model, its size alone fitted.
-struct Tried {
-    Eigen::VectorXd own;  ///< the term's numbers
-    double objective = infinity;
+/// A term behind a fitted model, whose numbers stay.
+struct Behind {
+    const Scales& scales;
+    const Candidate& model;
+    const Eigen::VectorXd& x;
+    const Candidate& term;
+
+    /// The model with the term, or the term's size alone fitted from there.
+    LevelFit fit(const std::vector<Case>& cases, const Eigen::VectorXd& own) const
+    {
+        Eigen::VectorXd all(x.size() + own.size());
+        all << x, own;
+        Kept kept(static_cast<std::size_t>(all.size()), 1);
+        for (std::size_t i = 0; i < term.parameter_count(); ++i)
+            kept[static_cast<std::size_t>(x.size()) + i] = term.parameter(i).quantity != Quantity::effort;
+        return descend_block(cases, with(), scales, all, omega, steps, kept);
+    }
+    Candidate with() const
+    {
+        Candidate both = model;
+        both.effects.push_back(term.effects[0]), both.forms.push_back(term.forms[0]);
+        return both;
+    }
 };
 
-Tried tried(const std::vector<Case>& cases, const Scales& scales, const Candidate& model, const Eigen::VectorXd& x,
-            const Candidate& term, const Eigen::VectorXd& start)
+/// Whether a term pays on rows that its size was not fitted to: in all, and in every fold.
+bool pays(const HeldOutData& data, const Behind& behind, const Eigen::VectorXd& own)
 {
-    Candidate with = model;
-    with.effects.push_back(term.effects[0]), with.forms.push_back(term.forms[0]);
-    Eigen::VectorXd all(x.size() + start.size());
-    all << x, start;
-    Kept kept(static_cast<std::size_t>(all.size()), 1);
-    for (std::size_t i = 0; i < term.parameter_count(); ++i)
-        kept[static_cast<std::size_t>(x.size()) + i] = term.parameter(i).quantity != Quantity::effort;
-    const auto fit = descend_block(cases, with, scales, all, omega, steps, kept);
-    return {fit.x.tail(start.size()), fit.evaluation.objective};
+    const Candidate with = behind.with();
+    double gain = 0;
+    for (std::size_t fold = 0; fold < HeldOutData::folds; ++fold) {
+        const auto x = behind.fit(data.without(fold), own).x;
+        const double without = mean_log(data.judge(fold, behind.model, in_si(behind.model, behind.x, behind.scales)));
+        const double in_fold = without - mean_log(data.judge(fold, with, in_si(with, x, behind.scales)));
+        if (!(in_fold > 0)) return false;
+        gain += in_fold / HeldOutData::folds;
+    }
+    return gain > policy::worth_a_small_term;
 }
 
 /// Adds to the corrections each small term that earns its place beside these causes with these numbers, which the
-/// corrections stand in front of. What the causes or the document have is not looked for again. The cases carry the
-/// noise that fits are weighed by.
-void add_small_terms(Corrections& corrections, const std::vector<Case>& cases, const Scales& scales,
+/// corrections stand in front of. What the causes or the document have is not looked for again.
+void add_small_terms(Corrections& corrections, const HeldOutData& data, const Scales& scales, const LadderRules& rules,
                      const Candidate& causes, Eigen::VectorXd x, const ParallelFor& parallel)
 {
+    const auto& cases = data.fitted();
     for (const std::string_view name : Corrections::small_terms()) {
         const bool is_cause = std::ranges::any_of(causes.effects, [&](const auto* e) { return e->name == name; });
         if (is_cause || documented(cases[0].joint, name)) continue;
         const Effect& effect = *effect_named(name);
-        const Candidate term{{&effect}, {&effect.forms[0]}, cases.size()};
+        // a wave that does not repeat is a trend: it would take over a part of what the causes' own numbers explain
+        const EffectForm form = with_physical_waves(effect, effect.forms[0], scales, rules.ranges);
+        const Candidate term{{&effect}, {&form}, cases.size()};
         if (!term.applies(cases[0].joint)) continue;
         const Corrected model = corrections.beside(causes);
-        const auto si = in_si(model.candidate, x, scales);
-        const auto from = starts(cases, scales, term, model.candidate, si);
-        std::vector<Tried> all(from.size());
-        parallel(from.size(), [&](std::size_t i) { all[i] = tried(cases, scales, model.candidate, x, term, from[i]); });
-        const auto best = std::ranges::min_element(all, {}, &Tried::objective);
-        const double without = evaluate(cases, model.candidate, si, omega).objective + prior_cost(model.candidate, x);
-        if (best == all.end() || !(best->objective < (1 - policy::worth_a_small_term) * without)) continue;
-        corrections.add_small_term(effect, *term.forms[0], best->own);
+        auto from = starts(cases, scales, term, model.candidate, in_si(model.candidate, x, scales));
+        std::erase_if(from,
+                      [&](const auto& own) { return !plausible(term, own, scales, cases[0].joint, rules.ranges); });
+        if (from.empty()) continue;
+        const Behind behind{scales, model.candidate, x, term};
+        std::vector<LevelFit> all(from.size());
+        parallel(from.size(), [&](std::size_t i) { all[i] = behind.fit(cases, from[i]); });
+        const auto best =
+            std::ranges::min_element(all, {}, [](const LevelFit& fit) { return fit.evaluation.objective; });
+        const Eigen::VectorXd own = best->x.tail(from[0].size());
+        if (!own.allFinite() || !pays(data, behind, own)) continue;
+        corrections.add_small_term(effect, form, own);
         const Corrected with = corrections.beside(causes);
         Eigen::VectorXd next =
             Corrections::start(with, model, x, x.tail(x.size() - static_cast<Eigen::Index>(model.numbers)));
-        next.segment(static_cast<Eigen::Index>(with.numbers) - best->own.size(), best->own.size()) = best->own;
+        next.segment(static_cast<Eigen::Index>(with.numbers) - own.size(), own.size()) = own;
         x = next;
     }
 }
@@ -90,7 +117,7 @@ void LadderSearch::find_small_terms(std::vector<Start>& looks)
         return;
     data_.raise_floor(models[0].candidate, si);
     const auto numbers = models[0].numbers;
-    add_small_terms(*corrections_, data_.fitted(), scales_, nearest.causes, nearest.x0, parallel_);
+    add_small_terms(*corrections_, data_, scales_, rules_, nearest.causes, nearest.x0, parallel_);
     if (corrections_->beside(nearest.causes).numbers == numbers) {
         settle(corrected_);
         return;

@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <numbers>
 
 using namespace stickslip;
 using namespace stickslip::gap;
@@ -119,6 +120,25 @@ TEST_CASE(
     CHECK(share(c.ladder.rungs[0].all_left(), c.ladder.documented) < 0.3);
     for (const auto& rival : c.ladder.rivals[0])
         CHECK(rival.misfit > c.ladder.rungs[0].misfit + margin_of(c.ladder.rungs[0], policy::ladder));
+}
+
+TEST_CASE("a bend over the travel is no wave of friction: it stays in the remainder and out of the cause's numbers",
+          "[gap][ladder]")
+{
+    Machine m;
+    m.viscous = 3;  // documented: 1.5
+    m.drag = 3;     // of no catalogue, and largest in the middle of the travel
+    m.cubic = 400;
+    const Climbed c(m);
+    REQUIRE(c.ladder.rungs.size() >= 1);
+    CHECK(c.ladder.rungs[0].causes.effects[0]->name == "viscous");
+    const FittedSet& set = c.ladder.last();
+    const auto si = in_si(set.model.candidate, set.fit.x, c.scales);
+    for (std::size_t i = 0; i < set.model.numbers; ++i)
+        if (set.model.candidate.parameter(i).name == "periods") {
+            INFO(si[i]);
+            CHECK(si[i] * c.scales.position > 2 * std::numbers::pi * 0.999);
+        }
 }
 
 TEST_CASE("the small terms that every machine has are corrections beside a cause, which then leaves next to nothing",

@@ -82,10 +82,8 @@ Figure outcome_figure(Motion motion, const Slice& slice, const MapAnswer& answer
     figure.id = chart_id(id, slice.x, slice.y);
     figure.finding = plain_text(reading.name) + " over " + slice.x.name + " and " + slice.y.name + ": " + range +
                      " on " + share + " of the points.";
-    figure.caption = how_to_read + " Values lie " + range +
-                     ". Every point was started close to steady sliding and, where that decays, from near rest, and "
-                     "followed to its end; grey: " +
-                     map.none + "." + held_words(slice, motion);
+    figure.caption = how_to_read + " Values lie " + range + ". " + followed_text(slice.readings) +
+                     "; grey: " + map.none + "." + held_words(slice, motion);
     figure.picture = std::move(map);
     return figure;
 }

@@ -2,6 +2,7 @@
 
 #include "analysis/results/text.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stickslip {
@@ -36,6 +37,24 @@ std::string large_disturbances_text(const Slice& slice, const LargeDisturbances&
            reach_text(slice, found.reach, motion) +
            (found.without_boundary ? " Some of them lie where the linear theory sees no boundary along k_{p} at all."
                                    : "");
+}
+
+std::string followed_text(std::span<const MapReading> readings)
+{
+    const std::string followed =
+        " started close to steady sliding and, where that decays, from near rest, and followed to its end";
+    const auto errors = std::find_if(readings.begin(), readings.end(),
+                                     [](const auto& reading) { return reading.column == "interpolation_error"; });
+    if (errors == readings.end()) return "Every point was" + followed;
+    double largest = 0;
+    std::size_t interpolated = 0;
+    for (const double error : errors->values)
+        if (error > 0) largest = std::max(largest, error), ++interpolated;
+    if (interpolated == 0) return "Every point was" + followed;
+    const double share = static_cast<double>(interpolated) / static_cast<double>(errors->values.size());
+    return "Of the points " + percent(1 - share) + ", among them both neighbours wherever outcomes differ, were" +
+           followed + "; " + percent(share) + " are interpolated between them, off by at most " +
+           plain_number(100 * largest) + " % where points between were followed to check them";
 }
 
 }  // namespace stickslip

@@ -3,6 +3,7 @@
 #include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
 #include "sweep/report/figures/map_figures.h"
+#include "sweep/report/figures/nonlinear_findings.h"
 #include "sweep/words/line_figure.h"
 
 #include <algorithm>
@@ -87,10 +88,8 @@ std::vector<Figure> outcome_profiles(const Joint& joint, const Profile& profile)
                                  " to " + with_unit(high, reading.quantity, motion) + " on " + std::to_string(cycles) +
                                  " of " + std::to_string(values.size()) + " points; none elsewhere.";
             figures.push_back(line_figure(chart_id(kind.id, axis, axis), std::move(chart), finding,
-                                          std::string(kind.meaning) +
-                                              " Every point was started close to steady sliding and, where that "
-                                              "decays, from near rest, and followed to its end; where the line ends, "
-                                              "no limit cycle was reached."));
+                                          std::string(kind.meaning) + " " + followed_text(profile.readings) +
+                                              "; where the line ends, no limit cycle was reached."));
         }
     return figures;
 }

@@ -57,3 +57,17 @@ TEST_CASE("findings: nothing to say where both theories agree", "[report]")
     CHECK(found.folds.empty());
     CHECK(large_disturbances_text(slice, found, Motion::prismatic).empty());
 }
+
+TEST_CASE("findings: pages say which share of the points is interpolated, and how far off", "[report]")
+{
+    using Catch::Matchers::Contains;
+    std::vector<MapReading> readings{
+        {"limit-cycle amplitude", Quantity::length, {1e-5, 2e-5, 3e-5, 4e-5}, "amplitude"}};
+    CHECK_THAT(followed_text(readings), Catch::Matchers::StartsWith("Every point was started"));
+    readings.push_back({"interpolation error", Quantity::number, {0, 0, 0, 0}, "interpolation_error"});
+    CHECK_THAT(followed_text(readings), Catch::Matchers::StartsWith("Every point was started"));
+    readings.back().values = {0, 1e-5, 2e-5, 1.5e-5};
+    const auto text = followed_text(readings);
+    CHECK_THAT(text, Contains("Of the points 25.0 %") && Contains("75.0 % are interpolated"));
+    CHECK_THAT(text, Contains("off by at most 0.002 %"));
+}

@@ -2,6 +2,7 @@
 
 #include "analysis/diagnosis/audit/effort_drive.h"
 #include "analysis/diagnosis/audit/inspect.h"
+#include "analysis/diagnosis/audit/noisy_rows.h"
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/fit/jumps.h"
 #include "analysis/diagnosis/heldout/drive_force.h"
@@ -85,6 +86,7 @@ Prepared audited(const Joint& joint, const std::vector<Record>& usable, Diagnosi
     for (const auto& c : p.cases) p.documented.push_back(c.joint);
     p.audit = audit(p.cases);
     audit_effort(drive, p.cases, p.audit, d.reasons);
+    mark_noisy_rows(p.cases);
     describe_data(p.cases, d);  // the audit may take back what was rebuilt between rows
     d.notes.insert(d.notes.end(), p.audit.notes.begin(), p.audit.notes.end());
     return p;

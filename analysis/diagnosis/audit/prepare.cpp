@@ -191,12 +191,9 @@ Case prepare_with_effort(const Record& record, const Joint& joint, std::vector<N
         c.joint.sensor.position_noise = std::max(c.joint.sensor.position_noise, white);
     }
     // what the unlogged commands of a slow log were is known up to the noise that the loop feeds through
-    const Control& control = c.joint.control;
-    const bool unknown_between = c.ticks.unseen_between() && is_set(control.period);
-    const double noise_rate = std::sqrt(2.0) / (control.period + control.velocity_estimate.tau);
-    const double command_noise = unknown_between ? c.sigma * std::hypot(control.k_p, control.k_v * noise_rate) *
-                                                       std::abs(c.joint.actuator.effort_gain)
-                                                 : 0;
+    const bool unknown_between = c.ticks.unseen_between() && is_set(c.joint.control.period);
+    const double command_noise =
+        unknown_between ? noise_of_command(c.joint.control, c.sigma) * std::abs(c.joint.actuator.effort_gain) : 0;
     // an estimate that is a little low would make a gap of plain noise
     constexpr double doubt = 1.03;
     if (c.ticks.source == CommandSource::measured) c.drive_sigma = drive_noise(c, record, doubt, notes);
@@ -218,6 +215,12 @@ Case prepare_with_effort(const Record& record, const Joint& joint, std::vector<N
 }
 
 }  // namespace
+
+double noise_of_command(const Control& control, double reading)
+{
+    const double rate = std::sqrt(2.0) / (control.period + control.velocity_estimate.tau);
+    return reading * std::hypot(control.k_p, control.k_v * rate);
+}
 
 Joint joint_in(const Record& record, const Joint& nominal)
 {

@@ -12,6 +12,9 @@ namespace stickslip::gap {
 /// that is smooth over four samples.
 double noise_of(const std::vector<double>& y);
 
+/// Standard deviation of what a sampled controller makes of white noise of its readings.
+double noise_of_command(const Control& control, double reading);
+
 /// The joint with the numbers that held in this record. Throws std::invalid_argument for an override whose path the
 /// joint does not have.
 Joint joint_in(const Record& record, const Joint& nominal);

@@ -78,8 +78,9 @@ void follow_readings(Controller& controller, const Ticks& ticks, Take&& take)
 {
     controller.restart(ticks.initial_integral);
     // readings between the rows of a slow log are interpolated: the logged estimate is then the better velocity
-    const auto logged_velocity =
-        ticks.unseen_between() && ticks.has_velocity ? velocity_between_rows(ticks) : std::vector<double>();
+    const auto logged_velocity = ticks.unseen_between() && ticks.has_velocity && !ticks.noisy_rows
+                                     ? velocity_between_rows(ticks)
+                                     : std::vector<double>();
     auto restart = ticks.restarts.begin();
     for (std::size_t k = 0; k < ticks.size(); ++k) {
         if (restart != ticks.restarts.end() && restart->tick == k) controller.restart(restart->integral), ++restart;
@@ -138,7 +139,7 @@ std::vector<double> known_command(const Plant& plant, const Ticks& ticks)
                                                                       : ticks.command;
     double held = 0;
     for (std::size_t k = 0; k < ticks.size(); ++k) {
-        if (is_set(ticks.command[k]))
+        if (is_set(ticks.command[k]) && !ticks.noisy_rows)
             held = command[k] = ticks.command[k];
         else if (!is_set(command[k]))
             command[k] = held;

@@ -47,6 +47,7 @@ struct Ticks {
     bool lost = false;               ///< rows are missing in an otherwise regular log: ticks without one
     bool rebuilt = false;            ///< positions between rows follow exactly from the logged velocities
     bool reference_rebuilt = false;  ///< the reference follows from the command: see rebuild_reference()
+    bool noisy_rows = false;         ///< commands and velocities of the rows carry noise that is unknown between them
     bool has_velocity = false, has_effort = false, has_reference = false;
     bool at_rest = true;
     double initial_velocity = 0;

@@ -1,6 +1,10 @@
-// A linear mechanism under a continuous controller behind dead time: roots, growth, every crossing of the axis.
+// A linear mechanism under a controller behind dead time: roots, growth, every crossing of the border of stability.
+// Continuous, or sampled where dead time is many ticks or friction answers late, so that no small matrix is the loop.
 #pragma once
 #include <complex>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "analysis/base/crossing.h"
@@ -9,22 +13,67 @@
 
 namespace stickslip {
 
-/// Ẋ = A X + input w(t − delay), w = −g output X + held X: mechanism, lag, filter and integral. `base` is in `held`.
+/// Friction of a body that answers late: `answer`(s) times the speed that it reads pushes the mechanism, which is that
+/// of its `delays`, and of a table.
+struct LateFriction {
+    struct Delay {
+        double weight, time;
+    };
+    Eigen::VectorXd push;
+    Eigen::RowVectorXd speed;
+    std::function<std::complex<double>(std::complex<double>)> answer;
+    std::vector<Delay> delays;
+    double memory = 0;  ///< s, the longest that it goes back
+};
+
+/// A mechanism with friction that answers late: `roots_right_of` a vertical line are those of it alone, and nothing
+/// where they cannot be counted.
+struct LatePlant {
+    LoopPlant prompt;
+    std::vector<LateFriction> friction;
+    std::function<std::optional<int>(double)> roots_right_of;
+};
+
+/// What a sampled loop knows of friction that answers late: the mechanism between ticks, and the loop around it.
+struct TickedFriction {
+    LoopPlant plant;
+    LoopTiming timing;
+    LoopGains base, turned;
+};
+
+/// Ẋ = A X + input w(t − delay), w = −g output X + held X: mechanism, lag, filter and integral; `base` is in `held`.
+/// Of a sampled loop X_{k+1} = (1 + A) X_k + input w_{k − delay/period}.
 struct LateLoop {
     Eigen::MatrixXd A;
     Eigen::VectorXd input;
     Eigen::RowVectorXd held, output;
     double delay = 0;
+    double period = 0;                   ///< of a sampled loop
+    std::vector<LateFriction> friction;  ///< beside A: of its states, of a sampled loop those of the mechanism
+    std::function<std::optional<int>(double)> mechanism_right_of;  ///< set where friction answers late
+    std::vector<double> other_poles;  ///< then those of the lag and of the controller, in s
+    std::shared_ptr<const TickedFriction> ticked;
+
+    /// Whether its roots are those of a matrix.
+    bool finite() const { return delay == 0 && period == 0 && friction.empty(); }
 };
 
 /// u = −(position + velocity s/(τs + 1) + integral/s + travelled/(τs + 1)) y; `base` acts, `turned` acts g times.
-LateLoop late_loop(const LoopPlant& plant, double delay, double tau, const LoopGains& base, const LoopGains& turned);
+LateLoop late_loop(const LatePlant& plant, double delay, double tau, double lag, const LoopGains& base,
+                   const LoopGains& turned);
 
-/// The closed loop as a finite system: its states, then the past of the command at `nodes` Chebyshev nodes.
+/// The same loop as sampled_loop(), with its whole ticks of dead time and late friction aside. Nothing where what is
+/// turned acts in two places of the loop.
+std::optional<LateLoop> late_sampled_loop(const LatePlant& plant, const LoopTiming& timing, double lag,
+                                          const LoopGains& base, const LoopGains& turned);
+
+/// The closed loop as a finite system: its states, then the past of the command, and of the speeds that friction reads
+/// late, at `nodes` Chebyshev nodes each. Of continuous loops; what friction has as a table is left out.
 Eigen::MatrixXd late_matrix(const LateLoop& loop, double gain, int nodes);
 
-/// Roots with the gain closed, by falling real part: all of them without dead time; else the rightmost, from the past
-/// of the command at Chebyshev nodes, each polished by Newton's method (Breda, Maset & Vermiglio 2005).
+/// Roots with the gain closed, by falling real part; of a sampled loop ln(z)/T. All of them where they are those of a
+/// matrix; else the rightmost: from the past of the command at Chebyshev nodes (Breda, Maset & Vermiglio 2005) or,
+/// where there is no such matrix, from where the loop turns fastest along lines; each polished by Newton's method.
 std::vector<std::complex<double>> roots(const LateLoop& loop, double gain);
 
 /// max Re s, confirmed by the argument principle: none lies to its right. 0 where only rounding is left of it, NaN

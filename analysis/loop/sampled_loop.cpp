@@ -74,13 +74,17 @@ MatrixXd integral_of_exponential(const MatrixXd& given, double h)
     return h * (units.asDiagonal() * sum * units.cwiseInverse().asDiagonal());
 }
 
+namespace {
+
+// `aside`: without the whole ticks of dead time, and with the commands of the base in a row of their own.
 // In one piece: the discrete loop assembled block by block, as the figure shows it.
-DiscreteLoop sampled_loop(const LoopPlant& plant, const LoopTiming& t, const LoopGains& base, const LoopGains& turned)
+LoopOfTicks assembled(const LoopPlant& plant, const LoopTiming& t, const LoopGains& base, const LoopGains& turned,
+                      bool aside)
 {
     constexpr double whole = 1e-12;  // of a tick: what rounding of delay/period is
     const double ticks = t.delay / t.period;
-    const int late = static_cast<int>(std::floor(ticks + whole));
-    const double fraction = std::max(0.0, ticks - late) > whole ? ticks - late : 0;
+    const int all = static_cast<int>(std::floor(ticks + whole)), late = aside ? 0 : all;
+    const double fraction = std::max(0.0, ticks - all) > whole ? ticks - all : 0;
     const auto period = over_period(plant, fraction * t.period, (1 - fraction) * t.period);
 
     const bool estimates = base.estimates() || turned.estimates();
@@ -97,7 +101,9 @@ DiscreteLoop sampled_loop(const LoopPlant& plant, const LoopTiming& t, const Loo
         return wide;
     };
 
-    DiscreteLoop loop;
+    LoopOfTicks found;
+    found.whole_ticks = all;
+    DiscreteLoop& loop = found.loop;
     loop.period = t.period;
     MatrixXd& D = loop.difference;
     D = MatrixXd::Zero(at.size, at.size);
@@ -138,7 +144,9 @@ DiscreteLoop sampled_loop(const LoopPlant& plant, const LoopTiming& t, const Loo
     };
     // the command of `back` ticks ago; the newest is not yet a state
     loop.input = Eigen::VectorXd::Zero(at.size);
-    const RowVectorXd newest = command(base);
+    const RowVectorXd of_base_gains = command(base), nothing = RowVectorXd::Zero(at.size);
+    const RowVectorXd& newest = aside ? nothing : of_base_gains;
+    found.held = of_base_gains;
     const auto drive = [&](const Eigen::VectorXd& push, int back) {
         if (back == 0) {
             D.topRows(at.plant) += push * newest;
@@ -158,8 +166,25 @@ DiscreteLoop sampled_loop(const LoopPlant& plant, const LoopTiming& t, const Loo
     if (joined && of_base) {
         const double read = turned.position + t.period * turned.integral;
         loop.input[at.filter] = -t.period * turned.integral / read;
+        found.acts_twice = true;
     }
-    return loop;
+    return found;
+}
+
+}  // namespace
+
+DiscreteLoop sampled_loop(const LoopPlant& plant, const LoopTiming& timing, const LoopGains& base,
+                          const LoopGains& turned)
+{
+    return assembled(plant, timing, base, turned, false).loop;
+}
+
+std::optional<LoopOfTicks> loop_without_whole_ticks(const LoopPlant& plant, const LoopTiming& timing,
+                                                    const LoopGains& base, const LoopGains& turned)
+{
+    auto found = assembled(plant, timing, base, turned, true);
+    if (found.acts_twice) return std::nullopt;
+    return found;
 }
 
 }  // namespace stickslip

@@ -2,6 +2,7 @@
 // the next, with one gain left open.
 #pragma once
 #include <Eigen/Core>
+#include <optional>
 
 namespace stickslip {
 
@@ -43,6 +44,17 @@ struct DiscreteLoop {
 /// time still holds back, whole ticks and a fraction. `base` acts, `turned` acts g times.
 DiscreteLoop sampled_loop(const LoopPlant& plant, const LoopTiming& timing, const LoopGains& base,
                           const LoopGains& turned);
+
+/// The same with the whole ticks of its dead time left aside: X_{k+1} = (1 + difference) X_k + input w_{k −
+/// whole_ticks}, w = held X − g output X. Nothing where what is turned acts in two places of the loop.
+struct LoopOfTicks {
+    DiscreteLoop loop;
+    Eigen::RowVectorXd held;
+    int whole_ticks = 0;
+    bool acts_twice = false;
+};
+std::optional<LoopOfTicks> loop_without_whole_ticks(const LoopPlant& plant, const LoopTiming& timing,
+                                                    const LoopGains& base, const LoopGains& turned);
 
 /// ∫ e^{As} ds from 0 to h, by doubling a short step, so that e^{Ah} − 1 = A ∫ keeps its digits.
 Eigen::MatrixXd integral_of_exponential(const Eigen::MatrixXd& A, double h);

@@ -5,6 +5,7 @@
 #include "analysis/joint/gains.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/steady.h"
+#include "analysis/stability/winding.h"
 
 namespace stickslip {
 namespace {
@@ -22,6 +23,9 @@ LinearJoint opened(const Joint& joint, LinearJoint linear)
     linear.contact[0] -= joint.control.force_gain * joint.control.contact_stiffness;
     return linear;
 }
+
+/// Dead time that a sampled loop holds in its matrix, whose eigenvalues cost its third power; more stands aside.
+constexpr double most_ticks_in_matrix = 40;
 
 struct SplitGains {
     LoopGains base, turned;
@@ -163,22 +167,55 @@ bool remembers_little(const Joint& joint)
     return loop_kind(joint) != LoopKind::sampled || joint.control.velocity_estimate.average <= most_readings;
 }
 
+namespace {
+
+/// Friction that answers late beside the states of the mechanism, and a count of the roots that they have together.
+LatePlant late_plant(const Joint& joint, const LinearJoint& linear, double velocity)
+{
+    LatePlant late{loop_plant(joint, linear, velocity), {}, {}};
+    if (linear.rational()) return late;
+    const auto states = late.prompt.A.rows();
+    LinearJoint open = opened(joint, linear);
+    for (int i = 0; i < open.bodies; ++i) {
+        LinearFriction only = open.friction[i];
+        if (only.rational()) continue;
+        only.states = 0;
+        double memory = only.table ? only.table->duration() : 0;
+        std::vector<LateFriction::Delay> delays;
+        for (const auto& d : only.delays) {
+            memory = std::max(memory, d.time);
+            delays.push_back({d.weight, d.time});
+        }
+        Eigen::VectorXd push = Eigen::VectorXd::Zero(states);
+        push.head(open.states()) = rates_per_force(open, i);
+        late.friction.push_back({push, Eigen::RowVectorXd::Unit(states, open.bodies + i),
+                                 [only](Complex s) { return transfer(only, s); }, delays, memory});
+    }
+    open.friction[0].f_v += actuation(joint, velocity, steady_effort(joint, velocity)).drag;
+    late.roots_right_of = [open](double sigma) { return roots_right_of(open, sigma); };
+    return late;
+}
+
+}  // namespace
+
 std::optional<RealLoop> real_loop(const Joint& joint, const LinearJoint& linear, double velocity, TurnedGain turned)
 {
-    if (!linear.rational() || !remembers_little(joint)) return {};
+    if (!remembers_little(joint)) return {};
     const auto gains = split(joint, turned);
     if (!gains) return {};
-    const auto plant = loop_plant(joint, linear, velocity);
-    if (!plant.A.allFinite() || !plant.B.allFinite()) return {};
-    const auto& c = joint.control;
-    if (loop_kind(joint) == LoopKind::sampled) {
-        const LoopTiming timing{c.period, joint.dead_time(), c.velocity_estimate.tau,
-                                static_cast<int>(c.velocity_estimate.average),
-                                c.velocity_estimate.form == EstimateForm::exact};
-        return RealLoop{sampled_loop(plant, timing, gains->base, gains->turned), gains->gain};
+    const auto plant = late_plant(joint, linear, velocity);
+    if (!plant.prompt.A.allFinite() || !plant.prompt.B.allFinite()) return {};
+    const double lag = joint.actuator.lag, delay = joint.dead_time(), period = joint.control.period;
+    const auto& v = joint.control.velocity_estimate;
+    if (loop_kind(joint) != LoopKind::sampled)
+        return RealLoop{late_loop(plant, delay, v.tau, lag, gains->base, gains->turned), gains->gain};
+    const LoopTiming timing{period, delay, v.tau, static_cast<int>(v.average), v.form == EstimateForm::exact};
+    if (!plant.friction.empty() || delay > most_ticks_in_matrix * period) {
+        if (auto loop = late_sampled_loop(plant, timing, lag, gains->base, gains->turned))
+            return RealLoop{std::move(*loop), gains->gain};
+        if (!plant.friction.empty()) return {};
     }
-    return RealLoop{late_loop(plant, joint.dead_time(), c.velocity_estimate.tau, gains->base, gains->turned),
-                    gains->gain};
+    return RealLoop{sampled_loop(plant.prompt, timing, gains->base, gains->turned), gains->gain};
 }
 
 double growth(const RealLoop& loop)

@@ -30,8 +30,8 @@ bool limits_leave(const Joint& joint, double velocity);
 /// The gain that windows and crossings are given in.
 enum class TurnedGain { k_p, k_v, all };
 
-/// The joint about steady sliding at V under its loop, with one gain open and its present value. A friction with
-/// memory that is no state, and a force loop with anything turned but all of it, have none.
+/// The joint about steady sliding at V under its loop, with one gain open and its present value. A force loop with
+/// anything turned but all of it has none.
 struct RealLoop {
     std::variant<DiscreteLoop, LateLoop> loop;
     double gain = 1;

@@ -3,9 +3,11 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <numbers>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include "analysis/loop/opened_loop.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/steady.h"
 
@@ -50,8 +52,11 @@ std::optional<LoopResponse> LoopResponse::of(const Joint& joint, Theory theory)
     }
     answer.loop_ = real_loop(joint, linear, velocity, TurnedGain::all);
     if (!answer.loop_) return std::nullopt;
+    const auto* late = std::get_if<LateLoop>(&answer.loop_->loop);
+    // between ticks a force on friction that answers late has no map from tick to tick
+    if (late && late->period > 0 && !late->friction.empty()) return std::nullopt;
     answer.roots_ = roots_of(*answer.loop_, answer.loop_->gain);
-    if (const auto* sampled = std::get_if<DiscreteLoop>(&answer.loop_->loop)) answer.period_ = sampled->period;
+    answer.period_ = late ? late->period : std::get<DiscreteLoop>(answer.loop_->loop).period;
     answer.plant_ = loop_plant(joint, linear, velocity);
     answer.speed_ = linear.bodies + linear.link();
     const Eigen::VectorXd pushed = rates_per_force(linear, linear.link());
@@ -65,12 +70,11 @@ Complex LoopResponse::at(double omega) const
     if (!loop_) return disturbance_response(linear_, {0, omega});
     const Complex s(0, omega);
     const auto n = plant_.A.rows();
-    if (const auto* late = std::get_if<LateLoop>(&loop_->loop)) {
-        Eigen::VectorXcd d = Eigen::VectorXcd::Zero(late->A.rows());
+    if (period_ == 0) {
+        Eigen::VectorXcd d = Eigen::VectorXcd::Zero(size());
         d.head(n) = pushed_.cast<Complex>();
         return closed(omega, d)[linear_.link()];
     }
-    const auto& sampled = std::get<DiscreteLoop>(loop_->loop);
     // ∫ e^{A(T−t)} e^{iωt} dt d; for slow sines by the integral of the exponential alone, as (iω − A) may be singular
     Eigen::MatrixXcd shifted = plant_.A.cast<Complex>();
     shifted.diagonal().array() -= s;
@@ -78,24 +82,31 @@ Complex LoopResponse::at(double omega) const
     wide.topLeftCorner(n, n) = shifted * period_;
     wide.col(n).head(n) = pushed_.cast<Complex>() * period_;
     const Eigen::VectorXcd held = std::exp(s * period_) * wide.exp().col(n).head(n);
-    Eigen::VectorXcd d = Eigen::VectorXcd::Zero(sampled.difference.rows());
+    Eigen::VectorXcd d = Eigen::VectorXcd::Zero(size());
     d.head(n) = held;
     return closed(omega, d)[linear_.link()];
 }
 
+Eigen::Index LoopResponse::size() const
+{
+    const auto* late = std::get_if<LateLoop>(&loop_->loop);
+    return late ? late->A.rows() : std::get<DiscreteLoop>(loop_->loop).difference.rows();
+}
+
 Eigen::VectorXcd LoopResponse::closed(double omega, const Eigen::VectorXcd& input) const
 {
+    const Complex s(0, omega);
+    // e^{iωT} − 1 with its digits
+    const Complex variable = period_ > 0 ? beyond_one(s * period_) : s;
     Eigen::MatrixXcd Z;
     if (const auto* late = std::get_if<LateLoop>(&loop_->loop)) {
-        const Complex s(0, omega);
         Z = -late->A.cast<Complex>();
-        Z.diagonal().array() += s;
+        for (const auto& f : late->friction) Z -= f.push * (f.answer(s) * f.speed);
         Z -= late->input * ((late->held - loop_->gain * late->output) * std::exp(-s * late->delay));
     } else {
         Z = -std::get<DiscreteLoop>(loop_->loop).closed(loop_->gain).cast<Complex>();
-        // e^{iωT} − 1 with its digits
-        Z.diagonal().array() += Complex(-2 * std::pow(std::sin(omega * period_ / 2), 2), std::sin(omega * period_));
     }
+    Z.diagonal().array() += variable;
     return Z.partialPivLu().solve(input);
 }
 
@@ -133,10 +144,12 @@ ForcedResponse LoopResponse::forced(const SampledForce& force) const
 
 ForcedResponse LoopResponse::ticks(const SampledForce& force) const
 {
-    const auto& sampled = std::get<DiscreteLoop>(loop_->loop);
     const auto n = plant_.A.rows();
     const Eigen::VectorXd held = integral_of_exponential(plant_.A, period_) * pushed_;
-    const Eigen::MatrixXd change = sampled.closed(loop_->gain);
+    const auto* late = std::get_if<LateLoop>(&loop_->loop);
+    const Eigen::MatrixXd change = late ? late->A : std::get<DiscreteLoop>(loop_->loop).closed(loop_->gain);
+    // commands on their way, where they are no states
+    std::deque<double> line(late ? static_cast<std::size_t>(std::lround(late->delay / period_)) + 1 : 0, 0.0);
     Eigen::VectorXd X = Eigen::VectorXd::Zero(change.rows());
     X.head(n) = force.impulse * pushed_;
     ForcedResponse response;
@@ -148,7 +161,13 @@ ForcedResponse LoopResponse::ticks(const SampledForce& force) const
         response.velocity.push_back(X[speed_]);
         if (t >= end) return response;
         const auto at = std::min(force.value.size() - 1, static_cast<std::size_t>(t / force.step));
-        X += (change * X).eval();
+        Eigen::VectorXd moved = change * X;
+        if (late) {
+            line.push_back(((late->held - loop_->gain * late->output) * X)(0));
+            line.pop_front();
+            moved += line.front() * late->input;
+        }
+        X += moved;
         X.head(n) += force.value[at] * held;
     }
 }

@@ -39,6 +39,7 @@ class LoopResponse {
     LoopResponse() = default;
     /// Everything the closed loop holds, per input of its own system.
     Eigen::VectorXcd closed(double omega, const Eigen::VectorXcd& input) const;
+    Eigen::Index size() const;
     ForcedResponse ticks(const SampledForce& force) const;
     ForcedResponse continuous(const SampledForce& force) const;
 

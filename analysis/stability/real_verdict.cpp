@@ -13,9 +13,9 @@ std::uint8_t code_of(double growth)
 }
 
 /// Why a joint has no loop to judge.
-Reason without_loop(const Joint& joint, const LinearJoint& linear)
+Reason without_loop(const Joint& joint)
 {
-    return linear.rational() && remembers_little(joint) ? Reason::not_finite : Reason::unsupported;
+    return remembers_little(joint) ? Reason::not_finite : Reason::unsupported;
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ PointResult real_point(const Joint& joint, double commanded)
     const auto linear = linear_joint(joint, velocity);
     const auto loop = real_loop(joint, linear, velocity, TurnedGain::all);
     if (!loop) {
-        point.reason = without_loop(joint, linear);
+        point.reason = without_loop(joint);
         return point;
     }
     point.spectral_abscissa = growth(*loop);
@@ -79,7 +79,7 @@ PointResult real_point(const Joint& joint, double commanded)
     else
         point.region = point.velocity_only_stable == 1 ? Region::velocity_only : Region::unstable;
     const auto* late = std::get_if<LateLoop>(&loop->loop);
-    if (!late || late->delay > 0) return point;
+    if (!late || !late->finite()) return point;
     if (const auto turned = real_loop(joint, linear, velocity, TurnedGain::k_p)) {
         const auto gains = turned_gains(*turned);
         point.k_cr = gains.k_cr, point.omega = gains.omega;
@@ -96,7 +96,7 @@ LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
     add_frictions(linear, verdict);
     const auto all = real_loop(joint, linear, V, TurnedGain::all);
     if (!all) {
-        verdict.steady.reason = without_loop(joint, linear);
+        verdict.steady.reason = without_loop(joint);
         return verdict;
     }
     memory.spectral_abscissa = growth(*all);
@@ -115,7 +115,9 @@ LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
     } else {
         const auto& late = std::get<LateLoop>(all->loop);
         memory.eigenvalues = roots(late, 1);
-        memory.all_eigenvalues = late.delay == 0;
+        memory.all_eigenvalues = late.finite();
+        if (late.period > 0)
+            for (const Complex& root : memory.eigenvalues) memory.multipliers.push_back(std::exp(root * late.period));
         const auto margins = command_margins(late);
         memory.gain_margin_db = margins.gain_db;
         memory.phase_margin_deg = margins.phase_deg;

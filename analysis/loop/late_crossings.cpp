@@ -1,0 +1,170 @@
+// Where roots of a late loop cross the border of stability as its gain grows, and the gains between.
+#include <Eigen/Dense>
+#include <algorithm>
+#include <numbers>
+
+#include "analysis/base/work_limits.h"
+#include "analysis/loop/opened_loop.h"
+#include "analysis/numerics/balance.h"
+#include "analysis/numerics/root.h"
+
+namespace stickslip {
+namespace {
+
+using Complex = std::complex<double>;
+using std::numbers::pi;
+
+/// The gain that puts a real root at 0, where −T is flat and not nothing from there to `beside`: an integrator, which
+/// rounding may leave beside 0, is not.
+std::optional<Crossing> crossing_at_rest(const OpenedLoop& open, double beside)
+{
+    constexpr double flat = 0.1;
+    const double still = open.towards(0).real();
+    if (!(still > 0 && std::abs(open.towards(Complex(0, beside)) - still) < flat * still)) return std::nullopt;
+    const double left = open.towards(-beside).real(), right = open.towards(beside).real();
+    return Crossing{1 / still, 0, right < left ? 1 : -1};
+}
+
+struct Reach {
+    double from, to;
+    double rounding;  ///< below it a pole may be an integrator
+};
+Reach features(const LateLoop& loop, const OpenedLoop& open)
+{
+    double low = infinity, high = 0;
+    const auto take = [&](Complex s) {
+        high = std::max(high, std::abs(s));
+        if (std::abs(s) > 0) low = std::min(low, std::abs(s));
+    };
+    for (const Complex& s : open.poles()) take(s);
+    if (loop.period == 0) {
+        Eigen::MatrixXd closed = loop.A + loop.input * loop.held;
+        balance(closed);
+        const Eigen::VectorXcd poles = closed.eigenvalues();
+        for (const Complex& s : poles) take(s);
+        for (const Complex& s : poles)
+            if (std::abs(s) < 1e-9 * high) low = std::min(low, 1e-6 * high);
+    }
+    if (std::isfinite(open.turns_in())) low = std::min(low, open.turns_in());
+    constexpr double turns = 50 * pi, far = 1e4, above = 30, integrator = 1e-9;
+    const bool late = std::isfinite(open.turns_in());
+    const double to = late ? std::max(turns * open.turns_in(), above * high) : far * high;
+    return {1e-4 * low, std::isfinite(open.end()) ? open.end() : to, integrator * high};
+}
+
+/// A root at half the sampling rate, where z is −1 and every loop is real.
+void cross_at_end(const OpenedLoop& open, double before, AxisCrossings& found)
+{
+    const Complex end = open.towards(Complex(0, open.end()));
+    found.crossings.push_back({1 / end.real(), open.end(), before > 0 ? 1 : -1});
+}
+
+}  // namespace
+
+AxisCrossings axis_crossings(const LateLoop& loop)
+{
+    AxisCrossings found;
+    if (!loop.A.allFinite()) return found;
+    const OpenedLoop open(loop);
+    const Reach reach = features(loop, open);
+    const bool sampled = std::isfinite(open.end());
+    const auto phase = [&](double omega) { return std::arg(open.towards(Complex(0, omega))); };
+    const double widest = std::min(0.3 * open.turns_in(), reach.to);
+    if (const auto still = crossing_at_rest(open, std::max(reach.from, reach.rounding)))
+        found.crossings.push_back(*still);
+    double omega = reach.from, at = phase(omega), step = 0.1 * omega;
+    const auto turn = [](double from, double to) { return std::remainder(to - from, 2 * pi); };
+    for (long steps = 0; omega < reach.to; ++steps) {
+        if (steps == work::crossing_steps) {
+            found.doubtful.push_back({omega, reach.to});
+            break;
+        }
+        const double room = std::max(open.room(Complex(0, omega)), 1e-9 * omega);
+        const double next = std::min(reach.to, omega + std::min({step, widest, room}));
+        const double middle = phase(0.5 * (omega + next)), there = phase(next);
+        const double first = turn(at, middle), second = turn(middle, there);
+        const bool coarse = std::abs(first) > 0.3 || std::abs(second) > 0.3 || std::abs(first - second) > 0.1;
+        if (coarse && next - omega > 1e-12 * next) {
+            step = (next - omega) / 2;
+            continue;
+        }
+        if (coarse) found.doubtful.push_back({omega, next});
+        if (sampled && next == reach.to && std::abs(there) < 1) {
+            cross_at_end(open, at, found);
+        } else if (!coarse && std::signbit(at) != std::signbit(there) && std::abs(at) < 1) {
+            const double root = bracketed_root(phase, omega, at, next, there, 1e-15).value;
+            const double gain = 1 / open.towards(Complex(0, root)).real();
+            if (gain > 0) found.crossings.push_back({gain, root, there < at ? 1 : -1});
+        }
+        omega = next, at = there;
+        step *= 1.6;
+    }
+    // further up each turn of the dead time asks for more gain still; a search that was cut short excludes no gain
+    if (omega < reach.to)
+        found.searched_to = 0;
+    else if (!sampled && std::isfinite(open.turns_in()))
+        found.searched_to = 0.5 / std::abs(open.towards(Complex(0, reach.to)));
+    std::erase_if(found.crossings, [&](const Crossing& c) { return c.k_p > found.searched_to; });
+    std::sort(found.crossings.begin(), found.crossings.end(),
+              [](const Crossing& a, const Crossing& b) { return a.k_p < b.k_p; });
+    return found;
+}
+
+namespace {
+
+/// Growth somewhere between two neighbouring crossings, at the own gain where that lies there, so that no window
+/// contradicts the verdict. Where it cannot be confirmed at one gain, another has the same sign.
+double growth_between(const LateLoop& loop, double low, double high, double own)
+{
+    if (own > low && own < high) {
+        const double growth = late_growth(loop, own);
+        if (std::isfinite(growth)) return growth;
+    }
+    const double from = low > 0 ? low : high < infinity ? 1e-6 * high : 1, to = high < infinity ? high : 1e6 * from;
+    for (const double share : {0.5, 0.25, 0.75, 0.1, 0.9}) {
+        const double growth = late_growth(loop, from * std::pow(to / from, share));
+        if (std::isfinite(growth)) return growth;
+    }
+    return not_set;
+}
+
+}  // namespace
+
+std::vector<Interval> stable_gains(const LateLoop& loop, AxisCrossings& all, double own)
+{
+    std::vector<double> bounds{0};
+    for (const auto& c : all.crossings) bounds.push_back(c.k_p);
+    if (all.searched_to > bounds.back()) bounds.push_back(all.searched_to);
+    std::vector<Interval> intervals;
+    for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
+        const double low = bounds[i], high = bounds[i + 1];
+        const double growth = growth_between(loop, low, high, own);
+        if (std::isnan(growth)) {
+            // nothing is said of gains from here on
+            all.searched_to = low;
+            break;
+        }
+        if (!(growth < 0)) continue;
+        if (!intervals.empty() && intervals.back().high == low)
+            intervals.back().high = high;
+        else
+            intervals.push_back({low, high});
+    }
+    return intervals;
+}
+
+CommandMargins command_margins(const LateLoop& loop)
+{
+    const OpenedLoop open(loop);
+    double size = 0;
+    for (const auto& s : roots(loop, 1)) size = std::max(size, std::abs(s));
+    constexpr double below = 1e-7, above = 1e2;
+    const auto L = [&](double omega) {
+        const Complex s(0, omega);
+        return open.prompt(s).first * open.late(s);
+    };
+    return command_margins(late_growth(loop, 1) < 0, axis_crossings(loop).crossings, L, below * size,
+                           std::min(above * size, open.end()));
+}
+
+}  // namespace stickslip

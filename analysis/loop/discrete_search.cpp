@@ -79,6 +79,14 @@ class Circle {
         responses_.at(beside_one(angle), &value);
         return value;
     }
+    /// The same by elimination with pivots, which costs more and keeps its digits where the states of many readings
+    /// have next to nothing to do with each other.
+    Complex exactly_at(double angle) const
+    {
+        Eigen::MatrixXcd Z = -loop_.difference.cast<Complex>();
+        Z.diagonal().array() += beside_one(angle);
+        return (loop_.output.cast<Complex>() * Z.partialPivLu().solve(loop_.input.cast<Complex>()))(0);
+    }
     /// arg(−T): zero where a positive gain puts a multiplier there.
     double phase(double angle) const { return std::arg(-at(angle)); }
 
@@ -138,10 +146,26 @@ void doubt(Interval band, std::vector<Interval>& doubtful)
         doubtful.push_back(band);
 }
 
+/// Steps of a secant on the exact phase, from the zero of the fast one.
+double polished(const Circle& circle, double angle)
+{
+    constexpr double beside = 1e-7, nothing = 1e-15;
+    const auto phase = [&](double at) { return std::arg(-circle.exactly_at(at)); };
+    double before = angle * (1 - beside), at = angle, f_before = phase(before), f = phase(at);
+    for (int i = 0; i < 5 && std::abs(f) > nothing && f != f_before; ++i) {
+        const double next = at - f * (at - before) / (f - f_before);
+        if (!(std::abs(next - angle) < 1e-3 * angle)) return angle;
+        before = at, f_before = f;
+        at = next, f = phase(at);
+    }
+    return at;
+}
+
 void take(const Circle& circle, double angle, int direction, CircleCrossings& found)
 {
-    const double gain = -1 / circle.at(angle).real();
-    const double exact = angle == pi || angle == 0 ? gain : (-1.0 / circle.at(angle)).real();
+    const bool real = angle == pi || angle == 0;
+    if (!real) angle = polished(circle, angle);
+    const double exact = real ? -1 / circle.exactly_at(angle).real() : (-1.0 / circle.exactly_at(angle)).real();
     if (exact > 0 && std::isfinite(exact)) found.crossings.push_back({exact, angle / circle.loop().period, direction});
 }
 

@@ -200,10 +200,29 @@ class LineSearch {
     {
         for (const double share : {1e-3, -0.3, -1.0, -2.0}) look(share * unit_);
     }
-    /// The rightmost root, right of which counting finds none; NaN where it is not found.
+    /// The rightmost root, right of which counting finds none; nothing where it is not found.
     std::optional<Complex> edge()
     {
         look(1e-3 * unit_);
+        if (roots_.empty())
+            if (const auto pole = edge_at_pole()) return pole;
+        const auto found = edge_by_newton();
+        return found ? found : edge_at_pole();
+    }
+    /// With their conjugates, by falling real part.
+    std::vector<Complex> all() const
+    {
+        std::vector<Complex> both;
+        for (const Complex& s : roots_) {
+            both.push_back(s);
+            if (s.imag() != 0 && s.imag() < open_.end() * (1 - 1e-9)) both.push_back(std::conj(s));
+        }
+        return both;
+    }
+
+  private:
+    std::optional<Complex> edge_by_newton()
+    {
         for (double left = 0.3; roots_.empty() && left < 1e3; left *= 3) look(-left * unit_);
         constexpr int most = 20;
         for (int i = 0; i < most && !roots_.empty(); ++i) {
@@ -229,18 +248,19 @@ class LineSearch {
         }
         return std::nullopt;
     }
-    /// With their conjugates, by falling real part.
-    std::vector<Complex> all() const
+    /// A pole that the loop does not reach through its dead time: the root beside it differs by less than rounding.
+    std::optional<Complex> edge_at_pole() const
     {
-        std::vector<Complex> both;
-        for (const Complex& s : roots_) {
-            both.push_back(s);
-            if (s.imag() != 0 && s.imag() < open_.end() * (1 - 1e-9)) both.push_back(std::conj(s));
+        constexpr double beside = 1e-9;
+        for (const Complex& p : open_.exact_poles()) {
+            const double width = beside * std::abs(p);
+            if (!(width > 0) || !std::isfinite(width)) continue;
+            const auto right = roots_right_of(open_, gain_, p.real() + width, width),
+                       with = roots_right_of(open_, gain_, p.real() - width, width);
+            if (right && with && *right == 0 && *with > 0) return Complex(p.real(), std::abs(p.imag()));
         }
-        return both;
+        return std::nullopt;
     }
-
-  private:
     static bool further_left(Complex a, Complex b) { return a.real() < b.real(); }
     /// Newton's method without the poles of the loop, which would catch it, and the roots that are known; nothing where
     /// it does not come near one.
@@ -350,13 +370,18 @@ bool is_rightmost(const LateLoop& loop, double gain, double real, double size)
 
 }  // namespace
 
+std::optional<Complex> rightmost_root(const LateLoop& loop, double gain)
+{
+    if (!loop.A.allFinite()) return std::nullopt;
+    const OpenedLoop open(loop);
+    return LineSearch(open, gain).edge();
+}
+
 double late_growth(const LateLoop& loop, double gain)
 {
     constexpr double rounding = 1e-14;
     if (!has_matrix(loop)) {
-        if (!loop.A.allFinite()) return not_set;
-        const OpenedLoop open(loop);
-        const auto edge = LineSearch(open, gain).edge();
+        const auto edge = rightmost_root(loop, gain);
         if (!edge) return not_set;
         return std::abs(edge->real()) < rounding * std::abs(*edge) ? 0 : edge->real();
     }
@@ -364,9 +389,14 @@ double late_growth(const LateLoop& loop, double gain)
     if (all.empty()) return not_set;
     double size = 0;
     for (const auto& s : all) size = std::max(size, std::abs(s));
-    double most = all.front().real();
-    if (loop.delay > 0 && !is_rightmost(loop, gain, most, std::abs(all.front()))) return not_set;
-    return std::abs(most) < rounding * (loop.delay > 0 ? std::abs(all.front()) : size) ? 0 : most;
+    Complex most = all.front();
+    if (loop.delay > 0 && !is_rightmost(loop, gain, most.real(), std::abs(most))) {
+        // Chebyshev nodes over a long dead time miss the fast roots of a stiff mechanism
+        const auto edge = rightmost_root(loop, gain);
+        if (!edge) return not_set;
+        most = *edge;
+    }
+    return std::abs(most.real()) < rounding * (loop.delay > 0 ? std::abs(most) : size) ? 0 : most.real();
 }
 
 }  // namespace stickslip

@@ -76,6 +76,9 @@ Eigen::MatrixXd late_matrix(const LateLoop& loop, double gain, int nodes);
 /// where there is no such matrix, from where the loop turns fastest along lines; each polished by Newton's method.
 std::vector<std::complex<double>> roots(const LateLoop& loop, double gain);
 
+/// The rightmost of them, in the upper half plane, by lines; nothing where counting does not confirm it.
+std::optional<std::complex<double>> rightmost_root(const LateLoop& loop, double gain);
+
 /// max Re s, confirmed by the argument principle: none lies to its right. 0 where only rounding is left of it, NaN
 /// where it cannot be confirmed or the loop is not finite.
 double late_growth(const LateLoop& loop, double gain);

@@ -131,8 +131,8 @@ void LateShare::at(Complex s, bool once, Complex* added) const
         by_push_[static_cast<std::size_t>(k)].at(s, values.data());
         for (Eigen::Index r = 0; r < rows_; ++r) by_force(r, k) = values[static_cast<std::size_t>(r)];
         for (Eigen::Index i = 0; i < m; ++i)
-            closed(i, k) =
-                (i == k ? 1.0 : 0.0) - answer[static_cast<std::size_t>(i)] * values[static_cast<std::size_t>(rows_ + i)];
+            closed(i, k) = (i == k ? 1.0 : 0.0) -
+                           answer[static_cast<std::size_t>(i)] * values[static_cast<std::size_t>(rows_ + i)];
     }
     if (m == 1)
         force[0] /= closed(0, 0);

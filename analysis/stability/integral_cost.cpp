@@ -32,12 +32,11 @@ std::optional<IntegralCost> integral_cost(const Joint& joint, const LinearVerdic
     without.control.k_i = 0;
     without.control.velocity_integral_gain = without.control.velocity_reset_time = not_set;
     const auto plain = linear_verdict(without);
-    const double gain = c.structure == Structure::cascade ? c.position_gain : c.k_p;
-    if (plain.steady.reason != Reason::none || !(gain > 0)) return {};
-    // windows of a cascade are in its position gain only where its verdict turns that
+    const double gain = gains_of(c).k_p, gain_without = gains_of(without.control).k_p;
+    if (plain.steady.reason != Reason::none || !(gain > 0) || !(gain_without > 0)) return {};
     IntegralCost cost;
     cost.gain = gains_of(c).k_i;
-    cost.without = window_margin(plain.state_variable.stable_intervals, gain);
+    cost.without = window_margin(plain.state_variable.stable_intervals, gain_without);
     cost.with = window_margin(verdict.state_variable.stable_intervals, gain);
     const bool judged = cost.without > 0 && std::isfinite(cost.without) && std::isfinite(cost.with) &&
                         (cost.with > 0) == verdict.state_variable.stable;

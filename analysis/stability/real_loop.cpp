@@ -1,3 +1,4 @@
+// In one file: one loop from the joint to its windows: plant, gains, and which of the loops it is.
 #include "analysis/stability/real_loop.h"
 
 #include <algorithm>
@@ -30,6 +31,7 @@ constexpr double most_ticks_in_matrix = 40;
 struct SplitGains {
     LoopGains base, turned;
     double gain;
+    double per_gain = 1, at_none = 0;  ///< as in RealLoop
 };
 
 /// All gains of the loop, in the terms of its controller.
@@ -58,7 +60,7 @@ std::optional<SplitGains> split(const Joint& joint, TurnedGain turned)
         const double K_i = velocity_integral_gain(c);
         base.position -= c.velocity_gain * c.position_gain;
         base.integral = 0;
-        return SplitGains{base, {c.velocity_gain, 0, K_i, 0}, c.position_gain};
+        return SplitGains{base, {c.velocity_gain, 0, K_i, 0}, c.position_gain, c.velocity_gain, K_i};
     }
     if (turned == TurnedGain::k_p) {
         base.position = 0;
@@ -68,10 +70,40 @@ std::optional<SplitGains> split(const Joint& joint, TurnedGain turned)
     return SplitGains{base, {0, 1, 0, 0}, c.k_v};
 }
 
+/// k_p = K_v K_pos + K_i of a cascade, in place of the K_pos that was turned.
+void report(const RealLoop& loop, StableGains& gains)
+{
+    if (loop.per_gain == 1 && loop.at_none == 0) return;
+    const auto reported = [&](double gain) { return loop.at_none + loop.per_gain * gain; };
+    for (auto& c : gains.crossings) c.k_p = reported(c.k_p);
+    for (auto& i : gains.stable) i = {reported(i.low), reported(i.high)};
+    gains.searched_to = reported(gains.searched_to);
+    if (loop.per_gain > 0) return;
+    for (auto& i : gains.stable) std::swap(i.low, i.high);
+    std::reverse(gains.stable.begin(), gains.stable.end());
+    std::reverse(gains.crossings.begin(), gains.crossings.end());
+}
+
 /// A critical gain needs every gain above it, which dead time and ticks never leave and a search may not have seen.
 void take_endless(StableGains& gains)
 {
     if (!gains.stable.empty() && gains.stable.back().high == infinity) take_single_gain(gains);
+}
+
+}  // namespace
+
+namespace {
+
+/// Positions as that of the link and the stretches of the springs before it, x_i − x_{i+1}: what nothing holds is then
+/// an integrator to the last digit, which differences of stiffnesses would leave beside 0.
+void take_stretches(const LinearJoint& open, Eigen::MatrixXd& A)
+{
+    const int n = open.bodies, link = open.link();
+    for (int i = 1; i < n; ++i) A.col(i) += A.col(i - 1);
+    for (int i = 0; i < link; ++i) A.row(i) -= A.row(i + 1);
+    const bool held = open.k_p != 0 || std::any_of(open.contact.begin(), open.contact.begin() + n,
+                                                   [](double contact) { return contact != 0; });
+    if (!held) A.col(link).setZero();
 }
 
 }  // namespace
@@ -84,6 +116,7 @@ LoopPlant loop_plant(const Joint& joint, const LinearJoint& linear, double veloc
     LoopPlant plant;
     plant.A = Eigen::MatrixXd::Zero(states + lag, states + lag);
     plant.A.topLeftCorner(states, states) = state_matrix(open);
+    take_stretches(open, plant.A);
     const Eigen::VectorXd per_effort = rates_per_force(open, 0);
     plant.A.col(n).head(states) -= acts.drag * per_effort;
     plant.B = Eigen::VectorXd::Zero(states + lag);
@@ -97,7 +130,7 @@ LoopPlant loop_plant(const Joint& joint, const LinearJoint& linear, double veloc
     }
     plant.C = plant.C_v = Eigen::RowVectorXd::Zero(states + lag);
     if (joint.control.kind == ControlKind::position) {
-        plant.C[open.measured] = acts.scale;
+        plant.C.segment(open.measured, n - open.measured).setConstant(acts.scale);
         plant.C_v[n + open.measured] = acts.scale;
     } else {
         plant.C[open.link()] = joint.control.k_p + joint.control.contact_stiffness;
@@ -208,14 +241,16 @@ std::optional<RealLoop> real_loop(const Joint& joint, const LinearJoint& linear,
     const double lag = joint.actuator.lag, delay = joint.dead_time(), period = joint.control.period;
     const auto& v = joint.control.velocity_estimate;
     if (loop_kind(joint) != LoopKind::sampled)
-        return RealLoop{late_loop(plant, delay, v.tau, lag, gains->base, gains->turned), gains->gain};
+        return RealLoop{late_loop(plant, delay, v.tau, lag, gains->base, gains->turned), gains->gain, gains->per_gain,
+                        gains->at_none};
     const LoopTiming timing{period, delay, v.tau, static_cast<int>(v.average), v.form == EstimateForm::exact};
     if (!plant.friction.empty() || delay > most_ticks_in_matrix * period) {
         if (auto loop = late_sampled_loop(plant, timing, lag, gains->base, gains->turned))
-            return RealLoop{std::move(*loop), gains->gain};
+            return RealLoop{std::move(*loop), gains->gain, gains->per_gain, gains->at_none};
         if (!plant.friction.empty()) return {};
     }
-    return RealLoop{sampled_loop(plant.prompt, timing, gains->base, gains->turned), gains->gain};
+    return RealLoop{sampled_loop(plant.prompt, timing, gains->base, gains->turned), gains->gain, gains->per_gain,
+                    gains->at_none};
 }
 
 double growth(const RealLoop& loop)
@@ -232,6 +267,7 @@ StableGains turned_gains(const RealLoop& loop)
         found.stable = stable_gains(*sampled, circle.crossings, loop.gain);
         found.crossings = std::move(circle.crossings);
         found.doubtful = std::move(circle.doubtful);
+        report(loop, found);
         take_endless(found);
         return found;
     }
@@ -241,6 +277,7 @@ StableGains turned_gains(const RealLoop& loop)
     found.crossings = std::move(axis.crossings);
     found.doubtful = std::move(axis.doubtful);
     found.searched_to = axis.searched_to;
+    report(loop, found);
     take_endless(found);
     return found;
 }

@@ -35,6 +35,8 @@ enum class TurnedGain { k_p, k_v, all };
 struct RealLoop {
     std::variant<DiscreteLoop, LateLoop> loop;
     double gain = 1;
+    /// What is reported, k_p of a cascade by its position gain: at_none + per_gain times the gain that is open.
+    double per_gain = 1, at_none = 0;
 };
 /// Whether a controller averages so few readings that the map from tick to tick can hold them.
 bool remembers_little(const Joint& joint);
@@ -44,7 +46,7 @@ std::optional<RealLoop> real_loop(const Joint& joint, const LinearJoint& linear,
 /// The mechanism about steady sliding at V with its actuator, without its controller.
 LoopPlant loop_plant(const Joint& joint, const LinearJoint& linear, double velocity);
 
-/// The windows of the gain that is open. Ticks and dead time always leave an end above.
+/// The windows of the gain that is open, in what is reported. Ticks and dead time always leave an end above.
 StableGains turned_gains(const RealLoop& loop);
 
 /// The mechanism slides at V_0 by what the encoder says.

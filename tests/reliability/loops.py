@@ -697,6 +697,10 @@ def compare(p, told, count, problems):
     if p.force:
         return
     windows, to = told['windows'], told['searched_to'] or math.inf
+    if p.cascade:  # told in k_p = K_v K_pos + K_i, looked at here over K_pos
+        K_v, K_i = p.cascade[1:]
+        windows = [(max(0, (low - K_i) / K_v), high and (high - K_i) / K_v) for low, high in windows]
+        to = (to - K_i) / K_v
     own_gain = p.cascade[0] if p.cascade else p.k_p
     if told['doubtful']:
         count.skip('doubtful bands')

@@ -1,6 +1,8 @@
 #include "analysis/simulation/sampled/loop_mode.h"
 
-#include <Eigen/Eigenvalues>
+#include "analysis/loop/late_loop.h"
+
+#include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +10,11 @@
 namespace stickslip {
 namespace {
 
-constexpr std::size_t most_states = 400;  ///< whose multipliers are worth their eigenvalues
-constexpr double difference = 1e-4;       ///< of a state's scale, on both sides
-constexpr double probe = 1e-4;            ///< of the scale: small beside what bends the motion
-constexpr long most_window = 20'000;      ///< ticks
+constexpr std::size_t most_states = 400;     ///< whose multipliers are worth their eigenvalues
+constexpr std::size_t most_on_the_way = 60;  ///< commands that are states of a matrix; more stand aside as a dead time
+constexpr double difference = 1e-4;          ///< of a state's scale, on both sides
+constexpr double probe = 1e-4;               ///< of the scale: small beside what bends the motion
+constexpr long most_window = 20'000;         ///< ticks
 
 /// What counts as a change of order one of each entry of SampledLoop::state().
 std::vector<double> state_scale(const SampledLoop& loop, std::size_t size)
@@ -74,34 +77,111 @@ long LoopMode::window() const
     return std::clamp(std::lround(std::min(time / period, 1e15)), 1L, most_window);
 }
 
-LoopMode loop_mode(SampledLoop& loop)
-{
-    LoopMode mode;
-    mode.period = loop.period();
-    mode.steady = loop.state();
-    const auto n = mode.steady.size();
-    if (n > most_states) {
-        mode.why = Detail::dead_time_too_long;
-        return mode;
+namespace {
+
+/// The change of the state after a tick by that of its entry `j` before it, in units of the scale, column by column.
+class TickMap {
+  public:
+    TickMap(SampledLoop& loop, const LoopMode& mode) : loop_(loop), steady_(mode.steady)
+    {
+        scale = state_scale(loop, steady_.size());
+        held_ = at_yield(loop);
+        held_.resize(steady_.size(), false);
     }
-    const auto scale = state_scale(loop, n);
-    auto held = at_yield(loop);
-    held.resize(n, false);
-    Eigen::MatrixXd M = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
-    for (std::size_t j = 0; j < n; ++j) {
-        if (held[j]) continue;
-        Vector up = mode.steady, down = mode.steady;
+    Vector scale;
+
+    Eigen::VectorXd column(std::size_t j)
+    {
+        const auto n = steady_.size();
+        Eigen::VectorXd changed = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n));
+        if (held_[j]) return changed;
+        Vector up = steady_, down = steady_;
         up[j] += difference * scale[j], down[j] -= difference * scale[j];
         const double change = (up[j] - down[j]) / scale[j];
-        const Vector a = after_tick(loop, up), b = after_tick(loop, down);
+        const Vector a = after_tick(loop_, up), b = after_tick(loop_, down);
         for (std::size_t i = 0; i < n; ++i)
-            if (!held[i])
-                M(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = (a[i] - b[i]) / scale[i] / change;
+            if (!held_[i]) changed[static_cast<Eigen::Index>(i)] = (a[i] - b[i]) / scale[i] / change;
+        return changed;
     }
-    loop.set_state(mode.steady);
+
+  private:
+    SampledLoop& loop_;
+    const Vector& steady_;
+    std::vector<bool> held_;
+};
+
+void take_vectors(const Eigen::VectorXcd& right, const Eigen::VectorXcd& left, const Vector& scale, LoopMode& mode)
+{
+    for (std::size_t i = 0; i < scale.size(); ++i) {
+        const auto k = static_cast<Eigen::Index>(i);
+        mode.right.push_back(right[k] * scale[i]);
+        mode.left.push_back(left[k] / scale[i]);
+    }
+}
+
+/// Commands on their way only move on: z h = H h + (a + b z) l, z^n l = c h, of the other states h, the oldest command
+/// l and n commands. That is a loop behind n ticks of dead time.
+void find_behind_line(TickMap& map, std::size_t others, std::size_t commands, LoopMode& mode)
+{
+    using Complex = std::complex<double>;
+    const auto m = static_cast<Eigen::Index>(others);
+    Eigen::MatrixXd H(m, m);
+    Eigen::RowVectorXd c(m);
+    for (Eigen::Index j = 0; j < m; ++j) {
+        const Eigen::VectorXd column = map.column(static_cast<std::size_t>(j));
+        H.col(j) = column.head(m);
+        c[j] = column[column.size() - 1];
+    }
+    const Eigen::VectorXd a = map.column(others).head(m), b = map.column(others + 1).head(m);
+    if (!H.allFinite() || !c.allFinite() || !a.allFinite() || !b.allFinite()) {
+        mode.why = Detail::leaves_within_tick;
+        return;
+    }
+    LateLoop loop;
+    loop.period = mode.period;
+    loop.A = Eigen::MatrixXd::Zero(m + 1, m + 1);
+    loop.A.topLeftCorner(m, m) = H - Eigen::MatrixXd::Identity(m, m);
+    loop.A.col(m).head(m) = a;
+    loop.A(m, m) = -1;
+    loop.input = Eigen::VectorXd::Unit(m + 1, m);
+    loop.input.head(m) = b;
+    loop.held = Eigen::RowVectorXd::Zero(m + 1);
+    loop.output = loop.held;
+    loop.output.head(m) = -c;
+    loop.delay = static_cast<double>(commands - 1) * mode.period;
+    const auto root = rightmost_root(loop, 1);
+    if (!root) {
+        mode.why = Detail::dead_time_too_long;
+        return;
+    }
+    const Complex z = std::exp(*root * mode.period), passed = std::exp(-*root * (loop.delay + mode.period));
+    mode.multiplier = z;
+    Eigen::MatrixXcd closed = H.cast<Complex>() + (a.cast<Complex>() + b.cast<Complex>() * z) * (passed * c);
+    closed.diagonal().array() -= z;
+    const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(closed, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const auto size = m + static_cast<Eigen::Index>(commands);
+    Eigen::VectorXcd right(size), left(size);
+    right.head(m) = svd.matrixV().col(m - 1);
+    left.head(m) = svd.matrixU().col(m - 1).conjugate();
+    Complex on_the_way = (passed * c * right.head(m))(0), felt = 0;
+    for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(commands); ++i, on_the_way *= z) {
+        right[m + i] = on_the_way;
+        // what the oldest command does to the rest, and the one behind it, in which dead time ends within a tick
+        if (i == 0) felt = (left.head(m).transpose() * a)(0);
+        if (i == 1) felt += (left.head(m).transpose() * b)(0);
+        felt /= z;
+        left[m + i] = felt;
+    }
+    take_vectors(right, left, map.scale, mode);
+}
+
+void find_in_matrix(TickMap& map, std::size_t n, LoopMode& mode)
+{
+    Eigen::MatrixXd M(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
+    for (std::size_t j = 0; j < n; ++j) M.col(static_cast<Eigen::Index>(j)) = map.column(j);
     if (!M.allFinite()) {
         mode.why = Detail::leaves_within_tick;
-        return mode;
+        return;
     }
     const Eigen::EigenSolver<Eigen::MatrixXd> right(M), left(M.transpose());
     Eigen::Index best = 0, same = 0;
@@ -111,11 +191,28 @@ LoopMode loop_mode(SampledLoop& loop)
     for (Eigen::Index i = 1; i < left.eigenvalues().size(); ++i)
         if (std::abs(left.eigenvalues()[i] - z) < std::abs(left.eigenvalues()[same] - z)) same = i;
     mode.multiplier = z;
-    for (std::size_t i = 0; i < n; ++i) {
-        const auto k = static_cast<Eigen::Index>(i);
-        mode.right.push_back(right.eigenvectors()(k, best) * scale[i]);
-        mode.left.push_back(left.eigenvectors()(k, same) / scale[i]);
+    take_vectors(right.eigenvectors().col(best), left.eigenvectors().col(same), map.scale, mode);
+}
+
+}  // namespace
+
+LoopMode loop_mode(SampledLoop& loop)
+{
+    LoopMode mode;
+    mode.period = loop.period();
+    mode.steady = loop.state();
+    const auto n = mode.steady.size(), commands = loop.commands_on_the_way();
+    const bool aside = commands > most_on_the_way;
+    if (n - (aside ? commands : 0) > most_states) {
+        mode.why = Detail::dead_time_too_long;
+        return mode;
     }
+    TickMap map(loop, mode);
+    if (aside)
+        find_behind_line(map, n - commands, commands, mode);
+    else
+        find_in_matrix(map, n, mode);
+    loop.set_state(mode.steady);
     return mode;
 }
 

@@ -81,6 +81,8 @@ class SampledLoop {
     double reference_velocity() const { return frame_reading_; }
     const TickReadings& readings() const { return readings_; }
     bool continuous() const { return controller_.continuous(); }
+    /// The last entries of state(), oldest first.
+    std::size_t commands_on_the_way() const { return line_.size() - 1; }
     std::size_t taps() const { return controller_.state.window.size(); }
     bool integrates() const { return controller_.integrates(); }
     double integral_gain() const { return controller_.integral_gain(); }

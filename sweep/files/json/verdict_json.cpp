@@ -23,6 +23,23 @@ Json intervals_json(const std::vector<Interval>& list)
     return json;
 }
 
+/// What bounds a window of stable gains there: a machine word for each kind of crossing.
+std::string_view end_name(const StateVariableVerdict& v, double gain, std::string_view otherwise)
+{
+    if (gain == infinity) return "none";
+    for (const auto& c : v.crossings)
+        if (c.k_p == gain) return c.omega == 0 ? "at-rest" : "oscillation";
+    return otherwise;
+}
+
+Json ends_json(const StateVariableVerdict& v)
+{
+    Json json = Json::array();
+    for (const auto& i : v.stable_intervals)
+        json.push_back({end_name(v, i.low, "zero"), end_name(v, i.high, "searched-to")});
+    return json;
+}
+
 Json state_variable_json(const StateVariableVerdict& v)
 {
     Json eigenvalues = Json::array(), multipliers = Json::array(), crossings = Json::array();
@@ -43,6 +60,7 @@ Json state_variable_json(const StateVariableVerdict& v)
             {"kernel_integral", json_number(v.kernel_integral)},
             {"crossings", crossings},
             {"stable_intervals", intervals_json(v.stable_intervals)},
+            {"stable_ends", ends_json(v)},
             {"k_cr", json_number(v.k_cr)},
             {"searched_to", json_number(v.searched_to)},
             {"doubtful_omega", intervals_json(v.doubtful)}};

@@ -1,6 +1,7 @@
 // Sampled loops that no small matrix holds: many ticks of dead time, and friction that answers late. Against the matrix
 // of the same loop with its commands in it, and against motions stepped tick by tick.
 #include "analysis/friction/time_lag.h"
+#include "analysis/simulation/sampled/loop_verdict.h"
 #include "analysis/stability/real_loop.h"
 #include "analysis/stability/real_response.h"
 #include "tests/analysis/simulation/joints.h"
@@ -125,6 +126,16 @@ TEST_CASE("Dead time aside gives the multipliers and windows of the matrix that 
             }
 }
 
+TEST_CASE("Behind a second of dead time a joint grows as without its loop")
+{
+    const auto plant = mass_with_memory(1);
+    const double alone = plant.A.eigenvalues().real().maxCoeff();
+    REQUIRE(alone > 10);
+    const auto loop = late_sampled_loop({plant, {}, {}}, {1e-3, 1, 0, 1, false}, 0, {}, {6e4, 10, 0, 0});
+    REQUIRE(loop);
+    CHECK(late_growth(*loop, 1) == Approx(alone).epsilon(1e-8));
+}
+
 TEST_CASE("A sampled loop around friction that answers late grows as its motion does")
 {
     std::size_t windows = 0;
@@ -211,5 +222,22 @@ TEST_CASE("Real loops around late friction and with long dead time answer forces
             x += end * 1e-3 + (v - end) * (1 - left) / 5;
             v = end + (v - end) * left;
         }
+    }
+}
+
+TEST_CASE("The motion of a loop with many ticks of dead time grows as its roots say")
+{
+    for (const double ticks : {70.0, 250.4}) {
+        Joint joint = example_joint(60e3, 10, 1e-3);
+        joint.control.velocity_estimate.form = EstimateForm::backward_difference;
+        joint.control.period = 1e-3;
+        joint.control.delay = ticks * 1e-3;
+        const double theory = growth_rate(joint);
+        LoopQuestion question;
+        question.region = false;
+        const auto verdict = loop_verdict(joint, question);
+        INFO("ticks " << ticks);
+        CHECK(std::log(std::abs(verdict.multiplier)) / 1e-3 == Approx(theory).epsilon(1e-5));
+        CHECK(verdict.growth_rate == Approx(theory).epsilon(1e-5));
     }
 }

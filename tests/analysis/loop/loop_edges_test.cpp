@@ -65,12 +65,14 @@ TEST_CASE("A sampled cascade with a measured velocity has one integrator", "[loo
     CHECK(memory.stable);
     CHECK(memory.spectral_abscissa == Approx(prompt).epsilon(1e-3));
     REQUIRE_FALSE(memory.stable_intervals.empty());
+    // told in k_p, as every window: K_v K_pos + K_i
+    const auto k_p = [&] { return c.velocity_gain * c.position_gain + c.velocity_integral_gain; };
     const auto [low, high] = memory.stable_intervals.back();
-    CHECK((300 > low && 300 < high));
+    CHECK((k_p() > low && k_p() < high));
     c.period = 1e-3;
     const auto window = linear_verdict(joint).state_variable.stable_intervals.at(0);
     for (const double inside : {0.999, 1.001}) {
-        c.position_gain = window.high * inside;
+        c.position_gain = (window.high * inside - c.velocity_integral_gain) / c.velocity_gain;
         CHECK((growth_rate(joint) < 0) == (inside < 1));
     }
 }

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "analysis/base/work_limits.h"
-#include "analysis/loop/opened_loop.h"
+#include "analysis/loop/late_count.h"
 #include "analysis/numerics/balance.h"
 #include "analysis/numerics/root.h"
 
@@ -128,10 +128,46 @@ double growth_between(const LateLoop& loop, double low, double high, double own)
     return not_set;
 }
 
+/// By counting once, at the own gain, and adding what each crossing brings over: long dead time has hundreds. Nothing
+/// where that cannot be, as then a crossing is missing.
+std::optional<std::vector<Interval>> stable_by_count(const LateLoop& loop, const AxisCrossings& all, double own)
+{
+    constexpr double beside = 1e-6;
+    const OpenedLoop open(loop);
+    const double nearest = beside * open.turns_in();
+    const auto there = roots_right_of(open, own, nearest, nearest);
+    if (!there) return std::nullopt;
+    const auto change = [&](const Crossing& c) {
+        const bool real = c.omega == 0 || c.omega >= open.end();
+        return (real ? 1 : 2) * c.direction;
+    };
+    int right = *there;
+    for (const auto& c : all.crossings)
+        if (c.k_p < own) right -= change(c);
+    std::vector<Interval> intervals;
+    double low = 0;
+    for (std::size_t i = 0; i <= all.crossings.size(); ++i) {
+        const double high = i < all.crossings.size() ? all.crossings[i].k_p : all.searched_to;
+        if (right < 0) return std::nullopt;
+        if (right == 0 && high > low) {
+            if (!intervals.empty() && intervals.back().high == low)
+                intervals.back().high = high;
+            else
+                intervals.push_back({low, high});
+        }
+        if (i < all.crossings.size()) right += change(all.crossings[i]);
+        low = high;
+    }
+    return intervals;
+}
+
 }  // namespace
 
 std::vector<Interval> stable_gains(const LateLoop& loop, AxisCrossings& all, double own)
 {
+    constexpr std::size_t many = 12;  // crossings, between which a growth each takes longer than it is worth
+    if (all.crossings.size() > many && own > 0 && own < all.searched_to && all.doubtful.empty())
+        if (auto intervals = stable_by_count(loop, all, own)) return *intervals;
     std::vector<double> bounds{0};
     for (const auto& c : all.crossings) bounds.push_back(c.k_p);
     if (all.searched_to > bounds.back()) bounds.push_back(all.searched_to);

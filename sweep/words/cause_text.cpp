@@ -1,6 +1,7 @@
 #include "sweep/words/cause_text.h"
 
 #include "analysis/joint/parameters.h"
+#include "analysis/joint/signs.h"
 #include "analysis/results/text.h"
 #include "sweep/words/symbols.h"
 
@@ -31,8 +32,8 @@ constexpr Words all_words[] = {
     {"position-dependent-friction", "Friction depends on the position"},
     {"friction-drift", "The level of friction drifts with time"},
     {"inertia", "The inertia is not the documented one", {"inertia"}},
-    {"constant-load", "A constant load acts that the joint file does not state", {"load.constant"}},
-    {"gravity", "A weight acts that the joint file does not state"},
+    {"constant-load", "The constant load is not the documented one", {"load.constant"}},
+    {"gravity", "Gravity is not the documented one", {"load.gravity_amplitude"}},
     {"cogging", "A force locked to the position acts that does not depend on the direction (cogging)"},
     {"backlash", "There is backlash between motor and link"},
     {"compliance", "The transmission between motor and link is compliant"},
@@ -41,7 +42,7 @@ constexpr Words all_words[] = {
     {"supply-sag", "The supply voltage sags under load"},
     {"actuator-lag", "The actuator follows its command late"},
     {"delay", "The loop is later than the joint file states", {"control.delay", "sensor.delay"}},
-    {"velocity-filter", "The velocity in the controller is filtered more than documented"},
+    {"velocity-filter", "The velocity filter in the controller is not the documented one", {"velocity_estimate.tau"}},
     {"gain-k_p", "The position gain in the controller is not the documented one", {"control.k_p"}},
     {"gain-k_v", "The velocity gain in the controller is not the documented one", {"control.k_v"}},
     {"gain-k_i",
@@ -118,6 +119,7 @@ std::string fitted_numbers(const Cause& cause, const std::string& effect)
     for (const auto& p : cause.parameters) {
         if (!p.name.starts_with(effect + ".")) continue;
         std::string name = p.name.substr(effect.size() + 1);
+        if (const Sign* sign = sign_of("friction." + name)) name = sign->name;
         std::replace(name.begin(), name.end(), '_', ' ');
         text += (text.empty() ? "" : ", ") + name + " " + with_error(p.value, p.standard_error, p.unit);
     }

@@ -68,7 +68,7 @@ Figure where_figure(const Diagnosis& d)
             w.bar(y + (box_height - bar_height) / 2 - 2, *s);
             finding += " " + s->name + " " + whole_percent(s->share) + ",";
         } else {
-            w.text(bars_left, y + box_height / 2 + 4, "not logged", LineDrawing::Anchor::left);
+            w.text(bars_left, y + box_height / 2 + 4, "not judged", LineDrawing::Anchor::left);
         }
         y += box_height;
     }

@@ -274,7 +274,7 @@ TEST_CASE("a cause is said in words, with the numbers as a joint file states the
           "The position gain in the controller is not the documented one: 10 kN/m instead of 20 kN/m.");
 }
 
-TEST_CASE("the drawing of where says every stage, logged or not, and every regime", "[report]")
+TEST_CASE("the drawing of where says every stage, judged or not, and every regime", "[report]")
 {
     Diagnosis d = named();
     d.regimes = {{"stuck", 0.2, {0.1, 0.3}, 1, 1, "floors"},
@@ -289,7 +289,7 @@ TEST_CASE("the drawing of where says every stage, logged or not, and every regim
         words.insert(l.text);
         CHECK((l.x >= 0 && l.x <= drawing.width && l.y >= 0 && l.y <= drawing.height));
     }
-    for (const char* word : {"command", "effort", "motion", "not logged", "10 %", "90 %", "stuck", "reversal", "40 %"})
+    for (const char* word : {"command", "effort", "motion", "not judged", "10 %", "90 %", "stuck", "reversal", "40 %"})
         CHECK(words.count(word) == (std::string(word) == "10 %" ? 2 : 1));
     CHECK(figure.finding == "Shares of the gap along the chain: command 10 %, motion 90 %.");
 }

@@ -62,7 +62,17 @@ int main()
     measure("three masses, nine states: spectral abscissa", samples::nine_states(), 20'000, abscissa);
     measure("three masses, nine states: all crossings in k_p", samples::nine_states(), 20'000, gains);
     measure("three masses, nine states: row of a sweep", samples::nine_states(), 10'000, row);
+    const auto sampled = [](Joint joint, double delay) {
+        joint.control.period = 1e-3;
+        joint.control.delay = delay;
+        joint.control.velocity_estimate.form = EstimateForm::backward_difference;
+        return joint;
+    };
+    measure("single mass, sampled, one tick late: row of a sweep", sampled(samples::single_mass(1), 1e-3), 50'000, row);
+    measure("single mass, sampled, 250 ticks late: row of a sweep", sampled(samples::single_mass(1), 0.25), 50, row);
+    measure("three masses, sampled, one tick late: row of a sweep", sampled(samples::nine_states(), 1e-3), 10'000, row);
     Joint lagging = samples::single_mass(1);
     lagging.friction.law = samples::time_lag(Stribeck{10, 0, 1, 1e-2, 2});
     measure("single mass, time lag: row of a sweep", lagging, 200, row);
+    measure("single mass, time lag, sampled: row of a sweep", sampled(lagging, 1e-3), 50, row);
 }

@@ -134,8 +134,10 @@ std::optional<std::vector<Interval>> stable_by_count(const LateLoop& loop, const
 {
     constexpr double beside = 1e-6;
     const OpenedLoop open(loop);
-    const double nearest = beside * open.turns_in();
-    const auto there = roots_right_of(open, own, nearest, nearest);
+    // short dead time turns far above every root: the line has to stand left of the rightmost one
+    const double growth = late_growth(loop, own), nearest = beside * std::min(open.turns_in(), growth);
+    if (std::isnan(growth) || growth == 0) return std::nullopt;
+    const auto there = growth < 0 ? std::optional(0) : roots_right_of(open, own, nearest, nearest);
     if (!there) return std::nullopt;
     const auto change = [&](const Crossing& c) {
         const bool real = c.omega == 0 || c.omega >= open.end();

@@ -241,3 +241,18 @@ TEST_CASE("The motion of a loop with many ticks of dead time grows as its roots 
         CHECK(verdict.growth_rate == Approx(theory).epsilon(1e-5));
     }
 }
+
+TEST_CASE("No window contains a gain that grows, however short the dead time")
+{
+    LoopPlant fed;  // a mass that friction feeds
+    fed.A = Eigen::MatrixXd::Zero(2, 2);
+    fed.A << 0, 1, 0, 0.5;
+    fed.B = Eigen::Vector2d(0, 1);
+    fed.C = Eigen::RowVector2d(1, 0);
+    fed.C_v = Eigen::RowVector2d(0, 1);
+    const auto loop = late_loop({fed, {}, {}}, 1e-9, 0, 0, {}, {1, 0, 0, 0});
+    REQUIRE(late_growth(loop, 1e3) == Approx(0.25).epsilon(1e-3));
+    auto crossings = axis_crossings(loop);
+    REQUIRE(crossings.crossings.size() > 12);
+    CHECK(stable_gains(loop, crossings, 1e3).empty());
+}

@@ -5,6 +5,7 @@
 #include "sweep/engine/run_directory.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/program/verbs/diagnosis_verbs.h"
+#include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/usage.h"
 #include "sweep/program/verbs/verbs.h"
 
@@ -50,10 +51,9 @@ bool answer_written()
     std::cout.flush();  // help is written by way of it
     const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
     if (!written)
-        fmt::print(stderr,
-                   "stickslip: the answer could not be written to standard output ({}); free some space and run the "
-                   "same command again\n",
-                   std::generic_category().message(errno));
+        say("stickslip: the answer could not be written to standard output ({}); free some space and run the "
+            "same command again\n",
+            std::generic_category().message(errno));
     return written;
 }
 
@@ -110,22 +110,21 @@ int exit_after_failure(const CLI::App& app, const std::vector<std::string>& word
             const int code = app.exit(e);
             return answer_written() ? code : exit_interrupted;
         }
-        fmt::print(stderr, "{}", usage_error(app, e, words));
+        say("{}", usage_error(app, e, words));
         return exit_bad_input;
     } catch (const BadInput& e) {
-        for (const auto& message : e.messages()) fmt::print(stderr, "{}\n", message);
+        for (const auto& message : e.messages()) say("{}\n", message);
         return exit_bad_input;
     } catch (const Refused& e) {
-        fmt::print(stderr, "{}\n", e.what());
+        say("{}\n", e.what());
         return exit_bad_input;
     } catch (const std::filesystem::filesystem_error& e) {
-        fmt::print(stderr,
-                   "stickslip: {}: {}\nChoose a directory that exists on a disk and that you may write to, with -o.\n",
-                   e.path1().string(), e.code().message());
+        say("stickslip: {}: {}\nChoose a directory that exists on a disk and that you may write to, with -o.\n",
+            e.path1().string(), e.code().message());
         return exit_bad_input;
     } catch (const std::exception& e) {
         if (std::ferror(stdout) != 0 && !answer_written()) return exit_interrupted;
-        fmt::print(stderr, "stickslip: {}\n", e.what());
+        say("stickslip: {}\n", e.what());
         return exit_bad_input;
     }
 }

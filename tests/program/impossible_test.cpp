@@ -134,3 +134,27 @@ TEST_CASE("an evaluation that the usual work does not decide says how to allow m
     CHECK(json["nonlinear"]["reason_detail"] == "limit-of-work");
     CHECK(stickslip(joint).exit_code == 0);
 }
+
+TEST_CASE("a file that cannot be written is named with the reason", "[program][impossible]")
+{
+    const Folder folder;
+    const auto full = folder / "full";
+    std::filesystem::create_symlink("/dev/full", full);
+    for (const std::string& verb :
+         {std::string("new joint --force"), std::string("import tests/fuzz/corpus/robot/arm.urdf --joint elbow")}) {
+        const auto run = stickslip(verb + " -o " + full);
+        INFO(run.output);
+        CHECK(run.exit_code == 2);
+        CHECK_THAT(run.output, Contains(full + ": No space left on device"));
+    }
+}
+
+TEST_CASE("words that nobody can take end in the exit code, not in an abort", "[program][impossible]")
+{
+    for (const char* nowhere : {"2>/dev/full", "2>&-", ">/dev/full 2>/dev/full"}) {
+        CAPTURE(nowhere);
+        CHECK(stickslip(std::string("evaluate no-such-joint.toml ") + nowhere).exit_code == 2);
+        CHECK(stickslip(std::string("no-such-verb ") + nowhere).exit_code == 2);
+    }
+    CHECK(stickslip("list laws >/dev/full 2>/dev/full").exit_code == 3);
+}

@@ -52,6 +52,8 @@ KINDS = {
     "joints": (10**5, 500, lambda b, n, seed: [b / "tests/reliability/reliability_consistency", "--from", (seed - FIRST_SEED) * n,
                                                "--joints", (seed - FIRST_SEED + 1) * n], r", (\d+) of them in this run", r"FAULT"),
     "extremes": (10**4, 30, lambda b, n, seed: [sys.executable, HERE / "extremes.py", b / "sweep/stickslip", n, seed], r"(\d+) runs", None),
+    "silence": (10**4, 3, lambda b, n, seed: [sys.executable, HERE / "silence.py", b / "sweep/stickslip", n, seed], r"silence: (\d+) full disks",
+                "FINDING"),
     "logs": (10**6, 2_000, lambda b, n, seed: [sys.executable, HERE / "logs.py", n, seed], r"(\d+) damaged logs", r"FINDING"),
     **fuzz_kinds(),
 }

@@ -14,6 +14,7 @@ check "faults" "$here/faults.sh" "$program" $((20 * scale))
 check "power" "$here/power.sh" "$program" $((20 * scale))
 check "memory" "$here/memory.sh" "$program" $((10000000 * scale))
 check "extremes" "$here/extremes.py" "$program" $((300 * scale))
+check "silence" "$here/silence.py" "$program" $((3 * scale))
 check "points" "$build/tests/reliability/reliability_points" --points $((100000 * scale)) --nonlinear $((1000 * scale)) \
     "$here"/../fuzz/corpus/joint/*.toml
 check "consistency" "$build/tests/reliability/reliability_consistency" --joints $((10000 * scale)) --log "$build/consistency.log"

@@ -4,6 +4,7 @@
 #include "sweep/files/text/whole_file.h"
 #include "sweep/program/verbs/blind_calibration.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/study/score.h"
 
@@ -159,7 +160,7 @@ int run_cases(const Options& options, Invocation& invocation)
                 running[start(cases[next], root / name, options.threads)] = {next};
             } catch (const std::exception& e) {  // the others are still answered
                 answers[name] = failed(e.what());
-                fmt::print(stderr, "{:>4}/{}  {}  failed  {}\n", answers.size(), cases.size(), name, e.what());
+                say("{:>4}/{}  {}  failed  {}\n", answers.size(), cases.size(), name, e.what());
             }
             ++next;
         }
@@ -172,9 +173,8 @@ int run_cases(const Options& options, Invocation& invocation)
         running.erase(done);
         answers[name] =
             one.stopped ? failed(fmt::format("stopped after {} s", options.timeout)) : answer_of(root / name);
-        fmt::print(stderr, "{:>4}/{}  {}  {}  {}\n", answers.size(), cases.size(), name,
-                   answers[name]["verdict"].get<std::string>(),
-                   answers[name]["effects"].empty() ? "" : answers[name]["effects"][0].dump());
+        say("{:>4}/{}  {}  {}  {}\n", answers.size(), cases.size(), name, answers[name]["verdict"].get<std::string>(),
+            answers[name]["effects"].empty() ? "" : answers[name]["effects"][0].dump());
         fs::remove_all(root / name);
         if (invocation.interrupted && running.empty()) break;
     }
@@ -185,8 +185,7 @@ int run_cases(const Options& options, Invocation& invocation)
         options.answers.empty() ? fs::path(options.directory) / "answers.json" : fs::path(options.answers);
     write_whole(file, all.dump(2) + "\n");
     for (const auto& [name, answer] : answers)
-        if (answer["verdict"] == "failed")
-            fmt::print(stderr, "{} failed: {}\n", name, answer.value("log", std::string("no log")));
+        if (answer["verdict"] == "failed") say("{} failed: {}\n", name, answer.value("log", std::string("no log")));
     fmt::print("answers: {}\n", file.string());
     if (answers.size() < cases.size()) return exit_interrupted;
     use_answers(options, cases, all);

@@ -10,6 +10,7 @@
 #include "sweep/program/verbs/disturbance_option.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/parallel.h"
+#include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/stoppable.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/boundary_report.h"
@@ -58,10 +59,10 @@ std::size_t answer_all(BoundaryAnswer& answer, const std::vector<BoundaryQuestio
         for (const auto& chart : answer.charts)
             if (chart.sliding && chart.sliding->design.region == Region::bistable) answer.region = Region::bistable;
     } catch (const Stopped&) {
-        fmt::print(stderr, "interrupted: {} of {} boundaries were located{}\n", answered, questions.size(),
-                   answered == questions.size() ? " and are kept; the regions under their curves are left out"
-                   : answered > 0               ? " and are kept; the others are left out"
-                                                : "; nothing was written");
+        say("interrupted: {} of {} boundaries were located{}\n", answered, questions.size(),
+            answered == questions.size() ? " and are kept; the regions under their curves are left out"
+            : answered > 0               ? " and are kept; the others are left out"
+                                         : "; nothing was written");
     }
     answer.meetings = meetings_of(answer.design, answer.rays, answer.curves);
     return answered;

@@ -10,6 +10,7 @@
 #include "sweep/program/verbs/gather_records.h"
 #include "sweep/program/verbs/guarantee_option.h"
 #include "sweep/program/verbs/parallel.h"
+#include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/stoppable.h"
 #include "sweep/study/guarantee/order_statistic.h"
 #include "sweep/study/guarantee/own_cases.h"
@@ -71,12 +72,11 @@ constexpr double seconds_per_row = 6e-4;
 void tell_plan(const guarantee::OwnCases& cases, const std::vector<int>& left)
 {
     const int needed = guarantee::fewest_that_cover(0.95, 0.95), causes = static_cast<int>(cases.causes().size());
-    fmt::print(stderr, "{} cases to answer, about {:.0f} min of computing in all ({:.0f} rows each)\n", left.size(),
-               std::ceil(static_cast<double>(left.size()) * cases.rows() * seconds_per_row / 60), cases.rows());
-    fmt::print(stderr,
-               "A promise of 95 % over the population needs {} cases, one for every cause {} ({} outcomes): share them "
-               "out with --shard K/M, and give all files to diagnose.\n",
-               needed, needed * causes, causes);
+    say("{} cases to answer, about {:.0f} min of computing in all ({:.0f} rows each)\n", left.size(),
+        std::ceil(static_cast<double>(left.size()) * cases.rows() * seconds_per_row / 60), cases.rows());
+    say("A promise of 95 % over the population needs {} cases, one for every cause {} ({} outcomes): share them "
+        "out with --shard K/M, and give all files to diagnose.\n",
+        needed, needed * causes, causes);
 }
 
 void tell_reached(const guarantee::Calibration& calibration)
@@ -155,7 +155,7 @@ int run(const Options& options, const Invocation& invocation)
         const auto told = fmt::format("{:>4}/{}  case {}", ++done, work.left.size(), n);
         if (invocation.interrupted) break;
         if (!made) {
-            fmt::print(stderr, "{}  its cause does not show in this motion, or cannot be simulated\n", told);
+            say("{}  its cause does not show in this motion, or cannot be simulated\n", told);
             continue;
         }
         auto c = answered(*made, work.joint, work.place, invocation);
@@ -163,10 +163,10 @@ int run(const Options& options, const Invocation& invocation)
         c.name = name_of_case(options.seed, n, calibration.joint);
         const double each =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / static_cast<double>(done);
-        fmt::print(stderr, "{}  {}  answered {}{}  about {:.0f} min left\n", told,
-                   c.truth.effects.empty() ? "no effect" : c.truth.effects[0], c.answer.verdict,
-                   c.answer.ranked.empty() ? "" : fmt::format(" {}", fmt::join(c.answer.ranked[0], " + ")),
-                   std::ceil(each * static_cast<double>(work.left.size() - done) / 60));
+        say("{}  {}  answered {}{}  about {:.0f} min left\n", told,
+            c.truth.effects.empty() ? "no effect" : c.truth.effects[0], c.answer.verdict,
+            c.answer.ranked.empty() ? "" : fmt::format(" {}", fmt::join(c.answer.ranked[0], " + ")),
+            std::ceil(each * static_cast<double>(work.left.size() - done) / 60));
         calibration.cases.push_back(std::move(c));
         write_whole(options.output, calibration_json(calibration));
     }

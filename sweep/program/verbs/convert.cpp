@@ -3,6 +3,7 @@
 #include "sweep/files/records/foreign_log.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/log_options.h"
+#include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/verbs.h"
 
 #include <fmt/format.h>
@@ -29,9 +30,8 @@ int convert(const Options& options)
     for (auto& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     execvp("python3", arguments.data());
-    fmt::print(stderr,
-               "stickslip convert: python3 cannot be started ({}); install it with the Python package of stickslip\n",
-               std::strerror(errno));
+    say("stickslip convert: python3 cannot be started ({}); install it with the Python package of stickslip\n",
+        std::strerror(errno));
     return exit_bad_input;
 }
 

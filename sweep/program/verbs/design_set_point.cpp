@@ -14,6 +14,7 @@
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/parallel.h"
+#include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/stoppable.h"
 #include "sweep/program/verbs/terminal.h"
 #include "sweep/report/pages/set_point_design_report.h"
@@ -83,7 +84,7 @@ int design_set_point_answer(const SetPointOptions& options, Invocation& invocati
                                            options.directory);
             if (!options.json) fmt::print("\nreport: {}\n", page.string());
         } catch (const Stopped&) {
-            fmt::print(stderr, "interrupted: the design is written, its page is not\n");
+            say("interrupted: the design is written, its page is not\n");
             return exit_interrupted;
         }
     }

@@ -15,6 +15,7 @@
 #include "sweep/program/verbs/guarantee_option.h"
 #include "sweep/program/verbs/log_options.h"
 #include "sweep/program/verbs/parallel.h"
+#include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/diagnosis_first_screen.h"
@@ -71,7 +72,7 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
     } catch (const std::invalid_argument& e) {
         throw BadInput(e.what());
     } catch (const gap::Interrupted&) {
-        fmt::print(stderr, "interrupted before the laws were ranked: no output\n");
+        say("interrupted before the laws were ranked: no output\n");
         return exit_interrupted;
     }
     gap::OutcomeAnswer& answer = *found;

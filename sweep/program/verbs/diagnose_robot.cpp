@@ -10,6 +10,7 @@
 #include "sweep/program/verbs/diagnose_joint.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/parallel.h"
+#include "sweep/program/verbs/say.h"
 #include "sweep/report/pages/robot_report.h"
 #include "sweep/report/pages/write_robot_report.h"
 #include "sweep/words/robot_text.h"
@@ -89,9 +90,9 @@ JointOutcome outcome_of(const RobotQuestion& question, const RobotJoints& robot,
     return outcome;
 }
 
-void say(const JointOutcome& joint, const RobotQuestion& question)
+void say_outcome(const JointOutcome& joint, const RobotQuestion& question)
 {
-    for (const auto& problem : joint.problems) fmt::print(stderr, "{}: {}\n", joint.name, problem);
+    for (const auto& problem : joint.problems) say("{}: {}\n", joint.name, problem);
     if (question.json || joint.status != Status::diagnosed) return;
     const bool named = joint.diagnosis.verdict == Verdict::gap;
     fmt::print("{}: {}{}{}\n", joint.name, outcome_words(joint), named ? ": " : "",
@@ -129,7 +130,7 @@ int diagnose_robot(const RobotQuestion& question, const Invocation& invocation)
         // readers of foreign logs are interrupted with the program: what they then say is no fault of the log
         if (invocation.interrupted && answer.joints.back().status == Status::refused)
             answer.joints.back() = {joints[i].name, joints[i].file.string()};
-        say(answer.joints.back(), question);
+        say_outcome(answer.joints.back(), question);
     }
     answer.interrupted = invocation.interrupted;
     const auto json = robot_json(answer, !question.no_report).dump(2) + "\n";

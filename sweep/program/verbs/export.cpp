@@ -6,6 +6,7 @@
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/gather_records.h"
 #include "sweep/program/verbs/parallel.h"
+#include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/study/export/gap_left.h"
 #include "sweep/words/export_text.h"
@@ -67,12 +68,12 @@ int export_verb(const Options& options)
     }
     fmt::print("{}", text);
     // the text may go into a file; what is missing in it is for whoever reads the terminal
-    if (!answer.not_expressible.empty()) fmt::print(stderr, "Not in this text:\n");
-    for (const auto& n : answer.not_expressible) fmt::print(stderr, "  {}: {}\n", n.key, why(n));
+    if (!answer.not_expressible.empty()) say("Not in this text:\n");
+    for (const auto& n : answer.not_expressible) say("  {}: {}\n", n.key, why(n));
     if (answer.gap_left)
-        fmt::print(stderr, "{}\n", gap_left_text(*answer.gap_left));
+        say("{}\n", gap_left_text(*answer.gap_left));
     else if (!answer.not_expressible.empty())
-        fmt::print(stderr, "What that leaves of the gap: add --records FILE… that the diagnosis has not seen\n");
+        say("What that leaves of the gap: add --records FILE… that the diagnosis has not seen\n");
     return exit_done;
 }
 

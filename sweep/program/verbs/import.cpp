@@ -2,8 +2,10 @@
 #include "sweep/files/robots/import_text.h"
 #include "sweep/files/robots/robot_file.h"
 #include "sweep/files/text/bad_input.h"
+#include "sweep/files/text/whole_file.h"
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/verbs.h"
 
 #include <fmt/format.h>
@@ -11,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <memory>
 
 namespace stickslip {
@@ -73,11 +74,9 @@ int import_verb(const Options& options)
     if (options.file.empty()) {
         fmt::print("{}", text);
     } else {
-        std::ofstream out(options.file, std::ios::binary);
-        out << text;
-        if (!out.flush()) throw BadInput(options.file + ": cannot be written");
+        write_whole(options.file, text);
     }
-    for (const auto& path : answer.missing) fmt::print(stderr, "Still to fill in: {} (or --set {}=…)\n", path, path);
+    for (const auto& path : answer.missing) say("Still to fill in: {} (or --set {}=…)\n", path, path);
     return exit_done;
 }
 

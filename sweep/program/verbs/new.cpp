@@ -1,6 +1,7 @@
 // stickslip new: a commented file that runs, to be filled with the numbers of a real joint.
 #include "analysis/friction/law.h"
 #include "sweep/files/text/bad_input.h"
+#include "sweep/files/text/whole_file.h"
 #include "sweep/files/toml/asked_axes.h"
 #include "sweep/files/toml/commented_text.h"
 #include "sweep/files/toml/joint_file.h"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 namespace stickslip {
@@ -55,9 +55,7 @@ int new_file(const Options& options)
     }
     if (std::filesystem::exists(options.file) && !options.force)
         throw BadInput(options.file + ": exists already; choose another name with -o, or --force to replace it");
-    std::ofstream out(options.file, std::ios::binary);
-    out << text;
-    if (!out.flush()) throw BadInput(options.file + ": cannot be written");
+    write_whole(options.file, text);
     fmt::print("{}: try it with  stickslip {} {}\n", options.file, options.what == "joint" ? "evaluate" : "sweep",
                options.file);
     return exit_done;

@@ -1,5 +1,7 @@
 #include "sweep/program/verbs/progress_line.h"
 
+#include "sweep/program/verbs/say.h"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -32,16 +34,16 @@ ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0) {}
 void ProgressLine::update(const Progress& p)
 {
     if (!terminal_ || p.total == 0) return;
-    fmt::print(stderr, "\r\033[K{:5.1f} %  {} of {} points  {} points/s  {} left",
-               100.0 * static_cast<double>(p.done) / static_cast<double>(p.total), p.done, p.total, rate(p.rate),
-               duration(p.seconds_left));
+    say("\r\033[K{:5.1f} %  {} of {} points  {} points/s  {} left",
+        100.0 * static_cast<double>(p.done) / static_cast<double>(p.total), p.done, p.total, rate(p.rate),
+        duration(p.seconds_left));
     std::fflush(stderr);
     drawn_ = true;
 }
 
 void ProgressLine::end()
 {
-    if (drawn_) fmt::print(stderr, "\r\033[K");
+    if (drawn_) say("\r\033[K");
     drawn_ = false;
 }
 

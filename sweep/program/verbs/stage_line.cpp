@@ -1,5 +1,7 @@
 #include "sweep/program/verbs/stage_line.h"
 
+#include "sweep/program/verbs/say.h"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -30,7 +32,7 @@ StageLine::~StageLine()
     ended_.notify_all();
     clock_.join();
     if (!terminal_) return;
-    fmt::print(stderr, "\r\x1b[K");
+    say("\r\x1b[K");
     std::fflush(stderr);
 }
 
@@ -65,7 +67,7 @@ void StageLine::draw()
     const std::size_t tasks = tasks_, finished = finished_;
     const auto text = fmt::format("{:3.0f} %  {}{}  {} s", 100 * done_, stage_,
                                   tasks > 1 ? fmt::format(", {} of {}", finished, tasks) : "", seconds);
-    fmt::print(stderr, "{}{}{}", terminal_ ? "\r\x1b[K" : "", text, terminal_ ? "" : "\n");
+    say("{}{}{}", terminal_ ? "\r\x1b[K" : "", text, terminal_ ? "" : "\n");
     std::fflush(stderr);
 }
 

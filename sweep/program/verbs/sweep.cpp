@@ -10,6 +10,7 @@
 #include "sweep/program/verbs/embedded.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/progress_line.h"
+#include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/shell_word.h"
 #include "sweep/program/verbs/terminal.h"
 #include "sweep/program/verbs/timestamp.h"
@@ -48,12 +49,11 @@ Shard shard_from(const std::string& text)
 int end_early(const RunReport& run, const std::string& directory)
 {
     if (run.end == RunEnd::write_failed) {
-        fmt::print(stderr, "stickslip: {}\nThe journal is safe: free some space and run the same command again.\n",
-                   run.message);
+        say("stickslip: {}\nThe journal is safe: free some space and run the same command again.\n", run.message);
         return exit_interrupted;
     }
-    fmt::print(stderr, "stopped after {} points; the same command continues from there (journals in {})\n",
-               run.computed.points, directory);
+    say("stopped after {} points; the same command continues from there (journals in {})\n", run.computed.points,
+        directory);
     return exit_interrupted;
 }
 
@@ -108,8 +108,7 @@ int sweep(const Options& options, Invocation& invocation)
     choose_charts(spec);
 
     for (const auto& path : idle_axes(design_joint(spec), spec.axes))
-        fmt::print(stderr, "note: {} changes no linear answer at the design point; the maps' theory may leave it out\n",
-                   path);
+        say("note: {} changes no linear answer at the design point; the maps' theory may leave it out\n", path);
 
     const PlanOptions plan_options = plan_options_of(options, spec);
     const Plan plan = make_plan(spec.joint, spec.axes, plan_options);

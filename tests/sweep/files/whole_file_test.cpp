@@ -46,3 +46,15 @@ TEST_CASE("on a full disk the old file stays, and the reason is told")
     CHECK(content(file) == "old");
     CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
 }
+
+TEST_CASE("a device is written to, not replaced")
+{
+    const TemporaryDirectory folder;
+    const auto null = folder / "null";
+    std::filesystem::create_symlink("/dev/null", null);
+    write_whole(null, "one");
+    CHECK(std::filesystem::is_symlink(null));
+    std::filesystem::create_symlink("/dev/full", folder / "full");
+    CHECK_THROWS_AS(write_whole(folder / "full", "one"), std::filesystem::filesystem_error);
+    CHECK(std::filesystem::is_symlink(folder / "full"));
+}

@@ -8,7 +8,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace stickslip::gap {
 namespace {
@@ -98,6 +97,7 @@ EffortOfController effort_of_controller(const Record& record, const Joint& joint
 {
     const Terms terms = terms_of(record, joint);
     EffortOfController found;
+    found.velocity_logged = !record.velocity.empty();
     double squares = 0, missed = 0;
     for (std::size_t k = 0; k < terms.effort.size(); ++k) {
         found.error.push_back(terms.effort[k] - terms.documented[k]);
@@ -143,31 +143,67 @@ EffortDrive drive_by_effort(std::vector<Record>& records, const Joint& nominal, 
     return drive;
 }
 
+namespace {
+
+/// A gain of the PID over the records.
+struct Gain {
+    double mean = 0, spread = 0;
+};
+
+Gain gain_over(const std::vector<EffortOfController>& controllers, double EffortOfController::*gain)
+{
+    Gain g;
+    double records = 0;
+    for (const auto& c : controllers)
+        if (!c.error.empty()) g.mean += c.*gain, records += 1;
+    g.mean /= records;
+    for (const auto& c : controllers)
+        if (!c.error.empty()) g.spread = std::max(g.spread, std::abs(c.*gain - g.mean));
+    return g;
+}
+
+/// Names a proportional or derivative gain that differs from the document by more than it does between the records.
+void name_factor(const Gain& found, double Control::*documented, std::string_view effect, std::string_view parameter,
+                 double share, std::vector<Case>& cases, Audit& audit)
+{
+    const double gain = cases[0].joint.control.*documented, off = std::abs(found.mean - gain);
+    if (!(gain > 0) || !(off > policy::rough_gain * gain) || !(off > found.spread)) return;
+    audit.findings.push_back(
+        {std::string(effect), std::string(parameter), found.mean / gain, found.spread / gain, Quantity::number, share});
+    for (auto& c : cases) c.joint.control.*documented *= found.mean / gain;
+}
+
+}  // namespace
+
 void audit_effort(const EffortDrive& drive, std::vector<Case>& cases, Audit& audit, std::vector<Note>& reasons)
 {
-    std::vector<double> k_i;
     double left = 0, left_pid = 0, documented = 0;
+    bool none = true, velocity_logged = true;
     for (std::size_t i = 0; i < drive.controllers.size(); ++i) {
         const auto& c = drive.controllers[i];
         if (c.error.empty()) continue;
+        none = false, velocity_logged = velocity_logged && c.velocity_logged;
         cases[i].controller_error = c.error;
-        k_i.push_back(c.k_i);
         left = std::max(left, c.left), left_pid = std::max(left_pid, c.left_pid);
         documented = std::max(documented, c.as_documented);
     }
-    if (k_i.empty()) return;
-    const double mean = std::accumulate(k_i.begin(), k_i.end(), 0.0) / static_cast<double>(k_i.size());
-    double spread = 0;
-    for (double k : k_i) spread = std::max(spread, std::abs(k - mean));
+    if (none) return;
+    const Gain k_i = gain_over(drive.controllers, &EffortOfController::k_i);
     const Control& control = cases[0].joint.control;
     const bool lacks_integral = control.structure == Structure::pid && control.k_i == 0;
-    if (!lacks_integral || left_pid > policy::made_by_pid || spread > policy::one_integral * std::abs(mean)) {
+    if (!lacks_integral || left_pid > policy::made_by_pid || k_i.spread > policy::one_integral * std::abs(k_i.mean)) {
         reasons.push_back({.code = Note::Code::no_such_controller, .values = {left}});
         return;
     }
-    for (auto& c : cases) c.joint.control.k_i = mean;
-    audit.findings.push_back({"gain-k_i", "gain-k_i.value", mean, spread, Quantity::integral_gain,
-                              1 - left_pid / std::max(documented, left_pid)});
+    for (auto& c : cases) c.joint.control.k_i = k_i.mean;
+    const double share = 1 - left_pid / std::max(documented, left_pid);
+    audit.findings.push_back({"gain-k_i", "gain-k_i.value", k_i.mean, k_i.spread, Quantity::integral_gain, share});
+    name_factor(gain_over(drive.controllers, &EffortOfController::k_p), &Control::k_p, "gain-k_p", "gain-k_p.factor",
+                share, cases, audit);
+    // a velocity made of differences carries the encoder's noise, which makes its gain too small
+    if (velocity_logged)
+        name_factor(gain_over(drive.controllers, &EffortOfController::k_v), &Control::k_v, "gain-k_v",
+                    "gain-k_v.factor", share, cases, audit);
 }
 
 Joint behind_its_effort(Joint joint)

@@ -18,6 +18,7 @@ struct EffortOfController {
     double left = 1;      ///< by its structure: its own effort and its terms with free gains, up to a few rows late
     double left_pid = 1;  ///< by a PID and a constant
     double k_p = 0, k_v = 0, k_i = 0;  ///< of that PID, effort per error, per rate and per integral
+    bool velocity_logged = false;      ///< not made of differences of the position
     std::vector<double> error{};       ///< measured less documented effort, row by row
 };
 EffortOfController effort_of_controller(const Record& record, const Joint& joint);
@@ -32,8 +33,8 @@ struct EffortDrive {
 /// whatever its gains, the effort itself has to drive the joint, and the references are removed. `notes` says so.
 EffortDrive drive_by_effort(std::vector<Record>& records, const Joint& nominal, std::vector<Note>& notes);
 
-/// Hands the controller's errors to the cases, and names an integral that the file lacks where a PID makes the effort
-/// in every record with the same one; else the reasons say that another controller ran.
+/// Hands the controller's errors to the cases, and names an integral that the file lacks, and gains that differ, where
+/// a PID makes the effort in every record with the same integral; else the reasons say that another controller ran.
 void audit_effort(const EffortDrive& drive, std::vector<Case>& cases, Audit& audit, std::vector<Note>& reasons);
 
 /// The joint behind its measured effort: no actuator, and no dead time but that of the sensor.

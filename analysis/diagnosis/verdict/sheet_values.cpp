@@ -78,9 +78,19 @@ std::vector<SheetValue> sheet_values(const Prepared& p, const Attribution& a, co
                 more[k] += small, less[k] -= small;
                 slope[k] = (mean_of(number, p, c, more) - mean_of(number, p, c, less)) / (2 * small);
             }
-            const double error = two_sided * std::sqrt(std::max(0.0, slope.dot(quality.covariance * slope)));
-            v.interval = {v.value - error, v.value + error};
-            v.pinned = error < std::abs(v.value);
+            double variance = 0;
+            bool unknown = slope.isZero();
+            for (Eigen::Index k = 0; k < x.size(); ++k)
+                for (Eigen::Index l = 0; l < x.size(); ++l) {
+                    if (slope[k] == 0 || slope[l] == 0) continue;
+                    unknown = unknown || !std::isfinite(quality.covariance(k, l));
+                    variance += slope[k] * quality.covariance(k, l) * slope[l];
+                }
+            if (!unknown) {
+                const double error = two_sided * std::sqrt(std::max(0.0, variance));
+                v.interval = {v.value - error, v.value + error};
+                v.pinned = error < std::abs(v.value);
+            }
         }
         values.push_back(std::move(v));
     }

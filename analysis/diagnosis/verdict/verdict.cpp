@@ -237,7 +237,7 @@ Quality quality_of(const std::vector<Case>& cases, const Attribution& a, const S
     const auto n = static_cast<Eigen::Index>(a.candidate.parameter_count());
     q.standard_error.assign(static_cast<std::size_t>(n), not_set);
     const auto si = in_si(a.candidate, a.x[1], scales);
-    if (a.information.rows() == n && n > 0 && a.information.diagonal().minCoeff() > 0) {
+    if (a.information.rows() == n && n > 0 && a.information.diagonal().maxCoeff() > 0) {
         // weights are one over the rows of a record: undo that, and scale with what is left
         const double per_record = rows_of(cases) / static_cast<double>(cases.size());
         double left = 0;
@@ -245,6 +245,11 @@ Quality quality_of(const std::vector<Case>& cases, const Attribution& a, const S
         q.covariance = (a.information * per_record).completeOrthogonalDecomposition().pseudoInverse();
         q.covariance *= std::max(1.0, left);
         for (Eigen::Index i = 0; i < n; ++i) {
+            // the records tell nothing of it: a friction that has come to nothing, say. The others have their errors
+            if (!(a.information(i, i) > 0)) {
+                q.covariance(i, i) = infinity;
+                continue;
+            }
             const auto& p = a.candidate.parameter(static_cast<std::size_t>(i));
             const double error = std::sqrt(std::max(0.0, q.covariance(i, i)));
             // wider than its bounds: these records cannot distinguish it from another parameter

@@ -1,8 +1,8 @@
 #include "analysis/diagnosis/audit/effort_drive.h"
 
-#include "analysis/diagnosis/diagnose.h"
 #include "analysis/diagnosis/plant/simulator.h"
 #include "analysis/diagnosis/policy/policy.h"
+#include "tests/analysis/diagnosis/answers.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 
 #include <catch2/catch.hpp>
@@ -68,7 +68,7 @@ TEST_CASE("a log of position and effort alone tells what the joint lacks", "[dia
     m.gravity = 6;
     m.amplitude = 5;
     const std::vector<Record> records{without_command(m, 1, false), without_command(m, 2, false)};
-    const auto result = diagnose(test::nominal_joint(), records, one_after_another);
+    const auto result = test::answer(test::nominal_joint(), records, one_after_another);
     CHECK(has_note(result.diagnosis.notes, Note::Code::driven_by_effort));
     REQUIRE(result.diagnosis.verdict == Verdict::gap);
     CHECK(result.diagnosis.effects[0].names == std::vector<std::string>{"gravity"});
@@ -79,7 +79,7 @@ TEST_CASE("a joint that is its document has no gap where its measured effort dri
 {
     const Machine m = with_torque_sensor();
     const std::vector<Record> records{without_command(m, 1, false), without_command(m, 2, false)};
-    const auto result = diagnose(test::nominal_joint(), records, one_after_another);
+    const auto result = test::answer(test::nominal_joint(), records, one_after_another);
     CHECK(result.diagnosis.verdict == Verdict::no_gap);
 }
 
@@ -119,4 +119,28 @@ TEST_CASE("a controller that differs by its gains or behind a limit is still the
     drive_by_effort(records, test::nominal_joint(), notes);
     CHECK(notes.empty());
     CHECK_FALSE(records[0].reference_position.empty());
+}
+
+TEST_CASE("of a PID that made the effort the gains that differ from the document are named, the others not",
+          "[diagnosis][drive]")
+{
+    Machine m = with_torque_sensor();
+    m.k_i = 20000;
+    m.k_p *= 1.5;
+    m.load = -8;
+    std::vector<Record> records{without_command(m, 1, true)};
+    std::vector<Note> notes, reasons;
+    std::vector<Case> cases(1);
+    cases[0].joint = test::nominal_joint();
+    cases[0].joint.control.structure = Structure::pid;
+    const EffortDrive drive = drive_by_effort(records, test::nominal_joint(), notes);
+    Audit audit;
+    audit_effort(drive, cases, audit, reasons);
+    REQUIRE(audit.findings.size() == 2);
+    CHECK(audit.findings[0].effect == "gain-k_i");
+    CHECK(audit.findings[0].value == Approx(20000).epsilon(0.05));
+    CHECK(audit.findings[1].effect == "gain-k_p");
+    CHECK(audit.findings[1].value == Approx(1.5).epsilon(0.03));
+    CHECK(cases[0].joint.control.k_p == Approx(m.k_p).epsilon(0.03));
+    CHECK(cases[0].joint.control.k_v == test::nominal_joint().control.k_v);
 }

@@ -1,7 +1,7 @@
 // Logs that lost rows, were interrupted or cut out of longer ones: the simulated machine knows what is missing.
 #include "analysis/diagnosis/records/pieces.h"
 #include "analysis/diagnosis/audit/prepare.h"
-#include "analysis/diagnosis/diagnose.h"
+#include "tests/analysis/diagnosis/answers.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 
 #include <catch2/catch.hpp>
@@ -36,7 +36,7 @@ Record heavier()
 
 Diagnosis answer(const Record& record)
 {
-    return diagnose(test::nominal_joint(), {record}, in_turn, {}).diagnosis;
+    return test::answer(test::nominal_joint(), {record}, in_turn, {}).diagnosis;
 }
 
 void names_inertia(const Diagnosis& d)

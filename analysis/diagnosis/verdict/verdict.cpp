@@ -245,11 +245,8 @@ Quality quality_of(const std::vector<Case>& cases, const Attribution& a, const S
         q.covariance = (a.information * per_record).completeOrthogonalDecomposition().pseudoInverse();
         q.covariance *= std::max(1.0, left);
         for (Eigen::Index i = 0; i < n; ++i) {
-            // the records tell nothing of it: a friction that has come to nothing, say. The others have their errors
-            if (!(a.information(i, i) > 0)) {
-                q.covariance(i, i) = infinity;
-                continue;
-            }
+            // nothing depends on it, on a friction corrected to nothing, say: the others keep their errors
+            if (!(a.information(i, i) > 0)) q.covariance(i, i) = infinity;
             const auto& p = a.candidate.parameter(static_cast<std::size_t>(i));
             const double error = std::sqrt(std::max(0.0, q.covariance(i, i)));
             // wider than its bounds: these records cannot distinguish it from another parameter

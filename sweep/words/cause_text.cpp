@@ -156,6 +156,10 @@ std::string one_text(const std::string& effect, const Cause& cause, const Joint&
         std::find_if(std::begin(all_words), std::end(all_words), [&](const Words& w) { return w.effect == effect; });
     std::string text(words == std::end(all_words) ? std::string_view(effect) : words->sentence);
     std::string numbers = words == std::end(all_words) ? "" : moved_numbers(*words, before, after);
+    if (effect == "constant-load" && before.load.constant == 0)
+        text = "A constant load acts that the joint file does not state";
+    if (effect == "gravity" && before.load.gravity_amplitude == 0)
+        text = "A weight acts that the joint file does not state", numbers.clear();
     if (fitted(cause, effect + ".sine")) numbers = wave_numbers(effect, before, after);
     if (numbers.empty()) numbers = fitted_numbers(cause, effect);
     return text + (numbers.empty() ? "." : ": " + numbers + ".");

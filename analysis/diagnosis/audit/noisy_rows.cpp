@@ -16,7 +16,7 @@ bool noise_apart(const Case& c, const Ticks& ticks)
     double sum = 0, rows = 0;
     for (std::size_t k = 0; k < ticks.size(); ++k)
         if (is_set(ticks.command[k])) sum += std::pow(ticks.command[k] - own[k], 2), rows += 1;
-    return rows == 0 || std::sqrt(sum / rows) < policy::noise_of_commands * noise_of_command(c.joint.control, c.sigma);
+    return rows > 0 && std::sqrt(sum / rows) < policy::noise_of_commands * noise_of_command(c.joint.control, c.sigma);
 }
 
 }  // namespace
@@ -24,8 +24,7 @@ bool noise_apart(const Case& c, const Ticks& ticks)
 void mark_noisy_rows(std::vector<Case>& cases)
 {
     for (auto& c : cases) {
-        const bool own = c.ticks.source == CommandSource::logged || c.ticks.has_velocity;
-        if (!c.ticks.unseen_between() || !c.ticks.has_reference || !own || c.ticks.source == CommandSource::measured ||
+        if (!c.ticks.unseen_between() || !c.ticks.has_reference || c.ticks.source != CommandSource::logged ||
             c.joint.control.kind != ControlKind::position || !is_set(c.joint.control.period))
             continue;
         Ticks without = c.ticks;

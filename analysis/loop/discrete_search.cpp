@@ -7,6 +7,7 @@
 
 #include "analysis/loop/resolvent.h"
 #include "analysis/numerics/balance.h"
+#include "analysis/numerics/eigenvalues.h"
 #include "analysis/numerics/interval.h"
 #include "analysis/numerics/root.h"
 
@@ -17,13 +18,6 @@ using Complex = std::complex<double>;
 using std::numbers::pi;
 constexpr double narrowest = 1e-11;  // of an angle: bands that are given up
 constexpr int most_bands = 200'000;
-
-Eigen::VectorXcd eigenvalues_of(Eigen::MatrixXd matrix)
-{
-    if (!matrix.allFinite()) return {};
-    balance(matrix);
-    return matrix.eigenvalues();
-}
 
 /// The same loop in units in which its entries are of one size.
 DiscreteLoop balanced(DiscreteLoop loop)

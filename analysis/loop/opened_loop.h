@@ -2,24 +2,9 @@
 #pragma once
 #include "analysis/loop/late_loop.h"
 #include "analysis/loop/resolvent.h"
+#include "analysis/loop/ticked_share.h"
 
 namespace stickslip {
-
-/// What friction that answers late adds to the responses of a mechanism: with the force r of the late frictions,
-/// r = G (W r + U), rows of the mechanism without them give Q r more.
-class LateShare {
-  public:
-    LateShare(const Eigen::MatrixXd& A, const Eigen::VectorXd& input, const Eigen::MatrixXd& rows,
-              const std::vector<LateFriction>& friction);
-    /// Into `added`, one value a row. `once`: with what delays answer to the mechanism that does not hear them.
-    void at(std::complex<double> s, bool once, std::complex<double>* added) const;
-
-  private:
-    std::vector<LateFriction> friction_;
-    Eigen::Index rows_;
-    Resolvent by_input_;
-    std::vector<Resolvent> by_push_;
-};
 
 class OpenedLoop {
   public:
@@ -54,34 +39,16 @@ class OpenedLoop {
 
   private:
     Complex variable(Complex s) const;
-    /// What late friction adds to the sampled reading and its rate.
-    struct Added {
-        Complex reading, rate;
-    };
-    /// One delay's answer to the mechanism that does not hear it, from tick to tick.
-    struct Answer {
-        Resolvent of_ticks;
-        int whole_ticks;
-    };
     std::pair<Complex, Complex> late_share(Complex s) const;
-    Added answered_once(Complex s) const;
-    Added answered_again(Complex s, int aliases) const;
-    void take_answers(const std::vector<LateFriction>& friction);
-    void choose_aliases();
+    bool answers_late() const { return share_ || ticked_share_; }
 
     double delay_, period_, end_, turns_in_;
     Resolvent responses_;
     std::vector<Complex> poles_, exact_poles_;
     std::function<std::optional<int>(double)> mechanism_right_of_;
     std::vector<double> other_poles_;
-    std::shared_ptr<const TickedFriction> ticked_;
-    std::optional<LateShare> share_;
-    std::vector<Answer> answers_;
-    double fraction_ = 0;  ///< s, of the dead time beyond whole ticks
-    int aliases_ = 0;
+    std::optional<LateShare> share_;           ///< of a continuous loop
+    std::optional<TickedShare> ticked_share_;  ///< of a sampled one
 };
-
-/// e^x − 1 with its digits.
-std::complex<double> beyond_one(std::complex<double> x);
 
 }  // namespace stickslip

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include "analysis/loop/opened_loop.h"
+#include "analysis/numerics/beyond_one.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/steady.h"
 

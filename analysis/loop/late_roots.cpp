@@ -1,0 +1,111 @@
+// The roots of a late loop, and the rightmost of them.
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/loop/late_count.h"
+#include "analysis/loop/root_search.h"
+#include "analysis/numerics/eigenvalues.h"
+
+namespace stickslip {
+namespace {
+
+using Complex = std::complex<double>;
+
+bool has_matrix(const LateLoop& loop)
+{
+    return loop.period == 0 && loop.friction.empty();
+}
+
+void sort_by_real_part(std::vector<Complex>& roots)
+{
+    std::sort(roots.begin(), roots.end(),
+              [](Complex a, Complex b) { return a.real() != b.real() ? a.real() > b.real() : a.imag() > b.imag(); });
+}
+
+}  // namespace
+
+std::vector<Complex> roots(const LateLoop& loop, double gain)
+{
+    if (!has_matrix(loop)) {
+        if (!loop.A.allFinite()) return {};
+        const OpenedLoop open(loop);
+        RootSearch search(open, gain);
+        search.look_around();
+        auto found = search.all();
+        sort_by_real_part(found);
+        return found;
+    }
+    constexpr int nodes = 32;
+    // where dead time is short, its nodes lose the digits of slow roots, and without dead time these are near
+    Eigen::VectorXcd starts = eigenvalues_of(loop.A + loop.input * (loop.held - gain * loop.output));
+    std::vector<Complex> raw(starts.begin(), starts.end()), found;
+    if (raw.empty()) return found;
+    const OpenedLoop open(loop);
+    double size = 0;
+    for (const Complex& s : raw) size = std::max(size, std::abs(s));
+    if (loop.delay == 0) {
+        for (const Complex start : raw) {
+            const auto s = polished_root(open, gain, start, 0);
+            found.push_back(s && std::abs(*s - start) < 1e-6 * std::abs(start) ? *s : start);
+        }
+    } else {
+        starts = eigenvalues_of(late_matrix(loop, gain, nodes));
+        raw.insert(raw.end(), starts.begin(), starts.end());
+        for (const Complex start : raw) {
+            const auto s = polished_root(open, gain, start, 1e-15 * size);
+            const auto same = [&](Complex other) {
+                return std::abs(other - *s) < 1e-9 * (1e-6 + std::abs(*s)) + 1e-14 * size;
+            };
+            if (s && std::none_of(found.begin(), found.end(), same)) found.push_back(*s);
+        }
+    }
+    sort_by_real_part(found);
+    return found;
+}
+
+namespace {
+
+/// Whether no root lies further right than this one of the size |s|, by more than what the count resolves: beside slow
+/// roots of fast loops rounding takes its digits.
+bool is_rightmost(const LateLoop& loop, double gain, double real, double size)
+{
+    const OpenedLoop open(loop);
+    for (const double share : {1e-7, 1e-5, 1e-3}) {
+        const double nearest = share * (std::abs(real) + 1e-3 * size);
+        if (const auto right = roots_right_of(open, gain, real + nearest, nearest)) return *right == 0;
+    }
+    return false;
+}
+
+}  // namespace
+
+std::optional<Complex> rightmost_root(const LateLoop& loop, double gain)
+{
+    if (!loop.A.allFinite()) return std::nullopt;
+    const OpenedLoop open(loop);
+    return RootSearch(open, gain).edge();
+}
+
+double late_growth(const LateLoop& loop, double gain)
+{
+    constexpr double rounding = 1e-14;
+    if (!has_matrix(loop)) {
+        const auto edge = rightmost_root(loop, gain);
+        if (!edge) return not_set;
+        return std::abs(edge->real()) < rounding * std::abs(*edge) ? 0 : edge->real();
+    }
+    const auto all = roots(loop, gain);
+    if (all.empty()) return not_set;
+    double size = 0;
+    for (const auto& s : all) size = std::max(size, std::abs(s));
+    Complex most = all.front();
+    if (loop.delay > 0 && !is_rightmost(loop, gain, most.real(), std::abs(most))) {
+        // Chebyshev nodes over a long dead time miss the fast roots of a stiff mechanism
+        const auto edge = rightmost_root(loop, gain);
+        if (!edge) return not_set;
+        most = *edge;
+    }
+    return std::abs(most.real()) < rounding * (loop.delay > 0 ? std::abs(most) : size) ? 0 : most.real();
+}
+
+}  // namespace stickslip

@@ -1,0 +1,160 @@
+#include "analysis/loop/root_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/loop/late_count.h"
+
+namespace stickslip {
+namespace {
+
+using Complex = std::complex<double>;
+
+bool further_left(Complex a, Complex b)
+{
+    return a.real() < b.real();
+}
+
+}  // namespace
+
+std::optional<Complex> polished_root(const OpenedLoop& open, double gain, Complex s, double rounding)
+{
+    double last = infinity;
+    for (int i = 0; i < 16; ++i) {
+        const auto F = open.closing(gain, s);
+        const Complex step = F.value / F.slope;
+        const double size = std::abs(step);
+        if (!std::isfinite(size)) return std::nullopt;
+        s -= step;
+        if (size <= std::max(1e-14 * std::abs(s), rounding)) return s;
+        if (size > 0.5 * last && size < 1e-6 * std::abs(s)) return s;
+        last = size;
+    }
+    return std::nullopt;
+}
+
+RootSearch::RootSearch(const OpenedLoop& open, double gain) : open_(open), gain_(gain), unit_(open.turns_in())
+{
+    constexpr double integrator = 1e-9;  // of the fastest pole
+    double fastest = 0;
+    for (const Complex& p : open.poles()) fastest = std::max(fastest, std::abs(p));
+    for (const Complex& p : open.poles())
+        if (std::abs(p) > integrator * fastest) unit_ = std::min(unit_, std::abs(p));
+}
+
+std::optional<int> RootSearch::look(double sigma, double nearest)
+{
+    std::vector<LookedAt> looked;
+    const auto count = roots_right_of(open_, gain_, sigma, nearest, &looked);
+    std::vector<LookedAt> peaks;
+    for (std::size_t i = 0; i < looked.size(); ++i) {
+        const bool above = i == 0 || looked[i].steepness >= looked[i - 1].steepness;
+        if (above && (i + 1 == looked.size() || looked[i].steepness >= looked[i + 1].steepness))
+            peaks.push_back(looked[i]);
+    }
+    std::sort(peaks.begin(), peaks.end(), [](const auto& a, const auto& b) { return a.steepness > b.steepness; });
+    constexpr std::size_t most = 24;
+    for (std::size_t i = 0; i < std::min(most, peaks.size()); ++i) take({sigma, peaks[i].omega});
+    return count;
+}
+
+void RootSearch::look_around()
+{
+    for (const double share : {1e-3, -0.3, -1.0, -2.0}) look(share * unit_);
+}
+
+std::optional<Complex> RootSearch::edge()
+{
+    look(1e-3 * unit_);
+    if (roots_.empty())
+        if (const auto pole = edge_at_pole()) return pole;
+    const auto found = edge_by_newton();
+    return found ? found : edge_at_pole();
+}
+
+std::vector<Complex> RootSearch::all() const
+{
+    std::vector<Complex> both;
+    for (const Complex& s : roots_) {
+        both.push_back(s);
+        if (s.imag() != 0 && s.imag() < open_.end() * (1 - 1e-9)) both.push_back(std::conj(s));
+    }
+    return both;
+}
+
+std::optional<Complex> RootSearch::edge_by_newton()
+{
+    for (double left = 0.3; roots_.empty() && left < 1e3; left *= 3) look(-left * unit_);
+    constexpr int most = 20;
+    for (int i = 0; i < most && !roots_.empty(); ++i) {
+        const Complex s = *std::max_element(roots_.begin(), roots_.end(), further_left);
+        std::optional<int> right;
+        double nearest = 0;
+        for (const double share : {1e-7, 1e-5, 1e-3}) {
+            nearest = share * (std::abs(s.real()) + 1e-3 * std::abs(s));
+            if ((right = look(s.real() + nearest, nearest))) break;
+        }
+        if (!right) return std::nullopt;
+        if (*right == 0) return s;
+        const Complex now = *std::max_element(roots_.begin(), roots_.end(), further_left);
+        if (now.real() > s.real() + nearest) continue;
+        // none of those that were counted is near that line: half a step at a time to the right
+        double sigma = s.real() + nearest, wide = unit_;
+        for (int k = 0; k<most&& * right> 0; ++k, wide *= 2) {
+            right = look(sigma + wide);
+            if (!right) return std::nullopt;
+            const Complex found = *std::max_element(roots_.begin(), roots_.end(), further_left);
+            if (found.real() > s.real() + nearest) break;
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<Complex> RootSearch::edge_at_pole() const
+{
+    constexpr double beside = 1e-9;
+    for (const Complex& p : open_.exact_poles()) {
+        const double width = beside * std::abs(p);
+        if (!(width > 0) || !std::isfinite(width)) continue;
+        const auto right = roots_right_of(open_, gain_, p.real() + width, width),
+                   with = roots_right_of(open_, gain_, p.real() - width, width);
+        if (right && with && *right == 0 && *with > 0) return Complex(p.real(), std::abs(p.imag()));
+    }
+    return std::nullopt;
+}
+
+std::optional<Complex> RootSearch::near_root(Complex s) const
+{
+    constexpr int most = 50;
+    constexpr double close = 1e-6;
+    for (int i = 0; i < most; ++i) {
+        const auto F = open_.closing(gain_, s);
+        Complex slope = F.slope / F.value;
+        for (const Complex& p : open_.exact_poles())
+            if (std::isfinite(p.real())) slope += 1.0 / (s - p);
+        for (const Complex& r : roots_) {
+            slope -= 1.0 / (s - r);
+            if (r.imag() != 0) slope -= 1.0 / (s - std::conj(r));
+        }
+        const Complex step = 1.0 / slope;
+        if (!std::isfinite(std::abs(step))) return std::nullopt;
+        s -= step;
+        if (std::abs(step) < close * std::abs(s)) return s;
+    }
+    return std::nullopt;
+}
+
+void RootSearch::take(Complex start)
+{
+    const auto near = near_root(start);
+    if (!near) return;
+    const auto found = polished_root(open_, gain_, *near, 0);
+    if (!found || std::abs(*found - *near) > 1e-3 * std::abs(*near)) return;
+    Complex s(found->real(), std::abs(found->imag()));
+    if (s.imag() < 1e-9 * std::abs(s)) s.imag(0);
+    if (s.imag() > open_.end() * (1 + 1e-9)) return;
+    const auto same = [&](Complex other) { return std::abs(other - s) < 1e-8 * (std::abs(s) + 1e-6 * unit_); };
+    if (std::none_of(roots_.begin(), roots_.end(), same)) roots_.push_back(s);
+}
+
+}  // namespace stickslip

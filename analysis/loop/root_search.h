@@ -1,0 +1,44 @@
+// The roots of a loop that is no matrix, found from lines along which it turns fastest where a root is near.
+#pragma once
+#include <complex>
+#include <optional>
+#include <vector>
+
+#include "analysis/loop/opened_loop.h"
+
+namespace stickslip {
+
+/// Newton's method from `s`; nothing where it does not settle. A step of `rounding` is none, nor is one that no longer
+/// shrinks beside a root: of slow roots of fast loops rounding takes the last digits.
+std::optional<std::complex<double>> polished_root(const OpenedLoop& open, double gain, std::complex<double> s,
+                                                  double rounding);
+
+class RootSearch {
+  public:
+    using Complex = std::complex<double>;
+    RootSearch(const OpenedLoop& open, double gain);
+
+    /// Roots from the steepest places of a line. How many lie right of it, where that can be counted.
+    std::optional<int> look(double sigma, double nearest = infinity);
+    /// The imaginary axis and lines left of it, by what dead time turns in.
+    void look_around();
+    /// The rightmost root, right of which counting finds none; nothing where it is not found.
+    std::optional<Complex> edge();
+    /// With their conjugates, by falling real part.
+    std::vector<Complex> all() const;
+
+  private:
+    std::optional<Complex> edge_by_newton();
+    /// A pole that the loop does not reach through its dead time: the root beside it differs by less than rounding.
+    std::optional<Complex> edge_at_pole() const;
+    /// Newton's method without the poles of the loop, which would catch it, and the roots that are known; nothing where
+    /// it does not come near one.
+    std::optional<Complex> near_root(Complex s) const;
+    void take(Complex start);
+
+    const OpenedLoop& open_;
+    double gain_, unit_;
+    std::vector<Complex> roots_;
+};
+
+}  // namespace stickslip

@@ -1,0 +1,42 @@
+// What friction that answers late adds to a sampled loop: to its reading and rate at the ticks, and so to its commands.
+#pragma once
+#include <complex>
+#include <utility>
+#include <vector>
+
+#include "analysis/loop/late_share.h"
+
+namespace stickslip {
+
+class TickedShare {
+  public:
+    using Complex = std::complex<double>;
+    /// `responses`: of the loop without late friction, the gains that are turned first, at e^{sT} − 1.
+    TickedShare(const TickedFriction& ticked, const std::vector<LateFriction>& friction, const Resolvent& responses);
+    /// To the responses of what is turned, and of what is held.
+    std::pair<Complex, Complex> at(Complex s) const;
+
+  private:
+    /// To the sampled reading and its rate.
+    struct Added {
+        Complex reading, rate;
+    };
+    /// One delay's answer to the mechanism that does not hear it, from tick to tick.
+    struct Answer {
+        Resolvent of_ticks;
+        int whole_ticks;
+    };
+    Added answered_once(Complex s) const;
+    Added answered_again(Complex s, int aliases) const;
+    void take_answers(const std::vector<LateFriction>& friction);
+    void choose_aliases(const Resolvent& responses);
+
+    TickedFriction ticked_;
+    double period_;
+    LateShare share_;
+    std::vector<Answer> answers_;
+    double fraction_ = 0;  ///< s, of the dead time beyond whole ticks
+    int aliases_ = 0;
+};
+
+}  // namespace stickslip

@@ -33,12 +33,15 @@ std::size_t nearest(const Axis& axis, double value)
     return best;
 }
 
-std::string reading(std::string_view name, Quantity quantity, Motion motion, const std::vector<double>& values)
+/// `hides_zero`: a read-out leaves it out where it is 0.
+std::string reading(std::string_view name, Quantity quantity, Motion motion, const std::vector<double>& values,
+                    bool hides_zero = false)
 {
     return JsonObject()
         .text("name", name)
         .text("unit", unit_of(quantity, motion))
         .flag("prefix", takes_prefix(quantity, motion))
+        .flag("hides_zero", hides_zero)
         .text("values", pack_floats(values))
         .close();
 }
@@ -90,7 +93,8 @@ std::string data(const StabilityMap& map, const RenderedFigure& rendered)
     const DesignPoint* design = map.has_design && map.design.inside ? &map.design : nullptr;
     JsonObject json = grid_data({map.x, map.y, map.motion, csv_header(map), design}, rendered);
     std::vector<std::string> readings{reading("max Re s", Quantity::rate, map.motion, map.abscissa)};
-    for (const auto& r : map.readings) readings.push_back(reading(r.name, r.quantity, map.motion, r.values));
+    for (const auto& r : map.readings)
+        readings.push_back(reading(r.name, r.quantity, map.motion, r.values, r.column == "interpolation_error"));
     json.raw("readings", json_array(readings))
         .raw("classes", region_classes())
         .text("class", pack(region_codes(map.region)));

@@ -49,15 +49,6 @@ void print_law(const char* name, Map map)
                 100 * static_cast<double>(lanes) / static_cast<double>(rows.size()));
 }
 
-Joint ageing_joint()
-{
-    Joint joint = example_joint(6e4, 10, 1e-3);
-    Ageing law;
-    static_cast<RateStateParameters&>(law) = std::get<RateAndState>(joint.friction.law);
-    joint.friction.law = law;
-    return joint;
-}
-
 Joint two_state_joint()
 {
     Joint joint = example_joint(6e4, 10, 1e-3);
@@ -102,7 +93,8 @@ int main(int argc, char** argv)
     print_law("slip law", {example_joint(6e4, 10, 1e-3), few});
     print_law("Stribeck", {stribeck_joint(2e4, 0, 1e-3), few});
     print_law("sampled loop, slip law", {sampled_joint(), few});
-    print_law("ageing", {ageing_joint(), few});
+    print_law("sampled loop, ageing", {with_ageing(sampled_joint()), few});
+    print_law("ageing", {with_ageing(example_joint(6e4, 10, 1e-3)), few});
     print_law("two states", {two_state_joint(), few});
     print_law("LuGre", {lugre_joint(), few});
 }

@@ -148,6 +148,9 @@ int main(int argc, char** argv)
         const auto slip = random_joints(count / 2, seed + region);
         good &= print(region ? "slip law, three regions" : "slip law, one small disturbance", slip,
                       on_two_threads(slip, region));
+        const auto ageing = random_ageing_joints(count / 2, seed + region);
+        good &= print(region ? "ageing law, three regions" : "ageing law, one small disturbance", ageing,
+                      on_two_threads(ageing, region));
         const auto stribeck = random_stribeck_joints(count / 2, seed + region);
         good &= print(region ? "Stribeck, three regions" : "Stribeck, one small disturbance", stribeck,
                       on_two_threads(stribeck, region));

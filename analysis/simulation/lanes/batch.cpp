@@ -16,6 +16,7 @@ namespace {
 
 bool less(const Groups& a, const Groups& b)
 {
+    if (a.law != b.law) return a.law < b.law;
     if (a.M != b.M) return a.M < b.M;
     if (a.c != b.c) return a.c < b.c;
     if (a.beta != b.beta) return a.beta < b.beta;
@@ -26,14 +27,14 @@ bool less(const Groups& a, const Groups& b)
 
 std::optional<Scaled> scaled(const Joint& joint)
 {
-    const auto* law = std::get_if<RateAndState>(&joint.friction.law);
-    if (!law || law->B.size != 1 || !single(joint) || !plain(joint.friction, joint.load)) return {};
+    const auto [law, kind] = one_state(joint.friction);
+    if (!law || !single(joint) || !plain(joint.friction, joint.load)) return {};
     const auto sliding = steady_sliding(joint);
     if (sliding.reason != Reason::none) return {};
     const double A = joint.friction.normal_load * law->A, L = law->L[0], V0 = sliding.velocity;
     const auto& control = joint.control;
     Scaled s{{rounded(control.k_p * L / A), rounded(joint.mechanism.inertia * V0 * V0 / (L * A)),
-              rounded(law->B[0] / law->A), rounded(control.k_v * V0 / A)},
+              rounded(law->B[0] / law->A), rounded(control.k_v * V0 / A), kind},
              L,
              V0,
              sliding.deflection};
@@ -90,7 +91,7 @@ Job job(const Groups& g, bool search)
 bool state(const Disturbance& d, const Joint& joint, const Scaled& scale, Job& job)
 {
     const auto& g = job.groups;
-    const double A = joint.friction.normal_load * std::get<RateAndState>(joint.friction.law).A;
+    const double A = joint.friction.normal_load * one_state(joint.friction).law->A;
     double X = 0, w = 0, p = 0;
     switch (d.kind) {
         case DisturbanceKind::position:

@@ -18,7 +18,8 @@ struct Scaled {
     double deflection;  ///< δ_ss
 };
 
-/// Groups of a joint that the lanes can follow: one mass, the slip law with one state and nothing beside it, k_p > 0.
+/// Groups of a joint that the lanes can follow: one mass, the slip or the ageing law with one state and nothing
+/// else, k_p > 0.
 /// Each group is rounded to 44 bits, so that points which differ by roundoff only are one, whatever else is in the
 /// sweep.
 std::optional<Scaled> scaled(const Joint& joint);

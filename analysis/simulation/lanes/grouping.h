@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/joint/joint.h"
+#include "analysis/simulation/lanes/job.h"
 
 namespace stickslip::lanes {
 
@@ -22,6 +23,20 @@ inline bool plain(const Friction& f, const Load& l)
     return f.asymmetry.coulomb == 0 && f.asymmetry.viscous == 0 && f.load_coefficient == 0 && f.ripple.amplitude == 0 &&
            f.drift.change == 0 && f.bristle.stiffness == 0 && f.memory.A == 0 && f.memory.B == 0 && f.memory.lag == 0 &&
            l.gravity_amplitude == 0 && l.cogging.amplitude == 0 && l.disturbance.amplitude == 0;
+}
+
+/// A rate-and-state law whose one state the lanes can step.
+struct OneState {
+    const RateStateParameters* law = nullptr;  ///< null: another law, or several states
+    StateLaw kind = StateLaw::slip;
+};
+
+inline OneState one_state(const Friction& friction)
+{
+    OneState found;
+    if (const auto* slip = std::get_if<RateAndState>(&friction.law)) found = {slip, StateLaw::slip};
+    if (const auto* ageing = std::get_if<Ageing>(&friction.law)) found = {ageing, StateLaw::ageing};
+    return found.law && found.law->B.size == 1 ? found : OneState{};
 }
 
 /// A single mass under position feedback alone.

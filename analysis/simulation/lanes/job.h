@@ -7,14 +7,20 @@
 
 namespace stickslip::lanes {
 
-/// The one-state slip law on a single mass depends on four numbers only. With X = x/L, w = ln(V/V_0),
+/// How the state of a rate-and-state law evolves.
+enum class StateLaw : std::uint8_t { slip, ageing };
+
+/// A rate-and-state law with one state on a single mass depends on four numbers only. With X = x/L, w = ln(V/V_0),
 /// p = (θ − θ_ss)/A and time in L/V_0:
-///   X' = e^w − 1,   M e^w w' = −(c (e^w − 1) + K X + w + p),   p' = −e^w (p + β w)
+///   X' = e^w − 1,   M e^w w' = −(c (e^w − 1) + K X + w + p),
+///   p' = −e^w (p + β w) under the slip law, β (e^(−p/β) − e^w) under the ageing law.
+/// About steady sliding both are one.
 struct Groups {
     double K;     ///< k_p L/A
     double M;     ///< m V_0²/(L A)
     double beta;  ///< B/A
     double c;     ///< k_v V_0/A
+    StateLaw law = StateLaw::slip;
     bool operator==(const Groups&) const = default;
 };
 

@@ -7,7 +7,7 @@
 
 namespace stickslip::lanes {
 
-/// `Model` holds the equations of all lanes, steps them and finds their events (slip_model.h, stribeck_model.h).
+/// `Model` holds the equations of all lanes, steps them and finds their events (one_state_model.h, stribeck_model.h).
 template <template <class> class Model, int width, int count>
 class Kernel {
     using P = Pack<width, count>;

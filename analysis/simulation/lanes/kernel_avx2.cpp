@@ -1,24 +1,20 @@
-#include "analysis/simulation/lanes/kernel.h"
-#include "analysis/simulation/lanes/kernels.h"
-#include "analysis/simulation/lanes/slip_model.h"
-#include "analysis/simulation/lanes/stribeck_model.h"
-#include "analysis/simulation/lanes/ticked_kernel.h"
+#include "analysis/simulation/lanes/every_kernel.h"
 
 namespace stickslip::lanes {
 
-void run_avx2(const Job* jobs, Answer* answers, std::size_t count, const Settings& settings)
+void run_avx2(const Job* jobs, Answer* answers, std::size_t count, const Settings& settings, StateLaw law)
 {
-    Kernel<SlipModel, 4, 2>(jobs, answers, count, settings).run();
+    run_wide<4, 2>(jobs, answers, count, settings, law);
 }
 
 void run_avx2(const StribeckJob* jobs, StribeckAnswer* answers, std::size_t count, const Settings& settings)
 {
-    Kernel<StribeckModel, 4, 2>(jobs, answers, count, settings).run();
+    run_wide<4, 2>(jobs, answers, count, settings);
 }
 
-void run_avx2(const TickedJob* jobs, std::size_t count, bool lags)
+void run_avx2(const TickedJob* jobs, std::size_t count, TickedKind kind)
 {
-    lags ? TickedKernel<LaggingForce, 4, 2>(jobs, count).run() : TickedKernel<HeldForce, 4, 2>(jobs, count).run();
+    run_wide<4, 2>(jobs, count, kind);
 }
 
 }  // namespace stickslip::lanes

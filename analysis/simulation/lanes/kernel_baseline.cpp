@@ -1,24 +1,20 @@
-#include "analysis/simulation/lanes/kernel.h"
-#include "analysis/simulation/lanes/kernels.h"
-#include "analysis/simulation/lanes/slip_model.h"
-#include "analysis/simulation/lanes/stribeck_model.h"
-#include "analysis/simulation/lanes/ticked_kernel.h"
+#include "analysis/simulation/lanes/every_kernel.h"
 
 namespace stickslip::lanes {
 
-void run_baseline(const Job* jobs, Answer* answers, std::size_t count, const Settings& settings)
+void run_baseline(const Job* jobs, Answer* answers, std::size_t count, const Settings& settings, StateLaw law)
 {
-    Kernel<SlipModel, 2, 2>(jobs, answers, count, settings).run();
+    run_wide<2, 2>(jobs, answers, count, settings, law);
 }
 
 void run_baseline(const StribeckJob* jobs, StribeckAnswer* answers, std::size_t count, const Settings& settings)
 {
-    Kernel<StribeckModel, 2, 2>(jobs, answers, count, settings).run();
+    run_wide<2, 2>(jobs, answers, count, settings);
 }
 
-void run_baseline(const TickedJob* jobs, std::size_t count, bool lags)
+void run_baseline(const TickedJob* jobs, std::size_t count, TickedKind kind)
 {
-    lags ? TickedKernel<LaggingForce, 2, 2>(jobs, count).run() : TickedKernel<HeldForce, 2, 2>(jobs, count).run();
+    run_wide<2, 2>(jobs, count, kind);
 }
 
 }  // namespace stickslip::lanes

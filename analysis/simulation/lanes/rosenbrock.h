@@ -1,4 +1,5 @@
-// One step of Rodas5P for a pack of slip-law joints, unrolled from the stage tables, with the 3 × 3 solve written out.
+// One step of Rodas5P for a pack of rate-and-state joints with one state, unrolled from the stage tables, with the 3 ×
+// 3 solve written out.
 #pragma once
 #include <utility>
 
@@ -22,9 +23,45 @@ struct Triple {
     }
 };
 
+/// How fast the state p changes, and by what: the slip law.
 template <class P>
+struct SlipState {
+    P beta;
+
+    void set_beta(int lane, double value) { beta.set(lane, value); }
+    [[gnu::always_inline]] P rate(const Triple<P>& y, const Exponential<P>& v) const
+    {
+        return -(v.value * (y.p + beta * y.w));
+    }
+    [[gnu::always_inline]] P by_w(const Triple<P>& y, const Exponential<P>& v) const
+    {
+        return -(v.value * (y.p + beta * y.w + beta));
+    }
+    [[gnu::always_inline]] P decay(const Triple<P>&, const Exponential<P>& v) const { return v.value; }
+};
+
+/// The same of the ageing law.
+template <class P>
+struct AgeingState {
+    P beta, per_beta;
+
+    void set_beta(int lane, double value) { beta.set(lane, value), per_beta.set(lane, 1 / value); }
+    [[gnu::always_inline]] P rate(const Triple<P>& y, const Exponential<P>& v) const
+    {
+        return beta * (exponential(-(y.p * per_beta)).minus_one - v.minus_one);
+    }
+    [[gnu::always_inline]] P by_w(const Triple<P>&, const Exponential<P>& v) const { return -(beta * v.value); }
+    /// −∂p'/∂p
+    [[gnu::always_inline]] P decay(const Triple<P>& y, const Exponential<P>&) const
+    {
+        return exponential(-(y.p * per_beta)).value;
+    }
+};
+
+template <class P, template <class> class Friction>
 struct PackedGroups {
-    P K, per_M, beta, c;
+    P K, per_M, c;
+    Friction<P> friction;
 };
 
 template <class State>
@@ -34,12 +71,12 @@ struct PackedStep {
     const State& error() const { return U[rodas5p::stages - 1]; }
 };
 
-template <class P>
-[[gnu::always_inline]] inline Triple<P> rate(const PackedGroups<P>& g, const Triple<P>& y, const Exponential<P>& v,
-                                             const P& per_Mv)
+template <class P, template <class> class Friction>
+[[gnu::always_inline]] inline Triple<P> rate(const PackedGroups<P, Friction>& g, const Triple<P>& y,
+                                             const Exponential<P>& v, const P& per_Mv)
 {
     const P balance = g.c * v.minus_one + g.K * y.X + y.w + y.p;
-    return {v.minus_one, -(balance * per_Mv), -(v.value * (y.p + g.beta * y.w))};
+    return {v.minus_one, -(balance * per_Mv), g.friction.rate(y, v)};
 }
 
 /// Σ_j table[i][j] U_j over the nonzero coefficients, which are constants of the program.
@@ -53,32 +90,33 @@ template <const auto& table, int i, class P, class State, int... j>
     (add.template operator()<j>(), ...);
 }
 
-/// Factors of I/(hγ) − J with J = [0 v 0; −K/(Mv) J_11 −1/(Mv); 0 J_21 −v], eliminated through the middle row.
+/// Factors of I/(hγ) − J with J = [0 v 0; −K/(Mv) J_11 −1/(Mv); 0 J_21 J_22], eliminated through the middle row.
 template <class P>
 struct Elimination {
-    P hg, v, J21, x_share, p_share, per_gv, per_pivot;
+    P hg, v, J21, x_share, p_share, per_gs, per_pivot;
 
-    [[gnu::always_inline]] Elimination(const PackedGroups<P>& g, const Triple<P>& y, const Exponential<P>& e,
+    template <template <class> class Friction>
+    [[gnu::always_inline]] Elimination(const PackedGroups<P, Friction>& g, const Triple<P>& y, const Exponential<P>& e,
                                        const P& per_Mv, const P& w_rate, const P& h)
         : hg(h * P(rodas5p::gamma)), v(e.value)
     {
         const P diagonal = P(1.0) / hg;
         const P J11 = -((g.c * v + 1.0) * per_Mv) - w_rate;
-        J21 = -(v * (y.p + g.beta * y.w + g.beta));
-        per_gv = P(1.0) / (diagonal + v);
+        J21 = g.friction.by_w(y, e);
+        per_gs = P(1.0) / (diagonal + g.friction.decay(y, e));
         x_share = g.K * per_Mv * hg;
-        p_share = per_Mv * per_gv;
+        p_share = per_Mv * per_gs;
         per_pivot = P(1.0) / ((diagonal - J11) + x_share * v + p_share * J21);
     }
     [[gnu::always_inline]] Triple<P> solve(const Triple<P>& right) const
     {
         const P w = (right.w - x_share * right.X - p_share * right.p) * per_pivot;
-        return {(right.X + v * w) * hg, w, (right.p + J21 * w) * per_gv};
+        return {(right.X + v * w) * hg, w, (right.p + J21 * w) * per_gs};
     }
 };
 
-template <class P>
-[[gnu::always_inline]] inline Elimination<P> eliminate(const PackedGroups<P>& g, const Triple<P>& y,
+template <class P, template <class> class Friction>
+[[gnu::always_inline]] inline Elimination<P> eliminate(const PackedGroups<P, Friction>& g, const Triple<P>& y,
                                                        const Exponential<P>& e, const P& per_Mv, const P& w_rate,
                                                        const P& h)
 {

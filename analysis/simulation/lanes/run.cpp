@@ -65,7 +65,13 @@ void run_widest(Instructions instructions, Arguments&&... arguments)
 
 void run(const Job* jobs, Answer* answers, std::size_t count, const Settings& settings, Instructions instructions)
 {
-    if (count > 0) run_widest(instructions, jobs, answers, count, settings);
+    std::size_t first = 0;
+    for (std::size_t last = 1; last <= count; ++last) {
+        const StateLaw law = jobs[first].groups.law;
+        if (last < count && jobs[last].groups.law == law) continue;
+        run_widest(instructions, jobs + first, answers + first, last - first, settings, law);
+        first = last;
+    }
 }
 
 void run(const StribeckJob* jobs, StribeckAnswer* answers, std::size_t count, const Settings& settings,
@@ -74,9 +80,9 @@ void run(const StribeckJob* jobs, StribeckAnswer* answers, std::size_t count, co
     if (count > 0) run_widest(instructions, jobs, answers, count, settings);
 }
 
-void run(const TickedJob* jobs, std::size_t count, bool lags, Instructions instructions)
+void run(const TickedJob* jobs, std::size_t count, TickedKind kind, Instructions instructions)
 {
-    run_widest(instructions, jobs, count, lags);
+    run_widest(instructions, jobs, count, kind);
 }
 
 }  // namespace stickslip::lanes

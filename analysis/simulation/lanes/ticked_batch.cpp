@@ -10,8 +10,7 @@ namespace stickslip::lanes {
 
 bool in_ticked_lanes(const Joint& joint)
 {
-    const auto* law = std::get_if<RateAndState>(&joint.friction.law);
-    if (!law || law->B.size != 1 || !single(joint) || !plain(joint.friction, joint.load)) return false;
+    if (!one_state(joint.friction).law || !single(joint) || !plain(joint.friction, joint.load)) return false;
     if (!has_real_loop(joint) || !(joint.control.V0 > 0) || !(joint.sensor.position_scale > 0)) return false;
     const auto& a = joint.actuator;
     const bool motor = a.kind == ActuatorKind::dc_motor;
@@ -23,13 +22,15 @@ bool in_ticked_lanes(const Joint& joint)
 void answer_ticked(std::span<const Joint* const> joints, const LoopQuestion& question, std::span<LoopVerdict> verdicts,
                    bool* answered, Instructions instructions)
 {
-    for (const bool lags : {false, true}) {
-        std::vector<TickedJob> jobs;
-        for (std::size_t i = 0; i < joints.size(); ++i)
-            if ((joints[i]->actuator.lag > 0) == lags)
-                jobs.push_back({joints[i], &question, &verdicts[i], &answered[i]});
-        if (!jobs.empty()) run(jobs.data(), jobs.size(), lags, instructions);
-    }
+    for (const auto law : {StateLaw::slip, StateLaw::ageing})
+        for (const bool lags : {false, true}) {
+            const TickedKind kind{law, lags};
+            std::vector<TickedJob> jobs;
+            for (std::size_t i = 0; i < joints.size(); ++i)
+                if (TickedKind{one_state(joints[i]->friction).kind, joints[i]->actuator.lag > 0} == kind)
+                    jobs.push_back({joints[i], &question, &verdicts[i], &answered[i]});
+            if (!jobs.empty()) run(jobs.data(), jobs.size(), kind, instructions);
+        }
 }
 
 }  // namespace stickslip::lanes

@@ -9,8 +9,9 @@ namespace stickslip::lanes {
 
 struct TickedJob;
 
-/// One mass under the slip law with one state and nothing beside it, behind a drive whose effort is linear in velocity
-/// and, where it lags, in the command. The controller, its encoder and its dead time are any that a loop can have.
+/// One mass under the slip or the ageing law with one state and nothing else, behind a drive whose effort is linear in
+/// velocity and, where it lags, in the command. The controller, its encoder and its dead time are any that a loop can
+/// have.
 bool in_ticked_lanes(const Joint& joint);
 
 /// Verdicts on such joints, in the order given; `answered` is false where the motion of one could not be followed.

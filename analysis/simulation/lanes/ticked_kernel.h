@@ -142,7 +142,7 @@ class TickedKernel {
             joint = {}, first = {};
         active_.set(i, found);
         auto& g = equations_;
-        g.K.set(i, 0), g.per_M.set(i, 1 / joint.M), g.beta.set(i, joint.beta);
+        g.K.set(i, 0), g.per_M.set(i, 1 / joint.M), g.friction.set_beta(i, joint.beta);
         equations_.set_lag(i, joint.lag);
         first_.set(i, 0.05 * first.length);
         place(i, first);

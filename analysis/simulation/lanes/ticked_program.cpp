@@ -7,6 +7,7 @@
 #include "analysis/numerics/hermite.h"
 #include "analysis/simulation/flows/near_rest.h"
 #include "analysis/simulation/lanes/dense_output.h"
+#include "analysis/simulation/lanes/grouping.h"
 #include "analysis/simulation/sampled/loop_verdict.h"
 
 namespace stickslip::lanes {
@@ -58,7 +59,7 @@ bool TickedProgram::Lane::start(TickedJoint& joint, TickedPiece& first)
 {
     if (!inquiry_.open()) return finished();
     const auto& friction = job_.joint->friction;
-    const auto& law = std::get<RateAndState>(friction.law);
+    const auto& law = *one_state(friction).law;
     auto& loop = inquiry_.loop();
     frame_ = loop.frame(), length_ = law.L[0], A_ = law.A, force_unit_ = friction.normal_load * law.A;
     steady_theta_ = steady_state(friction, frame_)[0];

@@ -18,8 +18,9 @@ const readOut = (chart) => {
   for (const [axis, value] of chart.layer ? chart.layer.held : []) lines.push(line(...marked(axis.symbol), " = " + withUnit(value, axis)));
   for (const reading of data.readings) {
     const value = valueAt(chart, reading, k);
-    if (chart.layer && Number.isNaN(value)) continue;
-    const text = Number.isNaN(value) && data.none ? data.none : withUnit(value, reading);
+    if (Number.isNaN(value) && (chart.layer || !data.none)) continue;
+    if (value === 0 && reading.hides_zero) continue;
+    const text = Number.isNaN(value) ? data.none : withUnit(value, reading);
     lines.push(line(reading.name + " = " + text + signWord(reading, value)));
   }
   return lines;

@@ -117,12 +117,15 @@ TEST_CASE("rows of a dense map depend on its box alone", "[dense]")
     }
 }
 
-TEST_CASE("a dense line of an ageing contact, which no lanes have", "[dense][slow]")
+TEST_CASE("a dense line of an ageing contact", "[dense][slow]")
+{
+    check({with_ageing(example_joint(6e4, 0, 1e-3)), {{"control.k_p", 1e4, 1e5, 100, true}}}, 0.75);
+}
+
+TEST_CASE("a dense line of a contact with two states, which no lanes have", "[dense][slow]")
 {
     Joint joint = example_joint(6e4, 0, 1e-3);
-    const auto slip = std::get<RateAndState>(joint.friction.law);
-    Ageing law;
-    static_cast<RateStateParameters&>(law) = slip;
-    joint.friction.law = law;
+    auto& law = std::get<RateAndState>(joint.friction.law);
+    law.B[0] = 1, law.B.push_back(0.84), law.L.push_back(law.L[0] / 0.048);
     check({joint, {{"control.k_p", 1e4, 1e5, 100, true}}}, 0.75);
 }

@@ -33,6 +33,15 @@ inline Joint example_joint(double k_p, double k_v, double V0)
     return joint;
 }
 
+/// The same joint under the ageing law with the numbers of its slip law.
+inline Joint with_ageing(Joint joint)
+{
+    Ageing law;
+    static_cast<RateStateParameters&>(law) = std::get<RateAndState>(joint.friction.law);
+    joint.friction.law = law;
+    return joint;
+}
+
 /// Stribeck friction c0 = 8 N, c1 = 20 N·s/m, c2 = 6 N, c3 = 2 mm/s under 1 kg.
 inline Joint stribeck_joint(double k_p, double k_v, double V0)
 {

@@ -39,6 +39,14 @@ inline std::vector<Joint> random_joints(std::size_t count, unsigned seed)
     return joints;
 }
 
+/// The same joints under the ageing law.
+inline std::vector<Joint> random_ageing_joints(std::size_t count, unsigned seed)
+{
+    auto joints = random_joints(count, seed);
+    for (auto& joint : joints) joint = with_ageing(joint);
+    return joints;
+}
+
 /// Stribeck joints: V_0 from a thirtieth of c3 to six of them, both exponents that lanes have, two thirds of them
 /// without k_v, so that half slide steadily and some stick beside steady sliding.
 inline std::vector<Joint> random_stribeck_joints(std::size_t count, unsigned seed)

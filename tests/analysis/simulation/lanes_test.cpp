@@ -41,10 +41,10 @@ bool same_bits(const lanes::StribeckAnswer& a, const lanes::StribeckAnswer& b)
            same_bits(a.rest_time, b.rest_time) && a.turns == b.turns;
 }
 
-std::vector<lanes::Job> slip_jobs(std::size_t count, unsigned seed)
+std::vector<lanes::Job> jobs_of(const std::vector<Joint>& joints)
 {
     std::vector<lanes::Job> jobs;
-    for (const auto& joint : random_joints(count, seed)) jobs.push_back(lanes::job(lanes::scaled(joint)->groups, true));
+    for (const auto& joint : joints) jobs.push_back(lanes::job(lanes::scaled(joint)->groups, true));
     return jobs;
 }
 
@@ -117,7 +117,9 @@ TEST_CASE("packs: e^w and e^w − 1 against libm", "[lanes]")
 
 TEST_CASE("an answer depends on its job alone, not on lane, neighbours or order", "[lanes]")
 {
-    check_independence<lanes::Answer>(slip_jobs(60, 11));
+    auto both_laws = jobs_of(random_joints(60, 11));
+    for (const auto& job : jobs_of(random_ageing_joints(60, 15))) both_laws.push_back(job);
+    check_independence<lanes::Answer>(both_laws);
     check_independence<lanes::StribeckAnswer>(stribeck_jobs(90, 13));
     // heavy joints plunge towards rest in steps of 1e-16 L/V_0 and less, wherever others stand at that moment
     std::vector<lanes::Job> heavy;
@@ -130,7 +132,8 @@ TEST_CASE("an answer depends on its job alone, not on lane, neighbours or order"
 
 TEST_CASE("every instruction set gives the same outcomes", "[lanes]")
 {
-    check_instruction_sets<lanes::Answer>(slip_jobs(100, 12));
+    check_instruction_sets<lanes::Answer>(jobs_of(random_joints(100, 12)));
+    check_instruction_sets<lanes::Answer>(jobs_of(random_ageing_joints(100, 16)));
     check_instruction_sets<lanes::StribeckAnswer>(stribeck_jobs(150, 14));
 }
 
@@ -241,11 +244,33 @@ TEST_CASE("lanes close cycles that hardly attract", "[lanes]")
     }
 }
 
+TEST_CASE("lanes of the ageing law: small inertia makes the boundary subcritical", "[lanes]")
+{
+    // dimensionless M = 10^-1.5 with β = 1.5: cycles coexist up to 1.00584 k_cr (computed with a continuation program),
+    // subcritical below M = 1/(3 + 2 √(β + 3)) = 0.138
+    const auto region = [](double M, double above) {
+        const double K_cr = 0.5 * (1 + M);
+        const Joint joint = with_ageing(dimensionless_joint(K_cr * above, M, 1.5, 0));
+        PointResult row = linear_point(joint);
+        nonlinear_points({&joint, 1}, {}, {&row, 1});
+        CAPTURE(M, above);
+        CHECK(row.path == DecisionPath::lanes);
+        return row.region;
+    };
+    const double M = std::pow(10, -1.5);
+    CHECK(region(M, 0.999) == Region::unstable);
+    CHECK(region(M, 1.0057) == Region::bistable);
+    CHECK(region(M, 1.0060) == Region::memory_only);
+    CHECK(region(0.2, 1.0005) == Region::memory_only);
+}
+
 // more of them, with figures: benchmark_simulation_accuracy
 TEST_CASE("lanes against CVODE at rtol 1e-11: random joints", "[lanes][slow]")
 {
     check_against_cvode(random_joints(30, 21), false, 0.9);
     check_against_cvode(random_joints(15, 22), true, 0.9);
+    check_against_cvode(random_ageing_joints(30, 25), false, 0.9);
+    check_against_cvode(random_ageing_joints(15, 26), true, 0.9);
     check_against_cvode(random_stribeck_joints(60, 23), false, 0.7);
     check_against_cvode(random_stribeck_joints(60, 24), true, 0.7);
 }
@@ -283,6 +308,9 @@ TEST_CASE("lanes against CVODE at rtol 1e-11: disturbances of stated kind and si
     for (const auto kind : {position, velocity, impulse, offset, state, start})
         compare(joints, {kind, kind == start ? 0.1 : kind == state ? 0.2 : 1e-5});
     CHECK(10 * by_lanes > 8 * asked);
+    const auto ageing = random_ageing_joints(8, 33);
+    for (const auto kind : {position, velocity, impulse, offset, state, start})
+        compare(ageing, {kind, kind == start ? 0.1 : kind == state ? 0.2 : 1e-5});
     const auto stribeck = random_stribeck_joints(12, 32);
     for (const auto kind : {position, velocity, impulse, offset, start}) compare(stribeck, {kind, 1e-4});
 }

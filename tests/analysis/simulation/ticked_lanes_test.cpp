@@ -6,6 +6,7 @@
 #include "analysis/simulation/lanes/ticked_batch.h"
 #include "analysis/simulation/points.h"
 #include "analysis/stability/verdict.h"
+#include "tests/analysis/simulation/joints.h"
 
 #include <bit>
 
@@ -60,6 +61,8 @@ std::vector<Joint> all_kinds()
                     j.actuator.resistance = 2, j.actuator.k_t = 5, j.actuator.k_e = 5;
                 }),
         changed(ticked_joint(50e3, 1e-3), [](Joint& j) { j.control.period = not_set; }),
+        with_ageing(late),
+        with_ageing(changed(late, [](Joint& j) { j.actuator.lag = 2e-3; })),
     };
 }
 

@@ -1,12 +1,12 @@
-// The one-state slip law as the kernel steps it: Rodas5P, events from ln V.
+// A rate-and-state law with one state as the kernel steps it: Rodas5P, events from ln V.
 #pragma once
 #include "analysis/simulation/lanes/program.h"
 #include "analysis/simulation/lanes/rosenbrock.h"
 
 namespace stickslip::lanes {
 
-template <class P>
-class SlipModel {
+template <class P, template <class> class Friction>
+class OneStateModel {
     using M = typename P::MaskType;
 
   public:
@@ -26,7 +26,7 @@ class SlipModel {
     {
         groups_.K.set(lane, job.groups.K);
         groups_.per_M.set(lane, 1 / job.groups.M);
-        groups_.beta.set(lane, job.groups.beta);
+        groups_.friction.set_beta(lane, job.groups.beta);
         groups_.c.set(lane, job.groups.c);
     }
     /// A harmless problem for a lane without a job.
@@ -83,8 +83,13 @@ class SlipModel {
   private:
     static P part(const Triple<P>& y, int k) { return k == 0 ? y.X : k == 1 ? y.w : y.p; }
 
-    PackedGroups<P> groups_;
+    PackedGroups<P, Friction> groups_;
     P w_before_, h_before_;
 };
+
+template <class P>
+using SlipModel = OneStateModel<P, SlipState>;
+template <class P>
+using AgeingModel = OneStateModel<P, AgeingState>;
 
 }  // namespace stickslip::lanes

@@ -1,0 +1,36 @@
+// Each kernel that a law asks for, at the width that a source file is compiled for.
+#pragma once
+#include "analysis/simulation/lanes/kernel.h"
+#include "analysis/simulation/lanes/kernels.h"
+#include "analysis/simulation/lanes/one_state_model.h"
+#include "analysis/simulation/lanes/stribeck_model.h"
+#include "analysis/simulation/lanes/ticked_kernel.h"
+
+namespace stickslip::lanes {
+
+template <int width, int count>
+void run_wide(const Job* jobs, Answer* answers, std::size_t number, const Settings& settings, StateLaw law)
+{
+    law == StateLaw::ageing ? Kernel<AgeingModel, width, count>(jobs, answers, number, settings).run()
+                            : Kernel<SlipModel, width, count>(jobs, answers, number, settings).run();
+}
+
+template <int width, int count>
+void run_wide(const StribeckJob* jobs, StribeckAnswer* answers, std::size_t number, const Settings& settings)
+{
+    Kernel<StribeckModel, width, count>(jobs, answers, number, settings).run();
+}
+
+template <int width, int count>
+void run_wide(const TickedJob* jobs, std::size_t number, TickedKind kind)
+{
+    const bool ageing = kind.law == StateLaw::ageing;
+    if (kind.lags)
+        ageing ? TickedKernel<LaggingAgeing, width, count>(jobs, number).run()
+               : TickedKernel<LaggingSlip, width, count>(jobs, number).run();
+    else
+        ageing ? TickedKernel<HeldAgeing, width, count>(jobs, number).run()
+               : TickedKernel<HeldSlip, width, count>(jobs, number).run();
+}
+
+}  // namespace stickslip::lanes

@@ -42,6 +42,7 @@ double size_of_transfer(const LinearFriction& f, Complex s)
 
 double side_of_axis(const LinearMass& mass, Complex s)
 {
+    if (far_from_axis(s)) return s.real();
     const auto& f = mass.friction;
     Complex memory = 0, memory_slope = 0;
     for (int i = 0; i < f.states; ++i) {
@@ -57,6 +58,7 @@ double side_of_axis(const LinearMass& mass, Complex s)
 
 double side_of_axis(const LinearJoint& j, Complex s)
 {
+    if (far_from_axis(s)) return s.real();
     std::array<Size, max_bodies> resistance, scale;
     for (int i = 0; i < j.bodies; ++i) {
         resistance[i] = std::abs(j.friction[i].f_v) + size_of_transfer(j.friction[i], s);
@@ -100,9 +102,11 @@ double velocity_only_damping(const LinearMass& mass, double k_v)
     const double C = k_v + steady_slope(mass.friction);
     if (!(mass.k_p > 0)) return C;
     const double omega = std::sqrt(mass.k_p / mass.inertia);
+    const Complex root(-C / (2 * mass.inertia), omega);
+    if (far_from_axis(root)) return C;
     const double terms =
         2 * mass.k_p + (std::abs(k_v) + std::abs(mass.friction.f_v) + size_of_transfer(mass.friction, 0)) * omega;
-    const Complex root(-C / (2 * mass.inertia), omega), slope(0, 2 * mass.inertia * omega);
+    const Complex slope(0, 2 * mass.inertia * omega);
     return clear_of_rounding(root, terms, slope) == 0 ? 0 : C;
 }
 

@@ -10,6 +10,17 @@
 
 namespace stickslip {
 
+/// |Re s| per |s| above which no rounding moves a root across the imaginary axis.
+inline constexpr double near_axis = 1e-6;
+
+/// Sufficient for clear_of_rounding to say the root's own real part, whatever terms and slope are: by the sum of the
+/// parts, which is no smaller than |s| and takes no square root.
+inline bool far_from_axis(std::complex<double> root)
+{
+    const double real = std::abs(root.real());
+    return !std::isfinite(root.real()) || real > near_axis * (real + std::abs(root.imag()));
+}
+
 /// What a computed real part is worth: exactly 0 where it is within the error of the root, so that "neutral" is one
 /// number and not a tolerance at each use. To first order a root is off by |δF|/|F'|, and |δF| by a few units in the
 /// last place of the largest terms of F: `terms` is the sum of their sizes at the root, `slope` is F'.
@@ -17,7 +28,7 @@ namespace stickslip {
 /// nothing of the side.
 inline double clear_of_rounding(std::complex<double> root, double terms, std::complex<double> slope)
 {
-    constexpr double near_axis = 1e-6, roundings = 32;
+    constexpr double roundings = 32;
     if (!std::isfinite(root.real()) || std::abs(root.real()) > near_axis * std::abs(root)) return root.real();
     const double error = roundings * std::numeric_limits<double>::epsilon() * terms / std::abs(slope);
     return std::abs(root.real()) <= error ? 0 : root.real();

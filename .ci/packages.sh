@@ -4,8 +4,7 @@
 set -eu
 build='g++ cmake ninja-build ccache pkg-config libeigen3-dev libtbb-dev libsundials-dev libnlopt-dev libnlopt-cxx-dev
 libvtk9-dev libegl-dev libglew-dev libegl1 libegl-mesa0 libgl1-mesa-dri libcli11-dev libtomlplusplus-dev
-nlohmann-json3-dev libnetcdf-dev libfmt-dev libxxhash-dev zlib1g-dev libpng-dev libfreetype-dev libpugixml-dev libjs-dygraphs librsvg2-dev fonts-dejavu-core
-pybind11-dev python3-dev'
+nlohmann-json3-dev libnetcdf-dev libfmt-dev libxxhash-dev zlib1g-dev libpng-dev libfreetype-dev libpugixml-dev libjs-dygraphs librsvg2-dev fonts-dejavu-core'
 tests='catch2 clang-format-14 clang-tidy-14 python3 python3-xarray python3-netcdf4 python3-pandas python3-pytest python3-matplotlib
 python3-selenium python3-jsonschema python3-pil chromium chromium-driver parallel mkdocs'
 case "${1:-}" in

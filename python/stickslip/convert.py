@@ -2,14 +2,23 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
+import os
+import signal
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from .logs import read_log
-from .program import BAD_INPUT, StickslipError
+from .program import BAD_INPUT, INTERRUPTED, StickslipError
+
+if TYPE_CHECKING:
+    import pandas
+
+INTERRUPTS = (signal.SIGINT, signal.SIGTERM)
 
 
-def main() -> int:
+def convert() -> int:
     parser = argparse.ArgumentParser(prog="stickslip convert", description="A record in CSV from a log: MCAP, ROS 1 bag, Parquet, "
                                      "SAGE folder, BAM JSON, .npz, .mat, HDF5, NetCDF")
     parser.add_argument("log", metavar="IN")
@@ -28,15 +37,58 @@ def main() -> int:
             frame = read_log(asked.log, joint=asked.joint, **options)
         except TypeError as error:
             raise StickslipError(f"{asked.log}: logs of this kind take no {', '.join('--' + k for k in options)} ({error})") from None
-        Path(asked.csv).parent.mkdir(parents=True, exist_ok=True)
-        frame.to_csv(asked.csv, index=False)
+        write_whole(Path(asked.csv), frame)
+        for interrupt in INTERRUPTS:
+            signal.signal(interrupt, signal.SIG_IGN)  # from here on there is nothing left to interrupt
     except StickslipError as error:
-        print(error, file=sys.stderr)
+        complain(error)
+        return BAD_INPUT
+    except OSError as error:
+        complain(f"{error.filename or asked.csv}: {error.strerror}")
         return BAD_INPUT
     for guess in frame.attrs.get("guessed", []):
-        print(f"guessed: {guess}", file=sys.stderr)
-    print(f"{asked.csv}: {len(frame)} rows, columns {', '.join(frame.columns)}")
+        complain(f"guessed: {guess}")
+    try:
+        print(f"{asked.csv}: {len(frame)} rows, columns {', '.join(frame.columns)}", flush=True)
+    except OSError as error:
+        complain(f"stickslip: the answer could not be written to standard output ({error.strerror})")
+        return INTERRUPTED
     return 0
+
+
+def write_whole(file: Path, frame: "pandas.DataFrame") -> None:
+    """The record under another name until it is whole, so that a full disk or Ctrl-C leaves no half of it."""
+    file.parent.mkdir(parents=True, exist_ok=True)
+    part = file.with_name(file.name + ".part")
+    try:
+        frame.to_csv(part, index=False, compression="gzip" if file.name.endswith(".gz") else None)
+        os.replace(part, file)
+    except BaseException:
+        part.unlink(missing_ok=True)
+        raise
+
+
+def complain(text: object) -> None:
+    """To standard error, where it can be written."""
+    if sys.stderr is not None:
+        with contextlib.suppress(OSError):
+            print(text, file=sys.stderr, flush=True)
+
+
+def main() -> int:
+    """`convert`, and what an interrupt makes of it."""
+    try:
+        for interrupt in INTERRUPTS:
+            signal.signal(interrupt, signal.default_int_handler)
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, INTERRUPTS)  # `stickslip convert` starts with them blocked
+        code = convert()
+    except KeyboardInterrupt:
+        complain("interrupted before the record was complete: nothing is written")
+        code = INTERRUPTED
+    for stream in (sys.stdout, sys.stderr):  # what they could not write has been told; the interpreter would add a code of its own
+        with contextlib.suppress(OSError, ValueError, AttributeError):
+            stream.flush()
+    return code
 
 
 if __name__ == "__main__":

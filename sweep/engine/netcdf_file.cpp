@@ -2,10 +2,42 @@
 
 #include <fmt/format.h>
 #include <netcdf.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <mutex>
+#include <system_error>
 #include <utility>
 
 namespace stickslip {
+namespace {
+
+/// Why the disk takes no more, where it does not: the library says no more than "HDF error".
+std::string reason_of_disk(int error)
+{
+    for (const int known : {ENOSPC, EDQUOT, EFBIG, EROFS, EIO})
+        if (error == known) return fmt::format(" ({})", std::generic_category().message(error));
+    return "";
+}
+
+/// When the program ends, HDF5 tries once more to write what it could not, and crashes (1.10.8). This handler is
+/// registered after its own, and so comes before: nothing is left for it to do.
+void end_without_hdf5()
+{
+    static std::once_flag once;
+    std::call_once(once, [] {
+        on_exit(
+            [](int status, void*) {
+                std::fflush(nullptr);
+                ::_exit(status);
+            },
+            nullptr);
+    });
+}
+
+}  // namespace
 
 static_assert(global_attribute == NC_GLOBAL);
 
@@ -13,6 +45,7 @@ NetcdfFile NetcdfFile::create(const std::filesystem::path& path)
 {
     NetcdfFile file(path, -1);
     int id = -1;
+    errno = 0;
     file.check(nc_create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id), "create");
     file.id_ = id;
     return file;
@@ -33,13 +66,14 @@ NetcdfFile::NetcdfFile(NetcdfFile&& other) noexcept : path_(std::move(other.path
 
 NetcdfFile::~NetcdfFile()
 {
-    if (id_ >= 0) nc_close(id_);
+    if (id_ >= 0 && nc_close(id_) != NC_NOERR) end_without_hdf5();
 }
 
 void NetcdfFile::check(int status, std::string_view what) const
 {
-    if (status != NC_NOERR)
-        throw NetcdfError(fmt::format("{}: cannot {}: {}", path_.string(), what, nc_strerror(status)));
+    if (status == NC_NOERR) return;
+    const auto disk = reason_of_disk(errno);
+    throw NetcdfError(fmt::format("{}: cannot {}: {}{}", path_.string(), what, nc_strerror(status), disk));
 }
 
 void NetcdfFile::put_text(int variable, const char* name, std::string_view text) const
@@ -64,7 +98,9 @@ int NetcdfFile::find_variable(std::string_view name) const
 
 void NetcdfFile::close()
 {
-    check(nc_close(std::exchange(id_, -1)), "finish");
+    const int status = nc_close(std::exchange(id_, -1));
+    if (status != NC_NOERR) end_without_hdf5();
+    check(status, "finish");
 }
 
 }  // namespace stickslip

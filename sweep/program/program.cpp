@@ -4,6 +4,7 @@
 #include "sweep/engine/build.h"
 #include "sweep/engine/run_directory.h"
 #include "sweep/files/text/bad_input.h"
+#include "sweep/program/process.h"
 #include "sweep/program/verbs/diagnosis_verbs.h"
 #include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/usage.h"
@@ -11,10 +12,7 @@
 
 #include <fmt/format.h>
 
-#include <unistd.h>
 #include <cerrno>
-
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -24,13 +22,6 @@
 
 namespace stickslip {
 namespace {
-
-std::atomic<bool>* interrupt_flag = nullptr;
-
-extern "C" void on_interrupt(int)
-{
-    interrupt_flag->store(true);
-}
 
 /// One argument as a shell would take it back.
 std::string quoted(const std::string& argument)
@@ -131,39 +122,10 @@ int exit_after_failure(const CLI::App& app, const std::vector<std::string>& word
 
 }  // namespace
 
-namespace {
-
-std::string_view last_words;
-
-void leave_at_once(int)
-{
-    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, last_words.data(), last_words.size());
-    ::_exit(exit_interrupted);
-}
-
-}  // namespace
-
-void leave_on_interrupts(std::string_view told)
-{
-    last_words = told;
-    struct sigaction action {};
-    action.sa_handler = leave_at_once;
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
-}
-
-void catch_interrupts(Invocation& invocation)
-{
-    interrupt_flag = &invocation.interrupted;
-    struct sigaction action {};
-    action.sa_handler = on_interrupt;
-    action.sa_flags = SA_RESETHAND;  // a second Ctrl-C ends the program the ordinary way
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
-}
-
 int run_program(int argc, char** argv, Cluster* cluster)
 {
+    keep_streams();
+    survive_size_limits();
     leave_on_interrupts("interrupted before the answer was complete\n");
     Invocation invocation;
     invocation.cluster = cluster;
@@ -185,7 +147,10 @@ int run_program(int argc, char** argv, Cluster* cluster)
         keep_to_instructions();
         app.parse(argc, argv);
     } catch (...) {
-        return exit_after_failure(app, {argv + 1, argv + argc});
+        const int code = exit_after_failure(app, {argv + 1, argv + argc});
+        if (!invocation.interrupted) return code;
+        say("interrupted before the answer was complete\n");  // and the failure may have come of that
+        return exit_interrupted;
     }
     return answer_written() ? invocation.exit_code : exit_interrupted;
 }

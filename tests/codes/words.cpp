@@ -13,6 +13,7 @@
 #include "sweep/words/margins_text.h"
 #include "sweep/words/nearest_text.h"
 #include "sweep/words/neighbour_text.h"
+#include "sweep/words/open_text.h"
 #include "sweep/words/robot_text.h"
 #include "sweep/words/set_point_design_text.h"
 #include "sweep/words/set_point_text.h"
@@ -100,6 +101,11 @@ std::string set_point_text(const SetPoint&, Motion)
 std::string set_point_reason(SetPointReason)
 {
     return "#set-point-reason";
+}
+
+std::string open_text(const NonlinearVerdict&)
+{
+    return "#open";
 }
 
 std::string verdict_text(const Joint&, const LinearVerdict&, bool)

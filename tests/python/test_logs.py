@@ -1,5 +1,11 @@
 import importlib.util
+import os
+import resource
 import shutil
+import signal
+import subprocess
+import sys
+from pathlib import Path
 
 import log_samples as sample
 import numpy
@@ -266,3 +272,32 @@ def test_commands_that_are_joint_states_give_the_velocity_of_the_reference(tmp_p
     frame = stickslip.read_log(sample.mcap_of(tmp_path / "run.mcap", messages), joint="elbow", topic="/joint_states", command="/goal")
     assert numpy.allclose(frame["reference_position"], sample.Q[:, 1])
     assert numpy.allclose(frame["reference_velocity"], sample.DQ[:, 1])
+
+
+def convert(log, table, **how):
+    words = [sys.executable, "-m", "stickslip.convert", log, table, "--joint", "elbow", "--command", "/commands"]
+    return subprocess.run(words, capture_output=True, text=True, env={**os.environ, "PYTHONPATH": str(Path(stickslip.__file__).parents[1])}, **how)
+
+
+@pytest.mark.parametrize("name", ["run.csv", "run.csv.gz"])
+def test_convert_leaves_no_half_of_a_record(tmp_path, name):
+    log, table = sample.mcap(tmp_path / "run.mcap"), tmp_path / "made" / name
+    full = convert(log, table, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (500, 500)))  # stands for a full disk
+    assert full.returncode == 2 and full.stderr.splitlines()[-1].endswith("File too large") and "Traceback" not in full.stderr
+    assert not list(table.parent.iterdir())
+    done = convert(log, table)
+    assert done.returncode == 0 and [file.name for file in table.parent.iterdir()] == [name]
+    check(stickslip.read_log(table))
+
+
+def test_convert_that_is_interrupted_says_so(tmp_path):
+    log = tmp_path / "pipe.mcap"
+    os.mkfifo(log)
+    words = [sys.executable, "-m", "stickslip.convert", log, tmp_path / "run.csv"]
+    run = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                           env={**os.environ, "PYTHONPATH": str(Path(stickslip.__file__).parents[1])})
+    with open(log, "wb"):  # it has begun to read when the other end can be opened
+        run.send_signal(signal.SIGINT)
+        said = run.communicate()[1]
+    assert run.returncode == 3 and said == "interrupted before the record was complete: nothing is written\n"
+    assert not (tmp_path / "run.csv").exists()

@@ -1,26 +1,34 @@
 #!/usr/bin/env python3
 """Nothing broken in silence: a disk that fills up at any write of any verb, an output that nobody can take, Ctrl-C at any instant.
 
-Disk: a verb runs once with room; then on disks that are too small by a random amount it must end by itself with a code of its own and
-words that say so, and leave no file that is neither whole nor, while it was being written, under another name: JSON that is there can be
-read. Output: the same with standard output on /dev/full. Ctrl-C: SIGINT at a random instant must end it with code 3 and the word
-"interrupted", or with the code of an undisturbed run where that had come first; JSON that is there can be read.
+A verb runs once undisturbed; then, each time with the chance of a seed,
+room     the disk of its output is too small by a random amount, or (one in two) so are its temporary files;
+size     no file may be longer than a random number of bytes (RLIMIT_FSIZE, as a quota or a batch system sets it);
+locked   its output may not be written (a disk mounted read-only).
+It must end by itself with code 2 or 3 and words that say why, and leave no file that is neither whole nor under another name.
+output   standard output on /dev/full, and closed: the same.
+words    standard error on /dev/full, and closed: code, output and files are those of the undisturbed run.
+Ctrl-C   SIGINT or SIGTERM at a random instant, to the program or as a terminal sends it to all of its processes: code 3 and the word
+         "interrupted", or the code of the undisturbed run where that had come first; JSON that is there can be read, and no process is
+         left behind.
 
 Prints figures and FINDING lines. Run: silence.py STICKSLIP [TRIES] [SEED] [VERB...], as root (it mounts small disks in a namespace of its
 own; code 77 where it may not)."""
 import collections
 import ctypes
 import json
-import math
+import os
 import pathlib
 import random
 import re
-import shutil
+import resource
 import signal
 import subprocess
 import sys
 import tempfile
 import time
+
+from silence_verbs import TESTS, inputs, verbs
 
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 TRIES = int(sys.argv[2]) if len(sys.argv) > 2 else 3
@@ -28,63 +36,15 @@ SEED = int(sys.argv[3]) if len(sys.argv) > 3 else 20261124
 ONLY = sys.argv[4:]
 ROOM_KIB = 65_536
 LONGEST = 300
-SPACE = re.compile("no space|free|make room", re.IGNORECASE)
-EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
-CORPUS = pathlib.Path(__file__).resolve().parents[1] / "fuzz/corpus"
-CLONE_NEWNS, MS_REC, MS_PRIVATE = 0x20000, 0x4000, 0x40000
-
-REFERENCE = "time,reference_position\n" + "".join(f"{k * 1e-3:.4f},{5e-3 * (1 - math.cos(2e-3 * k)):.9f}\n" for k in range(6000))
-SMALL_SPEC = """joint = "joint.toml"
-[axes]
-"control.k_p" = { from = 1e4, to = 1e6, points = 40, scale = "log" }
-"control.V0" = { from = 1e-4, to = 1e-2, points = 30, scale = "log" }
-[design]
-"control.k_p" = 6e4
-[nonlinear]
-enabled = true
-"""
-
-
-def inputs(folder):
-    def run(*words):
-        subprocess.run([PROGRAM, *words], cwd=folder, check=True, capture_output=True)
-    shutil.copy(EXAMPLES / "02-ball-screw/joint-with-memory.toml", folder / "joint.toml")
-    shutil.copy(CORPUS / "robot/arm.urdf", folder / "arm.urdf")
-    (folder / "spec.toml").write_text(SMALL_SPEC)
-    (folder / "motion.csv").write_text(REFERENCE)
-    run("new", "joint", "--from", "joint.toml", "--plain", "--set", "control.period=1e-3", "--set",
-        "control.velocity_estimate.form=exact", "-o", "loop.toml")
-    run("simulate", "loop.toml", "--reference", "motion.csv", "-o", "driven")
-    shutil.copy(folder / "driven/record.csv", folder / "record.csv")
-    run("sweep", "spec.toml", "-o", "swept", "--no-report", "--keep-journal")
-    run("diagnose", "loop.toml", "record.csv", "-o", "diagnosed")
-
-
-def verbs():
-    """Name: its words, OUT for where it writes."""
-    k_p = "--along", "control.k_p=1e3..1e6"
-    return {
-        "sweep": ["sweep", "spec.toml", "-o", "OUT"],
-        "boundary": ["boundary", "joint.toml", *k_p, "--along", "control.V0=1e-4..1e-2", "-o", "OUT"],
-        "boundary-fold": ["boundary", "joint.toml", *k_p, "--kind", "fold", "-o", "OUT"],
-        "design": ["design", str(EXAMPLES / "04-design/spec.toml"), "-o", "OUT"],
-        "margins": ["margins", "joint.toml", "-o", "OUT"],
-        "check": ["check", str(EXAMPLES / "02-ball-screw/spec-with-memory.toml"), str(EXAMPLES / "02-ball-screw/baseline.json"), "-o", "OUT"],
-        "evaluate": ["evaluate", "joint.toml", "-o", "OUT"],
-        "figures": ["figures", "-o", "OUT"],
-        "merge": ["merge", "swept", "-o", "OUT"],
-        "report": ["report", "swept", "swept", "-o", "OUT"],
-        "simulate": ["simulate", "joint.toml", "-o", "OUT"],
-        "record": ["simulate", "loop.toml", "--reference", "motion.csv", "-o", "OUT"],
-        "new": ["new", "joint", "-o", "OUT"],
-        "import": ["import", "arm.urdf", "--joint", "elbow", "-o", "OUT"],
-        "export": ["export", "joint.toml", "--to", "mjcf"],
-        "diagnose": ["diagnose", "loop.toml", "record.csv", "-o", "OUT"],
-        "compare": ["compare", "diagnosed", "diagnosed", "-o", "OUT"],
-        "timeline": ["timeline", "diagnosed", "-o", "OUT"],
-        "plan": ["plan", "loop.toml", "motion.csv", "-o", "OUT"],
-        "list": ["list", "keys"],
-    }
+REFUSED = (2, 3)
+ANSWERED = (0, 1, 4)
+SPACE = re.compile("no space|free|make room|too large|read-only|permission|bad file descriptor", re.IGNORECASE)
+PASSING = re.compile(r"\.part$|\.partial$|\.probe$|\.journal$|\.lock$|\.\d+$")  # names of what is being written, or is a journal
+RUN = re.compile(r"run\.(\d+\.)?json$")  # has times
+KEEP_ANSWERS = ("calibrate", "blind")  # they write what is answered case by case, each time a whole file
+CLONE_NEWNS, MS_RDONLY, MS_REMOUNT, MS_REC, MS_PRIVATE = 0x20000, 1, 32, 0x4000, 0x40000
+ENVIRONMENT = {**os.environ, "PATH": f"{pathlib.Path(sys.executable).parent}:{os.environ.get('PATH', '')}", "PYTHONPATH": str(TESTS.parent / "python"),
+               "PYTHONDONTWRITEBYTECODE": "1"}
 
 
 class Disk:
@@ -111,8 +71,47 @@ class Findings:
         print(f"FINDING {verb}: {what}: {said.strip()[-300:]}", flush=True)
 
 
-def words_for(words, out):
-    return [str(PROGRAM), *(str(out) if w == "OUT" else w for w in words)]
+class Verb:
+    """One verb with what its undisturbed run left."""
+
+    def __init__(self, name, words, folder, findings):
+        self.name, self.words, self.folder, self.findings = name, words, folder, findings
+        self.writes = any("OUT" in word for word in words)
+        with Disk(ROOM_KIB) as disk:
+            begin = time.monotonic()
+            self.whole = self.run(disk)
+            self.seconds = time.monotonic() - begin
+            self.need = used_kib(disk)
+            self.sizes = sizes_of(disk)
+        if self.whole.returncode not in ANSWERED:
+            self.find(f"undisturbed: code {self.whole.returncode}", self.whole.stderr)
+
+    def command(self, disk):
+        return [str(PROGRAM), *(word.replace("OUT", str(disk / "out")) for word in self.words)]
+
+    def run(self, disk, **how):
+        how = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "env": ENVIRONMENT, **how}
+        return subprocess.run(self.command(disk), cwd=self.folder, text=True, timeout=LONGEST, **how)
+
+    def find(self, what, said=""):
+        self.findings.add(self.name, what, said or "")
+
+    def judge_refusal(self, what, done, disk):
+        """Of a run that could not write all of its answer."""
+        if done.returncode not in REFUSED:
+            self.find(f"{what}: code {done.returncode}", done.stderr)
+        elif not SPACE.search(done.stderr or ""):
+            self.find(f"{what}: said without the reason", done.stderr)
+        elif "Traceback" in done.stderr:
+            self.find(f"{what}: a traceback", done.stderr)
+        self.judge_files(what, disk)
+
+    def judge_files(self, what, disk):
+        if broken := unreadable(disk):
+            self.find(f"{what}: left {broken}")
+        for file, size in sizes_of(disk).items():
+            if size < self.sizes.get(file, 0) and not (RUN.search(file) or self.name in KEEP_ANSWERS):
+                self.find(f"{what}: left {file} with {size} of {self.sizes[file]} bytes")
 
 
 def unreadable(folder):
@@ -126,47 +125,84 @@ def unreadable(folder):
     return broken
 
 
+def sizes_of(folder):
+    return {str(file.relative_to(folder)): file.stat().st_size for file in folder.rglob("*")
+            if file.is_file() and not PASSING.search(file.name)}
+
+
 def used_kib(folder):
     return int(subprocess.run(["df", "--output=used", "-k", folder], capture_output=True, text=True, check=True).stdout.split()[-1])
 
 
-def fill(verb, words, folder, rng, findings):
-    """Disks with less room than the verb needs. Returns how many were tried."""
-    if "OUT" not in words:
+def rooms(verb, rng):
+    """Disks with less room than the verb needs, for its output or for its temporary files. Returns how many were tried."""
+    tried = 0
+    for attempt in range(TRIES):
+        kib = 4 * rng.randint(1, max(1, verb.need // 4 - 1))
+        if attempt % 2:  # nothing else tells how much of them there is
+            with Disk(4 * rng.randint(1, 8)) as small, Disk(ROOM_KIB) as disk:
+                done = verb.run(disk, env={**ENVIRONMENT, "TMPDIR": str(small)})
+                if done.returncode != verb.whole.returncode or set(sizes_of(disk)) != set(verb.sizes):
+                    verb.judge_refusal("no room for temporary files", done, disk)
+                if left := [file.name for file in small.iterdir()]:
+                    verb.find(f"no room for temporary files: left {left}")
+        elif verb.writes and kib < verb.need:
+            with Disk(kib) as disk:
+                verb.judge_refusal(f"{kib} of {verb.need} KiB", verb.run(disk), disk)
+        tried += 1
+    return tried
+
+
+def sizes(verb, rng):
+    """Files that may not grow beyond a random size."""
+    longest = max(verb.sizes.values(), default=0)
+    tries = TRIES if longest > 1 else 0
+    for _ in range(tries):
+        most = rng.randint(1, longest - 1) if rng.random() < 0.5 else int(longest ** rng.random())
+        with Disk(ROOM_KIB) as disk:
+            done = verb.run(disk, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (most, most)))
+            verb.judge_refusal(f"files of {most} of {longest} bytes at most", done, disk)
+    return tries
+
+
+def locked(verb, libc):
+    if not verb.writes:
         return 0
     with Disk(ROOM_KIB) as disk:
-        whole = subprocess.run(words_for(words, disk / "out"), cwd=folder, capture_output=True, text=True, timeout=LONGEST)
-        need = used_kib(disk)
-    if whole.returncode not in (0, 1, 4):
-        findings.add(verb, f"undisturbed: code {whole.returncode}", whole.stderr)
+        libc.mount(b"none", str(disk).encode(), None, MS_REMOUNT | MS_RDONLY, None)
+        verb.judge_refusal("read-only", verb.run(disk), disk)
+    return 1
+
+
+def outputs(verb):
+    """Standard output that takes nothing."""
+    if not verb.whole.stdout:
         return 0
-    for _ in range(TRIES):
-        kib = 4 * rng.randint(1, max(1, need // 4 - 1))
-        if kib >= need:
-            continue
-        with Disk(kib) as disk:
-            done = subprocess.run(words_for(words, disk / "out"), cwd=folder, capture_output=True, text=True, timeout=LONGEST)
-            if done.returncode in (0, 1, 4) or done.returncode < 0:
-                findings.add(verb, f"{kib} of {need} KiB: code {done.returncode}", done.stderr)
-            elif not SPACE.search(done.stderr):
-                findings.add(verb, f"{kib} of {need} KiB: said without the word", done.stderr)
-            if broken := unreadable(disk):
-                findings.add(verb, f"{kib} of {need} KiB: left {broken}")
-    return TRIES
+    for what in ("/dev/full", "closed"):
+        with Disk(ROOM_KIB) as disk, open("/dev/full", "wb") as full:
+            how = {"stdout": full} if what == "/dev/full" else {"stdout": None, "preexec_fn": lambda: os.close(1)}
+            verb.judge_refusal(f"standard output {what}", verb.run(disk, **how), disk)
+    return 2
 
 
-def full_output(verb, words, folder, findings):
-    with Disk(ROOM_KIB) as disk, open("/dev/full", "wb") as full:
-        done = subprocess.run(words_for(words, disk / "out"), cwd=folder, stdout=full, stderr=subprocess.PIPE, text=True,
-                              timeout=LONGEST)
-        plain = subprocess.run(words_for(words, disk / "again"), cwd=folder, capture_output=True, text=True, timeout=LONGEST)
-    if plain.stdout and (done.returncode in (0, 1, 4) or done.returncode < 0 or not SPACE.search(done.stderr)):
-        findings.add(verb, f"/dev/full: code {done.returncode}", done.stderr)
+def unheard_words(verb):
+    """Standard error that takes nothing."""
+    for what in ("/dev/full", "closed"):
+        with Disk(ROOM_KIB) as disk, open("/dev/full", "wb") as full:
+            how = {"stderr": full} if what == "/dev/full" else {"stderr": None, "preexec_fn": lambda: os.close(2)}
+            done = verb.run(disk, **how)
+            if done.returncode != verb.whole.returncode:
+                verb.find(f"standard error {what}: code {done.returncode}, not {verb.whole.returncode}", done.stdout)
+            verb.judge_files(f"standard error {what}", disk)
+            if set(sizes_of(disk)) != set(verb.sizes):
+                verb.find(f"standard error {what}: files {sorted(set(sizes_of(disk)) ^ set(verb.sizes))}")
+    return 2
 
 
-def started(words, folder):
+def started(command, folder):
     """A run whose first line has been reached: until then, while the program is loaded, SIGINT is the system's."""
-    run = subprocess.Popen(words, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    run = subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=ENVIRONMENT,
+                           start_new_session=True)
     while run.poll() is None:
         try:
             caught = re.search(r"SigCgt:\s*([0-9a-f]+)", pathlib.Path(f"/proc/{run.pid}/status").read_text())
@@ -178,34 +214,54 @@ def started(words, folder):
     return run
 
 
-def interrupt(verb, words, folder, rng, findings):
-    """SIGINT at random instants. Returns how many ended by it."""
-    with Disk(ROOM_KIB) as disk:
-        run = started(words_for(words, disk / "out"), folder)
-        begin = time.monotonic()
-        run.communicate(timeout=LONGEST)
-        code, takes = run.returncode, time.monotonic() - begin
+def left_behind(session):
+    """Processes of a session whose leader has ended."""
+    left = []
+    for stat in pathlib.Path("/proc").glob("[0-9]*/stat"):
+        try:
+            fields = stat.read_text().rpartition(")")[2].split()
+        except OSError:
+            continue
+        if int(fields[3]) == session and fields[0] != "Z":
+            left.append(int(stat.parent.name))
+    return left
+
+
+def interrupt(verb, rng):
+    """SIGINT or SIGTERM at random instants. Returns how many ended by it."""
     ended = 0
-    for _ in range(TRIES):
-        with Disk(ROOM_KIB) as disk:
-            victim = started(words_for(words, disk / "out"), folder)
-            at = rng.uniform(0, takes)
+    for attempt in range(TRIES):
+        with Disk(ROOM_KIB) as disk, Disk(ROOM_KIB) as temporary:
+            ENVIRONMENT["TMPDIR"] = str(temporary)
+            victim = started(verb.command(disk), verb.folder)
+            del ENVIRONMENT["TMPDIR"]
+            at, by, all_of_it = rng.uniform(0, verb.seconds), rng.choice((signal.SIGINT, signal.SIGTERM)), attempt % 2
+            what = f"{by.name}{' to all' if all_of_it else ''} after {at:.3f} of {verb.seconds:.3f} s"
             time.sleep(at)
-            victim.send_signal(signal.SIGINT)
+            begin = time.monotonic()
+            if victim.poll() is None:
+                (os.killpg if all_of_it else os.kill)(victim.pid, by)
             try:
-                said = victim.communicate(timeout=LONGEST)[1]
+                out, said = victim.communicate(timeout=LONGEST)
             except subprocess.TimeoutExpired:
-                victim.kill()
-                said = victim.communicate()[1]
-                findings.add(verb, f"SIGINT after {at:.3f} s is not heard", said)
+                os.killpg(victim.pid, signal.SIGKILL)
+                verb.find(f"{what} is not heard", victim.communicate()[1])
                 continue
+            took = time.monotonic() - begin
             ended += victim.returncode == 3
-            if victim.returncode not in (3, code):
-                findings.add(verb, f"SIGINT after {at:.3f} of {takes:.3f} s: code {victim.returncode}", said)
-            elif victim.returncode == 3 and "interrupted" not in said.lower():
-                findings.add(verb, f"SIGINT after {at:.3f} s: 3 without the word", said)
+            if victim.returncode not in (3, verb.whole.returncode):
+                verb.find(f"{what}: code {victim.returncode}", said)
+            elif victim.returncode == 3 and ("interrupted" not in (out + said).lower() or "Traceback" in said):
+                verb.find(f"{what}: 3 without the word", said)
+            elif victim.returncode == 3 and took > 10:
+                verb.find(f"{what}: heard after {took:.0f} s only", said)
             if broken := unreadable(disk):
-                findings.add(verb, f"SIGINT after {at:.3f} s: left {broken}")
+                verb.find(f"{what}: left {broken}")
+            if left := left_behind(victim.pid):
+                verb.find(f"{what}: left processes behind: {left}")
+                os.killpg(victim.pid, signal.SIGKILL)
+            if left := [file.name for file in temporary.iterdir()]:
+                verb.find(f"{what}: left temporary files: {left}")
     return ended
 
 
@@ -214,20 +270,21 @@ def main():
     if libc.unshare(CLONE_NEWNS) != 0 or libc.mount(b"none", b"/", None, MS_REC | MS_PRIVATE, None) != 0:
         print("skipped: no right to mount a small disk")
         return 77
-    rng, findings, disks, outputs, heard = random.Random(SEED), Findings(), 0, 0, 0
+    findings, disks, streams, heard = Findings(), 0, 0, 0
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        inputs(folder)
-        for verb, words in verbs().items():
-            if ONLY and verb not in ONLY:
+        inputs(PROGRAM, folder)
+        for name, words in verbs().items():
+            if ONLY and name not in ONLY:
                 continue
-            disks += fill(verb, words, folder, rng, findings)
-            full_output(verb, words, folder, findings)
-            outputs += 1
-            ended = interrupt(verb, words, folder, rng, findings)
+            rng = random.Random(f"{SEED} {name}")  # the same faults where a verb runs alone
+            verb = Verb(name, words, folder, findings)
+            disks += rooms(verb, rng) + sizes(verb, rng) + locked(verb, libc)
+            streams += outputs(verb) + unheard_words(verb)
+            ended = interrupt(verb, rng)
             heard += ended
-            print(f"{verb}: {ended} of {TRIES} instants ended it with code 3, findings {findings.count[verb]}", flush=True)
-    print(f"silence: {disks} full disks, {outputs} outputs that nobody takes, {heard} interruptions heard, "
+            print(f"{name}: {ended} of {TRIES} instants ended it with code 3, findings {findings.count[name]}", flush=True)
+    print(f"silence: {disks} full disks, {streams} outputs that nobody takes, {heard} interruptions heard, "
           f"findings: {sum(findings.count.values())}")
     return 1 if findings.count else 0
 

@@ -7,47 +7,95 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
+#include <sstream>
+#include <system_error>
 
 extern char** environ;
 
 namespace stickslip {
 namespace {
 
-/// Runs a program with its error output in a file; its exit code, or 128 + the signal that ended it.
-int run(std::vector<std::string> words, const std::string& errors)
+std::vector<std::string> lines_of(const std::string& text)
 {
-    std::vector<char*> arguments;
-    for (auto& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    pid_t child = 0;
-    const int failed = posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (failed)
-        throw BadInput(words[0] + " cannot be started (" + std::strerror(failed) +
-                       "); logs other than CSV need it with the Python package of stickslip");
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-    constexpr int by_signal = 128;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : by_signal + WTERMSIG(status);
-}
-
-std::vector<std::string> lines_of(const std::filesystem::path& file)
-{
-    std::ifstream in(file);
+    std::istringstream in(text);
     std::vector<std::string> lines;
     for (std::string line; std::getline(in, line);)
         if (!line.empty()) lines.push_back(line);
     return lines;
 }
+
+std::system_error system_failure(const char* what)
+{
+    return {errno, std::generic_category(), what};
+}
+
+/// Reads until everybody has closed the other end; an interrupt meanwhile goes to the child.
+std::string read_all(int end, pid_t child)
+{
+    std::string text;
+    std::array<char, 4096> buffer{};
+    for (;;) {
+        const ssize_t got = read(end, buffer.data(), buffer.size());
+        if (got < 0 && errno == EINTR)
+            kill(child, SIGINT);
+        else if (got <= 0)
+            return text;
+        else
+            text.append(buffer.data(), static_cast<std::size_t>(got));
+    }
+}
+
+/// Where a child's streams go, and that an interrupt waits until it has loaded what hears it.
+class Spawning {
+  public:
+    Spawning()
+    {
+        posix_spawn_file_actions_init(&files_);
+        posix_spawnattr_init(&attributes_);
+        sigset_t blocked;
+        sigemptyset(&blocked);
+        sigaddset(&blocked, SIGINT), sigaddset(&blocked, SIGTERM);
+        posix_spawnattr_setsigmask(&attributes_, &blocked);
+        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK);
+        posix_spawn_file_actions_addopen(&files_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    }
+    ~Spawning()
+    {
+        posix_spawn_file_actions_destroy(&files_);
+        posix_spawnattr_destroy(&attributes_);
+    }
+    Spawning(const Spawning&) = delete;
+    Spawning& operator=(const Spawning&) = delete;
+
+    void words_to(int end)
+    {
+        posix_spawn_file_actions_addopen(&files_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+        posix_spawn_file_actions_adddup2(&files_, end, STDERR_FILENO);
+    }
+
+    /// Throws BadInput where there is no such program.
+    pid_t start(std::vector<std::string> words) const
+    {
+        std::vector<char*> arguments;
+        for (auto& word : words) arguments.push_back(word.data());
+        arguments.push_back(nullptr);
+        pid_t child = 0;
+        const int failed = posix_spawnp(&child, arguments[0], &files_, &attributes_, arguments.data(), environ);
+        if (failed)
+            throw BadInput(words[0] + " cannot be started (" + std::strerror(failed) +
+                           "); logs other than CSV need it with the Python package of stickslip");
+        return child;
+    }
+
+  private:
+    posix_spawn_file_actions_t files_;
+    posix_spawnattr_t attributes_;
+};
 
 std::filesystem::path own_folder()
 {
@@ -74,13 +122,39 @@ std::vector<std::string> conversion_command(const std::string& log, const std::s
     return words;
 }
 
+int run_conversion(std::vector<std::string> words, std::string* said)
+{
+    Spawning spawning;
+    int ends[2] = {-1, -1};
+    if (said) {
+        if (pipe2(ends, O_CLOEXEC) != 0) throw system_failure("cannot make a pipe");
+        spawning.words_to(ends[1]);
+    }
+    pid_t child = 0;
+    try {
+        child = spawning.start(std::move(words));
+    } catch (...) {
+        for (const int end : ends) close(end);
+        throw;
+    }
+    if (said) {
+        close(ends[1]);
+        *said = read_all(ends[0], child);
+        close(ends[0]);
+    }
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) kill(child, SIGINT);
+    constexpr int by_signal = 128;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : by_signal + WTERMSIG(status);
+}
+
 ForeignLog::ForeignLog(const std::filesystem::path& log, const std::string& joint, const LogOptions& options)
     : log_(log), folder_(own_folder()), table_(folder_ / (name_of_log(log) + ".csv"))
 {
     try {
-        const auto errors = folder_ / "errors";
-        const int code = run(conversion_command(log.string(), table_.string(), joint, options), errors.string());
-        auto lines = lines_of(errors);
+        std::string said;
+        const int code = run_conversion(conversion_command(log.string(), table_.string(), joint, options), &said);
+        auto lines = lines_of(said);
         if (code != 0) {
             constexpr std::size_t most = 5;  // the end of a traceback says what it is about
             if (lines.empty()) lines.push_back(log.string() + ": reading it ended with " + std::to_string(code));

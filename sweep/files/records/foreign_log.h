@@ -12,6 +12,11 @@ namespace stickslip {
 std::vector<std::string> conversion_command(const std::string& log, const std::string& table, const std::string& joint,
                                             const LogOptions& options);
 
+/// Runs such a command; its exit code, or 128 + the signal that ended it. What it says goes to `said`, and what it
+/// prints nowhere; without `said` both go where this program's own goes. An interrupt of this program is passed on.
+/// Throws BadInput if there is no Python.
+int run_conversion(std::vector<std::string> words, std::string* said = nullptr);
+
 /// The table of one joint, in a folder that goes with this object.
 class ForeignLog {
   public:

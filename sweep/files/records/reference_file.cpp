@@ -4,9 +4,11 @@
 #include "sweep/files/text/csv.h"
 #include "sweep/files/text/line_stream.h"
 #include "sweep/files/text/series_file.h"
+#include "sweep/files/text/whole_file.h"
 
-#include <fmt/os.h>
+#include <fmt/format.h>
 
+#include <iterator>
 #include <string>
 
 namespace stickslip {
@@ -48,18 +50,21 @@ ReferenceMotion read_reference(const std::filesystem::path& file, Motion motion)
 
 std::filesystem::path write_record(const LoopRecord& r, const std::filesystem::path& directory)
 {
-    std::filesystem::create_directories(directory);
     const auto file = directory / "record.csv";
-    auto out = fmt::output_file(file.string());
     const bool fed = !r.feed_forward.empty();
-    out.print("time,reference_position,reference_velocity,position,velocity,effort_command,effort_measured{}\n",
-              fed ? ",feed_forward" : "");
+    fmt::memory_buffer text;
+    const auto add = [&](auto format, const auto&... values) {
+        fmt::format_to(std::back_inserter(text), format, values...);
+    };
+    add(FMT_STRING("time,reference_position,reference_velocity,position,velocity,effort_command,effort_measured{}\n"),
+        fed ? ",feed_forward" : "");
     for (std::size_t i = 0; i < r.time.size(); ++i) {
-        out.print("{},{},{},{},{},{},{}", r.time[i], r.reference_position[i], r.reference_velocity[i], r.position[i],
-                  r.velocity[i], r.effort_command[i], r.effort_measured[i]);
-        if (fed) out.print(",{}", r.feed_forward[i]);
-        out.print("\n");
+        add(FMT_STRING("{},{},{},{},{},{},{}"), r.time[i], r.reference_position[i], r.reference_velocity[i],
+            r.position[i], r.velocity[i], r.effort_command[i], r.effort_measured[i]);
+        if (fed) add(FMT_STRING(",{}"), r.feed_forward[i]);
+        add(FMT_STRING("\n"));
     }
+    write_whole(file, {text.data(), text.size()});
     return file;
 }
 

@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -41,7 +42,7 @@ struct Options {
 struct Running {
     std::size_t number = 0;
     std::chrono::steady_clock::time_point since = std::chrono::steady_clock::now();
-    bool stopped = false;
+    bool stopped = false, told = false;  ///< that it took too long; that it shall end
 };
 
 std::string read_text(const fs::path& file)
@@ -71,7 +72,7 @@ pid_t start(const fs::path& sealed, const fs::path& scratch, int threads)
     std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string(), "diagnose", "joint.toml"};
     for (const auto& entry : fs::directory_iterator(sealed)) {
         const auto name = entry.path().filename().string();
-        fs::copy(entry.path(), scratch / name);
+        write_whole(scratch / name, read_text(entry.path()));  // fs::copy calls a full disk an error of input or output
         if (name.ends_with(".csv") || name.ends_with(".csv.gz")) words.push_back(name);
     }
     std::sort(words.begin() + 3, words.end());
@@ -97,17 +98,26 @@ Json failed(const std::string& log)
     return {{"verdict", "failed"}, {"effects", Json::array()}, {"log", log}};
 }
 
-/// Waits for a case to end and gives its process; stops those that take too long.
-pid_t next_done(std::map<pid_t, Running>& running, double timeout)
+struct Ended {
+    pid_t process = -1;
+    bool interrupted = false;  ///< what it has written is half an answer or none
+};
+
+/// Waits for a case to end; stops those that take too long, and all of them where somebody asks to stop.
+Ended next_done(std::map<pid_t, Running>& running, double timeout, const std::atomic<bool>& interrupted)
 {
     for (;;) {
         int status = 0;
         const pid_t done = waitpid(-1, &status, WNOHANG);
-        if (done != 0) return done;
+        const bool by_signal = done > 0 && WIFSIGNALED(status) && interrupted;
+        if (done != 0) return {done, by_signal || (WIFEXITED(status) && WEXITSTATUS(status) == exit_interrupted)};
         const auto now = std::chrono::steady_clock::now();
-        for (auto& [pid, one] : running)
+        for (auto& [pid, one] : running) {
+            // a terminal has told them already, a batch system has not
+            if (interrupted && !one.told) one.told = true, kill(pid, SIGINT);
             if (!one.stopped && std::chrono::duration<double>(now - one.since).count() > timeout)
                 one.stopped = true, kill(pid, SIGKILL);
+        }
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
 }
@@ -129,12 +139,24 @@ Json answer_of(const fs::path& scratch)
     return answer;
 }
 
-/// Options of scoring.
-void use_answers(const Options& options, const std::vector<fs::path>& cases, const Json& all)
+using Truths = std::map<std::string, blind::Truth>;
+
+/// Read before the work: what is wrong with the file is said before hours of it.
+Truths truths_of(const Options& options)
+{
+    if (options.truth.empty()) return {};
+    const auto text = read_text(options.truth);
+    try {
+        return blind::parse_truths(text);
+    } catch (const std::exception& e) {
+        throw BadInput(options.truth + ": " + e.what());
+    }
+}
+
+void use_answers(const Options& options, const std::vector<fs::path>& cases, const Json& all, const Truths& truths)
 {
     if (options.truth.empty()) return;
     const auto answers = blind::parse_answers(all.dump());
-    const auto truths = blind::parse_truths(read_text(options.truth));
     const auto score = blind::score(answers, truths);
     fmt::print("{}", blind::score_text(score));
     if (!options.score.empty()) write_whole(options.score, blind::score_json(score) + "\n");
@@ -148,6 +170,7 @@ int run_cases(const Options& options, Invocation& invocation)
     if (!options.calibration.empty() && (options.truth.empty() || options.population.empty()))
         throw BadInput("--calibration: needs --truth, and --population to say how the cases were drawn");
     const auto cases = cases_of(options.directory);
+    const Truths truths = truths_of(options);
     const fs::path root = fs::temp_directory_path() / fmt::format("stickslip-blind-{}", getpid());
     std::map<pid_t, Running> running;
     std::map<std::string, Json> answers;
@@ -166,17 +189,18 @@ int run_cases(const Options& options, Invocation& invocation)
         }
         if (running.empty() && invocation.interrupted) break;
         if (running.empty()) continue;
-        const pid_t done = next_done(running, options.timeout);
+        const auto [done, cut_short] = next_done(running, options.timeout, invocation.interrupted);
         if (done < 0) break;
         const Running one = running.at(done);
         const auto name = cases[one.number].filename().string();
         running.erase(done);
-        answers[name] =
-            one.stopped ? failed(fmt::format("stopped after {} s", options.timeout)) : answer_of(root / name);
+        if (cut_short && invocation.interrupted) continue;
+        answers[name] = one.stopped ? failed(fmt::format("stopped after {} s", options.timeout))
+                        : cut_short ? failed("its process was interrupted")
+                                    : answer_of(root / name);
         say("{:>4}/{}  {}  {}  {}\n", answers.size(), cases.size(), name, answers[name]["verdict"].get<std::string>(),
             answers[name]["effects"].empty() ? "" : answers[name]["effects"][0].dump());
         fs::remove_all(root / name);
-        if (invocation.interrupted && running.empty()) break;
     }
     fs::remove_all(root);
     Json all = Json::object();
@@ -187,8 +211,11 @@ int run_cases(const Options& options, Invocation& invocation)
     for (const auto& [name, answer] : answers)
         if (answer["verdict"] == "failed") say("{} failed: {}\n", name, answer.value("log", std::string("no log")));
     fmt::print("answers: {}\n", file.string());
-    if (answers.size() < cases.size()) return exit_interrupted;
-    use_answers(options, cases, all);
+    if (answers.size() < cases.size()) {
+        say("interrupted: {} of {} cases were answered; the others are left out\n", answers.size(), cases.size());
+        return exit_interrupted;
+    }
+    use_answers(options, cases, all, truths);
     return exit_done;
 }
 

@@ -172,6 +172,8 @@ int run(const Options& options, const Invocation& invocation)
     }
     tell_reached(calibration);
     fmt::print("calibration: {}\n", options.output);
+    if (invocation.interrupted)
+        say("interrupted: {} answered cases are kept; the same command goes on\n", calibration.cases.size());
     return invocation.interrupted ? exit_interrupted : exit_done;
 }
 

@@ -3,17 +3,10 @@
 #include "sweep/files/records/foreign_log.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/log_options.h"
-#include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/verbs.h"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace stickslip {
 namespace {
@@ -23,16 +16,12 @@ struct Options {
     LogOptions how;
 };
 
-int convert(const Options& options)
+int convert(const Options& options, const Invocation& invocation)
 {
-    auto words = conversion_command(options.log, options.csv, options.joint, options.how);
-    std::vector<char*> arguments;
-    for (auto& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    execvp("python3", arguments.data());
-    say("stickslip convert: python3 cannot be started ({}); install it with the Python package of stickslip\n",
-        std::strerror(errno));
-    return exit_bad_input;
+    const int code = run_conversion(conversion_command(options.log, options.csv, options.joint, options.how));
+    if (invocation.interrupted && code != exit_done) return exit_interrupted;
+    // Python's own codes say that there is no such package, or that a reader failed
+    return code == exit_done || code == exit_interrupted ? code : exit_bad_input;
 }
 
 }  // namespace
@@ -48,8 +37,12 @@ void add_convert(CLI::App& app, Invocation& invocation)
     add_log_options(*verb, options->how);
     verb->footer(
         "Example: stickslip convert run.mcap run.csv --joint elbow --command /position_commands\n"
-        "Needs the Python package of stickslip (python3 -m stickslip.convert is the same).");
-    verb->callback([options, &invocation] { invocation.exit_code = convert(*options); });
+        "Needs the Python package of stickslip (python3 -m stickslip.convert is the same).\n"
+        "Exit codes: 0 done, 2 bad input, 3 interrupted: nothing is written.");
+    verb->callback([options, &invocation] {
+        catch_interrupts(invocation);
+        invocation.exit_code = convert(*options, invocation);
+    });
 }
 
 }  // namespace stickslip

@@ -132,7 +132,10 @@ int diagnose_robot(const RobotQuestion& question, const Invocation& invocation)
             answer.joints.back() = {joints[i].name, joints[i].file.string()};
         say_outcome(answer.joints.back(), question);
     }
-    answer.interrupted = invocation.interrupted;
+    // an interruption that comes when all are answered takes nothing from them
+    answer.interrupted = std::ranges::any_of(answer.joints, [](const JointOutcome& joint) {
+        return joint.status == Status::not_reached || joint.diagnosis.interrupted;
+    });
     const auto json = robot_json(answer, !question.no_report).dump(2) + "\n";
     write_whole(directory / "robot.json", json);
     const std::vector<std::pair<std::string, std::string>> provenance{{"version", program_version()},

@@ -24,8 +24,10 @@
 #include "sweep/report/pages/linear_report.h"
 #include "sweep/report/pages/load_section.h"
 #include "sweep/report/pages/write_report.h"
+#include "sweep/study/open_verdict.h"
 #include "sweep/words/integral_text.h"
 #include "sweep/words/neighbour_text.h"
+#include "sweep/words/open_text.h"
 #include "sweep/words/set_point_text.h"
 #include "sweep/words/verdict_text.h"
 
@@ -47,7 +49,7 @@ struct Options {
     bool json = false, ideal_loop = false;
 };
 
-/// The motion under the given disturbance, where there is one and the joint slides.
+/// The motion under the given disturbance, if any.
 std::optional<DisturbedMotion> disturbed(const Joint& joint, const AskedDisturbance& force)
 {
     if (force.kind.empty()) return std::nullopt;
@@ -72,8 +74,7 @@ nlohmann::ordered_json forced_json(const AskedDisturbance& asked, const Disturbe
             {"final", motion.memory.position.back()}};
 }
 
-/// What it does at a set point: computed for a loop that integrates or has something against dry friction there, and of
-/// one whose set point is all that is commanded.
+/// At a set point: of a loop that integrates or has something against dry friction there, and where that is commanded.
 std::optional<SetPoint> resting(const Joint& joint)
 {
     const auto& c = joint.control;
@@ -102,6 +103,8 @@ struct Evaluated {
     std::string servo;
 
     bool decided() const { return verdict.steady.reason == Reason::none; }
+    bool open() const { return decided() && is_open(nonlinear); }
+    bool answered() const { return only_rest() ? rest->hunting != Hunting::undecided : decided() && !open(); }
     bool only_rest() const { return rest && (joint.control.V0 == 0 || (!is_set(joint.control.V0) && !decided())); }
     Motion units() const { return joint.mechanism.motion; }
 };
@@ -151,6 +154,7 @@ std::filesystem::path write_page(const Evaluated& e, const Options& options, con
     if (e.only_rest()) report.verdict = set_point_text(*e.rest, e.units());
     if (e.rest) report.sections.insert(report.sections.end() - 1, set_point_section(*e.rest, e.units()));
     if (e.loads) report.sections.insert(report.sections.end() - 1, load_section(e.joint, *e.loads));
+    if (e.open()) report.alerts.push_back({Headline::Tone::warning, open_text(e.nonlinear)});
     for (const auto& mode : e.near) report.alerts.push_back(near_mode_alert(mode, e.units()));
     if (e.integral)
         report.alerts.push_back({e.integral->with > 0 ? Headline::Tone::neutral : Headline::Tone::warning,
@@ -160,7 +164,7 @@ std::filesystem::path write_page(const Evaluated& e, const Options& options, con
 
 nlohmann::ordered_json evaluate_json(const Evaluated& e, const AskedDisturbance& force)
 {
-    nlohmann::ordered_json json = {{"format", "stickslip-evaluate/1"}};
+    nlohmann::ordered_json json = {{"format", "stickslip-evaluate/1"}, {"decided", e.answered()}};
     json.update(verdict_json(e.verdict));
     if (e.decided()) json["linear"].update(study_json(e.summed, *e.study));
     if (e.motion) json["linear"]["forced"] = forced_json(force, *e.motion);
@@ -184,6 +188,7 @@ void print_text(const Evaluated& e)
     if (e.rest) fmt::print("{}\n", plain_text(set_point_text(*e.rest, e.units())));
     if (e.rest) print_rows(set_point_table(*e.rest, e.units()));
     if (!e.only_rest()) {
+        if (e.open()) fmt::print("{}\n", plain_text(open_text(e.nonlinear)));
         fmt::print("{}\n", plain_text(verdict_text(e.summed, e.verdict)));
         print_rows(linear_table(e.summed, e.verdict));
         print_rows(nonlinear_table(e.joint, e.nonlinear));
@@ -209,11 +214,7 @@ int evaluate(const Options& options, const Invocation& invocation)
         print_text(e);
         if (!page.empty()) fmt::print("report:  {}\n", page.string());
     }
-    if (e.only_rest()) return e.rest->hunting == Hunting::undecided ? exit_undecided : exit_done;
-    const auto& n = e.nonlinear;
-    const bool half = n.outcome == Outcome::stable_sliding && n.region == NonlinearRegion::undecided;
-    const bool failed = n.outcome == Outcome::undecided || n.outcome == Outcome::solver_failure || half;
-    return e.decided() && !failed ? exit_done : exit_undecided;
+    return e.answered() ? exit_done : exit_undecided;
 }
 
 }  // namespace

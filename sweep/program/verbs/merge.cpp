@@ -1,8 +1,10 @@
 // stickslip merge: journals of shards become one results.nc.
 #include "sweep/engine/merge.h"
 #include "analysis/results/text.h"
+#include "sweep/engine/netcdf_file.h"
 #include "sweep/engine/run_directory.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/verbs.h"
 
 #include <fmt/format.h>
@@ -23,10 +25,15 @@ int merge_journals(const Options& options)
     const std::vector<std::filesystem::path> directories(options.directories.begin(), options.directories.end());
     const std::filesystem::path results =
         options.results.empty() ? directories.front() / run_files::results : std::filesystem::path(options.results);
-    if (const auto merged = merge(directories, results, options.keep_journal))
-        fmt::print("{} merged in {:.2f} s\n", counted(merged->points, "point"), merged->seconds);
-    else
-        fmt::print("merged before: the results are whole\n");
+    try {
+        if (const auto merged = merge(directories, results, options.keep_journal))
+            fmt::print("{} merged in {:.2f} s\n", counted(merged->points, "point"), merged->seconds);
+        else
+            fmt::print("merged before: the results are whole\n");
+    } catch (const NetcdfError& e) {
+        say("stickslip: {}\nThe journals are safe: free some space and run the same command again.\n", e.what());
+        return exit_interrupted;
+    }
     fmt::print("results: {}\n", results.string());
     return exit_done;
 }

@@ -52,7 +52,7 @@ int end_early(const RunReport& run, const std::string& directory)
         say("stickslip: {}\nThe journal is safe: free some space and run the same command again.\n", run.message);
         return exit_interrupted;
     }
-    say("stopped after {} points; the same command continues from there (journals in {})\n", run.computed.points,
+    say("interrupted after {} points; the same command continues from there (journals in {})\n", run.computed.points,
         directory);
     return exit_interrupted;
 }

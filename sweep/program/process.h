@@ -1,0 +1,14 @@
+// What the program asks of the system that runs it.
+#pragma once
+
+namespace stickslip {
+
+/// Standard streams that the caller has closed: their numbers would go to the next files that are opened, and what is
+/// printed into these. They are opened for nothing, so that writing to them fails and is reported.
+void keep_streams();
+
+/// A file that grows beyond a limit (ulimit -f, a quota of a batch system) is reported as a full disk is, instead of
+/// ending the program by a signal.
+void survive_size_limits();
+
+}  // namespace stickslip

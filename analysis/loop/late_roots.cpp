@@ -22,24 +22,40 @@ void sort_by_real_part(std::vector<Complex>& roots)
               [](Complex a, Complex b) { return a.real() != b.real() ? a.real() > b.real() : a.imag() > b.imag(); });
 }
 
-}  // namespace
+/// Whether no root lies further right than this one of the size |s|, by more than what the count resolves: beside slow
+/// roots of fast loops rounding takes its digits.
+bool is_rightmost(const LateLoop& loop, double gain, double real, double size)
+{
+    const OpenedLoop open(loop);
+    for (const double share : {1e-7, 1e-5, 1e-3}) {
+        const double nearest = share * (std::abs(real) + 1e-3 * size);
+        if (const auto right = roots_right_of(open, gain, real + nearest, nearest)) return *right == 0;
+    }
+    return false;
+}
 
-std::vector<Complex> roots(const LateLoop& loop, double gain)
+struct FoundRoots {
+    std::vector<Complex> roots;
+    bool confirmed = true;  ///< none lies right of the first
+};
+
+FoundRoots found_roots(const LateLoop& loop, double gain)
 {
     if (!has_matrix(loop)) {
         if (!loop.A.allFinite()) return {};
         const OpenedLoop open(loop);
         RootSearch search(open, gain);
+        const bool confirmed = search.edge().has_value();  // the lines of look_around() may all lie left of it
         search.look_around();
         auto found = search.all();
         sort_by_real_part(found);
-        return found;
+        return {found, confirmed};
     }
     constexpr int nodes = 32;
     // where dead time is short, its nodes lose the digits of slow roots, and without dead time these are near
     Eigen::VectorXcd starts = eigenvalues_of(loop.A + loop.input * (loop.held - gain * loop.output));
     std::vector<Complex> raw(starts.begin(), starts.end()), found;
-    if (raw.empty()) return found;
+    if (raw.empty()) return {};
     const OpenedLoop open(loop);
     double size = 0;
     for (const Complex& s : raw) size = std::max(size, std::abs(s));
@@ -58,26 +74,25 @@ std::vector<Complex> roots(const LateLoop& loop, double gain)
             };
             if (s && std::none_of(found.begin(), found.end(), same)) found.push_back(*s);
         }
+        sort_by_real_part(found);
+        // Chebyshev nodes over a long dead time miss the fast roots of a stiff mechanism
+        if (found.empty() || !is_rightmost(loop, gain, found.front().real(), std::abs(found.front()))) {
+            const auto edge = rightmost_root(loop, gain);
+            if (!edge) return {found, false};
+            found.push_back(*edge);
+            if (edge->imag() > 0) found.push_back(std::conj(*edge));
+        }
     }
     sort_by_real_part(found);
-    return found;
-}
-
-namespace {
-
-/// Whether no root lies further right than this one of the size |s|, by more than what the count resolves: beside slow
-/// roots of fast loops rounding takes its digits.
-bool is_rightmost(const LateLoop& loop, double gain, double real, double size)
-{
-    const OpenedLoop open(loop);
-    for (const double share : {1e-7, 1e-5, 1e-3}) {
-        const double nearest = share * (std::abs(real) + 1e-3 * size);
-        if (const auto right = roots_right_of(open, gain, real + nearest, nearest)) return *right == 0;
-    }
-    return false;
+    return {found, true};
 }
 
 }  // namespace
+
+std::vector<Complex> roots(const LateLoop& loop, double gain)
+{
+    return found_roots(loop, gain).roots;
+}
 
 std::optional<Complex> rightmost_root(const LateLoop& loop, double gain)
 {
@@ -94,17 +109,11 @@ double late_growth(const LateLoop& loop, double gain)
         if (!edge) return not_set;
         return std::abs(edge->real()) < rounding * std::abs(*edge) ? 0 : edge->real();
     }
-    const auto all = roots(loop, gain);
-    if (all.empty()) return not_set;
+    const auto [all, confirmed] = found_roots(loop, gain);
+    if (all.empty() || !confirmed) return not_set;
     double size = 0;
     for (const auto& s : all) size = std::max(size, std::abs(s));
-    Complex most = all.front();
-    if (loop.delay > 0 && !is_rightmost(loop, gain, most.real(), std::abs(most))) {
-        // Chebyshev nodes over a long dead time miss the fast roots of a stiff mechanism
-        const auto edge = rightmost_root(loop, gain);
-        if (!edge) return not_set;
-        most = *edge;
-    }
+    const Complex most = all.front();
     return std::abs(most.real()) < rounding * (loop.delay > 0 ? std::abs(most) : size) ? 0 : most.real();
 }
 

@@ -141,4 +141,16 @@ inline Dual<Complex> closed_loop(const LinearJoint& j, Complex s)
     return parts.a + Dual<Complex>(j.k_p + j.k_v * s, j.k_v) * parts.b;
 }
 
+/// d log(F Π(s − λ))/ds over the rates λ of all friction states: 1/drift is the step of Newton's method for the roots
+/// of an entire function, which the poles of G neither catch nor repel. Infinite or NaN on a pole or a root.
+inline Complex drift(const LinearJoint& j, Complex s)
+{
+    const auto F = closed_loop(j, s);
+    Complex sum = F.slope / F.value;
+    for (int i = 0; i < j.bodies; ++i)
+        for (int k = 0; k < j.friction[i].states; ++k)
+            if (j.friction[i].weight(k) != 0) sum += 1.0 / (s - j.friction[i].lambda[k]);
+    return sum;
+}
+
 }  // namespace stickslip

@@ -24,17 +24,6 @@ int counted(const Known& roots)
     return sum;
 }
 
-/// d log(F Π(s − λ))/ds: without the poles of G, which would catch Newton's method from the left.
-Complex drift(const LinearJoint& j, Complex s)
-{
-    const auto F = closed_loop(j, s);
-    Complex sum = F.slope / F.value;
-    for (int i = 0; i < j.bodies; ++i)
-        for (int k = 0; k < j.friction[i].states; ++k)
-            if (j.friction[i].weight(k) != 0) sum += 1.0 / (s - j.friction[i].lambda[k]);
-    return sum;
-}
-
 /// Newton's method from `s`, the known roots divided out; then once more with nothing divided out.
 std::optional<Complex> newton(const LinearJoint& j, Complex s, const Known& known)
 {
@@ -55,9 +44,9 @@ std::optional<Complex> newton(const LinearJoint& j, Complex s, const Known& know
     if (!near) return std::nullopt;
     const Complex before = s;
     for (int i = 0; i < 10; ++i) {
-        const auto F = closed_loop(j, s);
-        if (F.value == 0.0) break;
-        const Complex step = F.value / F.slope;
+        if (closed_loop(j, s).value == 0.0) break;
+        const Complex step = 1.0 / drift(j, s);
+        if (std::isnan(std::abs(step))) break;  // on a pole, where a state decays that the motion does not notice
         if (!(std::abs(step) < 10 * close * std::abs(s))) return std::nullopt;
         s -= step;
         if (std::abs(step) < exact * std::abs(s)) break;
@@ -71,7 +60,7 @@ std::optional<Complex> newton(const LinearJoint& j, Complex s, const Known& know
 }
 
 /// The `most` frequencies of a line from which a root is nearest: the phase turns fastest there.
-std::vector<double> starts_of(const LineCount& line, std::size_t most)
+std::vector<double> steepest_of(const LineCount& line, std::size_t most)
 {
     const auto& nodes = line.nodes;
     std::vector<LineCount::Node> peaks;
@@ -82,9 +71,15 @@ std::vector<double> starts_of(const LineCount& line, std::size_t most)
     std::sort(peaks.begin(), peaks.end(), [](const auto& a, const auto& b) { return a.steepness > b.steepness; });
     std::vector<double> starts;
     for (std::size_t i = 0; i < std::min(most, peaks.size()); ++i) starts.push_back(peaks[i].omega);
-    // and, where those do not suffice, evenly from all
-    const std::size_t stride = nodes.size() / most + 1;
-    for (std::size_t i = 0; i < nodes.size(); i += stride) starts.push_back(nodes[i].omega);
+    return starts;
+}
+
+/// Those and, where they do not suffice, others evenly from the whole line.
+std::vector<double> starts_of(const LineCount& line, std::size_t most)
+{
+    auto starts = steepest_of(line, most);
+    const std::size_t stride = line.nodes.size() / most + 1;
+    for (std::size_t i = 0; i < line.nodes.size(); i += stride) starts.push_back(line.nodes[i].omega);
     return starts;
 }
 
@@ -285,6 +280,18 @@ class Edge {
 double late_abscissa(const LinearJoint& joint)
 {
     return Edge(joint).abscissa();
+}
+
+std::vector<Complex> roots_near(const LinearJoint& joint, const LineCount& line, std::size_t most,
+                                const std::vector<Complex>& expected)
+{
+    Known found;
+    const auto take = [&](Complex start) {
+        if (const auto root = newton(joint, start, found)) found.push_back(*root);
+    };
+    for (const Complex& s : expected) take(s);
+    for (const double omega : steepest_of(line, most)) take({line.sigma, omega});
+    return found;
 }
 
 std::vector<Complex> rightmost_roots(const LinearJoint& joint)

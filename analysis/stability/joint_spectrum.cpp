@@ -12,13 +12,13 @@
 namespace stickslip {
 namespace {
 
-/// Newton on F itself. Keeps the start if it does not stay near.
+/// Newton's method on F. Keeps the start if it does not stay near, and stays on a pole of G, where a state decays that
+/// the motion does not notice.
 Complex polished(const LinearJoint& j, Complex start)
 {
     Complex s = start;
     for (int i = 0; i < 4; ++i) {
-        const auto F = closed_loop(j, s);
-        const Complex step = F.value / F.slope;
+        const Complex step = 1.0 / drift(j, s);
         if (!(std::abs(step) < 1e-4 * std::abs(s))) break;
         s -= step;
         if (std::abs(step) < 1e-15 * std::abs(s)) break;

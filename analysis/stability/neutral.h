@@ -44,7 +44,7 @@ double side_of_axis(const LinearJoint& joint, std::complex<double> root);
 /// ("may": polynomial_side_of_axis tells). `radius`: the size of the joint's largest root.
 inline bool may_be_rounding(std::complex<double> root, double radius)
 {
-    constexpr double doubtful = 1e-9, near_axis = 1e-6;
+    constexpr double doubtful = 1e-9;
     return std::abs(root.real()) <= std::max(doubtful * radius, near_axis * std::abs(root));
 }
 

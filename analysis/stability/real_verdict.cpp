@@ -129,7 +129,8 @@ LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
         memory.crossings = std::move(gains.crossings);
         memory.stable_intervals = std::move(gains.stable);
         memory.doubtful = std::move(gains.doubtful);
-        memory.searched_to = gains.searched_to;
+        memory.searched_from = gains.searched_from;
+    memory.searched_to = gains.searched_to;
         memory.k_cr = gains.k_cr;
     }
     const auto curve = velocity_only(linear);

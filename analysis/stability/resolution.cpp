@@ -6,6 +6,7 @@
 
 #include "analysis/numerics/maximum.h"
 #include "analysis/numerics/root.h"
+#include "analysis/stability/gain_scan.h"
 #include "analysis/stability/joint_crossings.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/linear_friction.h"
@@ -54,6 +55,17 @@ std::vector<Interval> negative_intervals(Function&& f, double low, double high, 
     return found;
 }
 
+/// What lies in both. Ascending and disjoint, as the result.
+std::vector<Interval> common(const std::vector<Interval>& a, const std::vector<Interval>& b)
+{
+    std::vector<Interval> both;
+    for (const auto& i : a)
+        for (const auto& k : b)
+            if (std::max(i.low, k.low) < std::min(i.high, k.high))
+                both.push_back({std::max(i.low, k.low), std::min(i.high, k.high)});
+    return both;
+}
+
 }  // namespace
 
 StableVelocities stable_velocities(const Joint& given, double low, double high, Theory theory, int scan)
@@ -82,7 +94,7 @@ StableVelocities stable_velocities(const Joint& given, double low, double high, 
     return result;
 }
 
-std::vector<Interval> stable_springs(const Joint& given, double rate, double low, double high, Theory theory, int scan)
+std::vector<Interval> stable_springs(const Joint& given, double rate, double low, double high, Theory theory)
 {
     if (given.control.kind != ControlKind::force)
         throw std::invalid_argument("a force ramps through a spring in force control only");
@@ -92,21 +104,15 @@ std::vector<Interval> stable_springs(const Joint& given, double rate, double low
         joint.control.k_p = k_p;
         return instability(joint, theory);
     };
-    return negative_intervals(at, low, high, scan);
+    constexpr int scan = 200;
+    if (loop_kind(joint) != LoopKind::ideal) return negative_intervals(at, low, high, scan);
+    joint.control.k_p = std::clamp(given.control.k_p, low, high);
+    if (steady_sliding(joint).reason != Reason::none) return {};
+    const auto gains = gain_moves_sliding(joint) ? scan_gains(joint, theory, {low, high}) : stable_gains(joint, theory);
+    return common(gains.stable, {{low, std::min(high, gains.searched_to)}});
 }
 
 namespace {
-
-/// What lies in both. Ascending and disjoint, as the result.
-std::vector<Interval> common(const std::vector<Interval>& a, const std::vector<Interval>& b)
-{
-    std::vector<Interval> both;
-    for (const auto& i : a)
-        for (const auto& k : b)
-            if (std::max(i.low, k.low) < std::min(i.high, k.high))
-                both.push_back({std::max(i.low, k.low), std::min(i.high, k.high)});
-    return both;
-}
 
 /// For several bodies and real loops, where too much velocity feedback is unstable, too.
 RangeGain common_gain(const Joint& joint, const std::vector<double>& V)

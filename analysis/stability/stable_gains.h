@@ -13,7 +13,8 @@ struct StableGains {
     std::vector<Crossing> crossings;
     std::vector<Interval> stable;
     std::vector<Interval> doubtful;  ///< bands of ω in which a touch of the axis could not be excluded
-    double searched_to = infinity;   ///< crossings are complete up to here
+    double searched_from = 0;        ///< crossings are complete from here
+    double searched_to = infinity;   ///< up to here
     bool known = true;               ///< false: the joint's own loop has no such gain to turn alone
     double k_cr = missing;           ///< the single critical gain: all above it are stable, none below
     double omega = missing;          ///< its frequency
@@ -27,12 +28,7 @@ void take_single_gain(StableGains& gains);
 /// (Body::speed).
 bool gain_moves_sliding(const Joint& joint);
 
-/// For a joint that slides steadily. Where k_p moves the sliding, the joint is linearised anew at each gain: a scan of
-/// the roots right of the axis over `gain_decades` to either side of the joint's own gain, each change then located;
-/// where a root comes near the axis between two steps and goes back, the nearest place is looked at, too. Delays and
-/// tables then allow fewer steps over late_gain_decades, and two changes within one step can be missed.
+/// For a joint that slides steadily. Where k_p moves the sliding, by scan_gains.
 StableGains stable_gains(const Joint& joint, Theory theory = Theory::state_variable);
-
-inline constexpr double gain_decades = 8, late_gain_decades = 3;
 
 }  // namespace stickslip

@@ -63,6 +63,7 @@ void take_gains(StateVariableVerdict& memory, StableGains gains)
     memory.crossings = std::move(gains.crossings);
     memory.stable_intervals = std::move(gains.stable);
     memory.doubtful = std::move(gains.doubtful);
+    memory.searched_from = gains.searched_from;
     memory.searched_to = gains.searched_to;
     memory.k_cr = gains.k_cr;
 }

@@ -97,14 +97,14 @@ void add_ramps(LinearDetails& d, const Joint& joint)
         auto& springs = ramps[theory == Theory::velocity_only];
         for (const double r : log_steps(d.ramp_rate / 100, d.ramp_rate * 100, d.sampled_finely ? 61 : 13)) {
             double above = missing, below = missing;
-            for (const auto& i : stable_springs(joint, r, k_low, k_high, theory, d.sampled_finely ? 120 : 30)) {
+            for (const auto& i : stable_springs(joint, std::copysign(r, d.velocity), k_low, k_high, theory)) {
                 if (i.low > k_low && std::isnan(above)) above = i.low;
                 if (i.high < k_high) below = i.high;
             }
             springs.above.x.push_back(r), springs.above.y.push_back(above);
             springs.below.x.push_back(r), springs.below.y.push_back(below);
         }
-        springs.here = stable_springs(joint, d.ramp_rate, k_low, k_high, theory);
+        springs.here = stable_springs(joint, std::copysign(d.ramp_rate, d.velocity), k_low, k_high, theory);
     }
 }
 

@@ -29,7 +29,10 @@ std::string stable_gains(const Joint& joint, const StateVariableVerdict& memory)
     return ". k_{p} = " + stiffness(joint.control.k_p, motion) +
            (memory.stable ? " is one of the stable gains: " : " is not among the stable gains: ") +
            intervals_text(stable, Quantity::stiffness, motion) +
-           (limited ? ", searched up to " + stiffness(memory.searched_to, motion) + "." : ".");
+           (memory.searched_from > 0 ? ", searched from " + stiffness(memory.searched_from, motion) + " to " +
+                                           stiffness(memory.searched_to, motion) + "."
+            : limited ? ", searched up to " + stiffness(memory.searched_to, motion) + "."
+                      : ".");
 }
 
 /// What the velocity-only model would require where it says no, and memory does not.

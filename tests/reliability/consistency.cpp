@@ -3,8 +3,10 @@
 // number alone; the log holds one line a thousand joints, and a run that finds one goes on behind it.
 #include "tests/analysis/stability/random_joint.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <exception>
 #include <fstream>
 #include <map>
@@ -30,18 +32,24 @@ int main(int argc, char** argv)
         while (before >> reached >> found) number = reached, faults = found;
     }
     std::map<std::string, std::uint64_t> kinds;
+    std::vector<std::pair<double, std::uint64_t>> slowest;  // CPU time in s, joint
     const std::uint64_t first = number;
     for (; number < joints; ++number) {
         std::string fault;
+        const std::clock_t begun = std::clock();
         try {
             fault = samples::contradiction(samples::random_joint(number));
         } catch (const std::exception& e) {
             fault = std::string("exception: ") + e.what();
         }
+        slowest.emplace_back(double(std::clock() - begun) / CLOCKS_PER_SEC, number);
+        std::sort(slowest.rbegin(), slowest.rend());
+        slowest.resize(std::min<std::size_t>(slowest.size(), 5));
         if (!fault.empty()) {
             ++faults;
             if (++kinds[fault] <= 5)
-                std::printf("FAULT joint %llu: %s\n", static_cast<unsigned long long>(number), fault.c_str());
+                std::printf("FAULT joint %llu: %s\n", static_cast<unsigned long long>(number), fault.c_str()),
+                    std::fflush(stdout);
         }
         if (!log.empty() && (number + 1) % 1000 == 0)
             std::ofstream(log, std::ios::app) << number + 1 << ' ' << faults << std::endl;
@@ -51,5 +59,7 @@ int main(int argc, char** argv)
                 static_cast<unsigned long long>(faults));
     for (const auto& [kind, count] : kinds)
         std::printf("  %s: %llu\n", kind.c_str(), static_cast<unsigned long long>(count));
+    for (const auto& [seconds, joint] : slowest)
+        std::printf("  slow: joint %llu, %.2f s\n", static_cast<unsigned long long>(joint), seconds);
     return faults == 0 ? 0 : 1;
 }

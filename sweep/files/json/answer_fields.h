@@ -97,7 +97,8 @@ void fields(A& a, Like<StateVariableVerdict> auto& v)
     a("eigenvalues", v.eigenvalues), a("multipliers", v.multipliers), a("all_eigenvalues", v.all_eigenvalues);
     a("f_v", v.f_v), a("kernel_integral", v.kernel_integral), a("gain_margin_db", v.gain_margin_db);
     a("phase_margin_deg", v.phase_margin_deg), a("crossings", v.crossings);
-    a("stable_intervals", v.stable_intervals), a("k_cr", v.k_cr), a("searched_to", v.searched_to);
+    a("stable_intervals", v.stable_intervals), a("k_cr", v.k_cr), a("searched_from", v.searched_from),
+        a("searched_to", v.searched_to);
     a("doubtful", v.doubtful);
 }
 

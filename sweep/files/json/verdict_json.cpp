@@ -36,7 +36,7 @@ Json ends_json(const StateVariableVerdict& v)
 {
     Json json = Json::array();
     for (const auto& i : v.stable_intervals)
-        json.push_back({end_name(v, i.low, "zero"), end_name(v, i.high, "searched-to")});
+        json.push_back({end_name(v, i.low, v.searched_from > 0 ? "searched-from" : "zero"), end_name(v, i.high, "searched-to")});
     return json;
 }
 
@@ -62,6 +62,7 @@ Json state_variable_json(const StateVariableVerdict& v)
             {"stable_intervals", intervals_json(v.stable_intervals)},
             {"stable_ends", ends_json(v)},
             {"k_cr", json_number(v.k_cr)},
+            {"searched_from", json_number(v.searched_from)},
             {"searched_to", json_number(v.searched_to)},
             {"doubtful_omega", intervals_json(v.doubtful)}};
 }

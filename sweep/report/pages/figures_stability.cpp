@@ -151,7 +151,7 @@ Figure ramps()
     chart.x_log = chart.y_log = true;
     LineChart::Line critical{"critical stiffness: stable above", {}, {}};
     for (const double rate : log_steps(0.1, 1e4, 101)) {
-        const auto stable = stable_springs(joint, rate, 1e3, 1e7, Theory::state_variable, 80);
+        const auto stable = stable_springs(joint, rate, 1e3, 1e7, Theory::state_variable);
         critical.x.push_back(rate);
         critical.y.push_back(stable.empty() ? missing : stable.front().low);
     }

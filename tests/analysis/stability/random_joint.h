@@ -17,6 +17,20 @@
 
 namespace stickslip::samples {
 
+/// A loop that is sampled or late, filters or lags, in any combination.
+inline void make_real(Joint& joint, std::mt19937_64& random)
+{
+    auto& control = joint.control;
+    if (random() % 2) {
+        control.period = 1e-3;
+        control.velocity_estimate.form = EstimateForm::backward_difference;
+    }
+    if (random() % 2) control.delay = 2e-3;
+    if (random() % 2) control.velocity_estimate.tau = 1e-3;
+    if (random() % 2) joint.actuator.lag = 1e-3;
+    if (random() % 2) joint.sensor.position_scale = 1.01;
+}
+
 /// A friction law of the samples, every number of it drawn anew within a decade to either side.
 inline Joint random_joint(std::uint64_t number)
 {
@@ -40,12 +54,17 @@ inline Joint random_joint(std::uint64_t number)
         control.force_rate = 20;
         control.V0 = not_set;
     }
+    const bool real = random() % 4 == 0;
+    if (real) make_real(joint, random);
     std::uniform_real_distribution<double> decades(-1, 1);
     for (const Parameter& leaf : parameters(joint)) {
         if (!std::isfinite(*leaf.value) || *leaf.value == 0) continue;
         const double value = *leaf.value * std::pow(10, decades(random));
         if (leaf.range.holds(value)) *leaf.value = value;
     }
+    if (!real) joint.actuator = {}, joint.sensor = {};
+    // a joint slides backward by the sign of what it is told to do
+    if (random() % 4 == 0) (is_set(control.force_rate) ? control.force_rate : control.V0) *= -1;
     return joint;
 }
 
@@ -105,7 +124,7 @@ inline std::string contradiction(const Joint& joint)
     Joint turned = joint;
     for (const double factor : {0.03, 0.4, 2.5, 40.0}) {
         turned.control.k_p = factor * k_p;
-        if (turned.control.k_p > memory.searched_to) continue;
+        if (turned.control.k_p < memory.searched_from || turned.control.k_p > memory.searched_to) continue;
         const double there = growth_rate(turned);
         if (!std::isfinite(there) || there == 0) continue;
         bool stable = false, at_an_end = false;

@@ -112,9 +112,19 @@ AxisCrossings axis_crossings(const LateLoop& loop)
 
 namespace {
 
+/// Growth at a gain, of which only the sign is of interest: a count of roots right of the axis says "unstable" much
+/// sooner than the rightmost of them is found.
+double growth_or_sign(const LateLoop& loop, const OpenedLoop& open, double gain)
+{
+    // right of whatever rounding leaves of integrators
+    const double aside = 1e-6 * open.turns_in();
+    const auto right = std::isfinite(aside) ? roots_right_of(open, gain, aside, aside) : std::nullopt;
+    return right && *right > 0 ? 1 : late_growth(loop, gain);
+}
+
 /// Growth somewhere between two neighbouring crossings, at the own gain where that lies there, so that no window
 /// contradicts the verdict. Where it cannot be confirmed at one gain, another has the same sign.
-double growth_between(const LateLoop& loop, double low, double high, double own)
+double growth_between(const LateLoop& loop, const OpenedLoop& open, double low, double high, double own)
 {
     if (own > low && own < high) {
         const double growth = late_growth(loop, own);
@@ -122,22 +132,22 @@ double growth_between(const LateLoop& loop, double low, double high, double own)
     }
     const double from = low > 0 ? low : high < infinity ? 1e-6 * high : 1, to = high < infinity ? high : 1e6 * from;
     for (const double share : {0.5, 0.25, 0.75, 0.1, 0.9}) {
-        const double growth = late_growth(loop, from * std::pow(to / from, share));
+        const double growth = growth_or_sign(loop, open, from * std::pow(to / from, share));
         if (std::isfinite(growth)) return growth;
     }
     return not_set;
 }
 
-/// By counting once, at the own gain, and adding what each crossing brings over: long dead time has hundreds. Nothing
+/// By counting once, at one gain, and adding what each crossing brings over: long dead time has hundreds. Nothing
 /// where that cannot be, as then a crossing is missing.
-std::optional<std::vector<Interval>> stable_by_count(const LateLoop& loop, const AxisCrossings& all, double own)
+std::optional<std::vector<Interval>> stable_by_count(const LateLoop& loop, const AxisCrossings& all, double at)
 {
     constexpr double beside = 1e-6;
     const OpenedLoop open(loop);
     // short dead time turns far above every root: the line has to stand left of the rightmost one
-    const double growth = late_growth(loop, own), nearest = beside * std::min(open.turns_in(), growth);
+    const double growth = late_growth(loop, at), nearest = beside * std::min(open.turns_in(), growth);
     if (std::isnan(growth) || growth == 0) return std::nullopt;
-    const auto there = growth < 0 ? std::optional(0) : roots_right_of(open, own, nearest, nearest);
+    const auto there = growth < 0 ? std::optional(0) : roots_right_of(open, at, nearest, nearest);
     if (!there) return std::nullopt;
     const auto change = [&](const Crossing& c) {
         const bool real = c.omega == 0 || c.omega >= open.end();
@@ -145,7 +155,7 @@ std::optional<std::vector<Interval>> stable_by_count(const LateLoop& loop, const
     };
     int right = *there;
     for (const auto& c : all.crossings)
-        if (c.k_p < own) right -= change(c);
+        if (c.k_p < at) right -= change(c);
     std::vector<Interval> intervals;
     double low = 0;
     for (std::size_t i = 0; i <= all.crossings.size(); ++i) {
@@ -168,15 +178,20 @@ std::optional<std::vector<Interval>> stable_by_count(const LateLoop& loop, const
 std::vector<Interval> stable_gains(const LateLoop& loop, AxisCrossings& all, double own)
 {
     constexpr std::size_t many = 12;  // crossings, between which a growth each takes longer than it is worth
-    if (all.crossings.size() > many && own > 0 && own < all.searched_to && all.doubtful.empty())
-        if (auto intervals = stable_by_count(loop, all, own)) return *intervals;
+    if (all.crossings.size() > many && all.doubtful.empty()) {
+        const double first = all.crossings[0].k_p, second = all.crossings[1].k_p;
+        for (const double gain : {own, 0.5 * first, std::sqrt(first * second)})
+            if (gain >= 0 && gain < all.searched_to)
+                if (auto intervals = stable_by_count(loop, all, gain)) return *intervals;
+    }
+    const OpenedLoop open(loop);
     std::vector<double> bounds{0};
     for (const auto& c : all.crossings) bounds.push_back(c.k_p);
     if (all.searched_to > bounds.back()) bounds.push_back(all.searched_to);
     std::vector<Interval> intervals;
     for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
         const double low = bounds[i], high = bounds[i + 1];
-        const double growth = growth_between(loop, low, high, own);
+        const double growth = growth_between(loop, open, low, high, own);
         if (std::isnan(growth)) {
             // nothing is said of gains from here on
             all.searched_to = low;
@@ -191,17 +206,17 @@ std::vector<Interval> stable_gains(const LateLoop& loop, AxisCrossings& all, dou
     return intervals;
 }
 
-CommandMargins command_margins(const LateLoop& loop)
+CommandMargins command_margins(const LateLoop& loop, const LateSpectrum& closed)
 {
     const OpenedLoop open(loop);
     double size = 0;
-    for (const auto& s : roots(loop, 1)) size = std::max(size, std::abs(s));
+    for (const auto& s : closed.roots) size = std::max(size, std::abs(s));
     constexpr double below = 1e-7, above = 1e2;
     const auto L = [&](double omega) {
         const Complex s(0, omega);
         return open.prompt(s).first * open.late(s);
     };
-    return command_margins(late_growth(loop, 1) < 0, axis_crossings(loop).crossings, L, below * size,
+    return command_margins(closed.growth < 0, axis_crossings(loop).crossings, L, below * size,
                            std::min(above * size, open.end()));
 }
 

@@ -76,6 +76,13 @@ Eigen::MatrixXd late_matrix(const LateLoop& loop, double gain, int nodes);
 /// where there is no such matrix, from where the loop turns fastest along lines; each polished by Newton's method.
 std::vector<std::complex<double>> roots(const LateLoop& loop, double gain);
 
+/// Those roots, and the growth that late_growth() finds with them.
+struct LateSpectrum {
+    std::vector<std::complex<double>> roots;
+    double growth = not_set;
+};
+LateSpectrum late_spectrum(const LateLoop& loop, double gain);
+
 /// The rightmost of them, in the upper half plane, by lines; nothing where counting does not confirm it.
 std::optional<std::complex<double>> rightmost_root(const LateLoop& loop, double gain);
 
@@ -97,7 +104,7 @@ AxisCrossings axis_crossings(const LateLoop& loop);
 /// `searched_to` comes down to the lower of them.
 std::vector<Interval> stable_gains(const LateLoop& loop, AxisCrossings& crossings, double own);
 
-/// The loop opened at the command, `output` being all of its gains and `held` none.
-CommandMargins command_margins(const LateLoop& loop);
+/// The loop opened at the command, `output` being all of its gains and `held` none; `closed` is its spectrum.
+CommandMargins command_margins(const LateLoop& loop, const LateSpectrum& closed);
 
 }  // namespace stickslip

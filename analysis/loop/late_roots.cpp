@@ -34,23 +34,27 @@ bool is_rightmost(const LateLoop& loop, double gain, double real, double size)
     return false;
 }
 
-struct FoundRoots {
-    std::vector<Complex> roots;
-    bool confirmed = true;  ///< none lies right of the first
-};
-
-FoundRoots found_roots(const LateLoop& loop, double gain)
+/// A real part that is rounding beside `size` is 0.
+double cleared(double real, double size)
 {
-    if (!has_matrix(loop)) {
-        if (!loop.A.allFinite()) return {};
-        const OpenedLoop open(loop);
-        RootSearch search(open, gain);
-        const bool confirmed = search.edge().has_value();  // the lines of look_around() may all lie left of it
-        search.look_around();
-        auto found = search.all();
-        sort_by_real_part(found);
-        return {found, confirmed};
-    }
+    constexpr double rounding = 1e-14;
+    return std::abs(real) < rounding * size ? 0 : real;
+}
+
+LateSpectrum spectrum_by_lines(const LateLoop& loop, double gain)
+{
+    if (!loop.A.allFinite()) return {};
+    const OpenedLoop open(loop);
+    RootSearch search(open, gain);
+    const auto edge = search.edge();  // the lines of look_around() may all lie left of it
+    search.look_around();
+    LateSpectrum found{search.all(), edge ? cleared(edge->real(), std::abs(*edge)) : not_set};
+    sort_by_real_part(found.roots);
+    return found;
+}
+
+LateSpectrum spectrum_by_matrix(const LateLoop& loop, double gain)
+{
     constexpr int nodes = 32;
     // where dead time is short, its nodes lose the digits of slow roots, and without dead time these are near
     Eigen::VectorXcd starts = eigenvalues_of(loop.A + loop.input * (loop.held - gain * loop.output));
@@ -78,20 +82,27 @@ FoundRoots found_roots(const LateLoop& loop, double gain)
         // Chebyshev nodes over a long dead time miss the fast roots of a stiff mechanism
         if (found.empty() || !is_rightmost(loop, gain, found.front().real(), std::abs(found.front()))) {
             const auto edge = rightmost_root(loop, gain);
-            if (!edge) return {found, false};
+            if (!edge) return {found, not_set};
             found.push_back(*edge);
             if (edge->imag() > 0) found.push_back(std::conj(*edge));
         }
     }
     sort_by_real_part(found);
-    return {found, true};
+    for (const Complex& s : found) size = std::max(size, std::abs(s));
+    const Complex first = found.front();
+    return {found, cleared(first.real(), loop.delay > 0 ? std::abs(first) : size)};
 }
 
 }  // namespace
 
+LateSpectrum late_spectrum(const LateLoop& loop, double gain)
+{
+    return has_matrix(loop) ? spectrum_by_matrix(loop, gain) : spectrum_by_lines(loop, gain);
+}
+
 std::vector<Complex> roots(const LateLoop& loop, double gain)
 {
-    return found_roots(loop, gain).roots;
+    return late_spectrum(loop, gain).roots;
 }
 
 std::optional<Complex> rightmost_root(const LateLoop& loop, double gain)
@@ -103,18 +114,9 @@ std::optional<Complex> rightmost_root(const LateLoop& loop, double gain)
 
 double late_growth(const LateLoop& loop, double gain)
 {
-    constexpr double rounding = 1e-14;
-    if (!has_matrix(loop)) {
-        const auto edge = rightmost_root(loop, gain);
-        if (!edge) return not_set;
-        return std::abs(edge->real()) < rounding * std::abs(*edge) ? 0 : edge->real();
-    }
-    const auto [all, confirmed] = found_roots(loop, gain);
-    if (all.empty() || !confirmed) return not_set;
-    double size = 0;
-    for (const auto& s : all) size = std::max(size, std::abs(s));
-    const Complex most = all.front();
-    return std::abs(most.real()) < rounding * (loop.delay > 0 ? std::abs(most) : size) ? 0 : most.real();
+    if (has_matrix(loop)) return spectrum_by_matrix(loop, gain).growth;
+    const auto edge = rightmost_root(loop, gain);
+    return edge ? cleared(edge->real(), std::abs(*edge)) : not_set;
 }
 
 }  // namespace stickslip

@@ -66,10 +66,13 @@ void RootSearch::look_around()
 std::optional<Complex> RootSearch::edge()
 {
     look(1e-3 * unit_);
-    if (roots_.empty())
-        if (const auto pole = edge_at_pole()) return pole;
-    const auto found = edge_by_newton();
-    return found ? found : edge_at_pole();
+    if (!roots_.empty())
+        if (const auto found = edge_by_newton()) return found;
+    auto found = edge_at_pole();
+    if (!found) found = edge_by_newton();
+    if (!found) found = edge_by_counting();
+    if (found && !is_known(*found)) roots_.push_back(*found);
+    return found;
 }
 
 std::vector<Complex> RootSearch::all() const
@@ -98,14 +101,7 @@ std::optional<Complex> RootSearch::edge_by_newton()
         if (*right == 0) return s;
         const Complex now = *std::max_element(roots_.begin(), roots_.end(), further_left);
         if (now.real() > s.real() + nearest) continue;
-        // none of those that were counted is near that line: half a step at a time to the right
-        double sigma = s.real() + nearest, wide = unit_;
-        for (int k = 0; k<most&& * right> 0; ++k, wide *= 2) {
-            right = look(sigma + wide);
-            if (!right) return std::nullopt;
-            const Complex found = *std::max_element(roots_.begin(), roots_.end(), further_left);
-            if (found.real() > s.real() + nearest) break;
-        }
+        return std::nullopt;  // none of those that were counted is found
     }
     return std::nullopt;
 }
@@ -113,7 +109,9 @@ std::optional<Complex> RootSearch::edge_by_newton()
 std::optional<Complex> RootSearch::edge_at_pole() const
 {
     constexpr double beside = 1e-9;
-    for (const Complex& p : open_.exact_poles()) {
+    auto poles = open_.exact_poles();
+    std::sort(poles.begin(), poles.end(), [](Complex a, Complex b) { return further_left(b, a); });
+    for (const Complex& p : poles) {
         const double width = beside * std::abs(p);
         if (!(width > 0) || !std::isfinite(width)) continue;
         const auto right = roots_right_of(open_, gain_, p.real() + width, width),
@@ -121,6 +119,49 @@ std::optional<Complex> RootSearch::edge_at_pole() const
         if (right && with && *right == 0 && *with > 0) return Complex(p.real(), std::abs(p.imag()));
     }
     return std::nullopt;
+}
+
+std::optional<Complex> RootSearch::edge_by_counting() const
+{
+    constexpr int most_steps = 60;
+    constexpr double exact = 1e-10, near = 1e-5;
+    std::vector<LookedAt> looked;
+    const auto count = [&](double sigma) {
+        looked.clear();
+        return roots_right_of(open_, gain_, sigma, near * unit_, &looked);
+    };
+    double low = 1e-3 * unit_;
+    for (double left = 0.3; left < 1e3; left *= 3) {
+        const auto right = count(low);
+        if (right && *right > 0) break;
+        low = -left * unit_;
+    }
+    double high = low, wide = unit_;
+    for (int i = 0; i < most_steps; ++i, wide *= 2) {
+        const auto right = count(low + wide);
+        if (!right) continue;
+        high = low + wide;
+        if (*right == 0) break;
+        low = high;
+    }
+    for (int i = 0; i < most_steps && high - low > exact * (std::abs(low) + std::abs(high)); ++i) {
+        // beside the middle where a root lies on it
+        std::optional<int> right;
+        double sigma = low;
+        for (const double share : {0.5, 0.45, 0.6}) {
+            sigma = low + share * (high - low);
+            if ((right = count(sigma))) break;
+        }
+        if (!right) return std::nullopt;
+        (*right > 0 ? low : high) = sigma;
+    }
+    if (!(high > low) || high - low > near * (std::abs(low) + std::abs(high)) || count(high) != 0) return std::nullopt;
+    const auto steepest = std::max_element(looked.begin(), looked.end(), [](const LookedAt& a, const LookedAt& b) {
+        return a.steepness < b.steepness;
+    });
+    const Complex edge((low + high) / 2, steepest->omega);
+    const auto root = polished_root(open_, gain_, edge, 0);
+    return root && std::abs(*root - edge) < near * std::abs(edge) ? root : edge;
 }
 
 std::optional<Complex> RootSearch::near_root(Complex s) const
@@ -153,8 +194,13 @@ void RootSearch::take(Complex start)
     Complex s(found->real(), std::abs(found->imag()));
     if (s.imag() < 1e-9 * std::abs(s)) s.imag(0);
     if (s.imag() > open_.end() * (1 + 1e-9)) return;
+    if (!is_known(s)) roots_.push_back(s);
+}
+
+bool RootSearch::is_known(Complex s) const
+{
     const auto same = [&](Complex other) { return std::abs(other - s) < 1e-8 * (std::abs(s) + 1e-6 * unit_); };
-    if (std::none_of(roots_.begin(), roots_.end(), same)) roots_.push_back(s);
+    return std::any_of(roots_.begin(), roots_.end(), same);
 }
 
 }  // namespace stickslip

@@ -23,6 +23,7 @@ class RootSearch {
     /// The imaginary axis and lines left of it, by what dead time turns in.
     void look_around();
     /// The rightmost root, right of which counting finds none; nothing where it is not found.
+    /// It is one of `all()` from then on.
     std::optional<Complex> edge();
     /// With their conjugates, by falling real part.
     std::vector<Complex> all() const;
@@ -31,10 +32,13 @@ class RootSearch {
     std::optional<Complex> edge_by_newton();
     /// A pole that the loop does not reach through its dead time: the root beside it differs by less than rounding.
     std::optional<Complex> edge_at_pole() const;
+    /// By halving, with a count at each line; its frequency is that at which the loop turns fastest on the last one.
+    std::optional<Complex> edge_by_counting() const;
     /// Newton's method without the poles of the loop, which would catch it, and the roots that are known; nothing where
     /// it does not come near one.
     std::optional<Complex> near_root(Complex s) const;
     void take(Complex start);
+    bool is_known(Complex s) const;
 
     const OpenedLoop& open_;
     double gain_, unit_;

@@ -31,7 +31,8 @@ CommandMargins real_margins(const Joint& joint, double commanded)
     const auto loop = real_loop(joint, linear_joint(joint, velocity), velocity, TurnedGain::all);
     if (!loop) return {};
     if (const auto* sampled = std::get_if<DiscreteLoop>(&loop->loop)) return command_margins(*sampled);
-    return command_margins(std::get<LateLoop>(loop->loop));
+    const auto& late = std::get<LateLoop>(loop->loop);
+    return command_margins(late, late_spectrum(late, 1));
 }
 
 void add_margins(const Joint& joint, LinearVerdict& verdict)
@@ -99,7 +100,9 @@ LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
         verdict.steady.reason = without_loop(joint);
         return verdict;
     }
-    memory.spectral_abscissa = growth(*all);
+    const auto* late = std::get_if<LateLoop>(&all->loop);
+    const auto closed = late ? late_spectrum(*late, 1) : LateSpectrum{};
+    memory.spectral_abscissa = late ? closed.growth : growth(*all);
     if (!std::isfinite(memory.spectral_abscissa)) {
         memory.spectral_abscissa = missing;
         verdict.steady.reason = Reason::not_finite;
@@ -113,12 +116,11 @@ LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
         memory.gain_margin_db = margins.gain_db;
         memory.phase_margin_deg = margins.phase_deg;
     } else {
-        const auto& late = std::get<LateLoop>(all->loop);
-        memory.eigenvalues = roots(late, 1);
-        memory.all_eigenvalues = late.finite();
-        if (late.period > 0)
-            for (const Complex& root : memory.eigenvalues) memory.multipliers.push_back(std::exp(root * late.period));
-        const auto margins = command_margins(late);
+        memory.eigenvalues = closed.roots;
+        memory.all_eigenvalues = late->finite();
+        if (late->period > 0)
+            for (const Complex& root : memory.eigenvalues) memory.multipliers.push_back(std::exp(root * late->period));
+        const auto margins = command_margins(*late, closed);
         memory.gain_margin_db = margins.gain_db;
         memory.phase_margin_deg = margins.phase_deg;
     }
@@ -130,7 +132,7 @@ LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
         memory.stable_intervals = std::move(gains.stable);
         memory.doubtful = std::move(gains.doubtful);
         memory.searched_from = gains.searched_from;
-    memory.searched_to = gains.searched_to;
+        memory.searched_to = gains.searched_to;
         memory.k_cr = gains.k_cr;
     }
     const auto curve = velocity_only(linear);

@@ -156,9 +156,8 @@ std::optional<Complex> RootSearch::edge_by_counting() const
         (*right > 0 ? low : high) = sigma;
     }
     if (!(high > low) || high - low > near * (std::abs(low) + std::abs(high)) || count(high) != 0) return std::nullopt;
-    const auto steepest = std::max_element(looked.begin(), looked.end(), [](const LookedAt& a, const LookedAt& b) {
-        return a.steepness < b.steepness;
-    });
+    const auto steepest = std::max_element(
+        looked.begin(), looked.end(), [](const LookedAt& a, const LookedAt& b) { return a.steepness < b.steepness; });
     const Complex edge((low + high) / 2, steepest->omega);
     const auto root = polished_root(open_, gain_, edge, 0);
     return root && std::abs(*root - edge) < near * std::abs(edge) ? root : edge;

@@ -22,8 +22,9 @@ struct StableVelocities {
 StableVelocities stable_velocities(const Joint& joint, double low, double high, Theory theory, int scan = 200);
 
 /// Armstrong's experiment (§5): the contact force ramps at `rate` through a spring, so that V_0 = rate/(k_p + k_c) and
-/// a stiffer spring gives a smaller velocity. The k_p in [low, high] with which sliding is stable, by stable_gains; of a
-/// real loop by a scan of its growth, as stable_velocities. Force control only: throws std::invalid_argument otherwise.
+/// a stiffer spring gives a smaller velocity. The k_p in [low, high] with which sliding is stable, by stable_gains; of
+/// a real loop by a scan of its growth, as stable_velocities. Force control only: throws std::invalid_argument
+/// otherwise.
 std::vector<Interval> stable_springs(const Joint& joint, double rate, double low, double high, Theory theory);
 
 /// The k_v, to be exceeded, that the velocity-only theory asks for over a whole range of velocities, and the hardest of

@@ -36,7 +36,8 @@ Json ends_json(const StateVariableVerdict& v)
 {
     Json json = Json::array();
     for (const auto& i : v.stable_intervals)
-        json.push_back({end_name(v, i.low, v.searched_from > 0 ? "searched-from" : "zero"), end_name(v, i.high, "searched-to")});
+        json.push_back(
+            {end_name(v, i.low, v.searched_from > 0 ? "searched-from" : "zero"), end_name(v, i.high, "searched-to")});
     return json;
 }
 

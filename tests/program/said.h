@@ -17,7 +17,9 @@ inline std::string lasting_lines(const std::string& output)
     std::istringstream in(output);
     std::string kept;
     for (std::string line; std::getline(in, line);) {
+        // where a check of a dense map falls short by a rounding, more of its points are computed
         const bool passing = line.find("computed now") != std::string::npos ||
+                             line.find("points interpolated") != std::string::npos ||
                              std::regex_search(line, std::regex("(evaluations,|merged in) [0-9.]+ s$")) ||
                              std::regex_search(line, std::regex("^(results|report|page|trajectory|diagnosis): "));
         if (!passing) kept += line + "\n";

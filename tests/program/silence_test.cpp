@@ -49,7 +49,8 @@ TEST_CASE("a file that may not grow is refused in words, not by a signal, and le
     const auto reference = folder.write("motion.csv", "time,reference_position\n0,0\n1,0.1\n");
     for (const std::string& verb :
          {"simulate " + ball_screw + " -o '" + (folder / "out") + "'",
-          "simulate examples/07-measured-machines/emps.toml --reference '" + reference + "' -o '" + (folder / "record") + "'",
+          "simulate examples/07-measured-machines/emps.toml --reference '" + reference + "' -o '" +
+              (folder / "record") + "'",
           "new spec -o '" + (folder / "spec.toml") + "'",
           "import tests/fuzz/corpus/robot/arm.urdf --joint elbow -o '" + (folder / "elbow.toml") + "'"}) {
         const auto run = shell(limited(0, verb));
@@ -94,12 +95,13 @@ TEST_CASE("blind that is interrupted answers no case with half a diagnosis", "[p
     const Folder folder;
     sealed_cases(folder);
     const auto answers = folder / "answers.json";
-    // both are at work when their folders of the answer are there; setsid: as a terminal does it, every process of the run
-    // hears the signal
-    const auto run = shell("export TMPDIR='" + (folder / "") + "'; setsid '" + STICKSLIP + "' blind '" +
-                           (folder / "sealed") + "' --jobs 2 --threads 1 --answers '" + answers +
-                           "' & while [ $(ls -d \"$TMPDIR\"/stickslip-blind-*/case-0?/answer 2>/dev/null | wc -l) != 2 ]; "
-                           "do sleep 0.01; done; kill -INT -$!; wait $!");
+    // both are at work when their folders of the answer are there; setsid: as a terminal does it, every process of the
+    // run hears the signal
+    const auto run =
+        shell("export TMPDIR='" + (folder / "") + "'; setsid '" + STICKSLIP + "' blind '" + (folder / "sealed") +
+              "' --jobs 2 --threads 1 --answers '" + answers +
+              "' & while [ $(ls -d \"$TMPDIR\"/stickslip-blind-*/case-0?/answer 2>/dev/null | wc -l) != 2 ]; "
+              "do sleep 0.01; done; kill -INT -$!; wait $!");
     INFO(run.output);
     CHECK(run.exit_code == 3);
     CHECK_THAT(run.output, Contains("interrupted: 0 of 2 cases"));

@@ -14,7 +14,7 @@ namespace stickslip {
 enum class BoundaryKind {
     velocity_only,   ///< linear theory, friction replaced by its steady-state curve
     state_variable,  ///< linear theory with memory
-    v_min,           ///< the same along the commanded velocity: the least at which sliding is stable
+    v_min,           ///< the same along the commanded velocity: from here on every faster one slides
     fold,            ///< limit cycles exist at all, stable or not
     outcome,         ///< the stated disturbance ends in steady sliding
     hunting          ///< a set point is hunted about

@@ -67,6 +67,9 @@ void add_frictions(const LinearJoint& linear, LinearVerdict& verdict);
 /// Both theories under the joint's own loop, in the terms of the ideal one.
 LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict);
 double real_growth(const Joint& joint, double velocity, bool velocity_only_friction);
+/// The root of the loop whose real part is the growth, in the upper half plane; of a sampled one ln z / T. NaN where
+/// there is none.
+std::complex<double> real_root(const Joint& joint, double velocity);
 PointResult real_point(const Joint& joint, double velocity);
 
 }  // namespace stickslip

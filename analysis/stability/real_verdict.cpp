@@ -53,6 +53,21 @@ double real_growth(const Joint& joint, double commanded, bool velocity_only_fric
     return loop ? growth(*loop) : missing;
 }
 
+Complex real_root(const Joint& joint, double commanded)
+{
+    const double velocity = sliding_velocity(joint, commanded);
+    const auto loop = real_loop(joint, linear_joint(joint, velocity), velocity, TurnedGain::all);
+    if (!loop) return missing;
+    Complex root = missing;
+    if (const auto* sampled = std::get_if<DiscreteLoop>(&loop->loop)) {
+        const auto all = multipliers(*sampled, loop->gain);
+        if (!all.empty()) root = std::log(all.front()) / sampled->period;
+    } else if (const auto all = roots(std::get<LateLoop>(loop->loop), loop->gain); !all.empty()) {
+        root = all.front();
+    }
+    return {root.real(), std::abs(root.imag())};
+}
+
 PointResult real_point(const Joint& joint, double commanded)
 {
     const double velocity = sliding_velocity(joint, commanded);

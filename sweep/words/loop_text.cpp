@@ -73,6 +73,14 @@ std::string side_text(const Joint& joint, bool of_record)
            " times smaller.";
 }
 
+std::string rewritten_law_text(std::string_view law)
+{
+    return "Friction law \"" + std::string(law) +
+           "\" is written in the terms in which records are simulated (Coulomb, viscous and Stribeck friction, "
+           "bristles, "
+           "memory): the same equations under other names, also in the corrected joint file.";
+}
+
 bool leaves_out_what_matters(const LoopUse& loop)
 {
     return std::any_of(loop.not_used.begin(), loop.not_used.end(), [](const UnusedTerm& t) { return t.matters; });

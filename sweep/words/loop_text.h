@@ -3,6 +3,7 @@
 #include "analysis/loop/loop_use.h"
 
 #include <string>
+#include <string_view>
 
 namespace stickslip {
 
@@ -17,6 +18,9 @@ std::string loop_text(const LoopUse& loop);
 
 /// At which side of a gear numbers are counted, of a record or of a verdict; empty without a gear between.
 std::string side_text(const Joint& joint, bool of_record);
+
+/// How a diagnosis writes a law that records are not simulated in as it stands.
+std::string rewritten_law_text(std::string_view law);
 
 /// Whether something that matters was left out: such a verdict is no clean yes.
 bool leaves_out_what_matters(const LoopUse& loop);

@@ -103,22 +103,32 @@ bool stable_beyond(double velocity, int direction)
     return velocity * direction <= 0;
 }
 
-/// Of a curve over (x, V_0) only what is the least stable speed for its x: turning stable away from rest, and no other
-/// such point nearer to it.
+/// Of the ends of stable velocities the one from which on every velocity slides, for each direction of motion.
+void keep_least(std::vector<BoundaryPoint>& points)
+{
+    const auto beyond = [&](const BoundaryPoint& p) {
+        return std::any_of(points.begin(), points.end(), [&](const BoundaryPoint& q) {
+            return std::signbit(q.value) == std::signbit(p.value) && std::abs(q.value) > std::abs(p.value);
+        });
+    };
+    std::vector<BoundaryPoint> kept;
+    for (const auto& p : points)
+        if (stable_beyond(p.value, p.direction) && !beyond(p)) kept.push_back(p);
+    points = std::move(kept);
+}
+
+/// Of a curve over (x, V_0) only what is that velocity for its x: turning stable away from rest, and no other change
+/// further away.
 void keep_least(FollowedBoundary& boundary)
 {
-    const auto lower_at = [&](const CurvePoint& p) {
+    const auto changes_beyond = [&](const CurvePoint& p) {
         for (const auto& piece : boundary.pieces)
             for (std::size_t i = 1; i < piece.points.size(); ++i) {
                 const auto &a = piece.points[i - 1], &b = piece.points[i];
                 if ((a.x < p.x) == (b.x < p.x)) continue;
-                // a curve below at which sliding turns unstable is no least velocity
-                if ((a.along_y && !stable_beyond(a.y, a.at.direction)) ||
-                    (b.along_y && !stable_beyond(b.y, b.at.direction)))
-                    continue;
                 const double share = (p.x - a.x) / (b.x - a.x), y = a.y + share * (b.y - a.y);
-                const bool nearer = std::signbit(y) == std::signbit(p.y) && std::abs(y) < std::abs(p.y) * (1 - 1e-6);
-                if (nearer && !(&a == &p) && !(&b == &p)) return true;
+                const bool further = std::signbit(y) == std::signbit(p.y) && std::abs(y) > std::abs(p.y) * (1 + 1e-6);
+                if (further && !(&a == &p) && !(&b == &p)) return true;
             }
         return false;
     };
@@ -126,7 +136,7 @@ void keep_least(FollowedBoundary& boundary)
     for (const auto& piece : boundary.pieces) {
         bool open = false;
         for (const auto& p : piece.points) {
-            const bool least = (!p.along_y || stable_beyond(p.y, p.at.direction)) && !lower_at(p);
+            const bool least = (!p.along_y || stable_beyond(p.y, p.at.direction)) && !changes_beyond(p);
             if (least && !open) kept.push_back({{}, piece.first, piece.last});
             if (least) kept.back().points.push_back(p);
             open = least;
@@ -216,13 +226,7 @@ LocatedRay locate_boundaries(const Joint& given, const Axis& axis, const Boundar
     auto ray =
         request.kind == BoundaryKind::fold ? locate_folds(joint, axis, request) : locate_on_ray(joint, axis, request);
     ray.reason = reason_of_no_verdict(given, ray);
-    if (request.kind == BoundaryKind::v_min) {
-        auto& points = ray.points;
-        std::erase_if(points, [](const BoundaryPoint& p) { return !stable_beyond(p.value, p.direction); });
-        std::sort(points.begin(), points.end(),
-                  [](const BoundaryPoint& a, const BoundaryPoint& b) { return std::abs(a.value) < std::abs(b.value); });
-        if (points.size() > 1) points.resize(1);
-    }
+    if (request.kind == BoundaryKind::v_min) keep_least(ray.points);
     return ray;
 }
 

@@ -24,7 +24,7 @@ double default_precision(BoundaryKind kind);
 int default_scan(BoundaryKind kind);
 
 /// Every boundary of a kind between the ends of an axis, and what the search does not exclude. v_min: along control.V0,
-/// the least velocity at which sliding becomes stable, nothing else. Throws std::invalid_argument for a path that the
+/// the velocity from which on every faster one slides, nothing else. Throws std::invalid_argument for a path that the
 /// joint lacks.
 LocatedRay locate_boundaries(const Joint& joint, const Axis& axis, const BoundaryRequest& request);
 

@@ -1,6 +1,7 @@
 #include "analysis/diagnosis/fit/reference.h"
 
 #include "analysis/diagnosis/plant/controller.h"
+#include "analysis/numerics/reference_rate.h"
 
 #include <cmath>
 

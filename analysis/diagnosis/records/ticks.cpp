@@ -3,6 +3,7 @@
 
 #include "analysis/diagnosis/records/between_rows.h"
 #include "analysis/diagnosis/records/lost_rows.h"
+#include "analysis/numerics/reference_rate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,27 +20,17 @@ bool equal_steps(const std::vector<double>& time, double step)
 
 void fill_reference_rate(const Record& r, Ticks& t)
 {
-    const std::size_t n = t.size();
-    for (std::size_t k = 0; k < n; ++k) {
-        if (!r.reference_velocity.empty()) {
-            const std::size_t row = k / t.ticks_per_row, rest = k % t.ticks_per_row;
-            const double s = static_cast<double>(rest) / t.ticks_per_row;
-            t.reference_rate[k] = rest == 0 ? r.reference_velocity[row]
-                                  : r.reference_position.empty()
-                                      ? between(r.reference_velocity, row, s)
-                                      : rate_between(r.reference_position, r.reference_velocity, row, s);
-        } else {
-            // no controller differentiates a step
-            const auto jumps = [&](std::size_t from, std::size_t to) {
-                return std::any_of(t.jumps.begin(), t.jumps.end(), [&](std::size_t j) {
-                    return j < to && from < j + static_cast<std::size_t>(t.ticks_per_row);
-                });
-            };
-            std::size_t a = k == 0 ? 0 : k - 1, b = std::min(k + 1, n - 1);
-            if (jumps(a, k)) a = k;
-            if (jumps(k, b)) b = k;
-            t.reference_rate[k] = b > a ? (t.reference[b] - t.reference[a]) / (t.time[b] - t.time[a]) : 0;
-        }
+    if (r.reference_velocity.empty()) {
+        t.reference_rate = reference_rates(t.time, t.reference, t.jumps, static_cast<std::size_t>(t.ticks_per_row));
+        return;
+    }
+    for (std::size_t k = 0; k < t.size(); ++k) {
+        const std::size_t row = k / t.ticks_per_row, rest = k % t.ticks_per_row;
+        const double s = static_cast<double>(rest) / t.ticks_per_row;
+        t.reference_rate[k] = rest == 0 ? r.reference_velocity[row]
+                              : r.reference_position.empty()
+                                  ? between(r.reference_velocity, row, s)
+                                  : rate_between(r.reference_position, r.reference_velocity, row, s);
     }
 }
 
@@ -52,20 +43,6 @@ double median_step(const std::vector<double>& time)
     if (steps.empty()) return 1;
     std::nth_element(steps.begin(), steps.begin() + steps.size() / 2, steps.end());
     return steps[steps.size() / 2];
-}
-
-std::vector<std::size_t> jumps_of(const std::vector<double>& signal)
-{
-    std::vector<std::size_t> found;
-    if (signal.size() < 4) return found;
-    const auto [low, high] = std::minmax_element(signal.begin(), signal.end());
-    constexpr double least = 2e-3, alone = 4;  // of the span; of the neighbours
-    const auto difference = [&](std::size_t k) { return std::abs(signal[k + 1] - signal[k]); };
-    for (std::size_t k = 0; k + 1 < signal.size(); ++k) {
-        const double before = k > 0 ? difference(k - 1) : 0, after = k + 2 < signal.size() ? difference(k + 1) : 0;
-        if (difference(k) > std::max(least * (*high - *low), alone * std::max(before, after))) found.push_back(k);
-    }
-    return found;
 }
 
 double between_rows(const Ticks& t, std::size_t k, double period, double tau)

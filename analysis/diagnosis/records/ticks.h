@@ -88,9 +88,6 @@ void rebuild_halves(Ticks& ticks, const Joint& joint);
 /// Takes that back, where the velocities turn out to follow no filter.
 void interpolate_halves(Ticks& ticks);
 
-/// Rows after which a smooth signal jumps: a difference that stands alone.
-std::vector<std::size_t> jumps_of(const std::vector<double>& signal);
-
 /// Lets the reference, or what a rebuilt one makes the controller want, jump at the given tick (1 … ticks_per_row)
 /// after the row of `jumps[which]`.
 void place_jump(Ticks& ticks, const Control& control, std::size_t which, int after);

@@ -6,36 +6,15 @@
 #include <cmath>
 
 namespace stickslip {
-namespace {
-
-/// Share of the time between kinks by which the side of a kink is decided.
-constexpr double beside = 1e-9;
-
-/// What rounding leaves of a step is none: per lag, and per time.
-constexpr double passed_of_lag = 1e-12, passed_of_time = 1e-14;
-
-/// A lag after a kink the velocity's derivative has it, one order higher each further lag: then it lies beyond the
-/// order of the method.
-constexpr int felt_lags = 4;
-
-/// Friction of the other direction under an asymmetry: f − 2 of this.
-double both_ways(const Friction& friction, double V)
-{
-    return friction.normal_load * (friction.asymmetry.coulomb + friction.asymmetry.viscous * V);
-}
-
-}  // namespace
 
 LateFlow::LateFlow(ChainFlow chain) : V0(chain.V0), chain_(std::move(chain))
 {
     for (int i = 0; i < chain_.bodies; ++i) {
         const auto& b = chain_.body[i];
         if (!b.late) continue;
-        lag_[i] = std::get<TimeLag>(b.friction.law).lag;
-        shortest_lag_ = std::min(shortest_lag_, lag_[i]);
-        longest_lag_ = std::max(longest_lag_, lag_[i]);
-        history_[i].start(b.speed);
+        past_.set_lag(i, std::get<TimeLag>(b.friction.law).lag);
     }
+    past_.begin(0, steady_speeds());
 }
 
 FlowVector LateFlow::with_clock(const FlowVector& y, double clock) const
@@ -45,11 +24,11 @@ FlowVector LateFlow::with_clock(const FlowVector& y, double clock) const
     return longer;
 }
 
-SpeedHistory::Speed LateFlow::speed_then(int i, double clock) const
+LatePast::Speeds LateFlow::steady_speeds() const
 {
-    const double margin = beside * std::min(piece_to_ - piece_from_, lag_[i]);
-    const double pick = std::clamp(clock, piece_from_ + margin, piece_to_ - margin);
-    return history_[i].at(clock - lag_[i], pick - lag_[i]);
+    LatePast::Speeds speeds{};
+    for (int i = 0; i < chain_.bodies; ++i) speeds[i] = chain_.body[i].speed;
+    return speeds;
 }
 
 LateFriction LateFlow::friction_at(double clock) const
@@ -58,17 +37,10 @@ LateFriction LateFlow::friction_at(double clock) const
     for (int i = 0; i < chain_.bodies; ++i) {
         const auto& b = chain_.body[i];
         if (!b.late) continue;
-        const double V = b.ratio * std::max(std::abs(speed_then(i, clock).value), rest_speed * b.speed);
-        const double forward = steady_force(b.friction, V);
-        late[i] = b.mode == ChainFlow::Mode::reverse ? 2 * both_ways(b.friction, V) - forward : forward;
+        const double V = b.ratio * std::max(std::abs(past_.then(i, clock).value), rest_speed * b.speed);
+        late[i] = late_force(b.friction, V, b.mode == ChainFlow::Mode::reverse);
     }
     return late;
-}
-
-double LateFlow::slope(int i, double V) const
-{
-    const auto& f = chain_.body[i].friction;
-    return f.normal_load * (steady_slope(std::get<TimeLag>(f.law).curve.law, V) + f.asymmetry.viscous);
 }
 
 LateFriction LateFlow::friction_rate_at(double clock) const
@@ -77,13 +49,11 @@ LateFriction LateFlow::friction_rate_at(double clock) const
     for (int i = 0; i < chain_.bodies; ++i) {
         const auto& b = chain_.body[i];
         if (!b.late) continue;
-        const auto then = speed_then(i, clock);
+        const auto then = past_.then(i, clock);
         const double V = b.ratio * std::abs(then.value);
         if (!(V > rest_speed * b.ratio * b.speed)) continue;
-        const bool reverse = b.mode == ChainFlow::Mode::reverse;
-        const double viscous = reverse ? 2 * b.friction.normal_load * b.friction.asymmetry.viscous : 0;
-        const double of_speed = reverse ? viscous - slope(i, V) : slope(i, V);
-        change[i] = of_speed * b.ratio * std::copysign(then.slope, then.slope * then.value);
+        const double slope = late_slope(b.friction, V, b.mode == ChainFlow::Mode::reverse);
+        change[i] = slope * b.ratio * std::copysign(then.slope, then.slope * then.value);
     }
     return change;
 }
@@ -134,37 +104,20 @@ void LateFlow::pass(int which, FlowVector& y)
 void LateFlow::begin(FlowVector& y)
 {
     y[chain_.size()] = 0;
-    for (int i = 0; i < chain_.bodies; ++i) history_[i].start(chain_.body[i].speed);
-    kinks_.clear();
-    piece_from_ = 0;
-    piece_to_ = infinity;
-    note_kink(y);
-}
-
-void LateFlow::note_kink(const FlowVector& y)
-{
-    for (const double lag : lag_)
-        for (int k = 1; lag > 0 && k <= felt_lags; ++k) kinks_.insert(clock(y) + k * lag);
+    past_.begin(0, steady_speeds());
 }
 
 double LateFlow::step_limit(const FlowVector& y)
 {
-    const double now = clock(y), passed = now + std::max(passed_of_lag * shortest_lag_, passed_of_time * now);
-    while (!kinks_.empty() && *kinks_.begin() <= passed) {
-        piece_from_ = *kinks_.begin();
-        kinks_.erase(kinks_.begin());
-    }
-    piece_to_ = kinks_.empty() ? infinity : *kinks_.begin();
-    double reach = infinity;  // a body at rest needs no past
-    for (int i = 0; i < chain_.bodies; ++i)
-        if (chain_.body[i].late && chain_.body[i].mode != ChainFlow::Mode::stuck) reach = std::min(reach, lag_[i]);
-    return std::min(now + reach, piece_to_);
+    std::array<bool, max_bodies> rests{};
+    for (int i = 0; i < chain_.bodies; ++i) rests[i] = chain_.body[i].mode == ChainFlow::Mode::stuck;
+    return past_.step_limit(clock(y), rests);
 }
 
 double LateFlow::late_rate(int i) const
 {
     const auto& b = chain_.body[i];
-    return -b.ratio * b.ratio * slope(i, b.ratio * b.speed) / b.inertia;
+    return -b.ratio * b.ratio * late_slope(b.friction, b.ratio * b.speed, false) / b.inertia;
 }
 
 bool answers_late(const Joint& joint)

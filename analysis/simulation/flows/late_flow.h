@@ -2,11 +2,10 @@
 // a known function of time, and the motion a flow like any other.
 #pragma once
 #include "analysis/simulation/flows/chain_flow.h"
+#include "analysis/simulation/flows/late_past.h"
 #include "analysis/simulation/flows/mode.h"
-#include "analysis/simulation/flows/speed_history.h"
 
 #include <array>
-#include <set>
 
 namespace stickslip {
 
@@ -23,7 +22,7 @@ class LateFlow final : public SwitchingFlow {
 
     int size() const override { return chain_.size() + 1; }
     FlowVector steady() const override { return with_clock(chain_.steady(), 0); }
-    FlowVector scale() const override { return with_clock(chain_.scale(), longest_lag_); }
+    FlowVector scale() const override { return with_clock(chain_.scale(), past_.longest_lag()); }
     void rate(const FlowVector& y, FlowVector& rate) const override;
     void jacobian(const FlowVector& y, FlowMatrix& jacobian) const override;
     double velocity(const FlowVector& y) const override { return chain_.velocity(y); }
@@ -56,29 +55,23 @@ class LateFlow final : public SwitchingFlow {
     template <class At>
     void remember(const FlowVector& from, const FlowVector& to, const At& at);
     /// The velocity of some body has a kink now, and its friction a lag later.
-    void note_kink(const FlowVector& y);
+    void note_kink(const FlowVector& y) { past_.note_kink(clock(y)); }
 
     /// Of the late bodies: a_i of v̇_i(t) = … + a_i v_i(t − τ_i) about steady sliding.
     double late_rate(int i) const;
-    double lag(int i) const { return lag_[i]; }
-    double longest_lag() const { return longest_lag_; }
-    const SpeedHistory& history(int i) const { return history_[i]; }
+    double lag(int i) const { return past_.lag(i); }
+    double longest_lag() const { return past_.longest_lag(); }
+    const SpeedHistory& history(int i) const { return past_.history(i); }
 
   private:
     FlowVector with_clock(const FlowVector& y, double clock) const;
     /// What the bodies' friction resists, and its change in time.
     LateFriction friction_at(double clock) const;
     LateFriction friction_rate_at(double clock) const;
-    SpeedHistory::Speed speed_then(int i, double clock) const;
-    double slope(int i, double V) const;
+    LatePast::Speeds steady_speeds() const;
 
     ChainFlow chain_;
-    std::array<double, max_bodies> lag_{};      ///< 0 of bodies whose friction is not late
-    static constexpr double kept_lags = 1.001;  ///< of the past: a little more, as a lag ago may mean just before then
-    double shortest_lag_ = infinity, longest_lag_ = 0;
-    std::array<SpeedHistory, max_bodies> history_;
-    std::set<double> kinks_;                       ///< instants to come at which the friction of a body has one
-    double piece_from_ = 0, piece_to_ = infinity;  ///< between kinks: where the present step lies
+    LatePast past_;
 };
 
 template <class At>
@@ -88,10 +81,10 @@ void LateFlow::remember(const FlowVector& from, const FlowVector& to, const At& 
     if (!(t1 > t0)) return;
     const std::array<FlowVector, 5> y = {from, at(0.25), at(0.5), at(0.75), to};
     for (int i = 0; i < chain_.bodies; ++i) {
-        if (lag_[i] == 0) continue;
+        if (lag(i) == 0) continue;
         SpeedHistory::Step step{t0, t1, {}};
         for (std::size_t k = 0; k < y.size(); ++k) step.velocity[k] = chain_.velocity(y[k], i);
-        history_[i].append(step, t0 - kept_lags * lag_[i]);  // both ends of the step still ask for their past
+        past_.append(i, step);
     }
 }
 

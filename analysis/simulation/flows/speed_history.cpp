@@ -29,6 +29,12 @@ void SpeedHistory::append(const Step& step, double forget_before)
     steps_.push_back(step);
 }
 
+void SpeedHistory::scale(double by)
+{
+    for (auto& step : steps_)
+        for (double& V : step.velocity) V = before_ + by * (V - before_);
+}
+
 SpeedHistory::Speed SpeedHistory::at(double instant, double pick) const
 {
     if (steps_.empty() || pick < steps_.front().from) return {before_, 0};

@@ -17,6 +17,8 @@ class SpeedHistory {
     /// Forgets everything and starts after motion at this velocity for ever.
     void start(double velocity_before) { before_ = velocity_before, steps_.clear(); }
     void append(const Step& step, double forget_before);
+    /// All velocities become before + by (V − before).
+    void scale(double by);
 
     struct Speed {
         double value, slope;

@@ -50,9 +50,53 @@ FrictionResponse DrivenJoint::respond_as(const BodyData& b, const Friction& fric
     return respond_on(friction, mode == Mode::reverse ? Branch::reverse : Branch::forward, V, b.ratio * b.speed, theta);
 }
 
+/// What the friction of body i resists where its level is late, at its own side.
+double DrivenJoint::late_level(const double* y, int i, bool backwards) const
+{
+    const auto& b = body_[i];
+    const double then = std::abs(past_.then(i, now(y)).value);
+    return late_force(b.friction, b.ratio * std::max(then, rest_speed * b.speed), backwards);
+}
+
+/// Its change in time.
+double DrivenJoint::late_change(const double* y, int i) const
+{
+    const auto& b = body_[i];
+    const auto then = past_.then(i, now(y));
+    const double V = b.ratio * std::abs(then.value);
+    if (!(V > rest_speed * b.ratio * b.speed)) return 0;
+    const double slope = late_slope(b.friction, V, modes[i] == Mode::reverse);
+    return slope * b.ratio * std::copysign(then.slope, then.slope * then.value);
+}
+
+void DrivenJoint::begin_past(const double* y, double velocity)
+{
+    if (!answers_late()) return;
+    LatePast::Speeds before{};
+    before.fill(velocity);
+    past_.begin(now(y), before);
+}
+
+double DrivenJoint::step_limit(const double* y)
+{
+    std::array<bool, max_bodies> rests{};
+    for (int i = 0; i < bodies(); ++i) rests[i] = modes[i] == Mode::stuck;
+    return past_.step_limit(now(y), rests);
+}
+
+void DrivenJoint::note_kink(const double* y, int lags)
+{
+    if (answers_late()) past_.note_kink(now(y), lags);
+}
+
 DrivenJoint::Contact DrivenJoint::contact(const double* y, int i, bool derivatives) const
 {
     const auto& b = body_[i];
+    if (b.late) {
+        Contact late;
+        late.r.force = late_level(y, i, modes[i] == Mode::reverse);
+        return late;
+    }
     if (!b.bent) return {respond_as(b, b.friction, modes[i], y, i)};
     Friction raised = b.friction;
     raise(raised.law, extra(y, i).level);
@@ -70,6 +114,13 @@ DrivenJoint::Contact DrivenJoint::contact(const double* y, int i, bool derivativ
 double DrivenJoint::limit(const double* y, int i, Branch branch) const
 {
     const auto& b = body_[i];
+    if (b.late) {
+        // a curve with a jump at V = 0 is set-valued there, and what a body resisted a lag ago it may still resist
+        const bool backwards = branch == Branch::reverse;
+        const double at_rest = std::abs(late_force(b.friction, b.ratio * rest_speed * b.speed, backwards));
+        const double most = std::max(static_force(b.friction), at_rest);
+        return b.ratio * std::max(most, std::abs(late_level(y, i, backwards)));
+    }
     DrivenState still;
     std::copy_n(y, size_, still.begin());
     const double edge = rest_speed * b.speed, V = branch == Branch::forward ? edge : -edge;
@@ -108,9 +159,23 @@ void DrivenJoint::settle(int i, double* y)
                                                        : Mode::stuck;
 }
 
+/// Puts the bodies beside a backlash onto its flank, to the last digit and, where they close in, not short of it. The
+/// damper's force begins there at once, and what it presses against may give way.
+void DrivenJoint::meet_flank(int i, double* y)
+{
+    const double half = 0.5 * backlash_[i], side = std::copysign(1.0, y[i] - y[i + 1]);
+    const bool closes = side * (velocity(y, i) - velocity(y, i + 1)) > 0;
+    y[i] = y[i + 1] + side * half;
+    if (!closes) return;
+    while (side * (y[i] - y[i + 1]) < half) y[i] = std::nextafter(y[i], side * infinity);
+    for (const int k : {i, i + 1})
+        if (body_[k].rests && modes[k] == Mode::stuck) settle(k, y);
+}
+
 void DrivenJoint::pass(int which, double* y)
 {
-    if (which >= bodies()) return;  // backlash: the spring knows by itself
+    note_kink(y, LatePast::felt_lags);
+    if (which >= bodies()) return meet_flank(which - bodies(), y);
     if (modes[which] == Mode::stuck)
         modes[which] = needed(y, which) > 0 ? Mode::forward : Mode::reverse;
     else
@@ -119,6 +184,8 @@ void DrivenJoint::pass(int which, double* y)
 
 void DrivenJoint::enter(double* y)
 {
+    // jumps of a command come every tick: what is left of them after two lags is for the error control of the steps
+    note_kink(y, 1);
     for (int i = 0; i < bodies(); ++i) {
         if (!body_[i].rests) continue;
         if (y[bodies() + i] == 0)

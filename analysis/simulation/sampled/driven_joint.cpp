@@ -27,7 +27,7 @@ Detail why_not_driven(const Joint& joint)
         Friction f = *chain.body[i].friction;
         const auto& law = info(f.law);
         if (law.linear_only) return Detail::linear_law;
-        if (law.needs_history) return Detail::late_friction_in_loop;
+        if (law.needs_history && states(f) > 0) return Detail::late_with_memory;
         if (!has_response(f)) return Detail::bristles_with_memory;
         const bool bent = f.load_coefficient != 0 || f.ripple.amplitude != 0 || f.drift.change != 0;
         if (bent && !with_levels(f.law, [](double&) {})) return Detail::no_level;
@@ -60,6 +60,9 @@ DrivenJoint::DrivenJoint(const Joint& joint, double frame, double speed, LoopSid
         b.rests = stickslip::can_rest(b.friction);
         const auto& f = b.friction;
         b.bent = f.load_coefficient != 0 || f.ripple.amplitude != 0 || f.drift.change != 0;
+        b.late = std::holds_alternative<TimeLag>(f.law);
+        if (b.late) past_.set_lag(i, std::get<TimeLag>(f.law).lag);
+        timed |= b.late;
         timed |= (f.ripple.amplitude != 0 && frame != 0) || f.drift.change != 0;
         b.states = stickslip::states(f);
         b.first_state = size_;
@@ -121,9 +124,9 @@ double DrivenJoint::spring(const double* y, int i, double* by_stretch, double* b
     const double half = 0.5 * backlash_[i], apart = y[i] - y[i + 1];
     const double stretch = apart - std::clamp(apart, -half, half);
     *by_stretch = *by_rate = 0;
-    if (half > 0 && stretch == 0) return 0;
+    if (half > 0 && std::abs(apart) < half) return 0;
     const double force = chain_.stiffness[i] * stretch + chain_.damping[i] * (velocity(y, i) - velocity(y, i + 1));
-    if (half > 0 && force * stretch < 0) return 0;  // contact cannot pull
+    if (half > 0 && force * apart < 0) return 0;  // contact cannot pull
     *by_stretch = chain_.stiffness[i], *by_rate = chain_.damping[i];
     return force;
 }
@@ -199,6 +202,7 @@ void DrivenJoint::jacobian(const double* y, double* J) const
         row[n + i] -= b.ratio * b.ratio * c.r.by_velocity * slope(i) * per;
         row[i] -= b.ratio * c.by_level * e.by_place * per;
         if (has_clock()) row[clock_index_] -= b.ratio * c.by_level * e.by_time * per;
+        if (b.late) row[clock_index_] -= b.ratio * late_change(y, i) * per;
         for (int j = 0; j < b.states; ++j) row[b.first_state + j] = -b.ratio * c.r.by_state[j] * per;
         if (i == 0) {
             const auto d = drive(y);

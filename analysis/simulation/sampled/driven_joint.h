@@ -4,6 +4,7 @@
 #include "analysis/joint/drive.h"
 #include "analysis/results/detail.h"
 #include "analysis/simulation/flows/flow.h"
+#include "analysis/simulation/flows/late_past.h"
 #include "analysis/stability/linear_joint.h"
 
 #include <array>
@@ -73,6 +74,23 @@ class DrivenJoint {
     /// And those that hold at y, whatever was before: call it where `arriving` or the state jumps.
     void enter(double* y);
 
+    // Friction that answers late: its level is that of the speed a lag ago. The joint carries the past of one motion.
+    bool answers_late() const { return past_.is_late(); }
+    /// Begins a motion at y, after this velocity of all bodies for ever.
+    void begin_past(const double* y, double velocity);
+    /// The same where the clock has been set.
+    void restart_past(const double* y)
+    {
+        if (answers_late()) past_.restart(now(y));
+    }
+    /// By when a step from y must end.
+    double step_limit(const double* y);
+    /// Takes a step into the past; `at(fraction, state)` is the state within it.
+    template <class At>
+    void remember(const double* from, const double* to, const At& at);
+    /// All motion so far, about steady sliding, becomes this many times as large.
+    void scale_past(double by) { past_.scale(by); }
+
     /// Effort on the mechanism now, at the motor's own side where the loop is counted there.
     double effort(const double* y) const;
     /// Friction on the link: of its law, or what holds it.
@@ -92,7 +110,8 @@ class DrivenJoint {
     struct BodyData {
         Friction friction;
         double inertia, ratio, speed, extra_unit;
-        bool logarithmic, rests, bent;  ///< bent: its level changes with place, time or load
+        bool logarithmic, rests, late;
+        bool bent;  ///< its level changes with place, time or load
         int states, first_state;
     };
     struct Drive {
@@ -113,8 +132,12 @@ class DrivenJoint {
     Contact contact(const double* y, int i, bool derivatives) const;
     FrictionResponse respond_as(const BodyData& b, const Friction& friction, Mode mode, const double* y, int i) const;
     double needed(const double* y, int i) const;
+    double late_level(const double* y, int i, bool backwards) const;
+    double late_change(const double* y, int i) const;
+    void note_kink(const double* y, int lags);
     double limit(const double* y, int i, Branch branch) const;
     void settle(int i, double* y);
+    void meet_flank(int i, double* y);
     double now(const double* y) const { return has_clock() ? y[clock_index_] : 0; }
 
     Chain chain_;
@@ -123,7 +146,24 @@ class DrivenJoint {
     std::array<BodyData, max_bodies> body_;
     int measured_ = 0, size_ = 0, lag_index_ = -1, clock_index_ = -1, switches_ = 0;
     DrivenState scale_{};
+    LatePast past_;
 };
+
+template <class At>
+void DrivenJoint::remember(const double* from, const double* to, const At& at)
+{
+    const double t0 = now(from), t1 = now(to);
+    if (!(t1 > t0)) return;
+    std::array<DrivenState, 3> inside;
+    for (int k = 0; k < 3; ++k) at(0.25 * (k + 1), inside[k].data());
+    for (int i = 0; i < bodies(); ++i) {
+        if (!body_[i].late) continue;
+        SpeedHistory::Step step{t0, t1, {}};
+        const double* y[] = {from, inside[0].data(), inside[1].data(), inside[2].data(), to};
+        for (int k = 0; k < 5; ++k) step.velocity[k] = velocity(y[k], i);
+        past_.append(i, step);
+    }
+}
 
 /// The term that the simulation of a loop has no equations for; none where it has all.
 Detail why_not_driven(const Joint& joint);

@@ -69,12 +69,20 @@ int DrivenMotion::first_switch(double& fraction) const
     DrivenState y_inside;
     joint.switch_values(step_.y1.data(), after.data());
     int first = -1;
+    constexpr double same_instant = 1e-9;  // of a step
+    constexpr double left_behind = 1e-6;   // of a step, after which a flank that it began on no longer counts
     for (int i = 0; i < joint.switches(); ++i) {
-        if (before_[i] * after[i] > 0 || before_[i] == 0 || after[i] == 0) {
-            const bool lands = after[i] == 0 && before_[i] != 0;
+        double low = 0, high = 1, f_low = before_[i], f_high = after[i];
+        if (i == passed_) {
+            low = left_behind;
+            step_.dense(low, y_inside.data());
+            joint.switch_values(y_inside.data(), inside.data());
+            f_low = inside[i];
+        }
+        if (f_low * f_high > 0 || f_low == 0 || f_high == 0) {
+            const bool lands = f_high == 0 && f_low != 0;
             if (!lands) continue;
         }
-        double low = 0, high = 1, f_low = before_[i], f_high = after[i];
         int kept = 0;
         for (int k = 0; k < 60 && high - low > 1e-13; ++k) {  // Illinois on the dense output
             const double middle =
@@ -97,7 +105,9 @@ int DrivenMotion::first_switch(double& fraction) const
             }
         }
         const double found = high;
-        if (first >= 0 && found >= fraction) continue;
+        // at a flank forces jump: a body that gives way there does so because of it
+        const double sooner = i >= joint.bodies() ? fraction + same_instant : fraction;
+        if (first >= 0 && found >= sooner) continue;
         first = i, fraction = found;
     }
     return first;

@@ -51,6 +51,7 @@ class DrivenMotion {
     RosenbrockStep step_;
     double wish_ = 0;  ///< length that error control would take next
     std::array<double, 2 * max_bodies> before_{};
+    int passed_ = -1;  ///< the backlash whose flank the last step ended on: its switch is zero but for rounding
 };
 
 template <class Observer>
@@ -65,18 +66,24 @@ bool DrivenMotion::advance(double t, double duration, Observer&& observe)
     long taken = 0;
     while (done < duration) {
         if (joint.switches() > 0) joint.switch_values(y.data(), before_.data());
-        if (!step_to(duration - done)) return false;
-        if (joint.switches() > 0 && !keep_launches(duration - done)) return false;
+        const double left = joint.answers_late()
+                                ? std::min(duration - done, joint.step_limit(y.data()) - joint.clock(y.data()))
+                                : duration - done;
+        if (!step_to(left)) return false;
+        if (joint.switches() > 0 && !keep_launches(left)) return false;
         double fraction = 1;
         const int which = joint.switches() > 0 ? first_switch(fraction) : -1;
         if (which >= 0) land_on(which, fraction);
         observe(DrivenStep{t + done, step_, joint});
+        if (joint.answers_late())
+            joint.remember(y.data(), step_.y1.data(), [this](double f, double* at) { step_.dense(f, at); });
         y = step_.y1;
-        if (which >= 0)
+        if (which >= 0 || (joint.answers_late() && step_.h >= left))
             step_.forget();
         else
             step_.carry();
         const bool last = which < 0 && step_.h >= duration - done;
+        passed_ = which >= joint.bodies() ? which : -1;
         done = last ? duration : done + step_.h;
         if (step_.h > resolved * duration) idle = 0;
         if (++taken > work::steps_of_tick || (which >= 0 && ++idle > most_idle)) return false;

@@ -8,7 +8,19 @@
 namespace stickslip {
 namespace {
 
-constexpr double aged_speed = 1e-3;  ///< of the motion's: the sliding that contacts at rest remember
+/// The velocity V* at which a contact's level holds; NaN for friction without memory.
+double level_velocity(const Friction& friction)
+{
+    if (friction.has_memory()) return friction.memory.V_star;
+    return std::visit(
+        [](const auto& law) {
+            if constexpr (requires { law.f0, law.V_star; })
+                return law.V_star;
+            else
+                return missing;
+        },
+        friction.law);
+}
 
 }  // namespace
 
@@ -53,17 +65,15 @@ DrivenState DrivenJoint::at_rest(double x) const
         const auto& b = body_[i];
         y[i] = x;
         y[bodies() + i] = 0;
-        // contacts that rest have aged as in very slow sliding; bristles stand upright
-        const bool ages = b.friction.has_memory() || std::visit(
-                                                         [](const auto& l) {
-                                                             return requires
-                                                             {
-                                                                 l.f0;
-                                                             };
-                                                         },
-                                                         b.friction.law);
-        if (!ages) continue;
-        const auto theta = steady_state(b.friction, aged_speed * b.ratio * b.speed);
+        // bristles stand upright; a contact remembers sliding at V*, at which its level holds, since a record says
+        // nothing of how long it has aged; a level that follows late is that of rest
+        const double slides = level_velocity(b.friction);
+        if (std::isnan(slides) && !b.friction.has_lag()) continue;
+        auto theta = steady_state(b.friction, std::isnan(slides) ? rest_speed * b.ratio * b.speed : slides);
+        if (b.friction.has_lag()) {
+            const auto still = steady_state(b.friction, rest_speed * b.ratio * b.speed);
+            theta[stickslip::states(b.friction.law)] = still[stickslip::states(b.friction.law)];
+        }
         std::copy_n(theta.begin(), b.states, y.data() + b.first_state);
     }
     return y;

@@ -157,9 +157,7 @@ bool LoopFollower::on_its_way() const
 
 void LoopFollower::scale_motion(double by)
 {
-    auto state = loop_.state();
-    for (std::size_t i = 0; i < state.size(); ++i) state[i] = steady_[i] + by * (state[i] - steady_[i]);
-    loop_.set_state(state);
+    loop_.scale_about(steady_, by);
     watch.reset(loop_.time());
     turns_.clear();
     skip_ = settling;

@@ -1,6 +1,9 @@
+// In one file: the slowest mode of a loop, by a matrix, behind a line of commands, or from the theory.
 #include "analysis/simulation/sampled/loop_mode.h"
 
 #include "analysis/loop/late_loop.h"
+#include "analysis/stability/real_loop.h"
+#include "analysis/stability/steady.h"
 
 #include <Eigen/Dense>
 
@@ -195,6 +198,15 @@ void find_in_matrix(TickMap& map, std::size_t n, LoopMode& mode)
 }
 
 }  // namespace
+
+LoopMode mode_by_theory(const Joint& joint, double period)
+{
+    LoopMode mode;
+    mode.period = period;
+    mode.multiplier = std::exp(real_root(joint, commanded_velocity(joint)) * period);
+    if (!mode.known()) mode.why = Detail::growth_unmeasured;
+    return mode;
+}
 
 LoopMode loop_mode(SampledLoop& loop)
 {

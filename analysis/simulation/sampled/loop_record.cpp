@@ -1,5 +1,8 @@
 #include "analysis/simulation/sampled/loop_record.h"
 
+#include "analysis/numerics/reference_rate.h"
+
+#include <algorithm>
 #include <cmath>
 
 namespace stickslip {
@@ -29,12 +32,8 @@ class Told {
                    : part == 1 ? column[i_ + 1]
                                : column[i_] + part * (column[i_ + 1] - column[i_]);
         };
-        // a reference without a velocity moves as it did over its last row
-        const std::size_t k = part > 0 || i_ == 0 ? i_ : i_ - 1;
-        const double velocity = r_.velocity.empty()
-                                    ? (r_.position[k + 1] - r_.position[k]) / (r_.time[k + 1] - r_.time[k])
-                                    : between(r_.velocity);
-        return {between(r_.position), velocity, r_.feed_forward.empty() ? 0 : between(r_.feed_forward)};
+        return {between(r_.position), r_.velocity.empty() ? 0 : between(r_.velocity),
+                r_.feed_forward.empty() ? 0 : between(r_.feed_forward)};
     }
 
   private:
@@ -42,6 +41,23 @@ class Told {
     double near_;
     std::size_t i_ = 0;
 };
+
+/// What is told at each of these ticks; a velocity that the reference does not state is that of its positions there.
+std::vector<Told::Now> told_at(const ReferenceMotion& reference, double tick, long ticks)
+{
+    Told told(reference, tick);
+    std::vector<Told::Now> all;
+    std::vector<double> time, position;
+    for (long k = 0; k <= ticks; ++k) {
+        time.push_back(reference.time.front() + static_cast<double>(k) * tick);
+        all.push_back(told.at(time.back()));
+        position.push_back(all.back().position);
+    }
+    if (!reference.velocity.empty()) return all;
+    const auto rates = reference_rates(time, position, jumps_of(position));
+    for (std::size_t k = 0; k < all.size(); ++k) all[k].velocity = rates[k];
+    return all;
+}
 
 LoopRecord refused(Reason reason, Detail why)
 {
@@ -89,14 +105,14 @@ LoopRecord started(const Joint& joint, const ReferenceMotion& reference, const T
 }
 
 /// Tick by tick; of a continuous loop each so many ticks are a row. A measured effort comes `ticks_late` after its row.
-void log_along(const ReferenceMotion& reference, Told& told, SampledLoop& loop, int each, LoopRecord& record)
+void log_along(const ReferenceMotion& reference, const std::vector<Told::Now>& told, SampledLoop& loop, int each,
+               LoopRecord& record)
 {
-    const double T = loop.period(), span = reference.time.back() - reference.time.front();
-    const long ticks = std::lround(std::floor(span / T + same_time));
-    const long late = loop.ticks_late();
+    const double T = loop.period();
+    const long ticks = static_cast<long>(told.size()) - 1, late = loop.ticks_late();
     for (long k = 0; k <= ticks + late; ++k) {
         const double t = reference.time.front() + static_cast<double>(k) * T;
-        const auto now = told.at(t);
+        const auto& now = told[static_cast<std::size_t>(std::min(k, ticks))];
         const bool moved = loop.tick(now.position, now.velocity, now.feed_forward, [](const DrivenStep&) {});
         const auto& r = loop.readings();
         if (k >= late && (k - late) % each == 0) record.effort_measured.push_back(r.effort);
@@ -142,8 +158,8 @@ LoopRecord record_along(const Joint& joint, const ReferenceMotion& reference, st
     const double speed = fastest > 0 ? fastest : is_set(V0) && V0 != 0 ? std::abs(V0) : 1e-3;
     SampledLoop loop(joint, 0, speed / joint.sensor.position_scale, LoopSide::motor, options);
     if (span / loop.period() > most_rows) return refused(Reason::unsupported, Detail::too_many_ticks);
-    Told told(reference, loop.period());
-    LoopRecord record = started(joint, reference, told.at(reference.time.front()), loop);
+    const auto told = told_at(reference, loop.period(), std::lround(std::floor(span / loop.period() + same_time)));
+    LoopRecord record = started(joint, reference, told.front(), loop);
     if (record.reason == Reason::none) log_along(reference, told, loop, each, record);
     return record;
 }

@@ -4,7 +4,8 @@
 
 namespace stickslip {
 
-/// What the joint is commanded to do, row by row [reading units]; `velocity` and `feed_forward` may be empty.
+/// What the joint is commanded to do, row by row [reading units]; `velocity` and `feed_forward` may be empty:
+/// the velocity is then that of the positions at the ticks (reference_rates).
 struct ReferenceMotion {
     std::vector<double> time, position, velocity, feed_forward;
 };

@@ -22,8 +22,11 @@ std::complex<double> rate_of(const Joint& joint, double frame)
         smooth.ideal_encoder = true;
         smooth.motion.fixed_step = tick_of(joint) / 4;
         SampledLoop loop(joint, frame, frame, LoopSide::joint, smooth);
-        if (loop.begin_steadily())
-            if (const auto mode = loop_mode(loop); mode.known() && std::abs(mode.rate()) > 0) return mode.rate();
+        if (loop.begin_steadily()) {
+            const bool late = loop.motion.joint.answers_late();
+            const auto mode = late ? mode_by_theory(joint, loop.period()) : loop_mode(loop);
+            if (mode.known() && std::abs(mode.rate()) > 0) return mode.rate();
+        }
     }
     const Chain chain = chain_of(joint);
     double inertia = 0;

@@ -142,13 +142,16 @@ bool LoopInquiry::find_mode(const Joint& asked, double frame, GrowthBy by)
     verdict_.tick = linear.period();
     linear.motion.set_fixed_step(fixed_part * linear.period());
     if (!linear.begin_steadily()) return refuse(Reason::no_steady_state, Detail::effort_limit);
-    mode_ = loop_mode(linear);
+    const bool late = linear.motion.joint.answers_late();
+    mode_ = late ? mode_by_theory(joint_, linear.period()) : loop_mode(linear);
     verdict_.growth_missing = mode_.why;
     verdict_.multiplier = mode_.multiplier;
     if (!mode_.known()) return refuse(Reason::not_converged, mode_.why);
     const double V0 = commanded_velocity(joint_);
     const auto s = mode_.rate();
-    if (by == GrowthBy::motion)
+    if (late)
+        verdict_.growth_rate = s.real();
+    else if (by == GrowthBy::motion)
         verdict_.growth_rate = measure_loop_growth(linear, mode_);
     else  // the theory has no term for a push that is fed back
         verdict_.growth_rate = joint_.control.feed_forward.fed_back() ? s.real() : real_growth(joint_, V0, false);
@@ -190,6 +193,10 @@ void LoopInquiry::begin_stated()
         // what a small disturbance grows along is known, its size is not
         auto lifted_state = steady_;
         const auto& j = loop_->motion.joint;
+        if (mode_.right.empty()) {
+            loop_->displace(lifted * std::abs(V0 / s));
+            return follow(Phase::stated);
+        }
         const double unit = std::abs(mode_.right[static_cast<std::size_t>(j.bodies())]);
         const double speed = j.logarithmic(0) ? 1 : std::abs(V0);
         for (std::size_t i = 0; i < steady_.size(); ++i)

@@ -95,6 +95,7 @@ bool SampledLoop::slide(double rate, double reference)
     motion.y = steady.y;
     for (int i = 0; i < j.bodies(); ++i) motion.y[i] += x;
     j.arriving = steady.command;
+    j.begin_past(motion.y.data(), rate * per_reading);
     motion.enter();
     ticks_ = 0;
     return std::isfinite(x);
@@ -134,8 +135,29 @@ void SampledLoop::begin_at_rest(double reading)
     motion.y = motion.joint.at_rest((reading - s.position_offset) / s.position_scale / motion.joint.reading_ratio());
     std::fill(line_.begin(), line_.end(), 0);
     motion.joint.arriving = 0;
+    motion.joint.begin_past(motion.y.data(), 0);
     motion.enter();
     ticks_ = 0;
+}
+
+void SampledLoop::set_clock(double controller, double t)
+{
+    clock_ = controller;
+    auto& j = motion.joint;
+    if (!j.has_clock()) return;
+    j.clock(motion.y.data()) = t;
+    j.restart_past(motion.y.data());
+}
+
+void SampledLoop::scale_about(const std::vector<double>& steady, double by)
+{
+    auto scaled = state();
+    const double t = motion.joint.has_clock() ? motion.joint.clock(motion.y.data()) : 0;
+    for (std::size_t i = 0; i < scaled.size(); ++i) scaled[i] = steady[i] + by * (scaled[i] - steady[i]);
+    set_state(scaled);
+    if (!motion.joint.has_clock()) return;
+    motion.joint.clock(motion.y.data()) = t;
+    motion.joint.scale_past(by);
 }
 
 double SampledLoop::read()

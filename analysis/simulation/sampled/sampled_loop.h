@@ -67,11 +67,9 @@ class SampledLoop {
     void set_state(const std::vector<double>& state);
 
     /// What time the controller has, for its dither, and what time it is for what depends on time.
-    void set_clock(double controller, double t)
-    {
-        clock_ = controller;
-        if (motion.joint.has_clock()) motion.joint.clock(motion.y.data()) = t;
-    }
+    void set_clock(double controller, double t);
+    /// The motion about a steady state becomes this many times as large, its past included.
+    void scale_about(const std::vector<double>& steady, double by);
 
     double period() const { return period_; }
     /// Whole ticks by which readings are late.

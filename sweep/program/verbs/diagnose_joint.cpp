@@ -1,6 +1,7 @@
 #include "sweep/program/verbs/diagnose_joint.h"
 
 #include "analysis/diagnosis/diagnose.h"
+#include "analysis/diagnosis/plant/record_form.h"
 #include "analysis/diagnosis/rig/rig.h"
 #include "sweep/engine/build.h"
 #include "sweep/files/json/diagnosis_json.h"
@@ -102,11 +103,14 @@ void remove_earlier(const std::filesystem::path& directory)
         std::filesystem::remove(directory / name);
 }
 
-JointDiagnosis diagnose_joint(const Joint& joint, const GatheredRecords& given, const Invocation& invocation,
+JointDiagnosis diagnose_joint(const Joint& documented, const GatheredRecords& given, const Invocation& invocation,
                               StageLine& line, const std::string& about)
 {
     if (!given.gaps.empty()) throw BadInput(given.gaps);
-    JointDiagnosis found{{}, joint, joint, !given.contradictions.empty(), gap::is_rig(given.records.front())};
+    // a rig fits laws as they are
+    const bool of_rig = gap::is_rig(given.records.front());
+    const Joint joint = of_rig ? documented : gap::record_form(documented);
+    JointDiagnosis found{{}, joint, joint, !given.contradictions.empty(), of_rig};
     Diagnosis& d = found.diagnosis;
     if (found.contradicted) {
         // a cause fitted to records in another unit would be named with confidence, and wrong
@@ -129,6 +133,8 @@ JointDiagnosis diagnose_joint(const Joint& joint, const GatheredRecords& given, 
     }
     d.notes.insert(d.notes.begin(), given.warnings.begin(), given.warnings.end());
     if (const auto side = side_text(joint, true); !side.empty()) d.notes.push_back({.text = plain_text(side)});
+    if (const auto law = of_rig ? "" : gap::rewritten_law(documented); !law.empty())
+        d.notes.push_back({.text = rewritten_law_text(law)});
     return found;
 }
 

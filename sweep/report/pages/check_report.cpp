@@ -49,7 +49,7 @@ std::string kind_words(const std::string& theory)
 {
     return theory == "velocity_only"    ? "velocity-only boundary"
            : theory == "state_variable" ? "boundary with memory"
-           : theory == "v_min"          ? "least stable velocity"
+           : theory == "v_min"          ? "V_{min}"
            : theory == "fold"           ? "fold of limit cycles"
            : theory == "outcome"        ? "boundary of the outcome"
                                         : theory;

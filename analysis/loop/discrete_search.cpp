@@ -178,8 +178,12 @@ std::vector<Complex> multipliers(const DiscreteLoop& loop, double gain)
 
 double sampled_growth(const DiscreteLoop& loop, double gain)
 {
-    const Eigen::VectorXcd values = eigenvalues_of(loop.closed(gain));
+    const auto closed = loop.closed(gain);
+    // a finite mechanism whose map over one tick overflows grows by more than any number a tick
+    if (!closed.allFinite()) return infinity;
+    const Eigen::VectorXcd values = eigenvalues_of(closed);
     if (values.size() == 0) return not_set;
+    if (!values.allFinite()) return infinity;
     double most = -infinity;
     // ln|1 + v|² = log1p(2 Re v + |v|²)
     for (const Complex& v : values) most = std::max(most, 0.5 * std::log1p(2 * v.real() + std::norm(v)));

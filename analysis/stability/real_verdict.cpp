@@ -86,7 +86,7 @@ PointResult real_point(const Joint& joint, double commanded)
     }
     const auto simple = real_loop(joint, velocity_only(linear), velocity, TurnedGain::all);
     const double simply = simple ? growth(*simple) : missing;
-    point.velocity_only_stable = std::isfinite(simply) ? code_of(simply) : verdict_missing;
+    point.velocity_only_stable = std::isnan(simply) ? verdict_missing : code_of(simply);
     point.state_variable_stable = code_of(point.spectral_abscissa);
     if (point.state_variable_stable == verdict_neutral)
         point.region = Region::neutral;

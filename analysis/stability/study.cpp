@@ -4,6 +4,7 @@
 
 #include "analysis/joint/gains.h"
 #include "analysis/stability/frequency_search.h"
+#include "analysis/stability/real_loop.h"
 #include "analysis/stability/real_response.h"
 #include "analysis/stability/stable_gains.h"
 #include "analysis/stability/steady.h"
@@ -12,8 +13,9 @@ namespace stickslip {
 namespace {
 
 /// Several bodies and real loops ask for a set of gains at each velocity, one mass of the ideal loop for a slope.
-int range_scan(const Joint& joint)
+int range_scan(const Joint& joint, bool costly)
 {
+    if (costly) return 12;
     switch (loop_kind(joint)) {
         case LoopKind::ideal:
             return joint.mechanism.model == Model::single_mass ? 600 : 120;
@@ -27,6 +29,9 @@ int range_scan(const Joint& joint)
 
 /// What costs many searches is computed for joints with delays only where more than the usual effort is allowed.
 constexpr double effort_of_late_studies = 10;
+
+/// Velocities that are looked at: of loops with many dead ticks, whose roots each cost a search, fewer.
+constexpr int many_velocities = 200, few_velocities = 40;
 
 std::vector<ReductionStudy> named_only(const Joint& joint)
 {
@@ -42,6 +47,14 @@ std::vector<ReductionStudy> named_only(const Joint& joint)
 }
 
 }  // namespace
+
+bool many_dead_ticks(const Joint& joint)
+{
+    if (loop_kind(joint) != LoopKind::sampled) return false;
+    const double V = sliding_velocity(joint, commanded_velocity(joint));
+    const auto loop = real_loop(joint, linear_joint(joint, V), V, TurnedGain::all);
+    return loop && std::holds_alternative<LateLoop>(loop->loop);
+}
 
 bool known_at_one_velocity(const Joint& joint)
 {
@@ -60,7 +73,9 @@ LinearStudy linear_study(const Joint& given)
     if (steady.reason != Reason::none) return study;
     const double V = std::abs(steady.velocity), reach = std::pow(10, study_decades);
     const auto linear = linear_joint(joint, steady.velocity);
-    const bool thorough = linear.rational() || search_effort() >= effort_of_late_studies;
+    const bool effort = search_effort() >= effort_of_late_studies;
+    const bool costly = !effort && many_dead_ticks(joint);
+    const bool thorough = (linear.rational() && !costly) || effort;
     const auto gains = stable_gains(joint);
     if (const auto response = LoopResponse::of(joint, Theory::state_variable)) {
         study.compliance = std::abs(response->at(0));
@@ -75,13 +90,15 @@ LinearStudy linear_study(const Joint& given)
         const bool back = steady.velocity < 0;
         const auto [low, high] = study.velocities =
             back ? Interval{-V * reach, -V / reach} : Interval{V / reach, V * reach};
-        study.velocity_only = stable_velocities(joint, low, high, Theory::velocity_only);
-        study.state_variable = stable_velocities(joint, low, high, Theory::state_variable);
-        study.range_gain = velocity_gain_for_range(joint, back ? low : high, range_scan(joint));
+        const int scan = study.velocities_looked_at = costly ? few_velocities : many_velocities;
+        study.velocity_only = stable_velocities(joint, low, high, Theory::velocity_only, scan);
+        study.state_variable = stable_velocities(joint, low, high, Theory::state_variable, scan);
+        study.range_gain = velocity_gain_for_range(joint, back ? low : high, range_scan(joint, costly));
     }
     study.comparison = compare_theories(joint, gains);
     if (is_set(joint.control.period)) {
         study.velocity_noise = std::sqrt(2.0) / joint.control.period;
+        study.mix_searched = thorough;
         if (thorough) study.mix = optimal_mix(joint, study.velocity_noise);
     }
     const double stiffness = joint.control.k_p + joint.control.contact_stiffness;

@@ -21,13 +21,19 @@ struct LinearStudy {
     LoopMargins margins{missing, missing, missing, missing};
     Interval velocities{missing, missing};  ///< searched for stable_velocities; NaN: known_at_one_velocity
     StableVelocities velocity_only, state_variable;
+    int velocities_looked_at = 0;         ///< by stable_velocities: two changes between neighbours are not seen
     std::optional<RangeGain> range_gain;  ///< k_v for every velocity up to the highest searched
     Comparison comparison;
     double velocity_noise = missing;  ///< σ_v/σ_x = √2/T of a differenced position, where the loop has a sample time
     GainMix mix;                      ///< for velocity_noise
+    bool mix_searched = true;         ///< false: takes more than the usual effort
     std::optional<ForceRamp> ramp;    ///< force control
     std::vector<ReductionStudy> reductions;
 };
+
+/// Whether the joint's sampled loop is judged by its characteristic function, because of many dead ticks or of late
+/// friction: each of its roots then costs a search.
+bool many_dead_ticks(const Joint& joint);
 
 /// Whether a friction of the joint is a kernel: found at one velocity, it says nothing about others.
 bool known_at_one_velocity(const Joint& joint);

@@ -7,12 +7,13 @@ namespace stickslip {
 
 std::string_view name_of(StudyReason reason)
 {
-    constexpr std::array<std::string_view, 15> names{"no-stable-velocity",  "stable-at-lowest", "unstable-at-highest",
+    constexpr std::array<std::string_view, 16> names{"no-stable-velocity",  "stable-at-lowest", "unstable-at-highest",
                                                      "kernel-at-one-speed", "no-single-k_v",    "not-stable",
                                                      "no-boundary-above",   "no-crossover",     "neutral",
                                                      "no-linear-response",  "no-period",        "no-pair-on-boundary",
-                                                     "gains-not-alone",     "no-boundary",      "boundaries-differ"};
-    static_assert(names.size() == static_cast<std::size_t>(StudyReason::boundaries_differ) + 1);
+                                                     "gains-not-alone",     "no-boundary",      "boundaries-differ",
+                                                     "not-searched"};
+    static_assert(names.size() == static_cast<std::size_t>(StudyReason::not_searched) + 1);
     return names[static_cast<std::size_t>(reason)];
 }
 
@@ -51,7 +52,8 @@ std::optional<StudyReason> range_gain_reason(const LinearStudy& s)
 std::optional<StudyReason> mix_reason(const LinearStudy& s)
 {
     if (!std::isnan(s.mix.noise)) return {};
-    return std::isnan(s.velocity_noise) ? StudyReason::no_period : StudyReason::no_pair_on_boundary;
+    if (std::isnan(s.velocity_noise)) return StudyReason::no_period;
+    return s.mix_searched ? StudyReason::no_pair_on_boundary : StudyReason::not_searched;
 }
 
 std::optional<StudyReason> error_reason(const ReductionStudy& r)

@@ -23,7 +23,8 @@ enum class StudyReason {
     no_pair_on_boundary,  ///< of gains
     gains_not_alone,      ///< this loop has no independent gains k_p and k_v
     no_boundary,          ///< of either joint along the searched range: nothing to compare
-    boundaries_differ     ///< in number, of the full and the reduced joint
+    boundaries_differ,    ///< in number, of the full and the reduced joint
+    not_searched          ///< within the usual effort
 };
 
 /// As JSON calls it.

@@ -59,6 +59,14 @@ std::string loop_text(const LoopUse& loop)
     return text;
 }
 
+std::string left_out_text(const LoopUse& described, bool slides_smoothly)
+{
+    std::string used;
+    for (const auto& key : described.used) add(used, key);
+    return "--ideal-loop leaves out " + used + " of the joint file. In the " + loop_name(described.kind) +
+           " loop as it is, sliding at this velocity is " + (slides_smoothly ? "stable" : "unstable") + ".";
+}
+
 std::string side_text(const Joint& joint, bool of_record)
 {
     const double N = reading_per_joint(joint);

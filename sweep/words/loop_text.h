@@ -16,6 +16,9 @@ std::string why_text(WhyNot why);
 /// A sentence with what the loop used and what it could not; empty for an ideal loop that leaves nothing out.
 std::string loop_text(const LoopUse& loop);
 
+/// What `--ideal-loop` leaves out of the joint that its file describes, and whether that joint slides.
+std::string left_out_text(const LoopUse& described, bool slides_smoothly);
+
 /// At which side of a gear numbers are counted, of a record or of a verdict; empty without a gear between.
 std::string side_text(const Joint& joint, bool of_record);
 

@@ -31,6 +31,8 @@ std::string study_text(StudyReason reason)
             return "the linear theory has no response of this loop with this friction";
         case StudyReason::no_period:
             return "control.period is not set: the noise of a differentiated velocity depends on it";
+        case StudyReason::not_searched:
+            return "not searched within the usual effort; --effort 10 does";
         case StudyReason::no_pair_on_boundary:
             return "no pair of gains on a boundary of stability was found";
         case StudyReason::gains_not_alone:

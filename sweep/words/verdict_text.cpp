@@ -1,3 +1,4 @@
+// In one file: the sentences and the table of one linear verdict.
 #include "sweep/words/verdict_text.h"
 
 #include "analysis/joint/gains.h"
@@ -6,6 +7,7 @@
 #include "sweep/words/line_figure.h"
 #include "sweep/words/loop_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -17,9 +19,22 @@ std::string stiffness(double k, Motion motion)
     return with_unit(k, Quantity::stiffness, motion);
 }
 
+/// A real force loop has no k_p of its own that could be turned, a cascade there no k_v: neither was searched.
+bool searched_in_k_p(const Joint& joint)
+{
+    return loop_kind(joint) == LoopKind::ideal || joint.control.kind == ControlKind::position;
+}
+bool searched_in_k_v(const Joint& joint, const LoopUse& loop)
+{
+    const auto& used = loop.used;
+    const bool cascade = std::find(used.begin(), used.end(), "control.position_gain") != used.end();
+    return loop.kind == LoopKind::ideal || (joint.control.kind == ControlKind::position && !cascade);
+}
+
 /// The stable set in k_p where it is no single half-line above a critical gain.
 std::string stable_gains(const Joint& joint, const StateVariableVerdict& memory)
 {
+    if (!searched_in_k_p(joint)) return ".";
     const auto motion = joint.mechanism.motion;
     const auto& stable = memory.stable_intervals;
     const bool limited = std::isfinite(memory.searched_to);
@@ -36,8 +51,9 @@ std::string stable_gains(const Joint& joint, const StateVariableVerdict& memory)
 }
 
 /// What the velocity-only model would require where it says no, and memory does not.
-std::string asked_by_velocity(const Joint& joint, const VelocityOnlyVerdict& velocity_only)
+std::string asked_by_velocity(const Joint& joint, const LoopUse& loop, const VelocityOnlyVerdict& velocity_only)
 {
+    if (!searched_in_k_v(joint, loop)) return ".";
     if (velocity_only.stable_k_v.empty()) return " at every k_{v}.";
     return " and asks for " + demanded_text(velocity_only.stable_k_v, joint.mechanism.motion) + ".";
 }
@@ -85,7 +101,7 @@ std::string other_theory(const Joint& joint, const LinearVerdict& v)
     const std::string says = " The velocity-only model calls it ";
     return says + (simple.stable    ? "stable."
                    : simple.neutral ? "neutral."
-                                    : "stick-slip" + asked_by_velocity(joint, simple));
+                                    : "stick-slip" + asked_by_velocity(joint, v.loop, simple));
 }
 
 }  // namespace
@@ -123,7 +139,8 @@ Table linear_table(const Joint& joint, const LinearVerdict& v)
         row("friction of steady sliding f_{ss}(V_{0})", v.steady.friction, Quantity::effort),
         row("steady deflection δ_{ss}", v.steady.deflection, Quantity::position),
         row("slope of the steady curve f_{ss}'(V_{0})", v.velocity_only.slope, Quantity::damping),
-        {"k_{v} required by the velocity-only model", v.velocity_only.k_v_min == 0 && v.velocity_only.slope <= 0
+        {"k_{v} required by the velocity-only model", !searched_in_k_v(joint, v.loop) ? "not searched in this loop"
+                                                      : v.velocity_only.k_v_min == 0 && v.velocity_only.slope <= 0
                                                           ? "any k_{v} > 0"
                                                           : demanded_text(v.velocity_only.stable_k_v, motion)},
         row("direct effect f_{v}", v.state_variable.f_v, Quantity::damping),
@@ -137,7 +154,9 @@ Table linear_table(const Joint& joint, const LinearVerdict& v)
         table.rows.push_back({"phase margin", plain_number(v.state_variable.phase_margin_deg) + "°"});
     if (std::isnan(v.state_variable.k_cr))
         table.rows.push_back(
-            {"stable k_{p}", intervals_text(v.state_variable.stable_intervals, Quantity::stiffness, motion)});
+            {"stable k_{p}", searched_in_k_p(joint)
+                                 ? intervals_text(v.state_variable.stable_intervals, Quantity::stiffness, motion)
+                                 : "not searched: a force loop turns none of its gains alone"});
     else {
         const double omega = v.state_variable.crossings.back().omega;
         table.rows.push_back(row("frequency at the critical gain ω", omega, Quantity::angular_frequency));

@@ -77,13 +77,15 @@ def law_ageing(r, V):
 def law_regularised(r, V):
     A, B, L, f0, V_star = slip_numbers(r)
     theta = -sum(B) * math.log(V / V_star)
-    X = V / (2 * V_star) * math.exp((f0 + theta) / A)
-    share = 1 / math.sqrt(1 + X**-2)
+    # X = V/(2 V*) e^{(f0 + theta)/A} may overflow, its logarithm not: asinh X = ln X + ln(1 + sqrt(1 + X^-2))
+    log_X = math.log(V / (2 * V_star)) + (f0 + theta) / A
+    root = math.sqrt(1 + math.exp(-2 * log_X))
+    share = 1 / root
     states = [(-V / l, -b / l, share) for b, l in zip(B, L)]
     text = slip_text('rate-and-state-regularised', A, B, L, f0, V_star)
     if r.random() < 0.5:
         text += 'evolution = "ageing"\n'
-    return text, A * share / V, states, A * math.asinh(X)
+    return text, A * share / V, states, A * (log_X + math.log(1 + root))
 
 
 def law_dahl(r, V):

@@ -55,15 +55,13 @@ Json velocities_json(const StableVelocities& v, const Interval& searched)
 Json velocity_study_json(const LinearStudy& s)
 {
     if (std::isnan(s.velocities.low)) {
-        Json json = {{"searched", nullptr},
-                     {"velocity_only", nullptr},
-                     {"state_variable", nullptr},
-                     {"k_v_for_all", nullptr},
-                     {"hardest", nullptr}};
+        Json json = {{"searched", nullptr},       {"looked_at", nullptr},   {"velocity_only", nullptr},
+                     {"state_variable", nullptr}, {"k_v_for_all", nullptr}, {"hardest", nullptr}};
         add_reason(json, range_gain_reason(s));
         return json;
     }
     Json json = {{"searched", {json_number(s.velocities.low), json_number(s.velocities.high)}},
+                 {"looked_at", s.velocities_looked_at},
                  {"velocity_only", velocities_json(s.velocity_only, s.velocities)},
                  {"state_variable", velocities_json(s.state_variable, s.velocities)},
                  {"k_v_for_all", s.range_gain ? json_number(s.range_gain->k_v) : Json(nullptr)},
@@ -114,7 +112,7 @@ Json reduction_json(const ReductionStudy& r)
 /// Two decades to either side of the joint's own gain, in twelve steps a decade.
 Json locus_json(const Joint& joint)
 {
-    const bool finite = loop_kind(joint) == LoopKind::sampled ||
+    const bool finite = (loop_kind(joint) == LoopKind::sampled && !many_dead_ticks(joint)) ||
                         (joint.dead_time() == 0 && linear_joint(joint, commanded_velocity(joint)).rational());
     const int steps = finite ? 48 : 8;  // where roots have no end, each gain costs a search
     std::vector<double> gains;

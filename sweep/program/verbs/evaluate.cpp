@@ -1,4 +1,4 @@
-// stickslip evaluate: everything the theory says about one joint.
+// In one file: one verb. stickslip evaluate: everything the theory says about one joint.
 #include "analysis/joint/gains.h"
 #include "analysis/loop/loop_use.h"
 #include "analysis/results/text.h"
@@ -7,6 +7,7 @@
 #include "analysis/stability/frequency_search.h"
 #include "analysis/stability/integral_cost.h"
 #include "analysis/stability/real_loop.h"
+#include "analysis/stability/stable_gains.h"
 #include "analysis/stability/verdict.h"
 #include "sweep/engine/build.h"
 #include "sweep/files/json/load_json.h"
@@ -26,6 +27,7 @@
 #include "sweep/report/pages/write_report.h"
 #include "sweep/study/open_verdict.h"
 #include "sweep/words/integral_text.h"
+#include "sweep/words/loop_text.h"
 #include "sweep/words/neighbour_text.h"
 #include "sweep/words/open_text.h"
 #include "sweep/words/set_point_text.h"
@@ -101,6 +103,8 @@ struct Evaluated {
     std::vector<NearMode> near;
     std::optional<IntegralCost> integral;
     std::string servo;
+    std::optional<Joint> described;  ///< with the loop that --ideal-loop leaves out
+    bool described_slides = false;
 
     bool decided() const { return verdict.steady.reason == Reason::none; }
     bool open() const { return decided() && is_open(nonlinear); }
@@ -112,6 +116,7 @@ struct Evaluated {
 Evaluated evaluated(const Options& options)
 {
     auto asked = read_spec_or_joint(options.joint, options.settings);
+    const Joint described = asked.design;
     if (options.ideal_loop) {
         asked.design = with_ideal_loop(asked.design);
         asked.spec.joint = with_ideal_loop(asked.spec.joint);
@@ -137,6 +142,10 @@ Evaluated evaluated(const Options& options)
     e.near = near_modes(e.joint);
     e.integral = integral_cost(e.joint, e.verdict);
     e.servo = files::servo_text(options.joint);
+    if (options.ideal_loop && loop_kind(described) != LoopKind::ideal) {
+        e.described = described.control.structure == Structure::cascade ? with_gains(described) : described;
+        e.described_slides = growth_rate(described) < 0;
+    }
     return e;
 }
 
@@ -144,8 +153,15 @@ std::filesystem::path write_page(const Evaluated& e, const Options& options, con
 {
     const auto answer = answer_joint(e.summed, e.verdict, e.nonlinear, *e.study);
     auto report = linear_report(e.summed, answer);
-    if (const auto chart = gain_chart(e.summed))
-        report.sections.insert(report.sections.begin(), gains_section(e.summed, answer, *chart));
+    const auto& own = e.verdict.state_variable.stable_intervals;
+    const BothLoops both =
+        e.described ? BothLoops{own, stable_gains(*e.described).stable} : BothLoops{answer.ideal_gains, own};
+    if (const auto chart = gain_chart(e.described ? *e.described : e.summed))
+        report.sections.insert(report.sections.begin(), gains_section(e.units(), both, *chart));
+    if (e.described)
+        report.alerts.push_back(
+            {e.described_slides == e.verdict.state_variable.stable ? Headline::Tone::neutral : Headline::Tone::warning,
+             left_out_text(loop_use(*e.described), e.described_slides)});
     report.provenance = {{"version", program_version()}, {"command", command}};
     if (e.motion)
         for (auto& section : report.sections)
@@ -179,6 +195,10 @@ nlohmann::ordered_json evaluate_json(const Evaluated& e, const AskedDisturbance&
     if (e.integral)
         json["linear"]["integral_cost"] = {
             {"margin", e.integral->with}, {"margin_without", e.integral->without}, {"share", e.integral->share()}};
+    if (e.described) {
+        json["notes"].push_back(left_out_text(loop_use(*e.described), e.described_slides));
+        json["note_codes"].push_back("ideal-loop");
+    }
     if (!e.servo.empty()) json["notes"].push_back(e.servo), json["note_codes"].push_back("servo");
     return json;
 }
@@ -193,6 +213,7 @@ void print_text(const Evaluated& e)
         print_rows(linear_table(e.summed, e.verdict));
         print_rows(nonlinear_table(e.joint, e.nonlinear));
     }
+    if (e.described) fmt::print("{}\n", left_out_text(loop_use(*e.described), e.described_slides));
     for (const auto& mode : e.near) fmt::print("warning: {}\n", plain_text(near_mode_text(mode, e.units())));
     if (e.integral) fmt::print("{}\n", plain_text(integral_text(*e.integral, e.units())));
     if (!e.servo.empty()) fmt::print("{}\n", e.servo);

@@ -87,6 +87,23 @@ double next_window(const StableVelocities& stable, double velocity)
     return next;
 }
 
+/// The intervals of smooth velocities below V_min: "from 1 µm/s (or slower) to 776 µm/s".
+std::string windows_text(const VelocitySearch& search, Motion motion)
+{
+    const auto& found = search.found;
+    const bool back = search.velocity < 0;
+    const double slowest = std::min(std::abs(search.low), std::abs(search.high));
+    std::string text;
+    for (const auto& i : found.intervals) {
+        const double slow = back ? i.high : i.low, fast = back ? i.low : i.high;
+        if (slow == found.all_above) continue;
+        const bool open = std::abs(slow) <= slowest * (1 + 1e-9);
+        text += (text.empty() ? " from " : ", from ") + with_unit(slow, Quantity::velocity, motion) +
+                (open ? " or slower" : "") + " to " + with_unit(fast, Quantity::velocity, motion);
+    }
+    return text;
+}
+
 std::vector<Headline> velocity_headlines(const VelocitySearch& search, bool stable, Motion motion)
 {
     const auto text = [&](double v) { return with_unit(v, Quantity::velocity, motion); };
@@ -103,7 +120,7 @@ std::vector<Headline> velocity_headlines(const VelocitySearch& search, bool stab
          std::isnan(from) ? "no V_{min}" : (from <= low * (1 + 1e-9) ? "V_{min} ≤ " : "V_{min} = ") + text(from),
          (std::isnan(from) ? std::string("the highest velocity shows stick-slip")
                            : "every faster velocity slides smoothly") +
-             searched + (windows ? "; a window of smooth sliding begins at " + text(stable_set.least) : "")});
+             searched + (windows ? "; smooth" + windows_text(search, motion) : "")});
     for (const auto& i : stable_set.intervals) {
         if (!stable || V < i.low || V > i.high || (i.low <= low * (1 + 1e-9) && i.high >= high * (1 - 1e-9))) continue;
         const bool open = i.high >= high * (1 - 1e-9);

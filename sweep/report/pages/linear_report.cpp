@@ -79,16 +79,15 @@ Headline gains_headline(const std::vector<Interval>& stable, const std::string& 
 
 }  // namespace
 
-Section gains_section(const Joint& joint, const JointAnswer& answer, const GainChart& chart)
+Section gains_section(Motion motion, const BothLoops& stable, const GainChart& chart)
 {
-    const auto motion = joint.mechanism.motion;
     Section section{
         "gains",
         "Safe gains: this loop and the paper's",
         "Under the paper's ideal loop, k_{p} and k_{v} at once and without end, sliding is stable for k_{p} " +
-            intervals_text(answer.ideal_gains, Quantity::stiffness, motion) +
+            intervals_text(stable.ideal, Quantity::stiffness, motion) +
             " at this k_{v}; in the loop as it is for k_{p} " +
-            intervals_text(answer.linear.state_variable.stable_intervals, Quantity::stiffness, motion) +
+            intervals_text(stable.real, Quantity::stiffness, motion) +
             ". Colours and regions are those of the loop as it is.",
         {},
         {}};
@@ -118,7 +117,7 @@ Report linear_report(const Joint& joint, const JointAnswer& answer)
         if (linear.loop.kind == LoopKind::ideal) {
             report.headlines.push_back(demand("by velocity alone", c.k_v_velocity_only, joint.control.k_v, motion));
             report.headlines.push_back(demand("with memory", c.k_v_memory, joint.control.k_v, motion));
-        } else {
+        } else if (joint.control.kind == ControlKind::position) {
             report.headlines.push_back(
                 gains_headline(linear.state_variable.stable_intervals, "in the loop as it is", motion));
             report.headlines.push_back(gains_headline(answer.ideal_gains, "under the paper's ideal loop", motion));

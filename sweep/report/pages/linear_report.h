@@ -13,8 +13,13 @@ namespace stickslip {
 /// Empty without steady sliding.
 std::vector<Section> linear_sections(const Joint& joint, const LinearDetails& details);
 
+/// Stable k_p under the paper's loop and in the joint's own.
+struct BothLoops {
+    std::vector<Interval> ideal, real;
+};
+
 /// What the paper's loop allows beside what the joint's own does: the first chart of a joint with a real loop.
-Section gains_section(const Joint& joint, const JointAnswer& answer, const GainChart& chart);
+Section gains_section(Motion motion, const BothLoops& stable, const GainChart& chart);
 
 /// Verdict, sections and tables of one joint.
 Report linear_report(const Joint& joint, const JointAnswer& answer);

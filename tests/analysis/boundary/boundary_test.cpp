@@ -132,6 +132,26 @@ TEST_CASE("the least velocity is the lowest of the crossings", "[boundary]")
     CHECK(ray.points[0].direction == -1);
 }
 
+TEST_CASE("V_min lies above every window of smooth sliding", "[boundary]")
+{
+    // LuGre at this gain slides slowly and fast, and not between
+    Joint joint = example_joint(6e4, 80, 7e-4);
+    joint.friction.law = LuGre{1e5, std::sqrt(1e5), 0.4, 1, 1.5, 1e-3};
+    const auto all = locate_boundaries(joint, axis("control.V0", 1e-5, 1e-1), of(BoundaryKind::state_variable));
+    REQUIRE(all.points.size() == 2);
+    CHECK(all.points[0].direction == 1);
+    const auto least = locate_boundaries(joint, axis("control.V0", 1e-5, 1e-1), of(BoundaryKind::v_min));
+    REQUIRE(least.points.size() == 1);
+    CHECK(least.points[0].value == Approx(all.points[1].value));
+    // a curve that rises in the middle alone, under negative damping: a window, and stick-slip above it
+    joint.friction.law = Stribeck{8, 0, -1, 1e-2, 2};
+    joint.control.k_v = -10;
+    const auto window = locate_boundaries(joint, axis("control.V0", 1e-5, 1e-1), of(BoundaryKind::state_variable));
+    REQUIRE(window.points.size() == 2);
+    CHECK(window.points[0].direction == -1);
+    CHECK(locate_boundaries(joint, axis("control.V0", 1e-5, 1e-1), of(BoundaryKind::v_min)).points.empty());
+}
+
 TEST_CASE("outcomes: the boundary lies between the linear one and the fold, and depends on the disturbance",
           "[boundary][outcome]")
 {

@@ -51,7 +51,7 @@ Joint two_masses(double backlash = 0, double ratio = 1)
     m.motor_inertia = 0.7 / (ratio * ratio), m.link_inertia = 1.3;
     m.transmission.stiffness = 4e4, m.transmission.damping = 40;
     m.transmission.ratio = ratio, m.transmission.backlash = backlash;
-    joint.control.k_p /= ratio, joint.control.k_v /= ratio;
+    joint.control.k_p /= ratio * ratio, joint.control.k_v /= ratio * ratio;
     joint.frictions.motor.law = CoulombViscous{3 / ratio, 6 / (ratio * ratio)};
     joint.frictions.link.law = CoulombViscous{2, 4};
     return joint;

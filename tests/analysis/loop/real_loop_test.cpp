@@ -158,3 +158,13 @@ TEST_CASE("The reference joint at 60 kN/m is unstable behind one tick of dead ti
           std::vector<std::string>{"control.period", "control.delay", "control.velocity_estimate.form"});
     CHECK(linear_verdict(with_ideal_loop(told_joint(table[1]))).state_variable.stable);
 }
+
+TEST_CASE("A falling curve that overflows within one tick is unstable, and has no window")
+{
+    // by its curve alone 5e-4 kg runs away at 500 N·s/m over 5e-4 kg: by e^1000 in 1 ms
+    Joint joint = told_joint(table[0]);
+    joint.mechanism.inertia = 5e-4;
+    CHECK(velocity_only_growth_rate(joint) == infinity);
+    CHECK(linear_point(joint).velocity_only_stable == 0);
+    CHECK(linear_verdict(joint).velocity_only.stable_k_v.empty());
+}

@@ -9,6 +9,15 @@
 namespace stickslip::files {
 namespace {
 
+/// "position [deg]": the name and the unit, which is empty where none stands there.
+std::pair<std::string, std::string> parted(const std::string& column)
+{
+    const auto from = column.find('[');
+    if (from == std::string::npos || !column.ends_with(']')) return {column, ""};
+    return {std::string(trimmed(std::string_view(column).substr(0, from))),
+            std::string(trimmed(std::string_view(column).substr(from + 1, column.size() - from - 2)))};
+}
+
 class HeaderMatcher {
   public:
     HeaderMatcher(const HeaderPlace& place, const RecordLayout::Rule& rule, const Joint& joint)
@@ -74,9 +83,10 @@ class HeaderMatcher {
         for (const auto& s : signals()) known.emplace_back(s.name);
         for (std::size_t i = 0; i < names_.size(); ++i) {
             if (header_.columns[i].signal || is_of_another(names_[i])) continue;
-            const Signal* signal = signal_named(names_[i]);
+            const auto [name, unit] = parted(names_[i]);
+            const Signal* signal = signal_named(name);
             if (signal && !is_mapped(signal->name))
-                header_.columns[i].signal = signal;
+                take(i, *signal, unit);
             else
                 ignored.push_back(names_[i]);
         }
@@ -92,6 +102,20 @@ class HeaderMatcher {
         std::string text;
         for (const auto& name : ignored) text += (text.empty() ? "" : ", ") + name + did_you_mean_signal(name, known);
         if (!text.empty()) header_.warnings.push_back("columns that are not read: " + text);
+    }
+
+    void take(std::size_t i, const Signal& signal, const std::string& unit)
+    {
+        Column& slot = header_.columns[i];
+        for (std::size_t k = 0; k < i; ++k)
+            if (header_.columns[k].signal == &signal && names_[k] != names_[i])
+                complain(std::string(signal.name) + " stands twice in the header");
+        slot.signal = &signal;
+        if (unit.empty()) return;
+        const auto reading =
+            signal.any_unit ? parse_unit(unit) : unit_for(unit, signal.quantity, joint_.mechanism.motion);
+        if (!reading.error.empty()) complain("column \"" + names_[i] + "\": " + reading.error);
+        slot.scaling = scaling_of(reading.unit);
     }
 
     /// A near miss of a signal that the file lacks is worth a word.

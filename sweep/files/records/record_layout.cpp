@@ -157,8 +157,7 @@ class LayoutReader {
                 complaints_.add(Place(table.get("unit")->source()).or_else(place), path + ".unit", reading.error);
             conversion = reading.unit;
         }
-        column.scaling = {conversion.factor * scale * std::pow(10.0, std::max(0, conversion.decimals)),
-                          std::pow(10.0, std::max(0, -conversion.decimals)), conversion.offset * scale + offset};
+        column.scaling = scaling_of(conversion, scale, offset);
     }
 
     void read_constants(const toml::table& table, const std::string& path, RecordLayout::Rule& rule)

@@ -2,7 +2,10 @@
 #pragma once
 #include "analysis/joint/joint.h"
 #include "sweep/files/records/signals.h"
+#include "sweep/files/text/units.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -18,6 +21,13 @@ struct Scaling {
     double operator()(double value) const { return value * multiply / divide + add; }
     bool changes() const { return multiply != divide || add != 0; }
 };
+
+/// What a unit makes of a number, then a factor and an offset in SI.
+inline Scaling scaling_of(const Unit& unit, double scale = 1, double offset = 0)
+{
+    return {unit.factor * scale * std::pow(10.0, std::max(0, unit.decimals)),
+            std::pow(10.0, std::max(0, -unit.decimals)), unit.offset * scale + offset};
+}
 
 struct RecordLayout {
     struct Column {

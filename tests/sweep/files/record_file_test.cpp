@@ -142,6 +142,27 @@ constants.supply_voltage = 24
     CHECK(warnings == std::vector<std::string>{});
 }
 
+TEST_CASE("a unit may stand in the header behind the name, as in tables of outcomes")
+{
+    const auto r = read(
+                       "time [ms],position [deg],velocity [rad/s],effort_measured [kN·m],temperature\n"
+                       "0,90,1,2,20\n10,-180,3,4,21\n",
+                       "", "revolute")
+                       .record;
+    CHECK(r.time == std::vector<double>{0, 0.01});
+    CHECK(r.position == std::vector<double>{90 * (M_PI / 180), -180 * (M_PI / 180)});
+    CHECK(r.velocity == std::vector<double>{1, 3});
+    CHECK(r.effort_measured == std::vector<double>{2000, 4000});
+    CHECK_THAT(only_error("time,position [deg],effort_measured\n0,1,2\n"),
+               Contains("run.csv:1:1: column \"position [deg]\"") && Contains("expected") && Contains("m"));
+    CHECK_THAT(only_error("time,position [furlong],effort_measured\n0,1,2\n"), Contains("furlong"));
+    CHECK_THAT(only_error("time,position,position [mm]\n0,1,2\n"), Contains("position stands twice"));
+    // the layout names what the column means, whatever stands behind it
+    CHECK(read("time,position [counts]\n0,5\n0.01,6\n",
+               "[columns]\nposition = { name = \"position [counts]\", scale = 0.5 }\n")
+              .record.position == std::vector<double>{2.5, 3});
+}
+
 TEST_CASE("a layout stands in the joint file, a sidecar beside the record wins")
 {
     const auto joint_file = file(

@@ -38,8 +38,7 @@ def convert() -> int:
         except TypeError as error:
             raise StickslipError(f"{asked.log}: logs of this kind take no {', '.join('--' + k for k in options)} ({error})") from None
         write_whole(Path(asked.csv), frame)
-        for interrupt in INTERRUPTS:
-            signal.signal(interrupt, signal.SIG_IGN)  # from here on there is nothing left to interrupt
+        ignore_interrupts()  # from here on there is nothing left to interrupt
     except StickslipError as error:
         complain(error)
         return BAD_INPUT
@@ -68,6 +67,19 @@ def write_whole(file: Path, frame: "pandas.DataFrame") -> None:
         raise
 
 
+def ignore_interrupts() -> None:
+    """To the end of the process: with SIG_IGN Python complains of one that is pending, and it forgets handlers before it ends."""
+    signal.pthread_sigmask(signal.SIG_BLOCK, INTERRUPTS)
+    for interrupt in INTERRUPTS:
+        signal.signal(interrupt, lambda *_: None)
+
+
+def hear(*_: object) -> None:
+    """One interrupt is enough: a terminal and the program that started this one both send it."""
+    ignore_interrupts()
+    raise KeyboardInterrupt
+
+
 def complain(text: object) -> None:
     """To standard error, where it can be written."""
     if sys.stderr is not None:
@@ -79,7 +91,7 @@ def main() -> int:
     """`convert`, and what an interrupt makes of it."""
     try:
         for interrupt in INTERRUPTS:
-            signal.signal(interrupt, signal.default_int_handler)
+            signal.signal(interrupt, hear)
         signal.pthread_sigmask(signal.SIG_UNBLOCK, INTERRUPTS)  # `stickslip convert` starts with them blocked
         code = convert()
     except KeyboardInterrupt:

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """How often a check of a gap is wrong: fresh noise on an unchanged joint must pass, a Coulomb level that is 10 % higher must not.
 
-Run: gap_check.py PROGRAM [REPEATS] [FIRST_SEED]. Two joints: one that moves as documented when the baseline is made, one whose
+Run: gap_check.py PROGRAM [REPEATS] [FIRST_SEED] [documented|gap]. Two joints, or one of them: one that moves as documented when the baseline is made, one whose
 Coulomb level is 20 % above its document then, so that the baseline has a gap. Prints one line a question, with the bound that the
-count leaves at 95 % confidence (Clopper and Pearson 1934), and ends with 1 where a promise is broken: a regression in fresh
+count leaves at 95 % confidence (Clopper and Pearson 1934), the count so far every tenth repeat, and ends with 1 where a promise is broken: a regression in fresh
 noise, or fewer than 95 % found.
 """
 import math
@@ -53,7 +53,9 @@ def records(program, folder, coulomb, seed):
 def failures(program, folder, baseline, coulomb, seeds):
     """How many checks report a regression, and what they say."""
     failed, said = 0, {}
-    for seed in seeds:
+    for number, seed in enumerate(seeds):
+        if number % 10 == 0 and number:
+            print(f"    {failed} of {number}", flush=True)
         made = records(program, folder, coulomb, seed)
         done = run(program, "check", folder / "joint.toml", made, baseline, "--threads", 1)
         assert done.returncode in (0, 1), done.stderr
@@ -95,7 +97,8 @@ def main():
         for name, at in MOTIONS.items():
             rows = "".join(f"{k * PERIOD:.4f},{at(k * PERIOD):.9f}\n" for k in range(round(SECONDS / PERIOD)))
             (folder / f"{name}.csv").write_text("time,reference_position\n" + rows)
-        for what, level in (("as documented", 1.0), ("with a gap", 1.2)):
+        only = sys.argv[4] if len(sys.argv) > 4 else "documented gap"
+        for what, level in [(what, level) for what, level in (("as documented", 1.0), ("with a gap", 1.2)) if what.split()[-1] in only]:
             baseline = folder / f"baseline-{level}.json"
             stored = run(program, "check", folder / "joint.toml", records(program, folder, level, first - 1), baseline, "--update")
             assert stored.returncode == 0, stored.stderr

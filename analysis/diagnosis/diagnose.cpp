@@ -146,6 +146,7 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
         put_controller_in_order(cause_of(p, f.none, 0), f.judged.noise_left, d);
     if (!f.climbed && shown) d.remainder.share = f.quiet ? 0 : std::clamp(1 - held.overall.explained, 0.0, 1.0);
     if (shown) tell_rivals(p, f, ranked, winner, d);
+    if (shown) tell_filter(p, d);
     const bool settled = f.quiet || f.by_ladder || winner.accepted || wrong_controller;
     if (!shown || reject_if_not_validated(d, {settled, p.noise_documented()})) return;
     const Joint documented = result.after;

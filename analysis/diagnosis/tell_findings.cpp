@@ -7,8 +7,14 @@
 #include "analysis/diagnosis/verdict/tell_ladder.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace stickslip::gap {
+namespace {
+
+constexpr double two_sided_95 = 1.96;  // standard deviations
+
+}  // namespace
 
 void tell_named(const Prepared& p, const ParallelFor& parallel, const Findings& f, Diagnosis& d)
 {
@@ -53,14 +59,25 @@ void tell_unexplained(const Findings& f, Diagnosis& d)
         {.code = Note::Code::free_force, .signal = std::string(f.free[0].of), .values = {f.free[0].fit.explained}});
 }
 
-std::vector<std::string> with_findings(const Prepared& p, const std::vector<std::string>& causes)
+void tell_filter(const Prepared& p, Diagnosis& d)
 {
-    std::vector<std::string> names;
-    for (const auto& f : p.audit.findings)
-        if (std::ranges::count(names, f.effect) == 0) names.push_back(f.effect);
-    for (const auto& name : causes)
-        if (std::ranges::count(names, name) == 0) names.push_back(name);
-    return names;
+    if (d.effects.empty()) return;
+    const Control& control = p.documented[0].control;
+    const double documented = control.velocity_estimate.tau,
+                 tick = is_set(control.period) ? control.period : p.cases[0].row_step;
+    if (!(documented > 0)) return;
+    for (const auto& number : d.effects[0].parameters) {
+        if (number.name != "velocity-filter.tau") continue;
+        // v += g (difference - v): the file means g = T/(tau + T); the exact response to a held input
+        // has this one (Franklin, Powell and Workman 1998)
+        const double exact = -std::expm1(-tick / documented), found = tick / (number.value + tick);
+        const double error = is_set(number.standard_error)
+                                 ? two_sided_95 * number.standard_error * tick / std::pow(number.value + tick, 2)
+                                 : 0;
+        if (std::abs(found - exact) > std::max(policy::flagged_gain * exact, error)) continue;
+        d.notes.push_back({.code = Note::Code::filter_as_exponential, .values = {number.value, documented}});
+        return;
+    }
 }
 
 void tell_rivals(const Prepared& p, const Findings& f, const std::vector<Ranked>& ranked, const Attribution& winner,

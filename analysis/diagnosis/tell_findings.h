@@ -16,8 +16,8 @@ void tell_named(const Prepared& p, const ParallelFor& parallel, const Findings& 
 
 void tell_unexplained(const Findings& f, Diagnosis& d);
 
-/// With what the audit found, which belongs to every named set.
-std::vector<std::string> with_findings(const Prepared& p, const std::vector<std::string>& causes);
+/// Where a velocity filter is named that is the documented one, discretised otherwise than the joint file means.
+void tell_filter(const Prepared& p, Diagnosis& d);
 
 /// What it could be confused with, and the experiment that would tell.
 void tell_rivals(const Prepared& p, const Findings& f, const std::vector<Ranked>& ranked, const Attribution& winner,

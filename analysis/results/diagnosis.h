@@ -155,6 +155,7 @@ struct DiagnosedTrace {
     std::vector<double> effort_measured, effort_before, effort_after;
     enum class Effort { measured, command, friction_of_rig };
     Effort effort = Effort::command;  ///< what the efforts are
+    bool predicted = false;           ///< along the measured motion by a slow observer: no loop could be simulated
     std::string effort_unit;
 };
 

@@ -41,6 +41,7 @@ constexpr std::pair<Code, std::string_view> names[] = {
     {Code::gains_to_steps, "gains-to-steps"},
     {Code::reference_rebuilt, "reference-rebuilt"},
     {Code::undocumented_k_v, "undocumented-k-v"},
+    {Code::filter_as_exponential, "filter-as-exponential"},
     {Code::within_noise, "within-noise"},
     {Code::nothing_would_show, "nothing-would-show"},
     {Code::controller_and_rest, "controller-and-rest"},

@@ -41,14 +41,16 @@ struct Note {
         thirds_in_turn,      ///< of the only record
         cause_almost_alone,  ///< shown by this record: its thirds are held out
         // the audit of the controller
-        another_joint,      ///< names and values: numbers that differ from the document; nothing was concluded
-        command_unknown,    ///< values: misfit; no change of the controller's terms reproduces the command
-        gains_not_judged,   ///< values: misfit
-        terms_to,           ///< values: per cent of the command's rms that is left; smaller terms are not named
-        gains_to,           ///< values: per cent that is left; only gains that are further off are named
-        gains_to_steps,     ///< values: per cent beyond which a gain is named, for the steps of the command
-        reference_rebuilt,  ///< from the command, gains from the encoder's noise
-        undocumented_k_v,   ///< the command has a part that is proportional to the velocity
+        another_joint,          ///< names and values: numbers that differ from the document; nothing was concluded
+        command_unknown,        ///< values: misfit; no change of the controller's terms reproduces the command
+        gains_not_judged,       ///< values: misfit
+        terms_to,               ///< values: per cent of the command's rms that is left; smaller terms are not named
+        gains_to,               ///< values: per cent that is left; only gains that are further off are named
+        gains_to_steps,         ///< values: per cent beyond which a gain is named, for the steps of the command
+        reference_rebuilt,      ///< from the command, gains from the encoder's noise
+        undocumented_k_v,       ///< the command has a part that is proportional to the velocity
+        filter_as_exponential,  ///< values: the filter's time constant that was found, the documented one; the
+                                ///< documented one discretised as 1 - exp(-T/tau) is the same filter
         // the verdict
         within_noise,              ///< the nominal joint predicts every record to the noise
         nothing_would_show,        ///< no effect of usual size, under this excitation

@@ -84,6 +84,11 @@ constexpr Sentence sentences[] = {
      "no reference was logged: the controller's gains were read from how the encoder's noise comes through it, and the "
      "reference was rebuilt from the command"},
     {Code::undocumented_k_v, "the joint file has no k_v; the command has a part proportional to the velocity"},
+    {Code::filter_as_exponential,
+     "the velocity filter that was found is the documented one of {1:.4g} s in a controller that computes it with "
+     "1 - exp(-T/tau) instead of T/(tau + T): nothing is wrong with the machine; with control.velocity_estimate.tau = "
+     "{0:.4g} the "
+     "joint file means this filter"},
     {Code::within_noise, "the nominal joint predicts every record to within noise"},
     {Code::nothing_would_show, "under this excitation no effect of usual size exceeds five times the noise"},
     {Code::controller_and_rest,

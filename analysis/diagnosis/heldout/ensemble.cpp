@@ -1,3 +1,4 @@
+// In one file: noisy runs of one joint, and what a record differs from them by: floor and gap are counted alike.
 #include "analysis/diagnosis/heldout/ensemble.h"
 
 #include "analysis/diagnosis/audit/prepare.h"
@@ -119,14 +120,25 @@ namespace {
 
 using Inside = std::function<bool(std::size_t tick)>;
 
-/// Without a reference the loop cannot be simulated: what a slow observer leaves of position and effort.
-std::vector<SignalSquares> predicted_squares(const Case& c, const Joint& joint, const Inside& inside)
+/// Without a reference the loop cannot be simulated: what a slow observer leaves of position and effort. `shown` gets
+/// what it predicts.
+std::vector<SignalSquares> predicted_squares(const Case& c, const Joint& joint, const Inside& inside, Trace* shown)
 {
     constexpr double slow = 12;  // rad/s
     const Plant plant = flatten(joint);
     const Ticks& t = c.ticks;
     Innovation innovation;
     predict(plant, t, known_command(plant, t), slow, innovation);
+    if (shown) {
+        *shown = {};
+        shown->predicted = true;
+        double missed = 0;  // between rows as at the last one
+        for (std::size_t k = 0; k < t.size(); ++k) {
+            if (t.logged[k]) missed = innovation.position[k];
+            shown->position.push_back(t.position[k] - missed);
+        }
+        shown->effort = innovation.predicted_effort;
+    }
     SignalSquares position{"position (predicted)", std::string(unit_of(Quantity::position, joint.mechanism.motion))};
     SignalSquares effort{"effort_measured", std::string(unit_of(Quantity::effort, joint.mechanism.motion))};
     double n = 0;
@@ -179,7 +191,7 @@ std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, 
 {
     const Ticks& t = c.ticks;
     const Inside inside = [&](std::size_t k) { return t.logged[k] && t.time[k] >= from && t.time[k] < to; };
-    if (!t.has_reference) return predicted_squares(c, joint, inside);
+    if (!t.has_reference) return predicted_squares(c, joint, inside, first);
     const Plant plant = flatten(joint);
     std::vector<Trace> traces;
     for (int r = 0; r < runs; ++r) traces.push_back(closed_loop(plant, t, 1 + static_cast<std::uint64_t>(r)));

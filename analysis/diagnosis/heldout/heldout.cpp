@@ -186,10 +186,12 @@ DiagnosedTrace trace_of(const Case& shown, const Trace& before, const Trace& aft
     const Ticks& t = shown.ticks;
     DiagnosedTrace trace;
     trace.file = t.name;
+    trace.predicted = before.predicted;
+    // what is put into a prediction cannot be predicted
+    const bool effort = t.has_effort && t.source != CommandSource::measured;
     const CommandUnit command = command_unit(shown.joint);
-    trace.effort = t.has_effort ? DiagnosedTrace::Effort::measured : DiagnosedTrace::Effort::command;
-    trace.effort_unit =
-        t.has_effort ? std::string(unit_of(Quantity::effort, shown.joint.mechanism.motion)) : command.unit;
+    trace.effort = effort ? DiagnosedTrace::Effort::measured : DiagnosedTrace::Effort::command;
+    trace.effort_unit = effort ? std::string(unit_of(Quantity::effort, shown.joint.mechanism.motion)) : command.unit;
     constexpr std::size_t most = 4000;  // points a chart can show
     const std::size_t stride = std::max<std::size_t>(1, t.size() / most);
     for (std::size_t k = 0; k < t.size(); k += stride) {
@@ -197,11 +199,11 @@ DiagnosedTrace trace_of(const Case& shown, const Trace& before, const Trace& aft
         trace.measured.push_back(t.position[k]);
         trace.before.push_back(before.position[k]);
         trace.after.push_back(after.position[k]);
-        if (t.has_effort) {
+        if (effort) {
             trace.effort_measured.push_back(t.effort[k]);
             trace.effort_before.push_back(before.effort[k]);
             trace.effort_after.push_back(after.effort[k]);
-        } else if (t.source == CommandSource::logged) {
+        } else if (t.source == CommandSource::logged && !trace.predicted) {
             trace.effort_measured.push_back(command.factor * t.command[k]);
             trace.effort_before.push_back(command.factor * before.command[k]);
             trace.effort_after.push_back(command.factor * after.command[k]);

@@ -13,6 +13,7 @@ namespace stickslip::gap {
 struct Trace {
     std::vector<double> position, velocity, command, effort;
     std::vector<double> true_position, true_velocity;  ///< of the body that the encoder sees, before the encoder
+    bool predicted = false;                            ///< along the measured motion, not simulated from its start
 };
 
 /// The whole loop of INTERFACE §2: encoder (noise, then quantum; the start is anywhere within a quantum), velocity

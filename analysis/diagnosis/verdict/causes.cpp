@@ -51,4 +51,14 @@ Cause cause_of(const Prepared& p, const Attribution& a, double probability, std:
     return c;
 }
 
+std::vector<std::string> with_findings(const Prepared& p, const std::vector<std::string>& causes)
+{
+    std::vector<std::string> names;
+    for (const auto& f : p.audit.findings)
+        if (std::ranges::count(names, f.effect) == 0) names.push_back(f.effect);
+    for (const auto& name : causes)
+        if (std::ranges::count(names, name) == 0) names.push_back(name);
+    return names;
+}
+
 }  // namespace stickslip::gap

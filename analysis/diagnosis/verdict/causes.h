@@ -10,4 +10,7 @@ namespace stickslip::gap {
 Cause cause_of(const Prepared& prepared, const Attribution& attribution, double probability,
                std::size_t corrections = 0);
 
+/// Names of causes with what the audit found, which belongs to every set.
+std::vector<std::string> with_findings(const Prepared& prepared, const std::vector<std::string>& causes);
+
 }  // namespace stickslip::gap

@@ -192,9 +192,9 @@ std::vector<Cause> causes_of(const Prepared& p, const JudgedLadder& j)
         first.heldout_gain_interval.high = std::max(first.heldout_gain_interval.high, in_fold);
     }
     causes.push_back(std::move(first));
-    const auto add = [&](const FittedSet& rival, std::vector<std::string> names, double probability) {
+    const auto add = [&](const FittedSet& rival, const std::vector<std::string>& names, double probability) {
         Cause c;
-        c.names = std::move(names);
+        c.names = with_findings(p, names);
         c.plausible = rival.plausible;
         c.heldout_gain = gain(rival);
         c.misfit = misfit(rival.all_left());

@@ -1,3 +1,4 @@
+// In one file: the figures of a record, which share their pens and words.
 #include "sweep/report/figures/diagnosis_figures.h"
 
 #include <algorithm>
@@ -45,6 +46,12 @@ struct Signal {
     const std::vector<double>&measured, &before, &after;
     bool named;  ///< a cause is added; else both simulations are the same
 };
+
+/// "simulated", or "predicted" where no loop could be simulated.
+std::string made(const DiagnosedTrace& trace)
+{
+    return trace.predicted ? "predicted" : "simulated";
+}
 
 /// The stretch of a trace in which the simulation before the cause errs most: over the whole of a record the lines lie
 /// on each other.
@@ -102,6 +109,13 @@ DetailedChart::Line remaining_line(std::vector<double> time, std::vector<double>
     return line;
 }
 
+constexpr const char* along_the_reference =
+    "The simulation follows the reference; it does not use the measured motion.";
+constexpr const char* along_the_motion =
+    "Without the reference that the machine followed no loop can be simulated: the joint is driven by what drove the "
+    "machine and kept near the measured motion by a slow observer (12 rad/s), so that its error is that of about a "
+    "tenth of a second.";
+
 Figure overlay(const Signal& s)
 {
     const auto stretch = worst_stretch(s);
@@ -110,23 +124,24 @@ Figure overlay(const Signal& s)
         return cut(difference(s.measured, simulated), stretch);
     };
     DetailedChart chart;
-    chart.title = "Measured and simulated " + s.quantity + " where it is worst: " + s.trace.file;
+    chart.title = "Measured and " + made(s.trace) + " " + s.quantity + " where it is worst: " + s.trace.file;
     chart.x_label = {"time", "s"};
     chart.y_label = {s.name, s.unit};
-    chart.below_label = {"measured minus simulated", s.unit};
+    chart.below_label = {"measured minus " + made(s.trace), s.unit};
     chart.shown_share = usual_share;
     chart.lines = {measured_line(time, cut(s.measured, stretch)),
-                   {s.named ? "simulated before" : "simulated", time, cut(s.before, stretch), true}};
+                   {made(s.trace) + (s.named ? " before" : ""), time, cut(s.before, stretch), true}};
     chart.below = {before_line(s.named ? "before" : "residual", time, wrong(s.before))};
     if (s.named) {
-        chart.lines.push_back({"simulated after", time, cut(s.after, stretch), false});
+        chart.lines.push_back({made(s.trace) + " after", time, cut(s.after, stretch), false});
         chart.below.push_back(remaining_line(time, wrong(s.after)));
     }
     return {s.id, chart,
-            "The interval of the documented joint's largest error; below, the residual. The simulation follows the "
-            "reference; it does not use the measured motion.",
+            std::string("The interval of the documented joint's largest error; below, the residual. ") +
+                (s.trace.predicted ? along_the_motion : along_the_reference),
             "Measured " + s.name + " over time and " +
-                (s.named ? "two simulations, before and after the cause is added" : "the simulation") +
+                (s.named ? "two " + made(s.trace) + " ones, before and after the cause is added"
+                         : "the " + made(s.trace) + " one") +
                 ", and their residuals below"};
 }
 
@@ -134,13 +149,14 @@ Figure residual(const Signal& s)
 {
     const auto before = difference(s.measured, s.before), after = difference(s.measured, s.after);
     DetailedChart chart;
-    chart.title = "Error of the simulation in " + s.name + ": " + s.trace.file;
+    chart.title = std::string(s.trace.predicted ? "Error of the prediction in " : "Error of the simulation in ") +
+                  s.name + ": " + s.trace.file;
     chart.x_label = {"time", "s"};
-    chart.y_label = {"measured minus simulated", s.unit};
+    chart.y_label = {"measured minus " + made(s.trace), s.unit};
     chart.shown_share = usual_share;
     constexpr const char* spikes = " Rare spikes may be cut at the frame; the data contain them.";
     if (!s.named) {
-        chart.lines = {{"measured minus simulated", s.trace.time, before, false}};
+        chart.lines = {{"measured minus " + made(s.trace), s.trace.time, before, false}};
         const std::string words = "Residual of " + s.name + " over time.";
         return {s.id + "-residual", chart, words + spikes, words};
     }
@@ -204,7 +220,7 @@ std::vector<Figure> played_figures(const Diagnosis& d)
     const bool named = d.verdict == Verdict::gap, efforts = !trace.effort_measured.empty();
     const auto time = thinned(trace.time, stride);
     DetailedChart chart;
-    chart.title = "The record, measured and simulated: " + trace.file;
+    chart.title = "The record, measured and " + made(trace) + ": " + trace.file;
     chart.x_label = {"time", "s"};
     chart.y_label = {"position", std::string(unit_of(Quantity::position, d.motion))};
     chart.played = true;
@@ -213,8 +229,8 @@ std::vector<Figure> played_figures(const Diagnosis& d)
                            const std::vector<double>& after) {
         std::vector<DetailedChart::Line> lines{
             measured_line(time, thinned(measured, stride)),
-            {named ? "simulated before" : "simulated", time, thinned(before, stride), true}};
-        if (named) lines.push_back({"simulated after", time, thinned(after, stride), false});
+            {made(trace) + (named ? " before" : ""), time, thinned(before, stride), true}};
+        if (named) lines.push_back({made(trace) + " after", time, thinned(after, stride), false});
         return lines;
     };
     chart.lines = three(trace.measured, trace.before, trace.after);
@@ -226,9 +242,9 @@ std::vector<Figure> played_figures(const Diagnosis& d)
     std::string words = "Position" + std::string(efforts ? " and effort" : "") + " over the whole record";
     if (stride > 1) words += ", every " + std::to_string(stride) + "th sample";
     return {{"record-played", chart,
-             words + ". On a screen the record can be played: the joint as it moved and as the simulations move it, "
-                     "their errors magnified.",
-             words + ", measured and simulated"}};
+             words + ". On a screen the record can be played: the joint as it moved and as the " +
+                 (trace.predicted ? "predictions" : "simulations") + " move it, their errors magnified.",
+             words + ", measured and " + made(trace)}};
 }
 
 Figure experiment_figure(const Diagnosis& d)

@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 using namespace stickslip;
 using namespace stickslip::gap;
 using test::Machine;
@@ -73,6 +75,18 @@ TEST_CASE("a log of position and effort alone tells what the joint lacks", "[dia
     REQUIRE(result.diagnosis.verdict == Verdict::gap);
     CHECK(result.diagnosis.effects[0].names == std::vector<std::string>{"gravity"});
     CHECK(result.after.load.gravity_amplitude == Approx(6).epsilon(0.02));
+    // no loop can be simulated: the page shows what the joint predicts along the motion, before and after
+    REQUIRE(result.diagnosis.traces.size() == 2);
+    for (const auto& trace : result.diagnosis.traces) {
+        CHECK(trace.predicted);
+        double before = 0, after = 0;
+        for (std::size_t k = 0; k < trace.time.size(); ++k) {
+            before += std::pow(trace.measured[k] - trace.before[k], 2);
+            after += std::pow(trace.measured[k] - trace.after[k], 2);
+        }
+        CHECK(after < 0.2 * before);
+        CHECK(trace.effort_measured.empty());  // it drives the joint
+    }
 }
 
 TEST_CASE("a joint that is its document has no gap where its measured effort drives it", "[diagnosis][drive][slow]")

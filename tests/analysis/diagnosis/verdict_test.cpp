@@ -2,6 +2,8 @@
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/fit/moment.h"
 #include "analysis/diagnosis/heldout/ensemble.h"
+#include "analysis/diagnosis/tell_findings.h"
+#include "analysis/diagnosis/verdict/causes.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 
 #include <catch2/catch.hpp>
@@ -367,4 +369,36 @@ TEST_CASE("what a true joint's own noise leaves is no unexplained rest", "[gap]"
     CHECK(explained_beyond(own, middle, nominal) == Approx(1 - 1 / 101.0));
     own.mean[1][0].position = 0.5;  // fewer than one floor is luck
     CHECK(explained_beyond(own, middle, nominal) == Approx(1 - 3 / 101.0));
+}
+
+TEST_CASE("what the audit found belongs to every set, rivals' too", "[gap]")
+{
+    Prepared p;
+    p.audit.findings.push_back({"gain-k_i", "gain-k_i.value", 1500, 1, Quantity::integral_gain, 1});
+    using Names = std::vector<std::string>;
+    CHECK(with_findings(p, {"frictional-memory"}) == Names{"gain-k_i", "frictional-memory"});
+    CHECK(with_findings(p, {"gain-k_i"}) == Names{"gain-k_i"});
+}
+
+TEST_CASE("a filter that is the documented one, discretised exactly, is said to be that", "[gap]")
+{
+    const double tick = 1e-3, documented = 2e-3;
+    // low pass of a held input: v(T) = v + (1 - exp(-T/tau)) (d - v)
+    const double same = tick / std::expm1(tick / documented);
+    Prepared p;
+    p.documented.emplace_back();
+    p.documented[0].control.period = tick;
+    p.documented[0].control.velocity_estimate.tau = documented;
+    const auto said = [&](double tau, double error) {
+        Diagnosis d;
+        d.effects.emplace_back();
+        d.effects[0].parameters = {{"velocity-filter.tau", tau, error, "s"}};
+        tell_filter(p, d);
+        return std::ranges::any_of(d.notes, [](const Note& n) { return n.code == Note::Code::filter_as_exponential; });
+    };
+    CHECK(said(same, 0));
+    CHECK_FALSE(said(1.1 * same, 0));
+    CHECK(said(1.1 * same, 0.06 * same));  // within the interval of what was found
+    p.documented[0].control.velocity_estimate.tau = 0;
+    CHECK_FALSE(said(same, 0));
 }

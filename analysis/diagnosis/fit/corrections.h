@@ -16,6 +16,9 @@ struct Corrected {
     std::size_t numbers = 0;      ///< how many parameters these have
 };
 
+/// Of what a document is off at most: a descent ends just inside.
+inline constexpr double at_the_bound = 0.99;
+
 /// The corrections that a joint can have. They are named as the effects of the catalogue that change the same number:
 /// where such an effect is a cause, its prior must not hold it back, and its correction is left out.
 class Corrections {

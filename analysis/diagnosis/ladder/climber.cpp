@@ -23,4 +23,12 @@ bool earns(const FittedSet& without, const FittedSet& with, const LadderRules& r
            left - now > rules.of_the_rest * left;
 }
 
+bool may_stand_for(const FittedSet& other, const FittedSet& set, const Candidate& below)
+{
+    const auto& in = other.causes.effects;
+    const bool holds = std::ranges::all_of(below.effects, [&](const auto* e) { return std::ranges::count(in, e) > 0; });
+    return holds && in.size() == set.causes.effects.size() && in != set.causes.effects && other.plausible &&
+           !other.correction;
+}
+
 }  // namespace stickslip::gap

@@ -13,10 +13,13 @@
 namespace stickslip::gap {
 
 constexpr std::size_t near = 3, dear_looks = 6;  // singles, best first
-constexpr double at_the_bound = 0.99;            // of it: a descent ends just inside
 
 /// Whether the causes beyond those of `without` earn their place.
 bool earns(const FittedSet& without, const FittedSet& with, const LadderRules& rules);
+
+/// Whether another judged set may be the answer in the place of one: as many other causes, those below among them. What
+/// could not be a rung cannot be the cause in its place either.
+bool may_stand_for(const FittedSet& other, const FittedSet& set, const Candidate& below);
 
 class Climber {
   public:
@@ -114,7 +117,7 @@ class Climber {
             fitter_.look(start, set);
             if (start.x0.size() == 0) continue;
             FittedSet more = judged({start})[0];
-            if (more.plausible && more.misfit < set.misfit) set = std::move(more), i = at = 0;
+            if (more.plausible && !more.correction && more.misfit < set.misfit) set = std::move(more), i = at = 0;
         }
         return set;
     }
@@ -132,10 +135,7 @@ class Climber {
         std::vector<FittedSet> others;
         for (const auto& other : pool_) {
             const auto& in = other.causes.effects;
-            const bool same_size = in.size() == set.causes.effects.size() && in != set.causes.effects;
-            const bool holds =
-                std::ranges::all_of(below.effects, [&](const auto* e) { return std::ranges::count(in, e) > 0; });
-            if (!same_size || !holds || other.correction) continue;
+            if (!may_stand_for(other, set, below)) continue;
             const auto again = std::ranges::find_if(others, [&](const auto& o) { return o.causes.effects == in; });
             if (again == others.end())
                 others.push_back(other);

@@ -1,5 +1,7 @@
 #include "analysis/diagnosis/ladder/windows.h"
 
+#include "analysis/diagnosis/policy/policy.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -76,8 +78,8 @@ double mean_log(const std::vector<Window>& windows)
 {
     double sum = 0, n = 0;
     for (const auto& w : windows) {
-        sum += std::log(std::max(exact_square, w.position)), n += 1;
-        if (is_set(w.effort)) sum += std::log(std::max(exact_square, w.effort)), n += 1;
+        sum += std::log(std::max(policy::least_square_of_window, w.position)), n += 1;
+        if (is_set(w.effort)) sum += std::log(std::max(policy::least_square_of_window, w.effort)), n += 1;
     }
     return n > 0 ? sum / n : 0;
 }

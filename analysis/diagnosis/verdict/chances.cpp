@@ -70,6 +70,20 @@ bool usual_of_machines(const Ladder& ladder)
     return every_last_cause(ladder, usual);
 }
 
+bool frees_held_number(const Ladder& ladder)
+{
+    if (ladder.rungs.empty()) return false;
+    const FittedSet& below = ladder.rungs.size() > 1 ? ladder.rungs[ladder.rungs.size() - 2] : ladder.corrected;
+    const Candidate& c = below.model.candidate;
+    return every_last_cause(ladder, [&](std::size_t cause) {
+        const auto name = ladder.rungs.back().causes.effects[cause]->name;
+        for (std::size_t i = 0, at = 0; i < below.model.corrections; at += c.count_of(*c.forms[i++]))
+            if (c.effects[i]->name == name && c.forms[i]->own == 0 && !Corrections::is_small_term(*c.effects[i]))
+                return Corrections::deviations(c, i, at, below.fit.x) > at_the_bound * policy::ladder.prior.widest;
+        return false;
+    });
+}
+
 bool small_against_corrections(const JudgedLadder& j)
 {
     // small terms that every machine has are not what the gap comes from, beside corrections or another cause

@@ -7,4 +7,8 @@ namespace stickslip::gap {
 /// Whether the last rung is a small term that every machine has.
 bool usual_of_machines(const Ladder& ladder);
 
+/// Whether the last rung is a number of the document that the rungs below hold at the bound of what a document is off.
+/// Taken away, it would go back there, and bend the numbers of the causes that stay.
+bool frees_held_number(const Ladder& ladder);
+
 }  // namespace stickslip::gap

@@ -3,6 +3,7 @@
 #include "analysis/diagnosis/fit/jumps.h"
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/search/search.h"
+#include "analysis/diagnosis/verdict/chances.h"
 #include "analysis/diagnosis/verdict/experiment.h"
 
 #include <algorithm>
@@ -91,7 +92,8 @@ bool document_suffices(LadderSearch& search, const Prepared& p, const ParallelFo
 void shorten_to_likely(const LadderSearch& search, const Prepared& p, const ParallelFor& parallel, JudgedLadder& j)
 {
     const auto unlikely = [&] {
-        return !j.noise_left && j.ladder.rungs.size() > 1 && j.chances.back() < policy::least_chance_of_further_rung;
+        return !j.noise_left && j.ladder.rungs.size() > 1 && j.chances.back() < policy::least_chance_of_further_rung &&
+               !frees_held_number(j.ladder);
     };
     // where nothing can be named beside corrections that take most of the gap, they are the answer
     const auto corrections_alone = [&] {

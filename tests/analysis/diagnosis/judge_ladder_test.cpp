@@ -1,6 +1,7 @@
 #include "analysis/diagnosis/verdict/judge_ladder.h"
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/verdict/chances.h"
 #include "analysis/diagnosis/verdict/experiment.h"
 #include "analysis/diagnosis/verdict/tell_ladder.h"
 #include "tests/analysis/diagnosis/small_machine.h"
@@ -183,6 +184,12 @@ TEST_CASE("corrections alone are held against free forces, which have to take as
     // with its own ripple and cogging the cause came as near, and a free force only took those along
     j.with_small_terms = mean_log_misfit(force(0, 1.35).fit.evaluation);
     CHECK(answers(force(0.7, 1.3)));
+    // a force that takes all of next to nothing says nothing of what took the rest
+    j.with_small_terms = infinity;
+    j.shares.base = 1, j.shares.rungs = {0.5 * policy::rest_that_matters};
+    CHECK(answers(force(0.7, 1.3)));
+    j.shares.rungs = {2 * policy::rest_that_matters};
+    CHECK_FALSE(answers(force(0.7, 1.3)));
     CHECK_FALSE(answers(force(0.7, 1.05)));
 }
 
@@ -360,4 +367,29 @@ TEST_CASE("what could not be told from a rung is fitted anew before it is", "[ga
     REQUIRE(!ladder.rivals[0].empty());
     const auto& rung = ladder.rungs[0];
     CHECK(std::abs(ladder.rivals[0][0].misfit - rung.misfit) < margin_of(rung, policy::ladder));
+}
+
+TEST_CASE("a number of the document that would go back to its bound is told apart from other last rungs",
+          "[gap][ladder]")
+{
+    std::vector<Note> notes;
+    const std::vector<Case> cases{prepare(test::record_of({}, 1, 3), test::nominal_joint(), notes)};
+    Ladder ladder;
+    ladder.corrections = std::make_shared<Corrections>(cases, scales_of(cases), policy::ladder.prior);
+    const auto held_at = [&](double deviations, std::initializer_list<const char*> last) {
+        FittedSet below = rung({"load-dependent-friction"}, 1, 5);
+        below.causes.records = cases.size();
+        below.model = ladder.corrections->beside(below.causes);
+        below.fit.x = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(below.model.candidate.parameter_count()));
+        REQUIRE(below.model.candidate.effects[0]->name == "inertia");
+        below.fit.x[0] = deviations * policy::correction_prior.inertia;
+        ladder.rungs = {below, rung(last, 0.8, 4)};
+        return frees_held_number(ladder);
+    };
+    const double widest = policy::correction_prior.widest;
+    CHECK(held_at(widest, {"load-dependent-friction", "inertia"}));
+    CHECK_FALSE(held_at(0.9 * widest, {"load-dependent-friction", "inertia"}));
+    CHECK_FALSE(held_at(widest, {"load-dependent-friction", "stribeck"}));
+    ladder.rungs.clear();
+    CHECK_FALSE(frees_held_number(ladder));
 }

@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/ladder/climb.h"
+#include "analysis/diagnosis/ladder/climber.h"
 #include "analysis/diagnosis/ladder/flexible.h"
 #include "analysis/diagnosis/ladder/plausible.h"
 #include "analysis/diagnosis/policy/policy.h"
@@ -120,6 +121,34 @@ TEST_CASE(
     CHECK(share(c.ladder.rungs[0].all_left(), c.ladder.documented) < 0.3);
     for (const auto& rival : c.ladder.rivals[0])
         CHECK(rival.misfit > c.ladder.rungs[0].misfit + margin_of(c.ladder.rungs[0], policy::ladder));
+}
+
+TEST_CASE("a joint at rest is no evidence, however exactly it is predicted", "[gap][ladder]")
+{
+    // moving: a tenth of the square is taken; at rest: a residual of 1e-4 or of 1e-8 of the noise floor
+    const std::vector<Window> one{{0, 0, 100, 10}, {0, 100, 200, 1e-8}}, other{{0, 0, 100, 9}, {0, 100, 200, 1e-16}};
+    CHECK(mean_log(one) - mean_log(other) == Approx(std::log(10.0 / 9) / 2));
+    // a noise that is documented somewhat too high still tells rivals apart
+    CHECK(mean_log({{0, 0, 100, 0.4}}) - mean_log({{0, 0, 100, 0.3}}) == Approx(std::log(4.0 / 3)));
+}
+
+TEST_CASE("what has implausible numbers is no rival of a rung", "[gap][ladder]")
+{
+    const auto of = [](std::initializer_list<const char*> names) {
+        FittedSet set;
+        for (const char* name : names) set.causes.effects.push_back(effect_named(name));
+        return set;
+    };
+    const FittedSet rung = of({"load-dependent-friction"});
+    FittedSet rival = of({"frictional-memory"});
+    CHECK(may_stand_for(rival, rung, {}));
+    CHECK_FALSE(may_stand_for(rung, rung, {}));
+    CHECK_FALSE(may_stand_for(of({"frictional-memory", "gravity"}), rung, {}));
+    CHECK_FALSE(may_stand_for(rival, rung, of({"gravity"}).causes));
+    rival.plausible = false;  // a slip length below the step of the encoder, say
+    CHECK_FALSE(may_stand_for(rival, rung, {}));
+    rival.plausible = true, rival.correction = true;
+    CHECK_FALSE(may_stand_for(rival, rung, {}));
 }
 
 TEST_CASE("a bend over the travel is no wave of friction: it stays in the remainder and out of the cause's numbers",

@@ -112,19 +112,9 @@ AxisCrossings axis_crossings(const LateLoop& loop)
 
 namespace {
 
-/// Growth at a gain, of which only the sign is of interest: a count of roots right of the axis says "unstable" much
-/// sooner than the rightmost of them is found.
-double growth_or_sign(const LateLoop& loop, const OpenedLoop& open, double gain)
-{
-    // right of whatever rounding leaves of integrators
-    const double aside = 1e-6 * open.turns_in();
-    const auto right = std::isfinite(aside) ? roots_right_of(open, gain, aside, aside) : std::nullopt;
-    return right && *right > 0 ? 1 : late_growth(loop, gain);
-}
-
 /// Growth somewhere between two neighbouring crossings, at the own gain where that lies there, so that no window
 /// contradicts the verdict. Where it cannot be confirmed at one gain, another has the same sign.
-double growth_between(const LateLoop& loop, const OpenedLoop& open, double low, double high, double own)
+double growth_between(const LateLoop& loop, double low, double high, double own)
 {
     if (own > low && own < high) {
         const double growth = late_growth(loop, own);
@@ -132,7 +122,7 @@ double growth_between(const LateLoop& loop, const OpenedLoop& open, double low, 
     }
     const double from = low > 0 ? low : high < infinity ? 1e-6 * high : 1, to = high < infinity ? high : 1e6 * from;
     for (const double share : {0.5, 0.25, 0.75, 0.1, 0.9}) {
-        const double growth = growth_or_sign(loop, open, from * std::pow(to / from, share));
+        const double growth = late_side(loop, from * std::pow(to / from, share));
         if (std::isfinite(growth)) return growth;
     }
     return not_set;
@@ -184,14 +174,13 @@ std::vector<Interval> stable_gains(const LateLoop& loop, AxisCrossings& all, dou
             if (gain >= 0 && gain < all.searched_to)
                 if (auto intervals = stable_by_count(loop, all, gain)) return *intervals;
     }
-    const OpenedLoop open(loop);
     std::vector<double> bounds{0};
     for (const auto& c : all.crossings) bounds.push_back(c.k_p);
     if (all.searched_to > bounds.back()) bounds.push_back(all.searched_to);
     std::vector<Interval> intervals;
     for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
         const double low = bounds[i], high = bounds[i + 1];
-        const double growth = growth_between(loop, open, low, high, own);
+        const double growth = growth_between(loop, low, high, own);
         if (std::isnan(growth)) {
             // nothing is said of gains from here on
             all.searched_to = low;

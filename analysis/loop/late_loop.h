@@ -90,6 +90,9 @@ std::optional<std::complex<double>> rightmost_root(const LateLoop& loop, double 
 /// where it cannot be confirmed or the loop is not finite.
 double late_growth(const LateLoop& loop, double gain);
 
+/// A number with the sign of late_growth(), by counts of roots where these decide it, which costs much less.
+double late_side(const LateLoop& loop, double gain);
+
 /// Every crossing of the imaginary axis with 0 < gain ≤ searched_to, ascending in the gain, by steps of ω over which
 /// the phase of the loop turns little: a feature narrower than a step can be missed; `doubtful` are steps that no
 /// refinement made smooth.

@@ -119,4 +119,19 @@ double late_growth(const LateLoop& loop, double gain)
     return edge ? cleared(edge->real(), std::abs(*edge)) : not_set;
 }
 
+double late_side(const LateLoop& loop, double gain)
+{
+    if (!loop.A.allFinite()) return not_set;
+    const OpenedLoop open(loop);
+    // to either side of what rounding leaves of integrators and of roots on the axis
+    constexpr double near = 1e-6;
+    const double aside = near * open.turns_in();
+    if (std::isfinite(aside)) {
+        const auto right = roots_right_of(open, gain, aside, aside);
+        if (right && *right > 0) return 1;
+        if (right && roots_right_of(open, gain, -aside, aside) == 0) return -1;
+    }
+    return late_growth(loop, gain);
+}
+
 }  // namespace stickslip

@@ -194,6 +194,17 @@ bool limits_leave(const Joint& joint, double velocity)
     return acts.gain > 0 && command <= std::min(most, c.effort_limit);
 }
 
+SteadySliding possible_sliding(const Joint& joint)
+{
+    auto steady = steady_sliding(joint);
+    const auto& a = joint.actuator;
+    const bool limited = joint.control.effort_limit < infinity || a.limit < infinity || a.sag_effort < infinity ||
+                         (a.kind == ActuatorKind::dc_motor && is_set(a.supply_voltage));
+    if (limited && steady.reason == Reason::none && !limits_leave(joint, steady.velocity))
+        steady.reason = Reason::limit_too_low;
+    return steady;
+}
+
 bool remembers_little(const Joint& joint)
 {
     constexpr double most_readings = 1000;  // as many as dead ticks: the map of a tick is a matrix of that size
@@ -257,6 +268,12 @@ double growth(const RealLoop& loop)
 {
     if (const auto* sampled = std::get_if<DiscreteLoop>(&loop.loop)) return sampled_growth(*sampled, loop.gain);
     return late_growth(std::get<LateLoop>(loop.loop), loop.gain);
+}
+
+double side(const RealLoop& loop)
+{
+    const auto* late = std::get_if<LateLoop>(&loop.loop);
+    return late ? late_side(*late, loop.gain) : growth(loop);
 }
 
 StableGains turned_gains(const RealLoop& loop)

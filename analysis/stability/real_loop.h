@@ -27,6 +27,9 @@ double steady_effort(const Joint& joint, double velocity);
 /// Whether the limits of controller and actuator leave that effort: without it there is no steady sliding.
 bool limits_leave(const Joint& joint, double velocity);
 
+/// Steady sliding, or why there is none: its own reasons and those limits.
+SteadySliding possible_sliding(const Joint& joint);
+
 /// The gain that windows and crossings are given in.
 enum class TurnedGain { k_p, k_v, all };
 
@@ -55,6 +58,9 @@ double sliding_velocity(const Joint& joint, double commanded);
 /// max Re s, or max ln|z|/T.
 double growth(const RealLoop& loop);
 
+/// A number with that sign, which costs less of loops with dead time or delayed friction.
+double side(const RealLoop& loop);
+
 /// The loop opened at the command; all NaN where there is none.
 CommandMargins real_margins(const Joint& joint, double velocity);
 
@@ -67,6 +73,7 @@ void add_frictions(const LinearJoint& linear, LinearVerdict& verdict);
 /// Both theories under the joint's own loop, in the terms of the ideal one.
 LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict);
 double real_growth(const Joint& joint, double velocity, bool velocity_only_friction);
+double real_side(const Joint& joint, double velocity, bool velocity_only_friction);
 /// The root of the loop whose real part is the growth, in the upper half plane; of a sampled one ln z / T. NaN where
 /// there is none.
 std::complex<double> real_root(const Joint& joint, double velocity);

@@ -44,13 +44,28 @@ void add_margins(const Joint& joint, LinearVerdict& verdict)
     verdict.state_variable.phase_margin_deg = margins.phase_deg;
 }
 
-double real_growth(const Joint& joint, double commanded, bool velocity_only_friction)
+namespace {
+
+std::optional<RealLoop> whole_loop(const Joint& joint, double commanded, bool velocity_only_friction)
 {
     const double velocity = sliding_velocity(joint, commanded);
     auto linear = linear_joint(joint, velocity);
     if (velocity_only_friction) linear = velocity_only(std::move(linear));
-    const auto loop = real_loop(joint, linear, velocity, TurnedGain::all);
+    return real_loop(joint, linear, velocity, TurnedGain::all);
+}
+
+}  // namespace
+
+double real_growth(const Joint& joint, double commanded, bool velocity_only_friction)
+{
+    const auto loop = whole_loop(joint, commanded, velocity_only_friction);
     return loop ? growth(*loop) : missing;
+}
+
+double real_side(const Joint& joint, double commanded, bool velocity_only_friction)
+{
+    const auto loop = whole_loop(joint, commanded, velocity_only_friction);
+    return loop ? side(*loop) : missing;
 }
 
 Complex real_root(const Joint& joint, double commanded)

@@ -17,21 +17,19 @@
 namespace stickslip {
 namespace {
 
-/// growth_rate, or of friction that answers late only its sign: counting roots costs less than locating them.
-double side_of_stability(const Joint& joint)
-{
-    const auto steady = steady_sliding(joint);
-    if (steady.reason != Reason::none) return missing;
-    const auto linear = linear_joint(joint, steady.velocity);
-    if (linear.rational() || loop_kind(joint) != LoopKind::ideal) return growth_rate(joint);
-    const auto right = roots_right_of(linear, 0);
-    return !right ? missing : *right == 0 ? -1 : 1;
-}
-
-/// Negative where the joint is stable at its own velocity, by either theory; NaN where it cannot slide.
+/// Negative where the joint is stable at its own velocity, by either theory; NaN where it cannot slide. With dead time
+/// or delayed friction only its sign is that of the growth: counting roots costs less than locating them.
 double instability(const Joint& joint, Theory theory)
 {
-    return theory == Theory::state_variable ? side_of_stability(joint) : velocity_only_growth_rate(joint);
+    const bool simple = theory == Theory::velocity_only;
+    const auto steady = possible_sliding(joint);
+    if (steady.reason != Reason::none) return missing;
+    if (loop_kind(joint) != LoopKind::ideal) return real_side(joint, steady.velocity, simple);
+    if (simple) return velocity_only_growth_rate(joint);
+    const auto linear = linear_joint(joint, steady.velocity);
+    if (linear.rational()) return growth_rate(joint);
+    const auto right = roots_right_of(linear, 0);
+    return !right ? missing : *right == 0 ? -1 : 1;
 }
 
 /// Where f < 0 within [low, high] of one sign, by a logarithmic scan and bracketed roots.
@@ -104,7 +102,7 @@ std::vector<Interval> stable_springs(const Joint& given, double rate, double low
         joint.control.k_p = k_p;
         return instability(joint, theory);
     };
-    constexpr int scan = 200;
+    constexpr int scan = 60;  // a real loop asks for a count of roots at each
     if (loop_kind(joint) != LoopKind::ideal) return negative_intervals(at, low, high, scan);
     joint.control.k_p = std::clamp(given.control.k_p, low, high);
     if (steady_sliding(joint).reason != Reason::none) return {};

@@ -30,8 +30,8 @@ int range_scan(const Joint& joint, bool costly)
 /// What costs many searches is computed for joints with delays only where more than the usual effort is allowed.
 constexpr double effort_of_late_studies = 10;
 
-/// Velocities that are looked at: of loops with many dead ticks, whose roots each cost a search, fewer.
-constexpr int many_velocities = 200, few_velocities = 40;
+/// Velocities that are looked at: fewer where each costs a count of roots, still fewer with many dead ticks.
+constexpr int many_velocities = 200, counted_velocities = 60, few_velocities = 40;
 
 std::vector<ReductionStudy> named_only(const Joint& joint)
 {
@@ -90,7 +90,10 @@ LinearStudy linear_study(const Joint& given)
         const bool back = steady.velocity < 0;
         const auto [low, high] = study.velocities =
             back ? Interval{-V * reach, -V / reach} : Interval{V / reach, V * reach};
-        const int scan = study.velocities_looked_at = costly ? few_velocities : many_velocities;
+        const int scan = study.velocities_looked_at = costly ? few_velocities
+                                                      : linear.rational() && loop_kind(joint) != LoopKind::continuous
+                                                          ? many_velocities
+                                                          : counted_velocities;
         study.velocity_only = stable_velocities(joint, low, high, Theory::velocity_only, scan);
         study.state_variable = stable_velocities(joint, low, high, Theory::state_variable, scan);
         study.range_gain = velocity_gain_for_range(joint, back ? low : high, range_scan(joint, costly));

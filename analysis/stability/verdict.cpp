@@ -136,22 +136,6 @@ LinearMass linear_mass(const Joint& joint, double V)
     return mass;
 }
 
-namespace {
-
-/// Steady sliding that the limits of controller and actuator leave possible.
-SteadySliding possible_sliding(const Joint& joint)
-{
-    auto steady = steady_sliding(joint);
-    const auto& a = joint.actuator;
-    const bool limited = joint.control.effort_limit < infinity || a.limit < infinity || a.sag_effort < infinity ||
-                         (a.kind == ActuatorKind::dc_motor && is_set(a.supply_voltage));
-    if (limited && steady.reason == Reason::none && !limits_leave(joint, steady.velocity))
-        steady.reason = Reason::limit_too_low;
-    return steady;
-}
-
-}  // namespace
-
 LinearVerdict linear_verdict(const Joint& joint)
 {
     LinearVerdict verdict;

@@ -11,9 +11,9 @@ namespace stickslip::work {
 inline constexpr long crossing_steps = 500'000;
 
 /// Places on the imaginary axis at which the scan over a gain that moves the sliding looks at the joint; of joints
-/// without delays and tables, roots. Reason: a second of computing; a place costs some 2 µs. Evidence: the slowest of
-/// the joints of tests/reliability/consistency.cpp.
-inline constexpr double places_of_gain_scan = 400'000;
+/// without delays and tables, roots. Reason: half a second of computing. Evidence: of 300 random joints of
+/// reliability_times the slowest scans, of several bodies with delays, took 1.1 s for 400,000.
+inline constexpr double places_of_gain_scan = 150'000;
 
 /// Steps of the solver within one turn of a motion, from one downward crossing of V = V_0 to the next. Reason:
 /// thousands are usual; more means time scales so far apart that rounding makes the solver creep.

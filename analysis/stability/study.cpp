@@ -90,10 +90,11 @@ LinearStudy linear_study(const Joint& given)
         const bool back = steady.velocity < 0;
         const auto [low, high] = study.velocities =
             back ? Interval{-V * reach, -V / reach} : Interval{V / reach, V * reach};
-        const int scan = study.velocities_looked_at = costly ? few_velocities
-                                                      : linear.rational() && loop_kind(joint) != LoopKind::continuous
-                                                          ? many_velocities
-                                                          : counted_velocities;
+        const bool counted = !linear.rational() || loop_kind(joint) == LoopKind::continuous;
+        const int scan = study.velocities_looked_at = effort    ? many_velocities
+                                                      : costly  ? few_velocities
+                                                      : counted ? counted_velocities
+                                                                : many_velocities;
         study.velocity_only = stable_velocities(joint, low, high, Theory::velocity_only, scan);
         study.state_variable = stable_velocities(joint, low, high, Theory::state_variable, scan);
         study.range_gain = velocity_gain_for_range(joint, back ? low : high, range_scan(joint, costly));

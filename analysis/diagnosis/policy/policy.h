@@ -135,9 +135,8 @@ inline constexpr double doubt_of_finding = 0.02;
 /// Reason: the finding is certain, and as likely as not alone.
 inline constexpr double finding_and_more = 0.5;
 /// Probabilities that wrong documented parameters are the only cause: where only noise remains, and where more does.
-/// Reason: several parameters together can imitate many causes. Evidence: in two fresh dirty draws (54 cases) seven of
-/// eight answers of the second kind were right, in a batch of joints without an effect all 24.
-inline constexpr double numbers_to_noise = 0.9, numbers_and_more = 0.85;
+/// Reason: several parameters together can imitate many causes.
+inline constexpr double numbers_to_noise = 0.9, numbers_and_more = 0.6;
 /// Part of the squares that all corrections take. A correction is reported as a wrong parameter if its removal costs
 /// that much. Reason: a parameter that only follows the others costs less.
 inline constexpr double worth_correcting = 0.05;

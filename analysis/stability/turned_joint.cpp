@@ -1,5 +1,6 @@
 #include "analysis/stability/turned_joint.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "analysis/stability/characteristic.h"
@@ -13,6 +14,7 @@ namespace stickslip {
 namespace {
 
 constexpr double probe = 1e-6;          // of ln k_p: half the step of a difference
+constexpr double rounding = 1e-14;      // of a root, per the fastest
 constexpr std::size_t near_roots = 12;  // of a late joint, from where the phase turns fastest
 
 }  // namespace
@@ -53,9 +55,12 @@ std::optional<RootsAtGain> TurnedJoint::look(double k_p, const RootsAtGain* near
         roots = plain ? spectrum(linear_mass(joint_, commanded_velocity(joint_))) : spectrum(*linear);
         work_ += static_cast<long>(roots.size());
         if (roots.empty()) return std::nullopt;
+        double size = 0;
+        for (const Complex& s : roots) size = std::max(size, std::abs(s));
         for (const Complex& s : roots) {
             if (!std::isfinite(s.real())) return std::nullopt;
-            here.right += s.real() > 0;
+            // no real root crosses at k_p > 0: one at 0 within the rounding of the fastest has no side
+            here.right += s.real() > (s.imag() == 0 ? rounding * size : 0);
         }
     }
     for (const Complex& s : roots)

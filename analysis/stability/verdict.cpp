@@ -1,4 +1,3 @@
-// In one file: one verdict with its two theories, for a joint and for a point of a map.
 #include "analysis/stability/verdict.h"
 
 #include <algorithm>

@@ -84,12 +84,6 @@ inline constexpr double least_of_explainable_together = 0.8;
 /// the right signal with the wrong curve is not the right cause. Evidence: a cubic spring leaves more than a tenth
 /// behind gravity; Stribeck curves and bristles of another shape leave less.
 inline constexpr double nearest_in_shape = 0.12, taken_by_free_force = 0.5;
-/// Part of the gap beyond the corrections. A ladder that leaves less is not taken back for a better unmodelled force.
-/// Reason: such a force contains many causes as special cases (a constant load is a force of the position that does not
-/// change), and takes the small terms of every machine along; what it takes of so small a rest says nothing of the
-/// cause. Evidence: with joint files that are 2-5 % off, all causes that left less than a hundredth were right
-/// (`doubt_of_rest`); a constant load that left 0.0005 under six times the noise was `unknown` for a force of position.
-inline constexpr double rest_that_matters = 0.01;
 /// Part of the gap beyond the corrections. If one cause leaves more of the explainable gap, pairs are searched. Reason:
 /// two effects can explain more together than the sum of both alone; below this part the next rung finds the second.
 inline constexpr double worth_a_search_of_pairs = 0.1;

@@ -91,7 +91,6 @@ void hold_against(JudgedLadder& j, const FreeFit& force)
         if (more < policy::least_against_corrections * j.winner.explained) return;
         j.why_not = Note{.code = Note::Code::force_beside_numbers, .signal = std::string(force.of), .values = {more}};
     } else {
-        if (!j.shares.rungs.empty() && j.shares.rungs.back() < policy::rest_that_matters * j.shares.base) return;
         j.why_not = Note{.code = Note::Code::nearer_force,
                          .names = names_of(j.ladder.last().causes),
                          .signal = std::string(force.of)};

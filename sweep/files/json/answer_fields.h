@@ -206,6 +206,7 @@ void fields(A& a, Like<LinearStudy> auto& v)
     a("compliance", v.compliance), a("peak", v.peak), a("margins", v.margins), a("velocities", v.velocities);
     a("velocity_only", v.velocity_only), a("state_variable", v.state_variable), a("range_gain", v.range_gain);
     a("comparison", v.comparison), a("velocity_noise", v.velocity_noise), a("mix", v.mix), a("ramp", v.ramp);
+    a("velocities_looked_at", v.velocities_looked_at), a("mix_searched", v.mix_searched);
     a("reductions", v.reductions);
 }
 

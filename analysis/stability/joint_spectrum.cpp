@@ -16,6 +16,12 @@ namespace {
 /// the motion does not notice.
 Complex polished(const LinearJoint& j, Complex start)
 {
+    constexpr double unnoticed = 1e-7;  // of |s|: the eigenvalue of a state that F does not contain
+    for (int i = 0; i < j.bodies; ++i)
+        for (int k = 0; k < j.friction[i].states; ++k)
+            if (const double lambda = j.friction[i].lambda[k];
+                j.friction[i].weight(k) == 0 && std::abs(start - lambda) < unnoticed * std::abs(lambda))
+                return lambda;
     Complex s = start;
     for (int i = 0; i < 4; ++i) {
         const Complex step = 1.0 / drift(j, s);

@@ -14,8 +14,23 @@ namespace stickslip {
 namespace {
 
 constexpr double probe = 1e-6;          // of ln k_p: half the step of a difference
-constexpr double rounding = 1e-14;      // of a root, per the fastest
 constexpr std::size_t near_roots = 12;  // of a late joint, from where the phase turns fastest
+
+/// Roots right of the axis. No real root crosses it at k_p > 0, as springs hold the joint: their number is even, and
+/// where it is not, rounding has moved the smallest to the other side.
+int right_of_axis(const std::vector<Complex>& roots)
+{
+    int right = 0, real = 0;
+    const Complex* smallest = nullptr;
+    for (const Complex& s : roots) {
+        right += s.real() > 0;
+        if (s.imag() != 0) continue;
+        real += s.real() > 0;
+        if (!smallest || std::abs(s) < std::abs(*smallest)) smallest = &s;
+    }
+    if (real % 2 != 0) right += smallest->real() > 0 ? -1 : 1;
+    return right;
+}
 
 }  // namespace
 
@@ -55,13 +70,9 @@ std::optional<RootsAtGain> TurnedJoint::look(double k_p, const RootsAtGain* near
         roots = plain ? spectrum(linear_mass(joint_, commanded_velocity(joint_))) : spectrum(*linear);
         work_ += static_cast<long>(roots.size());
         if (roots.empty()) return std::nullopt;
-        double size = 0;
-        for (const Complex& s : roots) size = std::max(size, std::abs(s));
-        for (const Complex& s : roots) {
-            if (!std::isfinite(s.real())) return std::nullopt;
-            // no real root crosses at k_p > 0: one at 0 within the rounding of the fastest has no side
-            here.right += s.real() > (s.imag() == 0 ? rounding * size : 0);
-        }
+        here.right = right_of_axis(roots);
+        if (!std::all_of(roots.begin(), roots.end(), [](Complex s) { return std::isfinite(s.real()); }))
+            return std::nullopt;
     }
     for (const Complex& s : roots)
         if (s.imag() > 0) here.roots.push_back({s, missing});

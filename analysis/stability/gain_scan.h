@@ -15,6 +15,6 @@ StableGains scan_gains(const Joint& joint, Theory theory, Interval range);
 /// Over gain_decades to either side of the joint's own k_p.
 StableGains scan_gains(const Joint& joint, Theory theory);
 
-inline constexpr double gain_decades = 5, late_gain_decades = 3;
+inline constexpr double gain_decades = 6, late_gain_decades = 3;
 
 }  // namespace stickslip

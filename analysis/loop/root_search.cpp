@@ -155,7 +155,9 @@ std::optional<Complex> RootSearch::edge_by_counting() const
         if (!right) return std::nullopt;
         (*right > 0 ? low : high) = sigma;
     }
-    if (!(high > low) || high - low > near * (std::abs(low) + std::abs(high)) || count(high) != 0) return std::nullopt;
+    const bool narrow = high > low && high - low <= near * (std::abs(low) + std::abs(high));
+    // a line that no root was counted right of brackets none; the line of `high` is looked at last
+    if (!narrow || count(low).value_or(0) == 0 || count(high) != 0) return std::nullopt;
     const auto steepest = std::max_element(
         looked.begin(), looked.end(), [](const LookedAt& a, const LookedAt& b) { return a.steepness < b.steepness; });
     const Complex edge((low + high) / 2, steepest->omega);

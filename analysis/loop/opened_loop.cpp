@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
-#include <numeric>
 
 #include "analysis/numerics/beyond_one.h"
 #include "analysis/numerics/eigenvalues.h"
@@ -14,29 +13,6 @@ namespace {
 
 using Complex = std::complex<double>;
 using std::numbers::pi;
-
-/// The eigenvalues of A: integrators, states that no rate depends on, are at 0 to the last digit.
-std::vector<Complex> poles_of(const Eigen::MatrixXd& A)
-{
-    std::vector<Eigen::Index> kept(static_cast<std::size_t>(A.rows()));
-    std::iota(kept.begin(), kept.end(), 0);
-    std::vector<Complex> poles;
-    for (bool found = true; found;) {
-        found = false;
-        for (std::size_t i = 0; i < kept.size(); ++i) {
-            const auto asks = [&](Eigen::Index k) { return A(k, kept[i]) != 0; };
-            if (std::any_of(kept.begin(), kept.end(), asks)) continue;
-            poles.push_back(0);
-            kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(i));
-            found = true;
-            break;
-        }
-    }
-    if (kept.empty()) return poles;
-    const auto others = eigenvalues_of(A(kept, kept));
-    poles.insert(poles.end(), others.begin(), others.end());
-    return poles;
-}
 
 Eigen::MatrixXd both(const LateLoop& loop)
 {
@@ -56,7 +32,7 @@ OpenedLoop::OpenedLoop(const LateLoop& loop)
       mechanism_right_of_(loop.mechanism_right_of),
       other_poles_(loop.other_poles)
 {
-    for (const Complex& v : poles_of(loop.A)) {
+    for (const Complex& v : eigenvalues_of(loop.A)) {
         constexpr double forgotten = 1e-6;   // a multiplier that is gone within a few ticks
         constexpr double integrates = 1e-9;  // a multiplier that only rounding moves off 1
         if (period_ == 0)

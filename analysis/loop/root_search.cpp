@@ -15,14 +15,24 @@ bool further_left(Complex a, Complex b)
     return a.real() < b.real();
 }
 
+/// d log/ds of 1 + L(s) times Π(s − p), p the poles of L that are known: next to a pole Newton's method would go away
+/// from it, or end on it where its step is less than rounding.
+Complex drift(const OpenedLoop& open, double gain, Complex s)
+{
+    const auto F = open.closing(gain, s);
+    Complex slope = F.slope / F.value;
+    for (const Complex& p : open.exact_poles())
+        if (std::isfinite(p.real())) slope += 1.0 / (s - p);
+    return slope;
+}
+
 }  // namespace
 
 std::optional<Complex> polished_root(const OpenedLoop& open, double gain, Complex s, double rounding)
 {
     double last = infinity;
     for (int i = 0; i < 16; ++i) {
-        const auto F = open.closing(gain, s);
-        const Complex step = F.value / F.slope;
+        const Complex step = 1.0 / drift(open, gain, s);
         const double size = std::abs(step);
         if (!std::isfinite(size)) return std::nullopt;
         s -= step;
@@ -170,10 +180,7 @@ std::optional<Complex> RootSearch::near_root(Complex s) const
     constexpr int most = 50;
     constexpr double close = 1e-6;
     for (int i = 0; i < most; ++i) {
-        const auto F = open_.closing(gain_, s);
-        Complex slope = F.slope / F.value;
-        for (const Complex& p : open_.exact_poles())
-            if (std::isfinite(p.real())) slope += 1.0 / (s - p);
+        Complex slope = drift(open_, gain_, s);
         for (const Complex& r : roots_) {
             slope -= 1.0 / (s - r);
             if (r.imag() != 0) slope -= 1.0 / (s - std::conj(r));

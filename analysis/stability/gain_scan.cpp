@@ -51,21 +51,11 @@ double least_distance(const Root& a, const Root& b, double step)
 }
 
 /// Whether the slopes of a root at both ends of a step foretell where it goes, and that it keeps off the axis.
-bool foretold(const Root& a, const std::vector<Root>& there, double step)
+bool slopes_foretell(const Root& a, const Root& b, double step)
 {
-    const Root* b = nearest(there, a.s + step * a.slope);
-    if (!b || !std::isfinite(std::abs(a.slope) + std::abs(b->slope))) return false;
-    const double off = std::abs(a.s + step / 2 * (a.slope + b->slope) - b->s);
-    return least_distance(a, *b, step) > off;
-}
-
-bool foretold(const RootsAtGain& a, const RootsAtGain& b)
-{
-    const double step = std::log(b.k_p / a.k_p);
-    return std::all_of(a.roots.begin(), a.roots.end(),
-                       [&](const Root& r) { return !is_followed(r) || foretold(r, b.roots, step); }) &&
-           std::all_of(b.roots.begin(), b.roots.end(),
-                       [&](const Root& r) { return !is_followed(r) || foretold(r, a.roots, -step); });
+    if (!std::isfinite(std::abs(a.slope) + std::abs(b.slope))) return false;
+    const double off = std::abs(a.s + step / 2 * (a.slope + b.slope) - b.s);
+    return least_distance(a, b, step) > off;
 }
 
 class GainScan {
@@ -104,29 +94,50 @@ class GainScan {
         return std::nullopt;
     }
 
-    /// Goes on from `from` to k_p; false where that fails, all found between taken back.
+    /// Goes on from `from` towards k_p, as far as that succeeds; false where it ends before.
     bool reach(RootsAtGain& from, double k_p)
     {
-        const auto there = look(k_p, &from);
-        const std::size_t before = found_.size();
-        if (there && (k_p > from.k_p ? between(from, *there) : between(*there, from))) {
-            from = *there;
-            return true;
-        }
-        found_.resize(before);
-        return false;
+        auto there = look(k_p, &from);
+        return there && advance(from, *there);
     }
 
-    bool between(const RootsAtGain& a, const RootsAtGain& b)
+    bool advance(RootsAtGain& from, RootsAtGain& to)
     {
+        auto &a = from.k_p < to.k_p ? from : to, &b = from.k_p < to.k_p ? to : from;
         // a count costs much more than the eigenvalues of a matrix
         const double close = turned_.late() ? 1e-3 : 1e-6, apart = b.k_p / a.k_p - 1;
-        if (a.right == b.right && (apart < close || foretold(a, b))) return true;
-        if (a.right != b.right && apart < close && take(a, b, close)) return true;
+        const bool taken = a.right == b.right ? apart < close || foretold(a, b) : apart < close && take(a, b, close);
+        if (taken) {
+            from = to;
+            return true;
+        }
         const double middle = std::sqrt(a.k_p * b.k_p);
         if (!(middle > a.k_p && middle < b.k_p)) return false;
-        const auto seen = look(middle, &a);
-        return seen && seen->k_p > a.k_p && seen->k_p < b.k_p && between(a, *seen) && between(*seen, b);
+        auto seen = look(middle, &from);
+        return seen && seen->k_p > a.k_p && seen->k_p < b.k_p && advance(from, *seen) && advance(from, to);
+    }
+
+    /// The same of all roots of both gains that are followed.
+    bool foretold(RootsAtGain& a, RootsAtGain& b)
+    {
+        const auto all = [this](const RootsAtGain& from, RootsAtGain& to) {
+            return std::all_of(from.roots.begin(), from.roots.end(),
+                               [&](const Root& root) { return !is_followed(root) || foretold(from.k_p, root, to); });
+        };
+        return all(a, b) && all(b, a);
+    }
+
+    bool foretold(double k_p, const Root& root, RootsAtGain& there)
+    {
+        const double step = std::log(there.k_p / k_p);
+        const Complex expected = root.s + step * root.slope;
+        const Root* known = nearest(there.roots, expected);
+        if (known && slopes_foretell(root, *known, step)) return true;
+        // of the roots of a late joint those of one gain may not have been found at the other
+        const auto found = turned_.late() ? turned_.root_near(there.k_p, expected) : std::nullopt;
+        if (!found || !slopes_foretell(root, *found, step)) return false;
+        there.roots.push_back(*found);
+        return true;
     }
 
     /// What crosses between two gains that are close.

@@ -1,9 +1,8 @@
 #include "analysis/stability/joint_spectrum.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
-#include "analysis/numerics/balance.h"
+#include "analysis/numerics/eigenvalues.h"
 #include "analysis/stability/characteristic.h"
 #include "analysis/stability/delay_spectrum.h"
 #include "analysis/stability/neutral.h"
@@ -12,16 +11,13 @@
 namespace stickslip {
 namespace {
 
-/// Newton's method on F. Keeps the start if it does not stay near, and stays on a pole of G, where a state decays that
-/// the motion does not notice.
+/// Newton's method on F. Keeps the start if it does not stay near, or if it is the rate of a friction state that the
+/// motion does not notice, which F does not contain.
 Complex polished(const LinearJoint& j, Complex start)
 {
-    constexpr double unnoticed = 1e-7;  // of |s|: the eigenvalue of a state that F does not contain
     for (int i = 0; i < j.bodies; ++i)
         for (int k = 0; k < j.friction[i].states; ++k)
-            if (const double lambda = j.friction[i].lambda[k];
-                j.friction[i].weight(k) == 0 && std::abs(start - lambda) < unnoticed * std::abs(lambda))
-                return lambda;
+            if (j.friction[i].weight(k) == 0 && start == j.friction[i].lambda[k]) return start;
     Complex s = start;
     for (int i = 0; i < 4; ++i) {
         const Complex step = 1.0 / drift(j, s);
@@ -41,10 +37,7 @@ Polynomial characteristic_polynomial(const LinearJoint& j)
 /// The eigenvalues of a rational joint as the matrix gives them; empty if the joint is not finite.
 std::vector<Complex> raw_eigenvalues(const LinearJoint& j)
 {
-    Eigen::MatrixXd A = state_matrix(j);
-    if (!A.allFinite()) return {};
-    balance(A);
-    const Eigen::VectorXcd values = A.eigenvalues();
+    const Eigen::VectorXcd values = eigenvalues_of(state_matrix(j));
     return {values.begin(), values.end()};
 }
 

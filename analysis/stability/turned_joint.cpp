@@ -91,6 +91,19 @@ void TurnedJoint::add_slopes(RootsAtGain& here)
     }
 }
 
+std::optional<RootsAtGain::Root> TurnedJoint::root_near(double k_p, Complex start)
+{
+    const auto linear = at(k_p);
+    if (!linear || !std::isfinite(std::abs(start))) return std::nullopt;
+    const auto found = roots_near(*linear, {}, 0, {start});
+    if (found.empty() || !(found.front().imag() > 0)) return std::nullopt;
+    RootsAtGain here;
+    here.k_p = k_p;
+    here.roots = {{found.front(), missing}};
+    add_slopes(here);
+    return here.roots.front();
+}
+
 std::optional<Crossing> TurnedJoint::polished(Crossing near)
 {
     constexpr double exact = 1e-13, furthest = 0.1;

@@ -33,6 +33,9 @@ class TurnedJoint {
     /// `near`: the same joint at a gain not far off, from whose roots those of a late joint are looked for, too.
     std::optional<RootsAtGain> look(double k_p, const RootsAtGain* near = nullptr);
 
+    /// The root of a late joint that Newton's method finds from `start`, if it lies above the real axis.
+    std::optional<RootsAtGain::Root> root_near(double k_p, std::complex<double> start);
+
     /// The gain and frequency that put a root on the axis, by Newton's method in ω and ln k_p from a near start.
     std::optional<Crossing> polished(Crossing near);
 

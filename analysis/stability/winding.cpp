@@ -194,11 +194,18 @@ std::optional<LineCount> count_right_of(const LinearJoint& j, double sigma, int 
     if (!(h > 0)) h = end;
     while (here.omega < end) {
         if (most-- <= 0) return std::nullopt;
-        const double next = std::min(here.omega + h, end);
+        // far above a slow root as at 0, between it and its conjugate, the slope of the phase may not show it
+        const double most_step = here.omega > 0 ? here.omega : end;
+        const double next = std::min(here.omega + std::min(h, most_step), end);
         if (!(next > here.omega)) return std::nullopt;
         const Look there = line.at(next);
         if (!is_number(there.value)) return std::nullopt;
-        const auto turn = line.turn(here, there, h_late);
+        auto turn = line.turn(here, there, h_late);
+        if (turn && here.omega == 0) {
+            const Look between = line.at(next / 2);
+            const auto first = line.turn(here, between, h_late), second = line.turn(between, there, h_late);
+            turn = first && second ? std::optional(*first + *second) : std::nullopt;
+        }
         if (!turn) {
             h = (next - here.omega) / 2;
             if (h < 1e-14 * end && h < 1e-13 * std::abs(Complex(sigma, next))) return std::nullopt;

@@ -41,6 +41,7 @@ inline Joint random_joint(std::uint64_t number)
     const Model model = models[random() % 4];
     Joint joint = model == Model::single_mass ? single_mass(1) : model == Model::two_mass ? two_mass() : three_mass();
     joint.mechanism.model = model;
+    if (model == Model::lever) joint.mechanism.lever_arm = 0.3;
     joint.friction.law = law();
     joint.frictions.motor.law = law();
     joint.frictions.transmission.law = law();
@@ -59,8 +60,9 @@ inline Joint random_joint(std::uint64_t number)
     std::uniform_real_distribution<double> decades(-1, 1);
     for (const Parameter& leaf : parameters(joint)) {
         if (!std::isfinite(*leaf.value) || *leaf.value == 0) continue;
-        const double value = *leaf.value * std::pow(10, decades(random));
-        if (leaf.range.holds(value)) *leaf.value = value;
+        const double before = *leaf.value;
+        *leaf.value *= std::pow(10, decades(random));
+        if (!check(joint).empty()) *leaf.value = before;  // as a static friction below the kinetic
     }
     if (!real) joint.actuator = {}, joint.sensor = {};
     // a joint slides backward by the sign of what it is told to do

@@ -85,6 +85,25 @@ std::string with_unit(double value, Quantity quantity, Motion motion, int digits
     return plain_number(value / scaled.size, digits) + " " + scaled.text;
 }
 
+bool reads_alike(double low, double high, Quantity quantity, Motion motion, int digits)
+{
+    return with_unit(low, quantity, motion, digits) == with_unit(high, quantity, motion, digits);
+}
+
+std::string span_text(double low, double high, Quantity quantity, Motion motion, RangeWords words, int digits)
+{
+    const std::string least = with_unit(low, quantity, motion, digits);
+    if (reads_alike(low, high, quantity, motion, digits)) return std::string(words.single) + least;
+    return std::string(words.before) + least + std::string(words.between) + with_unit(high, quantity, motion, digits);
+}
+
+std::string range_text(double low, double high, Quantity quantity, Motion motion, RangeWords words, int digits)
+{
+    constexpr int most = 9;  // searches locate their ends to 1e-9 at best
+    while (digits < most && low != high && reads_alike(low, high, quantity, motion, digits)) ++digits;
+    return span_text(low, high, quantity, motion, words, digits);
+}
+
 std::string counted(std::uint64_t count, std::string_view noun)
 {
     return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");

@@ -13,6 +13,22 @@ namespace stickslip {
 /// an SI prefix where the unit takes one (mass, angle and pure numbers do not). NaN reads "–", infinity "∞".
 std::string with_unit(double value, Quantity quantity, Motion motion, int digits = 3);
 
+/// How a range is put: "from 1 N to 2 N", "1 N … 2 N", "between 1 N and 2 N"; and what precedes a single number.
+struct RangeWords {
+    std::string_view before, between, single;
+};
+inline constexpr RangeWords from_to{"from ", " to ", "at "}, low_to_high{"", " … ", ""},
+    between_and{"between ", " and ", "at "};
+
+/// The ends of a set or of an axis, or a change: where `digits` do not distinguish them, as many as do, nine at most.
+std::string range_text(double low, double high, Quantity quantity, Motion motion, RangeWords words = from_to,
+                       int digits = 3);
+/// The least and the largest of computed values: one number where `digits` do not distinguish them.
+std::string span_text(double low, double high, Quantity quantity, Motion motion, RangeWords words = between_and,
+                      int digits = 3);
+/// Whether both ends read the same with so many digits.
+bool reads_alike(double low, double high, Quantity quantity, Motion motion, int digits);
+
 /// A unit with the SI prefix that suits numbers of one size: {1000, "kN/m"}. Divide by `size` to print.
 struct ScaledUnit {
     double size = 1;

@@ -16,9 +16,7 @@ std::string outside_text(const LocatedRay& ray, Motion motion)
     if (!ray.outside) return "";
     const auto& o = *ray.outside;
     const auto quantity = ray.axis.quantity;
-    if (!o.nearest)
-        return " None lies within " + with_unit(o.low, quantity, motion) + " … " + with_unit(o.high, quantity, motion) +
-               " either.";
+    if (!o.nearest) return " None lies within " + range_text(o.low, o.high, quantity, motion, low_to_high) + " either.";
     return " The nearest one outside lies at " + ray.axis.symbol + " = " +
            with_unit(o.nearest->value, quantity, motion, ray.kind == BoundaryKind::outcome ? 4 : 8) + ".";
 }
@@ -96,8 +94,8 @@ std::string ray_text(const Joint& design, const LocatedRay& ray)
     std::string kind =
         ray.kind == BoundaryKind::v_min ? "least velocity V_{min}" : std::string(name_of(ray.kind)) + " boundary";
     const auto motion = design.mechanism.motion;
-    const std::string range = with_unit(ray.axis.values.front(), ray.axis.quantity, motion) + " … " +
-                              with_unit(ray.axis.values.back(), ray.axis.quantity, motion);
+    const std::string range =
+        range_text(ray.axis.values.front(), ray.axis.values.back(), ray.axis.quantity, motion, low_to_high);
     if (ray.undecided == ray.nodes)
         return "No verdict along " + ray.axis.symbol + ": the joint cannot be judged at any of the " +
                std::to_string(ray.nodes) + " points of the scan" +

@@ -5,6 +5,11 @@
 #include <cmath>
 
 namespace stickslip {
+namespace {
+
+constexpr int set_digits = 4;  ///< of the ends of a set of gains
+
+}  // namespace
 
 AxisName axis_label(std::string_view name, Quantity quantity, Motion motion)
 {
@@ -28,16 +33,21 @@ Figure line_figure(std::string id, Picture chart, std::string finding, std::stri
     return figure;
 }
 
+std::vector<Interval> that_read_apart(std::vector<Interval> list, Quantity quantity, Motion motion)
+{
+    std::erase_if(list, [&](const Interval& i) { return reads_alike(i.low, i.high, quantity, motion, set_digits); });
+    return list;
+}
+
 std::string intervals_text(const std::vector<Interval>& list, Quantity quantity, Motion motion)
 {
     constexpr std::size_t most = 4;
     const auto words = [&](const Interval& i) -> std::string {
         const bool from_zero = i.low == 0, open = std::isinf(i.high);
-        const auto low = with_unit(i.low, quantity, motion, 4), high = with_unit(i.high, quantity, motion, 4);
         return from_zero && open ? "all values"
-               : open            ? "above " + low
-               : from_zero       ? "below " + high
-                                 : "from " + low + " to " + high;
+               : open            ? "above " + with_unit(i.low, quantity, motion, set_digits)
+               : from_zero       ? "below " + with_unit(i.high, quantity, motion, set_digits)
+                                 : range_text(i.low, i.high, quantity, motion, from_to, set_digits);
     };
     std::string text;
     for (std::size_t i = 0; i < list.size() && i < most; ++i) text += (i ? ", " : "") + words(list[i]);

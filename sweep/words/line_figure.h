@@ -19,7 +19,11 @@ void smooth(LineChart::Line& line, const std::function<double(double)>& y, doubl
 /// A chart with its words; the finding is what a screen reader says and stands first in the caption.
 Figure line_figure(std::string id, Picture chart, std::string finding, std::string reading);
 
-/// "55 kN/m … ∞, …" of open intervals; "none" of none.
+/// The intervals whose ends read differently in words: of differences between two sets, slivers remain where their ends
+/// nearly coincide.
+std::vector<Interval> that_read_apart(std::vector<Interval> list, Quantity quantity, Motion motion);
+
+/// "above 55 kN/m", "from 5 kN/m to 8 kN/m, …" of open intervals; "none" of none.
 std::string intervals_text(const std::vector<Interval>& list, Quantity quantity, Motion motion);
 
 /// What a theory asks of k_v, given the set with which it calls sliding stable: "k_{v} > 500 N·s/m", "729 N·s/m <

@@ -37,7 +37,7 @@ std::string window_text(const SetPointChoice& c, Motion motion)
             if (!(c.low < c.high))
                 return "none: the drop from static to kinetic friction, " + effort(c.low) +
                        ", is not below the static friction, " + effort(c.high);
-            return effort(c.low) + " to " + effort(c.high);
+            return range_text(c.low, c.high, Quantity::effort, motion, {"", " to ", ""});
         default:
             return "–";
     }

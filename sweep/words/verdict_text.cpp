@@ -44,8 +44,9 @@ std::string stable_gains(const Joint& joint, const StateVariableVerdict& memory)
     return ". k_{p} = " + stiffness(joint.control.k_p, motion) +
            (memory.stable ? " is one of the stable gains: " : " is not among the stable gains: ") +
            intervals_text(stable, Quantity::stiffness, motion) +
-           (memory.searched_from > 0 ? ", searched from " + stiffness(memory.searched_from, motion) + " to " +
-                                           stiffness(memory.searched_to, motion) + "."
+           (memory.searched_from > 0
+                ? ", searched " + range_text(memory.searched_from, memory.searched_to, Quantity::stiffness, motion) +
+                      "."
             : limited ? ", searched up to " + stiffness(memory.searched_to, motion) + "."
                       : ".");
 }

@@ -29,6 +29,12 @@ const withUnit = (value, kind) => {
   return found ? digits(value / found[0]) + nbsp + found[1] + unit : digits(value) + nbsp + unit;
 };
 
+// "between 1 N and 2 N", or "at 1 N" where both ends read the same.
+const span = (low, high, kind) => {
+  const [least, most] = [withUnit(low, kind), withUnit(high, kind)];
+  return least === most ? `at ${least}` : `between ${least} and ${most}`;
+};
+
 // Chart mark-up as nodes: "k_{p}" is a subscript.
 const marked = (text) => text.split(/([_^]\{[^}]*\})/).map((part) => {
   if (!/^[_^]\{/.test(part)) return part;

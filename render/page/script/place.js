@@ -59,7 +59,7 @@ const addMotion = (chart, panel) => {
   const from = motions.lengths.slice(0, n).reduce((sum, length) => sum + length, 0), to = from + motions.lengths[n];
   const time = Array.from(motions.time.slice(from, to)), velocity = Array.from(motions.velocity.slice(from, to));
   const [x, y] = motions.places[n], kind = { unit: motions.unit, prefix: motions.unit.startsWith("m") };
-  const spoken = `Velocity in time at the nearest simulated node: between ${withUnit(Math.min(...velocity), kind)} and ${withUnit(Math.max(...velocity), kind)}.`;
+  const spoken = `Velocity in time at the nearest simulated node: ${span(Math.min(...velocity), Math.max(...velocity), kind)}.`;
   const canvas = element("canvas", { class: "motion", role: "img", "aria-label": spoken });
   const held = depth ? [", ", ...marked(depth.axis.symbol), " = " + withUnit(depth.axis.values[depth.at], depth.axis)] : [];
   const here = x === chart.data.x.values[chart.column] && y === chart.data.y.values[chart.row] && !chart.layer;

@@ -84,8 +84,7 @@ Figure difference_figure(FieldMap map, const Slice& a, const Slice& b)
         low = std::min(low, map.values.back());
         high = std::max(high, map.values.back());
     }
-    map.statement = "Changes lie between " + with_unit(low, Quantity::rate, map.motion) + " and " +
-                    with_unit(high, Quantity::rate, map.motion) + ".";
+    map.statement = "Changes lie " + span_text(low, high, Quantity::rate, map.motion) + ".";
     Figure figure;
     figure.id = chart_id("difference", b.x, b.y);
     figure.finding =

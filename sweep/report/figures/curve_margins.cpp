@@ -64,8 +64,8 @@ std::vector<Headline> meeting_headlines(const std::vector<Meeting>& meetings, Mo
         const bool no_cure = m.beyond && m.beyond->diverges();
         list.push_back({no_cure ? Headline::Tone::bad : Headline::Tone::neutral,
                         m.axis.symbol + (change < 0 ? " −" : " +") + plain_number(100 * std::abs(change)) + " %",
-                        "from the design to " + met(m) + ": " + with_unit(m.own, m.axis.quantity, motion, 4) + " to " +
-                            with_unit(m.at, m.axis.quantity, motion, 4)});
+                        "from the design to " + met(m) + ": " +
+                            range_text(m.own, m.at, m.axis.quantity, motion, {"", " to ", ""}, 4)});
     }
     return list;
 }

@@ -76,8 +76,7 @@ Figure amplitude_figure(const HuntingField& field, FieldMap map)
     }
     constexpr double decades_worth = 30;  // beyond this ratio equal steps of colour hide the small values
     map.scale = high > decades_worth * low ? FieldMap::Scale::log : FieldMap::Scale::linear;
-    const std::string range = "from " + with_unit(low, Quantity::position, map.motion) + " to " +
-                              with_unit(high, Quantity::position, map.motion);
+    const std::string range = span_text(low, high, Quantity::position, map.motion, from_to);
     Figure figure;
     figure.id = chart_id("hunting-amplitude", field.x, field.y);
     figure.finding = "Where the joint hunts, its stops are " + range + " from the set point.";

@@ -88,7 +88,7 @@ Figure root_locus_figure(const RootLocus& locus, Motion motion)
     const double low = locus.gains.front(), high = locus.gains.back(), limit = locus.limit;
     DetailedChart chart;
     chart.title = "Root locus over k_{p}";
-    chart.fixed = "k_{p} from " + stiffness(low, motion) + " to " + stiffness(high, motion) + ", roots with |s| < " +
+    chart.fixed = "k_{p} " + range_text(low, high, Quantity::stiffness, motion) + ", roots with |s| < " +
                   with_unit(limit, Quantity::rate, motion);
     chart.x_label = {"Re s", "1/s"};
     chart.y_label = {"Im s", "rad/s"};

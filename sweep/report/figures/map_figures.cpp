@@ -67,9 +67,7 @@ Figure outcome_figure(Motion motion, const Slice& slice, const MapAnswer& answer
         if (std::isfinite(v)) low = std::min(low, v), high = std::max(high, v), ++cycles;
     map.scale = low > 0 && high > 30 * low ? FieldMap::Scale::log : FieldMap::Scale::linear;
     const auto share = percent(static_cast<double>(cycles) / static_cast<double>(reading.values.size()));
-    const auto range = cycles ? "between " + with_unit(low, reading.quantity, motion) + " and " +
-                                    with_unit(high, reading.quantity, motion)
-                              : "nowhere";
+    const auto range = cycles ? span_text(low, high, reading.quantity, motion) : std::string("nowhere");
     map.statement = share + " of the points end in a limit cycle.";
     for (const auto& curve : answer.curves)
         if (curve.kind == Curve::Kind::state_variable) map.lines.push_back({"", curve.x, curve.y, false, curve.kind});
@@ -229,7 +227,7 @@ Figure surface_figure(const GainSurface& found, Motion motion)
     for (const double z : surface.z)
         if (std::isfinite(z)) low = std::min(low, z), high = std::max(high, z);
     const std::string range =
-        low <= high ? "from " + stiffness(low, motion) + " to " + stiffness(high, motion) : "nowhere on this range";
+        low <= high ? span_text(low, high, Quantity::stiffness, motion, from_to) : std::string("nowhere on this range");
     Figure figure;
     figure.id = chart_id("surface", found.x, found.y);
     figure.finding =

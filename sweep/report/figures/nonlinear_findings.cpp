@@ -10,8 +10,7 @@ namespace {
 
 std::string extent_text(const Axis& axis, const Extent& extent, Motion motion)
 {
-    return axis.symbol + " = " + with_unit(extent.low, axis.quantity, motion) + " … " +
-           with_unit(extent.high, axis.quantity, motion);
+    return axis.symbol + " = " + range_text(extent.low, extent.high, axis.quantity, motion, low_to_high);
 }
 
 std::string reach_text(const Slice& slice, const FoldReach& reach, Motion motion)

@@ -84,9 +84,9 @@ std::vector<Figure> outcome_profiles(const Joint& joint, const Profile& profile)
             for (const double v : values)
                 if (!std::isnan(v)) low = std::min(low, v), high = std::max(high, v);
             if (high == 0) continue;  // cycles that never rest: nothing to see
-            const auto finding = std::string(kind.title) + ": from " + with_unit(low, reading.quantity, motion) +
-                                 " to " + with_unit(high, reading.quantity, motion) + " on " + std::to_string(cycles) +
-                                 " of " + std::to_string(values.size()) + " points; none elsewhere.";
+            const auto finding =
+                std::string(kind.title) + ": " + span_text(low, high, reading.quantity, motion, from_to) + " on " +
+                std::to_string(cycles) + " of " + std::to_string(values.size()) + " points; none elsewhere.";
             figures.push_back(line_figure(chart_id(kind.id, axis, axis), std::move(chart), finding,
                                           std::string(kind.meaning) + " " + followed_text(profile.readings) +
                                               "; where the line ends, no limit cycle was reached."));

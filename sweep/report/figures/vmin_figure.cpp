@@ -32,9 +32,8 @@ Figure vmin_figure(const Joint& joint, const LinearDetails& details)
     }
     chart.x_marks.emplace_back("here", joint.control.k_p);
     return line_figure("v-min", std::move(chart), "At this position gain " + slowest + ".",
-                       "From V_{min} upwards every velocity slides smoothly, with memory, searched from " +
-                           with_unit(low, Quantity::velocity, motion) + " to " +
-                           with_unit(high, Quantity::velocity, motion) +
+                       "From V_{min} upwards every velocity slides smoothly, with memory, searched " +
+                           range_text(low, high, Quantity::velocity, motion) +
                            ": the limit of position resolution and, times the stiffness of the contact, of force "
                            "resolution (§6). A line at the lower edge: all searched velocities are stable; no line: "
                            "stick-slip up to the highest.");

@@ -208,9 +208,8 @@ Report compare_report(const ComparedRun& before, const ComparedRun& after)
         report.verdict += " The " + moved->name + " moved by " + relative_change(moved->before, moved->after) +
                           ", to " + with_unit(moved->after, moved->quantity, motion, 4) + ".";
         report.headlines.push_back({Tone::neutral, relative_change(moved->before, moved->after),
-                                    "largest move of a boundary: " + moved->name + ", from " +
-                                        with_unit(moved->before, moved->quantity, motion, 4) + " to " +
-                                        with_unit(moved->after, moved->quantity, motion, 4)});
+                                    "largest move of a boundary: " + moved->name + ", " +
+                                        range_text(moved->before, moved->after, moved->quantity, motion, from_to, 4)});
     }
     if (comparable && !before.summary.slices.empty()) {
         const auto share = [&](Change c) { return shares[static_cast<std::size_t>(c)]; };

@@ -24,6 +24,11 @@ struct Words {
         return std::isnan(omega) ? text : text + " (" + plain_number(omega / (2 * std::numbers::pi), 3) + "\u00a0Hz)";
     }
     std::string gains(const std::vector<Interval>& set, Quantity q) const { return intervals_text(set, q, motion); }
+    /// Where the theories differ: a sliver between edges that read the same is no difference to a reader.
+    std::vector<Interval> differing(const std::vector<Interval>& k_p) const
+    {
+        return that_read_apart(k_p, Quantity::stiffness, motion);
+    }
 };
 
 std::string degrees(double angle)
@@ -67,14 +72,15 @@ Table comparison_table(const Joint& joint, const LinearStudy& study)
     table.title = "What each theory requires of this joint";
     table.columns = {"", "velocity alone", "with memory"};
     if (c.known)
-        table.rows = {{"velocity gain required at this k_{p}", demanded_text(c.k_v_velocity_only, words.motion),
-                       demanded_text(c.k_v_memory, words.motion)},
-                      {"stable k_{v} at this k_{p}", words.gains(c.k_v_velocity_only, Quantity::damping),
-                       words.gains(c.k_v_memory, Quantity::damping)},
-                      {"stable k_{p} at this k_{v}", words.gains(c.k_p_velocity_only, Quantity::stiffness),
-                       words.gains(c.k_p_memory, Quantity::stiffness)},
-                      {"k_{p} stable in this theory only", words.gains(c.allowed_wrongly, Quantity::stiffness),
-                       words.gains(c.forbidden_needlessly, Quantity::stiffness)}};
+        table.rows = {
+            {"velocity gain required at this k_{p}", demanded_text(c.k_v_velocity_only, words.motion),
+             demanded_text(c.k_v_memory, words.motion)},
+            {"stable k_{v} at this k_{p}", words.gains(c.k_v_velocity_only, Quantity::damping),
+             words.gains(c.k_v_memory, Quantity::damping)},
+            {"stable k_{p} at this k_{v}", words.gains(c.k_p_velocity_only, Quantity::stiffness),
+             words.gains(c.k_p_memory, Quantity::stiffness)},
+            {"k_{p} stable in this theory only", words.gains(words.differing(c.allowed_wrongly), Quantity::stiffness),
+             words.gains(words.differing(c.forbidden_needlessly), Quantity::stiffness)}};
     if (!std::isnan(study.velocities.low)) {
         table.rows.push_back({"least stable velocity", words.velocity(study.velocity_only.least),
                               words.velocity(study.state_variable.least)});
@@ -103,13 +109,13 @@ std::string comparison_words(const Comparison& c, const Words& words)
     std::string text =
         "The velocity-only model is stable where k_{v} outweighs the falling steady curve, (21); with memory, sliding "
         "is also stable where a stiff position loop moves the slip faster than the memory responds, (34)-(37).";
-    if (!c.forbidden_needlessly.empty())
+    if (const auto differ = words.differing(c.forbidden_needlessly); !differ.empty())
         text += " Here the velocity-only model predicts stick-slip for k_{p} " +
-                words.gains(c.forbidden_needlessly, Quantity::stiffness) +
+                words.gains(differ, Quantity::stiffness) +
                 " although sliding is stable with memory, as Armstrong observed with his stiffest springs (§5).";
-    if (!c.allowed_wrongly.empty())
+    if (const auto differ = words.differing(c.allowed_wrongly); !differ.empty())
         text += " Here the velocity-only model predicts stability for k_{p} " +
-                words.gains(c.allowed_wrongly, Quantity::stiffness) +
+                words.gains(differ, Quantity::stiffness) +
                 " although sliding is unstable there: for one mass this takes a lag or a negative direct effect, for "
                 "several masses the springs between them suffice.";
     return text +
@@ -137,9 +143,10 @@ std::string stable_everywhere_text(const LineChart& chart, const Interval& veloc
     std::string gains;
     for (const auto& line : chart.lines) gains += (gains.empty() ? "" : ", ") + line.name;
     const auto& k_p = chart.lines.front().x;
-    return "With memory, every velocity from " + with_unit(velocities.low, Quantity::velocity, words.motion) + " to " +
-           with_unit(velocities.high, Quantity::velocity, words.motion) + " slides smoothly, for k_{p} from " +
-           words.stiffness(k_p.front()) + " to " + words.stiffness(k_p.back()) + " and " + gains + ".";
+    return "With memory, every velocity " +
+           range_text(velocities.low, velocities.high, Quantity::velocity, words.motion) +
+           " slides smoothly, for k_{p} " +
+           range_text(k_p.front(), k_p.back(), Quantity::stiffness, words.motion, from_to, 4) + " and " + gains + ".";
 }
 
 }  // namespace

@@ -50,8 +50,8 @@ Section models_section()
         const auto verdict = linear_verdict(model.joint);
         std::string gains;
         for (const auto& i : verdict.state_variable.stable_intervals)
-            gains += (gains.empty() ? "" : ", ") + with_unit(i.low, Quantity::stiffness, Motion::prismatic, 4) + " … " +
-                     with_unit(i.high, Quantity::stiffness, Motion::prismatic, 4);
+            gains += (gains.empty() ? "" : ", ") +
+                     range_text(i.low, i.high, Quantity::stiffness, Motion::prismatic, low_to_high, 4);
         table.rows.push_back(
             {model.id, model.title, with_unit(model.joint.control.k_p, Quantity::stiffness, Motion::prismatic),
              gains.empty() ? "none" : gains,

@@ -98,8 +98,8 @@ std::string windows_text(const VelocitySearch& search, Motion motion)
         const double slow = back ? i.high : i.low, fast = back ? i.low : i.high;
         if (slow == found.all_above) continue;
         const bool open = std::abs(slow) <= slowest * (1 + 1e-9);
-        text += (text.empty() ? " from " : ", from ") + with_unit(slow, Quantity::velocity, motion) +
-                (open ? " or slower" : "") + " to " + with_unit(fast, Quantity::velocity, motion);
+        text += (text.empty() ? " from " : ", from ") +
+                range_text(slow, fast, Quantity::velocity, motion, {"", open ? " or slower to " : " to ", ""});
     }
     return text;
 }
@@ -109,7 +109,7 @@ std::vector<Headline> velocity_headlines(const VelocitySearch& search, bool stab
     const auto text = [&](double v) { return with_unit(v, Quantity::velocity, motion); };
     const double V = search.velocity, low = search.low, high = search.high;
     const auto& stable_set = search.found;
-    const std::string searched = ", with these gains; searched from " + text(low) + " to " + text(high);
+    const std::string searched = ", with these gains; searched " + range_text(low, high, Quantity::velocity, motion);
     if (stable_set.intervals.empty()) return {{Tone::bad, "none", "velocity slides smoothly" + searched}};
     std::vector<Headline> headlines;
     // one V_min everywhere: from here upwards every velocity slides, as in the figure over the gains

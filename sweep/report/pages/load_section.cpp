@@ -66,7 +66,7 @@ Table load_table(const Joint& joint, const LoadStudy& study)
     table.title = "Over the normal loads of the record";
     table.columns = {"quantity", "value"};
     table.rows = {
-        {"normal loads", plain_number(study.low, 4) + " … " + plain_number(study.high, 4)},
+        {"normal loads", span_text(study.low, study.high, Quantity::number, motion, low_to_high, 4)},
         {"stable share of the record, with memory", percent(study.stable_state_variable)},
         {"stable share of the record, velocity alone", percent(study.stable_velocity_only)},
         {"largest critical position gain k_{cr}",

@@ -67,8 +67,8 @@ void add_headlines(Report& report, const MarginsAnswer& a)
         report.headlines.push_back(
             {Tone::neutral,
              coordinate_text({move->path, move->less}, motion) + " " + signed_percent(move->to / move->from - 1),
-             "is the nearest boundary for one parameter alone: from " + with_unit(move->from, quantity, motion, 4) +
-                 " to " + with_unit(move->to, quantity, motion, 4)});
+             "is the nearest boundary for one parameter alone: " +
+                 range_text(move->from, move->to, quantity, motion, from_to, 4)});
     }
     if (a.nearest.found)
         report.headlines.push_back({Tone::neutral, all_at_once(a.nearest.distance, scales_of(a)),

@@ -89,9 +89,8 @@ Figure boundary_figure(const Joint& joint, const ReductionStudy& study, const st
                   error_text(study.own.error) + "."
             : "The reduction to " + study.model + " at this joint's own values: " + error_text(study.own.error) + ".",
         "Solid: the full joint. Dashed: the reduced one. A boundary is where stability changes along " +
-            boundary.symbol + "; a line ends where there is none from " +
-            with_unit(study.searched_low, boundary.quantity, motion) + " to " +
-            with_unit(study.searched_high, boundary.quantity, motion) + ".");
+            boundary.symbol + "; a line ends where there is none " +
+            range_text(study.searched_low, study.searched_high, boundary.quantity, motion) + ".");
 }
 
 Figure error_figure(const Joint& joint, const ReductionStudy& study, const std::string& id)

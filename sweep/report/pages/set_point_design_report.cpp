@@ -44,9 +44,9 @@ void add_headlines(const SetPointDesignAnswer& a, Report& report)
             "dead zone of the error; at least " + with_unit(best->low, Quantity::position, motion));
     if (best->push != 0)
         add(Tone::neutral, best->push, Quantity::effort,
-            push_alone ? "push towards the set point; may lie from " + with_unit(best->low, Quantity::effort, motion) +
-                             " to " + with_unit(best->high, Quantity::effort, motion)
-                       : "push towards the set point");
+            push_alone
+                ? "push towards the set point; may lie " + range_text(best->low, best->high, Quantity::effort, motion)
+                : "push towards the set point");
     if (best->dither > 0)
         add(Tone::neutral, best->dither, Quantity::effort,
             "amplitude of the dither; below " + with_unit(best->high, Quantity::effort, motion));
@@ -68,8 +68,8 @@ Section push_section(const SetPointDesignAnswer& a)
         chart.x_marks.emplace_back("end of hunting", push->low);
         chart.x_marks.emplace_back("over-compensation", push->high);
         reading += push->low < push->high
-                       ? " For every friction within the margin it settles from " + effort(push->low) + " to " +
-                             effort(push->high) + "."
+                       ? " For every friction within the margin it settles " +
+                             range_text(push->low, push->high, Quantity::effort, motion) + "."
                        : " No push works for every friction within the margin: it must exceed " + effort(push->low) +
                              " to end hunting, and stay below " + effort(push->high) + " so as not to move the joint.";
     }

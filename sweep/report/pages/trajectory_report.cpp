@@ -24,7 +24,7 @@ std::vector<double> settled(const Trajectory& t, const std::vector<double>& valu
 std::string range(const std::vector<double>& values, Quantity quantity, Motion motion)
 {
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    return "between " + with_unit(*low, quantity, motion) + " and " + with_unit(*high, quantity, motion);
+    return span_text(*low, *high, quantity, motion);
 }
 
 /// The friction on the link, which the loop of friction over velocity shows.

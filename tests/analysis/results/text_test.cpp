@@ -20,6 +20,19 @@ TEST_CASE("numbers read with prefix and unit", "[text]")
     CHECK(with_unit(95.1089, Quantity::inertia, p, 4) == "95.11 kg");
 }
 
+TEST_CASE("the ends of a range never read the same", "[text]")
+{
+    const auto p = Motion::prismatic;
+    const auto q = Quantity::stiffness;
+    CHECK(range_text(2e3, 5e3, q, p) == "from 2 kN/m to 5 kN/m");
+    CHECK(range_text(2027.38, 2027.41, q, p) == "from 2.02738 kN/m to 2.02741 kN/m");
+    CHECK(range_text(2027.41, 2027.38, q, p, low_to_high) == "2.02741 kN/m … 2.02738 kN/m");
+    CHECK(range_text(1e3, 1e3 * (1 + 1e-12), q, p) == "at 1 kN/m");
+    CHECK(span_text(3.201, 3.202, q, p) == "at 3.2 N/m");
+    CHECK(span_text(3.201, 3.212, q, p) == "between 3.2 N/m and 3.21 N/m");
+    CHECK(reads_alike(-NAN, NAN, q, p, 3));
+}
+
 TEST_CASE("plain numbers and shares never round to a lie", "[text]")
 {
     CHECK(plain_number(12345) == "12300");

@@ -22,7 +22,6 @@ enum class Detail : std::uint8_t {
     normal_load_in_loop,  ///< one that moves with the joint
     neighbours_in_loop,
     linear_law,
-    late_friction_in_loop,
     bristles_with_memory,
     no_level,  ///< a law without a level that place, time or load could change
     // a motion that was followed
@@ -46,7 +45,7 @@ enum class Detail : std::uint8_t {
     law_at_rest  ///< has no meaning there
 };
 
-inline constexpr std::array<std::string_view, 31> detail_names{"none",
+inline constexpr std::array<std::string_view, 30> detail_names{"none",
                                                                "late-with-memory",
                                                                "moving-normal-load",
                                                                "neighbours",
@@ -59,7 +58,6 @@ inline constexpr std::array<std::string_view, 31> detail_names{"none",
                                                                "normal-load-in-loop",
                                                                "neighbours-in-loop",
                                                                "linear-law",
-                                                               "late-friction-in-loop",
                                                                "bristles-with-memory",
                                                                "no-level",
                                                                "limit-of-turns",

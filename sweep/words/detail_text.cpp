@@ -33,8 +33,6 @@ std::string detail_text(Detail detail)
             return "neighbours are not simulated in a real loop";
         case Detail::linear_law:
             return "the law is linear by definition";
-        case Detail::late_friction_in_loop:
-            return "delayed friction is not simulated in a real loop";
         case Detail::bristles_with_memory:
             return "bristles combined with memory of the level have no equations of motion";
         case Detail::no_level:

@@ -75,7 +75,7 @@ std::optional<double> turning(const OpenedLoop& open, const Line& line, const Op
         return std::nullopt;
     constexpr int most = 400'000;
     for (int used = 0; omega < end; ++used) {
-        if (used > most || !std::isfinite(std::abs(here.closed))) return std::nullopt;
+        if (used * open.cost() > most || !std::isfinite(std::abs(here.closed))) return std::nullopt;
         double next = std::min(end, omega + std::min(step, std::max(line.room(omega), nearest)));
         Line::Look middle = line.at(0.5 * (omega + next)), there = line.at(next);
         // |L| < 1 keeps 1 + L right of the axis however fast dead time turns L

@@ -74,9 +74,19 @@ AxisCrossings axis_crossings(const LateLoop& loop)
         found.crossings.push_back(*still);
     double omega = reach.from, at = phase(omega), step = 0.1 * omega;
     const auto turn = [](double from, double to) { return std::remainder(to - from, 2 * pi); };
+    const auto doubt = [&](double from, double to) {
+        auto& bands = found.doubtful;
+        if (!bands.empty() && bands.back().high == from)
+            bands.back().high = to;
+        else
+            bands.push_back({from, to});
+    };
+    // a band in which rounding turns the phase is left in growing steps
+    constexpr double resolved = 1e-12;
+    double least = resolved;
     for (long steps = 0; omega < reach.to; ++steps) {
-        if (steps == work::crossing_steps) {
-            found.doubtful.push_back({omega, reach.to});
+        if (steps * open.cost() > work::crossing_steps) {
+            doubt(omega, reach.to);
             break;
         }
         const double room = std::max(open.room(Complex(0, omega)), 1e-9 * omega);
@@ -84,11 +94,12 @@ AxisCrossings axis_crossings(const LateLoop& loop)
         const double middle = phase(0.5 * (omega + next)), there = phase(next);
         const double first = turn(at, middle), second = turn(middle, there);
         const bool coarse = std::abs(first) > 0.3 || std::abs(second) > 0.3 || std::abs(first - second) > 0.1;
-        if (coarse && next - omega > 1e-12 * next) {
+        if (coarse && next - omega > least * next) {
             step = (next - omega) / 2;
             continue;
         }
-        if (coarse) found.doubtful.push_back({omega, next});
+        if (coarse) doubt(omega, next);
+        least = coarse ? 4 * least : std::max(resolved, least / 2);
         if (sampled && next == reach.to && std::abs(there) < 1) {
             cross_at_end(open, at, found);
         } else if (!coarse && std::signbit(at) != std::signbit(there) && std::abs(at) < 1) {

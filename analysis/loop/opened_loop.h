@@ -19,6 +19,9 @@ class OpenedLoop {
     /// −T of the turned gain, the base closed: a positive real number where a positive gain puts a root at s.
     Complex towards(Complex s) const;
 
+    /// What one place costs, per one of a loop without late friction.
+    double cost() const { return ticked_share_ ? ticked_share_->cost() : 1; }
+
     /// Up to where the imaginary axis is looked at: half the sampling rate, or without end.
     double end() const { return end_; }
     /// Over which the phase turns by one radian without anything else in the loop.

@@ -15,6 +15,8 @@ class TickedShare {
     TickedShare(const TickedFriction& ticked, const std::vector<LateFriction>& friction, const Resolvent& responses);
     /// To the responses of what is turned, and of what is held.
     std::pair<Complex, Complex> at(Complex s) const;
+    /// What one place costs, per one of a loop without late friction: four aliases take its time.
+    double cost() const { return 1 + aliases_ / 4.0; }
 
   private:
     /// To the sampled reading and its rate.

@@ -35,10 +35,21 @@ inline Run shell(const std::string& line)
     return run;
 }
 
-/// `stickslip ARGUMENTS`, arguments as a shell reads them.
+/// `stickslip ARGUMENTS`, arguments as a shell reads them; without what it says of a search that takes longer than a
+/// second, which depends on the machine.
 inline Run stickslip(const std::string& arguments)
 {
-    return shell(std::string("'") + STICKSLIP + "' " + arguments);
+    Run run = shell(std::string("'") + STICKSLIP + "' " + arguments);
+    constexpr const char* searching = "still searching: ";
+    for (std::size_t at = run.output.find(searching); at != std::string::npos; at = run.output.find(searching, at)) {
+        const bool starts_line = at == 0 || run.output[at - 1] == '\n';
+        const std::size_t end = run.output.find('\n', at);
+        if (starts_line && end != std::string::npos)
+            run.output.erase(at, end + 1 - at);
+        else
+            ++at;
+    }
+    return run;
 }
 
 /// A folder of its own, removed at the end.

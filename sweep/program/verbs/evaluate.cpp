@@ -19,6 +19,7 @@
 #include "sweep/files/toml/servo_text.h"
 #include "sweep/program/verbs/disturbance_option.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/still_searching.h"
 #include "sweep/program/verbs/surroundings_option.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/figures/disturbance_figure.h"
@@ -113,7 +114,7 @@ struct Evaluated {
     Motion units() const { return joint.mechanism.motion; }
 };
 
-Evaluated evaluated(const Options& options)
+Evaluated evaluated(const Options& options, StillSearching& searching)
 {
     auto asked = read_spec_or_joint(options.joint, options.settings);
     const Joint described = asked.design;
@@ -124,6 +125,7 @@ Evaluated evaluated(const Options& options)
     set_search_effort(options.effort);
     Evaluated e;
     e.joint = asked.design;
+    searching.stage("the roots and the stable gains");
     e.verdict = linear_verdict(e.joint);
     add_margins(e.joint, e.verdict);
     e.summed = e.joint.control.structure == Structure::cascade ? with_gains(e.joint) : e.joint;
@@ -132,8 +134,11 @@ Evaluated evaluated(const Options& options)
     nonlinear.disturbance = options.disturbance.disturbance(asked.spec.nonlinear);
     nonlinear.rtol = asked.spec.nonlinear.tolerance;
     nonlinear.effort = options.effort;
+    searching.stage("what the nonlinear joint does");
     e.nonlinear = nonlinear_verdict(e.joint, nonlinear);
+    searching.stage("reductions, force ramps and critical velocities");
     if (options.json || !options.directory.empty()) e.study = linear_study(e.summed);
+    searching.stage("the motion under load, and rest");
     if (e.decided()) {
         e.motion = disturbed(e.summed, options.surroundings.force);
         e.loads = loaded(e.summed, options.surroundings);
@@ -226,7 +231,9 @@ void print_text(const Evaluated& e)
 
 int evaluate(const Options& options, const Invocation& invocation)
 {
-    const Evaluated e = evaluated(options);
+    StillSearching searching("--effort 0.1 searches less");
+    const Evaluated e = evaluated(options, searching);
+    searching.stage("what its page draws");
     std::filesystem::path page;
     if (!options.directory.empty()) page = write_page(e, options, invocation.command);
     if (options.json) {

@@ -1,5 +1,6 @@
 // stickslip margins: how far a design is from its boundaries.
 #include "analysis/loop/loop_use.h"
+#include "analysis/stability/frequency_search.h"
 #include "sweep/files/json/margins_json.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/whole_file.h"
@@ -7,6 +8,7 @@
 #include "sweep/files/toml/requirements_file.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/parallel.h"
+#include "sweep/program/verbs/still_searching.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/margins_report.h"
 #include "sweep/report/pages/write_report.h"
@@ -23,6 +25,7 @@ struct Options {
     std::string input, directory, shape = "box";
     std::vector<std::string> settings, uncertain, over;
     int guard = 12, threads = 0;
+    double effort = 1;
     bool json = false, ideal_loop = false;
 };
 
@@ -34,12 +37,16 @@ int margins(const Options& options, const Invocation& invocation)
         asked.spec.joint = with_ideal_loop(asked.spec.joint);
     }
     const ThreadLimit limit(options.threads);
+    set_search_effort(options.effort);
+    StillSearching searching("--effort 0.1 searches less");
+    searching.stage("the nearest boundary in all directions");
     auto answer = margins_of(asked.design);
     answer.title = asked.spec.title;
     answer.command = invocation.command;
     if (!options.uncertain.empty()) {
         answer.uncertainty = uncertainty_from(asked.design, options.uncertain);
         if (options.shape == "ellipsoid") answer.uncertainty.shape = UncertaintyShape::ellipsoid;
+        searching.stage("the worst joint within the uncertainty");
         answer.worst = worst_case(asked.design, answer.uncertainty, Curve::Kind::state_variable);
     }
     if (!options.over.empty()) {
@@ -47,6 +54,7 @@ int margins(const Options& options, const Invocation& invocation)
             throw BadInput("--over: the robustly stable set needs --uncertain PATH=SHARE, such as friction.L=20%");
         const Axis x = axis_from(asked, options.over[0], "--over"), y = axis_from(asked, options.over[1], "--over");
         if (x.path == y.path) throw BadInput("--over: got " + x.path + " twice, expected two different axes");
+        searching.stage("the set that is stable for all joints within the uncertainty");
         BoundaryRequest request;
         request.parallel = parallel_for_each;
         request.following.guard = options.guard;
@@ -67,6 +75,7 @@ int margins(const Options& options, const Invocation& invocation)
     }
     if (!options.directory.empty()) {
         write_whole(std::filesystem::path(options.directory) / "margins.json", json.dump(1) + "\n");
+        searching.stage("growth along each parameter");
         answer.growth = growth_by_parameter(answer);  // only the page shows it
         const auto page = write_report(margins_report(answer), options.directory);
         if (!options.json) fmt::print("report: {}\n", page.string());
@@ -96,6 +105,8 @@ void add_margins(CLI::App& app, Invocation& invocation)
         ->capture_default_str();
     verb->add_option("-o,--output", options->directory, "write margins.json and report.html here");
     verb->add_option("--threads", options->threads, "0: all cores")->capture_default_str();
+    verb->add_option("--effort", options->effort, "multiple of the usual work of a search for crossings")
+        ->check(CLI::PositiveNumber);
     verb->add_flag("--ideal-loop", options->ideal_loop,
                    "the paper's loop: no sampling, dead time, filter, lag or integral");
     verb->add_flag("--json", options->json, "print margins.json instead of text");

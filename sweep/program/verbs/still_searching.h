@@ -26,7 +26,7 @@ class StillSearching {
     std::mutex mutex_;
     std::condition_variable ended_;
     bool end_ = false;
-    std::string stage_;      ///< empty where it is told already
+    std::string stage_;  ///< empty where it is told already
     Clock::time_point begun_;
     std::thread clock_;
 };

@@ -12,7 +12,8 @@ inline constexpr long crossing_steps = 500'000;
 
 /// Places on the imaginary axis at which the scan over a gain that moves the sliding looks at the joint; of joints
 /// without delays and tables, roots. Reason: half a second of computing. Evidence: of 300 random joints of
-/// reliability_times the slowest scans, of several bodies with delays, took 1.1 s for 400,000.
+/// reliability_times the slowest scans, of several bodies with delays, took 1.1 s for 400,000. Of 829 scans 45 end
+/// within it before they have seen all six decades, 34 of these before four.
 inline constexpr double places_of_gain_scan = 150'000;
 
 /// Steps of the solver within one turn of a motion, from one downward crossing of V = V_0 to the next. Reason:

@@ -11,6 +11,51 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
 
+/// Both over a time h.
+struct Exponential {
+    MatrixXd integral;    ///< ∫ e^{As} ds from 0 to h
+    MatrixXd difference;  ///< e^{Ah} − 1 = A ∫
+};
+
+template <class Number>
+using Square = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// By doubling a short step. `A`, balanced, is of the shortest; what is found is in units of the whole.
+template <class Number>
+Exponential doubled(Square<Number> A, int doublings)
+{
+    A *= std::exp2(Number(-doublings));
+    // Σ A^k/(k+1)! by Horner; |A| ≤ 1/2 leaves less than rounding behind the last term
+    constexpr int terms = sizeof(Number) > sizeof(double) ? 17 : 13;
+    const Square<Number> one = Square<Number>::Identity(A.rows(), A.cols());
+    Square<Number> sum = one;
+    for (int k = terms; k >= 1; --k) sum = one + A * sum / Number(k + 1);
+    for (int i = 0; i < doublings; ++i) {
+        // ∫ over 2h = (1 + e^{Ah}) ∫ over h, with e^{Ah} = 1 + A ∫; both in units of their own h
+        sum = (sum + Number(0.5) * (A * sum) * sum).eval();
+        A *= Number(2);
+    }
+    return {sum.template cast<double>(), (A * sum).template cast<double>()};
+}
+
+Exponential exponential(const MatrixXd& given, double h)
+{
+    MatrixXd A = h * given;
+    Eigen::VectorXd units = Eigen::VectorXd::Ones(given.rows());
+    balance(A, &units);
+    const double size = A.cwiseAbs().rowwise().sum().maxCoeff();
+    int doublings = 0;
+    if (std::isfinite(size) && size > 0.5) doublings = static_cast<int>(std::ceil(std::log2(size / 0.5)));
+    // a doubling may lose a bit of a slow mode beside the fastest
+    constexpr int few = 10;
+    auto found =
+        doublings > few ? doubled<long double>(A.cast<long double>(), doublings) : doubled<double>(A, doublings);
+    const auto as_given = [&](MatrixXd& m) { m = (units.asDiagonal() * m * units.cwiseInverse().asDiagonal()).eval(); };
+    as_given(found.integral), as_given(found.difference);
+    found.integral *= h;
+    return found;
+}
+
 /// What a whole period makes of the state, and of the commands that act in its first part and in the rest.
 struct Period {
     MatrixXd difference;  ///< e^{AT} − 1
@@ -19,13 +64,11 @@ struct Period {
 
 Period over_period(const LoopPlant& plant, double before, double after)
 {
-    const MatrixXd rest = integral_of_exponential(plant.A, after);
-    MatrixXd E = plant.A * rest;
+    const auto [rest, E] = exponential(plant.A, after);
     Period p{E, Eigen::VectorXd::Zero(plant.B.size()), rest * plant.B};
     if (before == 0) return p;
-    const MatrixXd first = integral_of_exponential(plant.A, before);
+    const auto [first, E_first] = exponential(plant.A, before);
     const Eigen::VectorXd pushed = first * plant.B;
-    const MatrixXd E_first = plant.A * first;
     p.late = pushed + E * pushed;
     p.difference = E + E_first + E * E_first;
     return p;
@@ -51,27 +94,9 @@ Layout layout_of(const LoopPlant& plant, const LoopTiming& timing, bool estimate
 
 }  // namespace
 
-MatrixXd integral_of_exponential(const MatrixXd& given, double h)
+MatrixXd integral_of_exponential(const MatrixXd& A, double h)
 {
-    const auto n = given.rows();
-    MatrixXd A = h * given;
-    Eigen::VectorXd units = Eigen::VectorXd::Ones(n);
-    balance(A, &units);
-    const double size = A.cwiseAbs().rowwise().sum().maxCoeff();
-    int doublings = 0;
-    if (std::isfinite(size) && size > 0.5) doublings = static_cast<int>(std::ceil(std::log2(size / 0.5)));
-    A *= std::exp2(-doublings);
-    // Σ A^k/(k+1)! by Horner; |A| ≤ 1/2 leaves less than rounding behind the last term
-    constexpr int terms = 13;
-    const MatrixXd one = MatrixXd::Identity(n, n);
-    MatrixXd sum = one;
-    for (int k = terms; k >= 1; --k) sum = one + A * sum / (k + 1);
-    for (int i = 0; i < doublings; ++i) {
-        // ∫ over 2h = (1 + e^{Ah}) ∫ over h, with e^{Ah} = 1 + A ∫; both in units of their own h
-        sum = (sum + 0.5 * (A * sum) * sum).eval();
-        A *= 2;
-    }
-    return h * (units.asDiagonal() * sum * units.cwiseInverse().asDiagonal());
+    return exponential(A, h).integral;
 }
 
 namespace {

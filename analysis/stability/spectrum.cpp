@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
-#include "analysis/numerics/balance.h"
+#include "analysis/numerics/eigenvalues.h"
 #include "analysis/numerics/polynomial.h"
 #include "analysis/stability/critical_gain.h"
 #include "analysis/stability/neutral.h"
@@ -27,21 +27,23 @@ auto roots_with_one_state(const LinearMass& j)
                        -j.k_p * lambda / j.inertia);
 }
 
-/// Newton on (27) divided by nothing: F(s) and F'(s) hold to rounding wherever the states' own rates are not met.
+/// Newton's method on F(s) Π(s − λ), (27) times what makes it entire: beside a pole whose weight is next to nothing F
+/// alone would lead away.
 Complex polished(const LinearMass& j, Complex s)
 {
     if (s == 0.0) return s;
     for (int i = 0; i < 3; ++i) {
-        Complex G = 0, G_slope = 0;
+        Complex G = 0, G_slope = 0, from_poles = 0;
         for (int k = 0; k < j.friction.states; ++k) {
             const Complex gap = s - j.friction.lambda[k];
             G += j.friction.weight(k) / gap;
             G_slope -= j.friction.weight(k) / (gap * gap);
+            from_poles += 1.0 / gap;
         }
         const Complex C = j.k_v + j.friction.f_v - G;
         const Complex value = (j.inertia * s + C) * s + j.k_p;
         const Complex slope = 2 * j.inertia * s + C - G_slope * s;
-        const Complex step = value / slope;
+        const Complex step = 1.0 / (slope / value + from_poles);
         if (!(std::norm(step) < 1e-8 * std::norm(s))) break;
         s -= step;
     }
@@ -61,9 +63,8 @@ std::vector<Complex> roots_of_matrix(const LinearMass& j)
         A(2 + i, 1) = j.friction.b[i];
         A(2 + i, 2 + i) = j.friction.lambda[i];
     }
-    if (!A.allFinite()) return {};
-    balance(A);
-    Eigen::VectorXcd values = A.eigenvalues();
+    Eigen::VectorXcd values = eigenvalues_of(A);
+    if (values.size() == 0) return {};
     std::vector<Complex> roots;
     if (j.k_p == 0) {
         // nothing holds the position: one root is 0, and only its rounding comes out of the matrix

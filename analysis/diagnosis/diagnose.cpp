@@ -148,7 +148,7 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
     if (shown) tell_rivals(p, f, ranked, winner, d);
     if (shown) tell_filter(p, d);
     const bool settled = f.quiet || f.by_ladder || winner.accepted || wrong_controller;
-    if (!shown || reject_if_not_validated(d, {settled, p.noise_documented()})) return;
+    if (!shown || reject_if_not_validated(d, {settled, p.noise_documented(), f.by_ladder})) return;
     const Joint documented = result.after;
     result.after = p.cases[0].joint;
     if (p.cases[0].ticks.source == CommandSource::measured)

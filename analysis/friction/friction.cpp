@@ -72,6 +72,12 @@ void remember(FrictionResponse& r, const Memory& m, double V, double theta, int 
 
 }  // namespace
 
+double PositionRipple::by_place(double q) const
+{
+    return amplitude * periods * std::cos(periods * q + phase) +
+           2 * second_amplitude * periods * std::cos(2 * periods * q + second_phase);
+}
+
 int states(const Friction& friction)
 {
     return states(friction.law) + friction.has_lag() + (friction.has_bristle() || friction.has_memory());

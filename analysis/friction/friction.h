@@ -1,8 +1,10 @@
 // The friction on one body: a law, and the terms that a real joint may add to it. Every term is absent in a nominal
 // joint.
 #pragma once
+#include <cmath>
 #include <string>
 
+#include "analysis/base/select.h"
 #include "analysis/friction/law.h"
 
 namespace stickslip {
@@ -26,9 +28,14 @@ struct Asymmetry {
     }
 };
 
-/// A sine locked to position: amplitude · sin(periods · q + phase).
+/// Sines locked to position: amplitude · sin(n q + phase) + second_amplitude · sin(2 n q + second_phase), n = periods.
 struct PositionRipple {
     double amplitude = 0, periods = 1, phase = 0;
+    double second_amplitude = 0, second_phase = 0;
+
+    bool acts() const { return amplitude != 0 || second_amplitude != 0; }
+    double by_place(double q) const;  ///< slope over the position
+    double steepest() const { return std::abs(amplitude * periods) + 2 * std::abs(second_amplitude * periods); }
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
@@ -38,8 +45,23 @@ struct PositionRipple {
             {"periods", Quantity::per_position, positive, Need::optional, "angular wave number n in sin(n q + phase)"},
             self.periods);
         visit.number({"phase", Quantity::angle, any_finite, Need::optional, "phase"}, self.phase);
+        visit.number({"second_amplitude", Quantity::effort, any_finite, Need::optional, "amplitude of sin(2 n q + …)"},
+                     self.second_amplitude);
+        visit.number({"second_phase", Quantity::angle, any_finite, Need::optional, "phase of the second harmonic"},
+                     self.second_phase);
     }
 };
+
+/// The wave at this place, for one or for packs of them.
+template <class Wave, class Real>
+Real wave_at(const Wave& w, const Real& q)
+{
+    const Real angle = w.periods * q;
+    Real sum = w.amplitude * sine(angle + w.phase);
+    if (any(Real(w.second_amplitude) != Real(0.0)))
+        sum = sum + w.second_amplitude * sine(Real(2.0) * angle + w.second_phase);
+    return sum;
+}
 
 /// Warm-up: the Coulomb level changes by change · (1 − exp(−t / time_constant)), t from the start of the record.
 struct FrictionDrift {

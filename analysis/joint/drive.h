@@ -63,8 +63,8 @@ Real load_force(const Outside& l, const Real& q, const Real& t)
     const Real none(0.0);
     Real force = l.constant;
     if (any(Real(l.gravity_amplitude) != none)) force = force - l.gravity_amplitude * sine(q + l.gravity_phase);
-    if (any(Real(l.cogging.amplitude) != none))
-        force = force + l.cogging.amplitude * sine(l.cogging.periods * q + l.cogging.phase);
+    const auto& c = l.cogging;
+    if (any(Real(c.amplitude) != none) || any(Real(c.second_amplitude) != none)) force = force + wave_at(c, q);
     if (any(Real(l.disturbance.amplitude) != none))
         force = force + l.disturbance.amplitude * sine(l.disturbance.frequency * t + l.disturbance.phase);
     return force;

@@ -141,12 +141,11 @@ void leave_surroundings(Collector& c, const Joint& joint)
     const auto& l = joint.load;
     const auto& m = joint.mechanism;
     c.leave(l.gravity_amplitude != 0, "load.gravity_amplitude", WhyNot::place, noticed(joint, l.gravity_amplitude));
-    c.leave(l.cogging.amplitude != 0, "load.cogging", WhyNot::place,
-            noticed(joint, l.cogging.amplitude * l.cogging.periods));
+    c.leave(l.cogging.acts(), "load.cogging", WhyNot::place, noticed(joint, l.cogging.steepest()));
     c.leave(l.disturbance.amplitude != 0, "load.disturbance", WhyNot::time, false);
     if (m.model == Model::single_mass) {
-        c.leave(joint.friction.ripple.amplitude != 0, "friction.ripple", WhyNot::place,
-                noticed(joint, joint.friction.ripple.amplitude * joint.friction.ripple.periods));
+        c.leave(joint.friction.ripple.acts(), "friction.ripple", WhyNot::place,
+                noticed(joint, joint.friction.ripple.steepest()));
         c.leave(joint.friction.drift.change != 0, "friction.drift", WhyNot::time, false);
     }
     c.leave(m.model == Model::two_mass && m.transmission.backlash > 0, "joint.transmission.backlash", WhyNot::backlash,

@@ -50,7 +50,8 @@ void check_names(const Diagnosis& d, Found& found)
             if (d.effects[0].form.empty() && set(rival) == set(d.effects[0].names) && d.ladder.size() > 1)
                 found.push_back("a-cause-is-its-own-rival");
     if (d.verdict == Verdict::gap) return;
-    if (!d.ladder.empty()) found.push_back("rungs-without-a-cause");
+    // what was gained on unseen rows stands beside a simulation of whole records that gets worse with it
+    if (!d.ladder.empty() && !has_reason(d, Note::Code::withdrawn_worse)) found.push_back("rungs-without-a-cause");
     if (!d.ambiguous_with.empty()) found.push_back("rivals-without-a-cause");
     if (!d.effects.empty() && d.effects[0].probability > 0.5) found.push_back("likely-and-not-named");
 }

@@ -122,7 +122,7 @@ constexpr Sentence sentences[] = {
      "{names} comes nearest, but a force that depends on the {signal} alone, in the shape of no effect of the "
      "catalogue, explains what it leaves"},
     {Code::withdrawn_worse,
-     "{names} fits best, but makes the simulation of held-out data worse: it is not named as the cause"},
+     "{names} predicts unseen rows best, but makes the simulation of whole records worse: it is not the named cause"},
     {Code::withdrawn_leaves_most,
      "{names} fits best, but leaves most of the gap on held-out data: it is not named as the cause"},
     {Code::withdrawn_implausible,

@@ -26,6 +26,8 @@ Effect cogging()
         };
         f.seeds = {{0, 0, 0}};
         e.forms.push_back(f);
+        // slots and poles of a motor make series, not sines
+        e.flexible = {with_second_harmonic(f, [](Joint& j, const double* p) { add_harmonics(j.load.cogging, p); })};
     }
     return e;
 }

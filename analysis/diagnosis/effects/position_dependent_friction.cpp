@@ -27,6 +27,8 @@ Effect position_dependent_friction()
         };
         f.seeds = {{0, 0, 0}};
         e.forms.push_back(f);
+        e.flexible = {
+            with_second_harmonic(f, [](Joint& j, const double* p) { add_harmonics(main_friction(j).ripple, p); })};
     }
     return e;
 }

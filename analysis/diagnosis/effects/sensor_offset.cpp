@@ -19,7 +19,7 @@ Effect sensor_offset()
         };
         f.apply = [](Joint& j, const double* p) { j.sensor.position_offset += p[0]; };
         f.seeds = {{0.01}, {-0.01}};
-        f.applies = [](const Joint& j) { return j.load.gravity_amplitude != 0 || j.load.cogging.amplitude != 0; };
+        f.applies = [](const Joint& j) { return j.load.gravity_amplitude != 0 || j.load.cogging.acts(); };
         e.forms.push_back(f);
     }
     {

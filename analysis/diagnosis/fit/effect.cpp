@@ -188,7 +188,7 @@ void scale_forces(Friction& friction, double part)
     shift_coulomb(friction, (part - 1) * coulomb_level(friction));
     friction.asymmetry.coulomb *= part;
     friction.asymmetry.viscous *= part;
-    friction.ripple.amplitude *= part;
+    friction.ripple.amplitude *= part, friction.ripple.second_amplitude *= part;
     friction.drift.change *= part;
     friction.bristle.stiffness *= part;
     friction.bristle.damping *= part;

@@ -110,6 +110,9 @@ struct Effect {
     std::string_view signature;  ///< that a true one leaves
     std::vector<std::string_view> confusable;
     std::vector<EffectForm> forms;
+    /// The first form with more freedom of shape, its further parameters behind its own. It is not searched for: in a
+    /// ladder it takes the place of the first form where it predicts better, so that the name survives another shape.
+    std::vector<EffectForm> flexible{};
 };
 
 /// The catalogue, in the order of GAP §3; edits that change the model of the joint come after edits of its numbers.
@@ -140,6 +143,10 @@ void set_stribeck_peak(Friction& friction, double c2);
 void divide_mass(Joint& joint, double motor_share, double stiffness, double damping_ratio, double link_friction_share);
 /// Adds sine·sin(x) + cosine·cos(x) to amplitude·sin(x + phase).
 void add_wave(double& amplitude, double& phase, double sine, double cosine);
+/// Forms of a wave over the position with parameters sine, cosine, periods: with its second harmonic, sine and cosine.
+EffectForm with_second_harmonic(EffectForm form, void (*apply)(Joint& joint, const double* p));
+/// Sine, cosine, periods, and the second harmonic's sine and cosine.
+void add_harmonics(PositionRipple& ripple, const double* p);
 bool is_single_mass(const Joint& joint);
 bool is_two_mass(const Joint& joint);
 

@@ -110,6 +110,12 @@ Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t mo
 {
     FittedSet set = corrected_;
     const auto best_first = [](const auto& a, const auto& b) { return a.misfit < b.misfit; };
+    const auto flexed = [&](FittedSet found) {
+        const auto forms = found.causes.forms;
+        found = climber_->flexed(std::move(found));
+        if (found.causes.forms != forms) settle(found);
+        return found;
+    };
     const std::size_t most_rounds = 2 * most_rungs;  // an exchange may come back to where it was
     for (std::size_t round = 0; round < most_rounds && set.causes.effects.size() < most_rungs; ++round) {
         const bool at_start = set.causes.effects.empty();
@@ -135,7 +141,7 @@ Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t mo
                 rivals.push_back(t);
         set = rivals[0];
         settle(set);
-        set = climber_->compared(rivals);
+        set = flexed(climber_->compared(rivals));
         // exchange: a cause that only stood in for what came later goes, and makes room
         for (std::size_t i = 0; i < set.causes.effects.size() && set.causes.effects.size() > 1;) {
             FittedSet less = climber_->without(set, i);
@@ -150,7 +156,7 @@ Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t mo
             others, [&](const auto& o) { return o.plausible && !o.correction && o.misfit < set.misfit; });
         if (better == others.end()) continue;
         settle(*better);
-        set = climber_->compared({*better});
+        set = flexed(climber_->compared({*better}));
     }
     if (!set.causes.effects.empty() && set.causes.effects.size() < most_rungs) set = climber_->freed(std::move(set));
     return finished(std::move(set));

@@ -1,5 +1,7 @@
 #include "analysis/diagnosis/ladder/climber.h"
 
+#include <cmath>
+
 namespace stickslip::gap {
 namespace {
 
@@ -21,6 +23,43 @@ bool earns(const FittedSet& without, const FittedSet& with, const LadderRules& r
     const double beyond = std::max(rules.worth_a_rung, margin_of(with, rules));
     return worse_in_no_fold(without, with, rules) && without.misfit - with.misfit > beyond &&
            left - now > rules.of_the_rest * left;
+}
+
+FittedSet Climber::flexed(FittedSet set)
+{
+    for (std::size_t i = 0; i < set.causes.effects.size(); ++i) {
+        const auto starts = with_flexible_member(set, i);
+        if (starts.empty()) continue;
+        FittedSet more = judged(starts)[0];
+        if (more.plausible && earns(set, more, rules_)) set = std::move(more);
+    }
+    return set;
+}
+
+std::vector<Start> Climber::with_flexible_member(const FittedSet& set, std::size_t member) const
+{
+    const Effect& effect = *set.causes.effects[member];
+    if (effect.flexible.empty() || set.causes.forms[member] != &effect.forms[0]) return {};
+    const EffectForm& form = effect.flexible[0];
+    const FittedSet others = unfitted_without(set, member);
+    Eigen::Index at = 0;
+    for (std::size_t i = 0; i < member; ++i) at += static_cast<Eigen::Index>(set.causes.count_of(*set.causes.forms[i]));
+    const auto count = static_cast<Eigen::Index>(effect.forms[0].parameters.size());
+    Eigen::VectorXd own = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(form.parameters.size()));
+    own.head(count) = set.of_causes(set.fit.x).segment(at, count);
+    std::vector<Start> starts;
+    const auto add = [&](const Eigen::VectorXd& numbers) {
+        Candidate causes = others.causes;
+        const Eigen::VectorXd x = insert(causes, &effect, &form, others.of_causes(others.fit.x), numbers);
+        starts.push_back({causes, nullptr, nullptr, {}, 0, fitter_.start(causes, set, x)});
+    };
+    add(own);
+    constexpr Eigen::Index sizes = 2;  // sine and cosine, in front of the number of periods and behind it
+    Eigen::VectorXd longer = own;
+    longer.tail(sizes) = own.head(sizes), longer.head(sizes).setZero();
+    longer[sizes] -= std::log(2.0);
+    add(longer);
+    return starts;
 }
 
 bool may_stand_for(const FittedSet& other, const FittedSet& set, const Candidate& below)

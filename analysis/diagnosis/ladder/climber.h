@@ -122,6 +122,10 @@ class Climber {
         return set;
     }
 
+    /// The set with the flexible members of its causes' families, where these predict so much better that they would
+    /// earn a rung: what only differs in shape from the catalogue's formula belongs to the cause, not to another one.
+    FittedSet flexed(FittedSet set);
+
     /// The set without one of its causes.
     FittedSet without(const FittedSet& set, std::size_t member) const
     {
@@ -163,6 +167,9 @@ class Climber {
         }
         return fitter_.unfitted(causes, set, x);
     }
+    /// Where a set may start with the flexible member of one of its causes: from the shape it has, and, of a wave whose
+    /// second harmonic may have been taken for the first, from a wave of twice the length.
+    std::vector<Start> with_flexible_member(const FittedSet& set, std::size_t member) const;
     /// Whether this cause was judged before, and not yet in the place of the one that the set has beside `below`.
     bool worth_an_exchange(const FittedSet& set, const FittedSet& below, const Effect& other) const
     {

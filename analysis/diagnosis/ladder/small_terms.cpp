@@ -19,9 +19,9 @@ bool documented(const Joint& joint, std::string_view term)
 {
     Joint copy = joint;
     const Friction& friction = main_friction(copy);
-    if (term == "cogging") return joint.load.cogging.amplitude != 0;
+    if (term == "cogging") return joint.load.cogging.acts();
     if (term == "friction-drift") return friction.drift.change != 0;
-    return friction.ripple.amplitude != 0;
+    return friction.ripple.acts();
 }
 
 /// A term behind a fitted model, whose numbers stay.

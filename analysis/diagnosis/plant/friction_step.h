@@ -8,7 +8,8 @@ namespace stickslip::gap {
 
 /// What the frictions of a pack have in common.
 struct Terms {
-    bool stribeck = false, asymmetric = false, loaded = false, ripple = false, drifts = false, bristles = false;
+    bool stribeck = false, asymmetric = false, loaded = false, ripple = false, second_ripple = false, drifts = false,
+         bristles = false;
     bool remembers = false, ageing = false, lags = false, late = false, plain = false, glides = false;
     double exponent = 0;  ///< of a Stribeck peak: 1 or 2; 0 for others
     bool operator==(const Terms&) const = default;
@@ -17,7 +18,8 @@ struct Terms {
 inline Terms terms_of(const Rubbing& r)
 {
     Terms t;
-    t.stribeck = r.stribeck != 0, t.ripple = r.ripple != 0, t.drifts = r.drift != 0;
+    t.stribeck = r.stribeck != 0, t.ripple = r.ripple != 0, t.second_ripple = r.second_ripple != 0,
+    t.drifts = r.drift != 0;
     t.asymmetric = r.asymmetric_coulomb != 0 || r.asymmetric_viscous != 0, t.loaded = r.load_coefficient != 0;
     t.bristles = r.bristle_stiffness > 0;
     t.remembers = r.remembers(), t.ageing = r.ageing && t.remembers, t.lags = r.lag > 0, t.late = r.late();
@@ -104,6 +106,8 @@ P resistance(const Rubs<P>& r, const RubState<P>& s, const P& speed, const P& di
     if (r.has.asymmetric) level = level + direction * r.asymmetric_coulomb;
     if (r.has.loaded) level = level + r.load_coefficient * abs(at.transmitted);
     if (r.has.ripple) level = level + r.ripple * sine(r.ripple_periods * at.position + r.ripple_phase);
+    if (r.has.second_ripple)
+        level = level + r.second_ripple * sine(2.0 * r.ripple_periods * at.position + r.second_phase);
     if (r.has.remembers) level = level + (r.A * logarithm_of(speed, r) + s.theta);
     return max(level, P(0.0));
 }

@@ -26,7 +26,7 @@ inline Kind kind_of(const Plant& p)
     Kind k;
     k.two_mass = p.two_mass, k.feedback_link = p.two_mass && p.feedback_link, k.has_backlash = p.backlash > 0;
     k.free = p.free.present, k.dead_time = p.dead_time != 0, k.lag = p.actuator.lag > 0;
-    k.gravity = p.load.gravity_amplitude != 0, k.cogging = p.load.cogging.amplitude != 0;
+    k.gravity = p.load.gravity_amplitude != 0, k.cogging = p.load.cogging.acts();
     k.disturbance = p.load.disturbance.amplitude != 0, k.sags = p.actuator.sag_effort < infinity;
     k.read_late = p.sensor.delay > 0;
     k.motor = terms_of(p.motor), k.link = terms_of(p.link);
@@ -38,7 +38,7 @@ template <class P>
 struct LoadOf {
     P constant = 0, gravity_amplitude = 0, gravity_phase = 0;
     struct {
-        P amplitude = 0, periods = 1, phase = 0;
+        P amplitude = 0, periods = 1, phase = 0, second_amplitude = 0, second_phase = 0;
     } cogging;
     struct {
         P amplitude = 0, frequency = 1, phase = 0;
@@ -77,6 +77,7 @@ void load_rubs(Rubs<P>& to, int lane, const Rubbing& r)
     to.load_coefficient.set(lane, r.load_coefficient);
     to.ripple.set(lane, r.ripple), to.ripple_periods.set(lane, r.ripple_periods);
     to.ripple_phase.set(lane, r.ripple_phase);
+    to.second_ripple.set(lane, r.second_ripple), to.second_phase.set(lane, r.second_phase);
     to.drift.set(lane, r.drift), to.drift_time.set(lane, r.drift_time);
     to.bristle_stiffness.set(lane, r.bristle_stiffness), to.bristle_damping.set(lane, r.bristle_damping);
     to.A.set(lane, r.A), to.B.set(lane, r.B), to.L.set(lane, r.L), to.V_star.set(lane, r.V_star);
@@ -95,6 +96,8 @@ void Joints<P>::load_lane(int lane, const Plant& p)
     load.gravity_amplitude.set(lane, p.load.gravity_amplitude), load.gravity_phase.set(lane, p.load.gravity_phase);
     load.cogging.amplitude.set(lane, p.load.cogging.amplitude), load.cogging.periods.set(lane, p.load.cogging.periods);
     load.cogging.phase.set(lane, p.load.cogging.phase);
+    load.cogging.second_amplitude.set(lane, p.load.cogging.second_amplitude);
+    load.cogging.second_phase.set(lane, p.load.cogging.second_phase);
     load.disturbance.amplitude.set(lane, p.load.disturbance.amplitude);
     load.disturbance.frequency.set(lane, p.load.disturbance.frequency);
     load.disturbance.phase.set(lane, p.load.disturbance.phase);

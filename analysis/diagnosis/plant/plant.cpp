@@ -50,6 +50,7 @@ Rubbing flatten(const Friction& f)
     r.ripple = f.ripple.amplitude;
     r.ripple_periods = f.ripple.periods;
     r.ripple_phase = f.ripple.phase;
+    r.second_ripple = f.ripple.second_amplitude, r.second_phase = f.ripple.second_phase;
     r.drift = f.drift.change;
     r.drift_time = f.drift.time_constant;
     r.bristle_stiffness = f.bristle.stiffness;
@@ -64,7 +65,7 @@ Rubbing flatten(const Friction& f)
     r.per_L = 1 / r.L, r.per_V_star = 1 / r.V_star;
     r.lag = f.memory.lag, r.lag_viscous = f.memory.lag_viscous;
     for (double* force : {&r.coulomb, &r.viscous, &r.stribeck, &r.A, &r.B, &r.asymmetric_coulomb, &r.asymmetric_viscous,
-                          &r.ripple, &r.drift, &r.bristle_stiffness, &r.bristle_damping})
+                          &r.ripple, &r.second_ripple, &r.drift, &r.bristle_stiffness, &r.bristle_damping})
         *force *= f.normal_load;
     return r;
 }

@@ -16,7 +16,7 @@ struct RubbingOf {
     Real stribeck = 0, stribeck_velocity = 1, exponent = 2;
     Real asymmetric_coulomb = 0, asymmetric_viscous = 0;
     Real load_coefficient = 0;
-    Real ripple = 0, ripple_periods = 1, ripple_phase = 0;
+    Real ripple = 0, ripple_periods = 1, ripple_phase = 0, second_ripple = 0, second_phase = 0;
     Real drift = 0, drift_time = 1;
     Real bristle_stiffness = 0, bristle_damping = 0;
     Real A = 0, B = 0, L = 1, V_star = 1, lag = 0;
@@ -31,8 +31,8 @@ struct Rubbing : RubbingOf<double> {
     /// Apart from its drift, which a tick holds.
     bool plain() const
     {
-        return stribeck == 0 && asymmetric_coulomb == 0 && load_coefficient == 0 && ripple == 0 && !remembers() &&
-               !late();
+        return stribeck == 0 && asymmetric_coulomb == 0 && load_coefficient == 0 && ripple == 0 && second_ripple == 0 &&
+               !remembers() && !late();
     }
 };
 

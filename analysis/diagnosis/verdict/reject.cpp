@@ -44,8 +44,12 @@ bool reject_if_not_validated(Diagnosis& d, const Standing& standing)
     believe_at_most(d.effects, policy::believed_unnamed);
     if (!d.effects.empty()) why->names = d.effects[0].names;
     d.reasons.insert(d.reasons.begin(), *why);
-    d.ladder.clear();
-    d.corrected_share = 0, d.remainder.share = 1;
+    const bool stays = standing.predicted && why->code == Note::Code::withdrawn_worse;
+    if (!stays) d.ladder.clear(), d.corrected_share = 0, d.remainder.share = 1;
+    for (auto& rung : d.ladder) {
+        rung.probability = std::min(rung.probability, policy::believed_unnamed);
+        rung.ambiguous_with.clear();
+    }
     d.ambiguous_with.clear();
     d.next_experiment = {};
     return true;

@@ -10,12 +10,15 @@ struct Standing {
     /// Its predictions explain to within noise, the controller's audit found it, or a cross-validated comparison.
     bool settled = false;
     bool noise_documented = false;  ///< noise floors are the documented ones
+    bool predicted = false;         ///< its rungs were judged by predictions of rows that their fits had not seen
 };
 
 /// The verdict becomes `unknown` if the named cause enlarges the gap on held-out data, or if an unsettled cause leaves
 /// more than half of it, many times an undocumented noise floor, or a residual in spite of implausible parameters. The
-/// reasons say why, `ambiguous_with` is emptied, the ranking stays. An unsettled cause that leaves more than a
-/// documented noise has a lower probability. Returns whether the cause was rejected.
+/// reasons say why, `ambiguous_with` is emptied, the ranking stays. A ladder of predictions stays, too, where only the
+/// simulation of whole records gets worse: what was gained from row to row was gained, though it names no cause. An
+/// unsettled cause that leaves more than a documented noise has a lower probability. Returns whether the cause was
+/// rejected.
 bool reject_if_not_validated(Diagnosis& diagnosis, const Standing& standing);
 
 /// A verdict of no gap becomes `unknown` if the simulation of whole records is far from them: noise may hide from row

@@ -15,8 +15,8 @@ constexpr double least_change = 1e-6;  ///< of a state by a relative change of V
 
 bool has_unsteady_terms(const Friction& f, const Load& l)
 {
-    return f.load_coefficient != 0 || f.ripple.amplitude != 0 || f.drift.change != 0 || l.gravity_amplitude != 0 ||
-           l.cogging.amplitude != 0 || l.disturbance.amplitude != 0;
+    return f.load_coefficient != 0 || f.ripple.acts() || f.drift.change != 0 || l.gravity_amplitude != 0 ||
+           l.cogging.acts() || l.disturbance.amplitude != 0;
 }
 
 bool can_rest(const Friction& friction)

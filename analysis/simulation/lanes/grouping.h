@@ -20,9 +20,9 @@ inline double rounded(double value)
 /// A law with nothing beside it.
 inline bool plain(const Friction& f, const Load& l)
 {
-    return f.asymmetry.coulomb == 0 && f.asymmetry.viscous == 0 && f.load_coefficient == 0 && f.ripple.amplitude == 0 &&
+    return f.asymmetry.coulomb == 0 && f.asymmetry.viscous == 0 && f.load_coefficient == 0 && !f.ripple.acts() &&
            f.drift.change == 0 && f.bristle.stiffness == 0 && f.memory.A == 0 && f.memory.B == 0 && f.memory.lag == 0 &&
-           l.gravity_amplitude == 0 && l.cogging.amplitude == 0 && l.disturbance.amplitude == 0;
+           l.gravity_amplitude == 0 && !l.cogging.acts() && l.disturbance.amplitude == 0;
 }
 
 /// A rate-and-state law whose one state the lanes can step.

@@ -20,10 +20,10 @@ DrivenJoint::Extra DrivenJoint::extra(const double* y, int i) const
     const auto& f = b.friction;
     Extra e{};
     const double t = now(y);
-    if (f.ripple.amplitude != 0) {
-        const double place = f.ripple.periods * b.ratio * (frame_ * t + y[i]) + f.ripple.phase;
-        e.level += f.ripple.amplitude * std::sin(place);
-        e.by_place += f.ripple.amplitude * f.ripple.periods * b.ratio * std::cos(place);
+    if (f.ripple.acts()) {
+        const double place = b.ratio * (frame_ * t + y[i]);
+        e.level += wave_at(f.ripple, place);
+        e.by_place += b.ratio * f.ripple.by_place(place);
         e.by_time += frame_ * e.by_place;
     }
     if (f.drift.change != 0) {

@@ -29,7 +29,7 @@ Detail why_not_driven(const Joint& joint)
         if (law.linear_only) return Detail::linear_law;
         if (law.needs_history && states(f) > 0) return Detail::late_with_memory;
         if (!has_response(f)) return Detail::bristles_with_memory;
-        const bool bent = f.load_coefficient != 0 || f.ripple.amplitude != 0 || f.drift.change != 0;
+        const bool bent = f.load_coefficient != 0 || f.ripple.acts() || f.drift.change != 0;
         if (bent && !with_levels(f.law, [](double&) {})) return Detail::no_level;
     }
     return Detail::none;
@@ -46,7 +46,7 @@ DrivenJoint::DrivenJoint(const Joint& joint, double frame, double speed, LoopSid
     if (n == 3) backlash_[0] = m.motor_transmission.backlash, backlash_[1] = m.transmission_link.backlash;
 
     size_ = 2 * n;
-    bool timed = joint.load.gravity_amplitude != 0 || joint.load.cogging.amplitude != 0;
+    bool timed = joint.load.gravity_amplitude != 0 || joint.load.cogging.acts();
     timed = (timed && frame != 0) || joint.load.disturbance.amplitude != 0;
     bool rests = false;
     double inertia = 0;
@@ -59,11 +59,11 @@ DrivenJoint::DrivenJoint(const Joint& joint, double frame, double speed, LoopSid
         b.logarithmic = info(b.friction.law).needs_motion;
         b.rests = stickslip::can_rest(b.friction);
         const auto& f = b.friction;
-        b.bent = f.load_coefficient != 0 || f.ripple.amplitude != 0 || f.drift.change != 0;
+        b.bent = f.load_coefficient != 0 || f.ripple.acts() || f.drift.change != 0;
         b.late = std::holds_alternative<TimeLag>(f.law);
         if (b.late) past_.set_lag(i, std::get<TimeLag>(f.law).lag);
         timed |= b.late;
-        timed |= (f.ripple.amplitude != 0 && frame != 0) || f.drift.change != 0;
+        timed |= (f.ripple.acts() && frame != 0) || f.drift.change != 0;
         b.states = stickslip::states(f);
         b.first_state = size_;
         size_ += b.states;
@@ -137,8 +137,7 @@ double DrivenJoint::load(const double* y, double* by_place, double* by_time) con
     const double t = now(y), x = y[link()], q = frame_ * t + x;
     const double contact = joint_.control.contact_stiffness;
     *by_place = -l.gravity_amplitude * std::cos(q + l.gravity_phase);
-    if (l.cogging.amplitude != 0)
-        *by_place += l.cogging.amplitude * l.cogging.periods * std::cos(l.cogging.periods * q + l.cogging.phase);
+    if (l.cogging.acts()) *by_place += l.cogging.by_place(q);
     *by_time = frame_ * *by_place;
     const auto& d = l.disturbance;
     if (d.amplitude != 0) *by_time += d.amplitude * d.frequency * std::cos(d.frequency * t + d.phase);

@@ -28,7 +28,7 @@ FrictionOrReason resting_friction(const Friction& friction)
         return RestingFriction{{n * coulomb, n * breakaway}, n * viscous, breakaway / stiffness, false};
     };
     if (friction.has_bristle() || friction.has_memory() || friction.has_lag() || friction.load_coefficient != 0 ||
-        friction.asymmetry.viscous != 0 || friction.ripple.amplitude != 0)
+        friction.asymmetry.viscous != 0 || friction.ripple.acts())
         return {{}, SetPointReason::friction_term};
     if (const auto* law = std::get_if<CoulombViscous>(&friction.law))
         return {{{n * law->coulomb, n * law->coulomb}, n * law->viscous, 0, true}};
@@ -198,7 +198,7 @@ std::vector<std::string> left_out(const Joint& joint)
     add(joint.actuator.lag > 0, "actuator.lag");
     add(joint.sensor.encoder_quantum > 0, "sensor.encoder_quantum");
     add(joint.load.gravity_amplitude != 0, "load.gravity_amplitude");
-    add(joint.load.cogging.amplitude != 0, "load.cogging.amplitude");
+    add(joint.load.cogging.acts(), "load.cogging.amplitude");
     add(joint.friction.drift.change != 0, "friction.drift.change");
     add(joint.control.contact_stiffness != 0, "control.contact_stiffness");
     add(joint.neighbour.size > 0, "neighbour");

@@ -92,13 +92,16 @@ Json effect_list(bool with_parameters)
             entry["simulators"] = effect_targets_json(targets);
             entry["confusable_with"] = effect.confusable;
             entry["parameters"] = Json::array();
-            for (const auto& form : effect.forms)
+            const auto list = [&](const gap::EffectForm& form) {
                 for (const auto& p : form.parameters)
                     entry["parameters"].push_back({{"name", std::string(effect.name) + "." + std::string(p.name)},
                                                    {"form", form.name},
                                                    {"unit_prismatic", unit_of(p.quantity, Motion::prismatic)},
                                                    {"unit_revolute", unit_of(p.quantity, Motion::revolute)},
                                                    {"help", p.help}});
+            };
+            std::ranges::for_each(effect.forms, list);
+            std::ranges::for_each(effect.flexible, list);
         }
         json.push_back(entry);
     }

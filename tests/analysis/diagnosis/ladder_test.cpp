@@ -29,7 +29,9 @@ struct Climbed {
     std::unique_ptr<LadderSearch> search;
     Ladder ladder;
 
-    explicit Climbed(const Machine& m, const Joint& document = test::nominal_joint())
+    explicit Climbed(const Machine& m, const Joint& document = test::nominal_joint(),
+                     const std::vector<const char*>& names = {"viscous", "stribeck", "asymmetric-friction",
+                                                              "load-dependent-friction", "gravity", "friction-drift"})
     {
         std::vector<Note> notes;
         for (unsigned seed : {1u, 2u}) {
@@ -37,12 +39,15 @@ struct Climbed {
             cases.back().number = cases.size() - 1;
         }
         scales = scales_of(cases);
-        for (const char* name :
-             {"viscous", "stribeck", "asymmetric-friction", "load-dependent-friction", "gravity", "friction-drift"}) {
+        for (const char* name : names) {
             Attribution a;
             const Effect* e = effect_named(name);
             a.candidate = {{e}, {&e->forms[0]}, cases.size()};
             a.x.fill(to_fit(a.candidate, e->forms[0].seeds[0]));
+            // where a wave lies is found before a ladder is climbed
+            const bool wave = std::ranges::any_of(
+                e->forms[0].parameters, [](const EffectParameter& p) { return p.grid != FrequencyGrid::none; });
+            if (wave) a = fit_singles(cases, scales, judge_nominal(cases), {a.candidate}, in_order).at(0);
             singles.push_back(a);
         }
         search = std::make_unique<LadderSearch>(cases, scales, singles, policy::ladder, in_order);
@@ -199,6 +204,31 @@ TEST_CASE("the small terms that every machine has are corrections beside a cause
     CHECK(cogging[2] == Approx(m.waves).epsilon(0.01));
     CHECK(std::hypot(ripple[0], ripple[1]) == Approx(m.ripple).margin(0.01));
     CHECK(ripple[2] == Approx(1.3 * m.waves).epsilon(0.01));
+}
+
+TEST_CASE("a cogging of another shape than a sine keeps its name, with its second harmonic", "[gap][ladder]")
+{
+    const auto climbed = [](double second) {
+        Machine m;
+        m.inertia = 1.2 * 1.03, m.coulomb = 2 * 0.97;
+        m.cogging = 0.8, m.second = second;
+        return Climbed(m, test::nominal_joint(), {"cogging", "position-dependent-friction", "gravity", "viscous"});
+    };
+    const Climbed bent = climbed(0.5);
+    REQUIRE(bent.ladder.rungs.size() == 1);
+    const FittedSet& set = bent.ladder.last();
+    REQUIRE(set.causes.effects == std::vector<const Effect*>{effect_named("cogging")});
+    CHECK(set.causes.forms[0]->name == "two-harmonics");
+    CHECK(share(set.all_left(), bent.ladder.documented) < 0.01);
+    const auto si = in_si(set.causes, set.of_causes(set.fit.x), bent.scales);
+    CHECK(std::hypot(si[0], si[1]) == Approx(0.8).margin(0.02));
+    CHECK(si[2] == Approx(200).epsilon(0.005));
+    CHECK(std::hypot(si[3], si[4]) == Approx(0.4).margin(0.02));
+    CHECK(std::atan2(si[4], si[3]) == Approx(1).margin(0.1));
+
+    const Climbed pure = climbed(0);
+    REQUIRE(pure.ladder.rungs.size() == 1);
+    CHECK(pure.ladder.last().causes.forms[0] == &effect_named("cogging")->forms[0]);
 }
 
 TEST_CASE("what remains is told by the signal that it depends on", "[gap][ladder]")

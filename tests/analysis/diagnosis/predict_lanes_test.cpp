@@ -43,6 +43,8 @@ Plant some_plant(int i)
         p.motor.A = 0.01, p.motor.B = 0.02, p.motor.L = 0.01, p.motor.V_star = 0.1, p.motor.per_L = 100,
         p.motor.per_V_star = 10, p.motor.ageing = i % 24 > 12;
     if (terms == 5) p.load.gravity_amplitude = 0.4, p.load.cogging.amplitude = 0.1, p.load.cogging.periods = 40;
+    if (terms == 5 && i % 3 > 0) p.load.cogging.second_amplitude = 0.04, p.load.cogging.second_phase = 0.01 * i;
+    if (terms == 7) p.motor.second_ripple = 0.02, p.motor.second_phase = 0.01 * i;
     if (terms == 6) p.actuator.lag = 2e-3, p.dead_time = 1.7e-3;
     if (terms == 7) p.motor.drift = 0.1, p.motor.drift_time = 0.2, p.motor.ripple = 0.05, p.motor.ripple_periods = 30;
     if (terms == 8) p.motor.lag = 0.02, p.motor.lag_viscous = true, p.actuator.limit = 0.8;

@@ -1,4 +1,5 @@
 #include "analysis/diagnosis/verdict/reject.h"
+#include "analysis/results/contradictions.h"
 
 #include <catch2/catch.hpp>
 
@@ -35,6 +36,32 @@ TEST_CASE("a cause that makes held-out data worse is withdrawn, one that is sett
     REQUIRE(d.reasons.size() == 1);
     CHECK(d.reasons[0] == Note{.code = Note::Code::withdrawn_worse, .names = {"stribeck"}});
     CHECK(d.effects.size() == 2);
+}
+
+TEST_CASE("a ladder of predictions stays where only the simulation of whole records gets worse, and names nothing",
+          "[gap]")
+{
+    const auto rejected = [](double after, bool predicted) {
+        auto d = leaving(3, after);
+        LadderRung rung;
+        rung.names = {"stribeck"}, rung.share = 0.5, rung.probability = 0.6, rung.ambiguous_with = {{"viscous"}};
+        d.ladder = {rung};
+        d.corrected_share = 0.2, d.remainder.share = 0.3;
+        d.overall.explained = (9 - after * after) / 8;
+        CHECK(reject_if_not_validated(d, {.predicted = predicted}));
+        CHECK(d.verdict == Verdict::unknown);
+        CHECK(contradictions_in(d).empty());
+        return d;
+    };
+    const auto worse = rejected(3.1, true);
+    REQUIRE(worse.ladder.size() == 1);
+    CHECK(worse.ladder[0].share == 0.5);
+    CHECK(worse.ladder[0].probability < 0.2);
+    CHECK(worse.ladder[0].ambiguous_with.empty());
+    CHECK(worse.corrected_share == 0.2);
+    CHECK(worse.remainder.share == 0.3);
+    CHECK(rejected(3.1, false).ladder.empty());
+    CHECK(rejected(2.4, true).ladder.empty());  // it helps, but leaves most
 }
 
 TEST_CASE("a cause that predictions leave open and that hardly helps on held-out data is not named", "[gap]")

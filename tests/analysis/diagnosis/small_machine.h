@@ -33,6 +33,7 @@ struct Machine {
     double ripple = 0;            ///< N, of the Coulomb level over the position
     double cogging = 0;           ///< N
     double waves = 200;           ///< rad/m, of both
+    double second = 0;            ///< second harmonic of the cogging, as a part of the first
     double one_way = 0;           ///< part of the viscous slope that changes its sign with the direction
 };
 
@@ -94,7 +95,8 @@ inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
             else
                 followed = std::clamp(followed, q - m.bellows_play, q + m.bellows_play);
             const double push = std::clamp(m.gain * u, -m.limit, m.limit) + m.load - m.gravity * std::sin(q) -
-                                m.cubic * q * q * q - m.bellows * followed + m.cogging * std::sin(m.waves * q);
+                                m.cubic * q * q * q - m.bellows * followed +
+                                m.cogging * (std::sin(m.waves * q) + m.second * std::sin(2 * m.waves * q + 1));
             const double level = m.coulomb + m.ripple * std::cos(1.3 * m.waves * q);
             if (std::abs(v) < band && std::abs(push) <= level) {
                 v = 0;

@@ -93,6 +93,10 @@ TEST_CASE("both simulators: laws", "[gap][two-simulators]")
     frictions["load coefficient"].load_coefficient = 0.2;
     frictions["ripple"].law = CoulombViscous{5, 10};
     frictions["ripple"].ripple = {1, 150, 0.3};
+    frictions["two harmonics"].law = CoulombViscous{5, 10};
+    frictions["two harmonics"].ripple = {1, 150, 0.3, 0.6, -1.1};
+    frictions["second harmonic alone"].law = CoulombViscous{5, 10};
+    frictions["second harmonic alone"].ripple = {0, 150, 0, 0.8, 0.4};
     frictions["drift"].law = CoulombViscous{5, 10};
     frictions["drift"].drift = {-2, 1};
     frictions["asymmetry"].law = CoulombViscous{5, 10};
@@ -125,6 +129,7 @@ TEST_CASE("both simulators: elements of the loop and bodies", "[gap][two-simulat
     with("loads", [](Joint& j) {
         j.load.constant = -4, j.load.cogging = {1, 150, 0.3}, j.load.disturbance = {1, 20, 0.3};
     });
+    with("cogging of two harmonics", [](Joint& j) { j.load.cogging = {1, 150, 0.3, 0.6, -1.1}; });
     with("gravity", [](Joint& j) { j.mechanism.motion = Motion::revolute, j.load.gravity_amplitude = 8; });
     joints["two masses"] = two_masses();
     joints["two masses behind a gear"] = two_masses(0, 5);

@@ -98,8 +98,8 @@ struct LocatedRay {
     int evaluations = 0;
     double stable_share = 0;   ///< of the scanned nodes: tells all stable from none where there is no boundary
     double neutral_share = 0;  ///< of the scanned nodes: a root on the imaginary axis
-    /// Folds that only simulation tells: as a share of the range, the widest strip of cycles beside a linear boundary
-    /// that could be missed; 0 where the branch of cycles is followed from there.
+    /// Folds found by simulation alone: as a share of the range, the widest strip of cycles beside a linear boundary
+    /// that the scan does not exclude; 0 where the branch of cycles is followed from there.
     double narrowest_strip = 0;
     std::optional<OutsideOfRay> outside;  ///< where there is none: what lies beyond, if that was looked for
 };

@@ -26,6 +26,7 @@ constexpr std::pair<Code, std::string_view> names[] = {
     {Code::slow_log, "slow-log"},
     {Code::scattered_stamps, "scattered-stamps"},
     {Code::starts_moving, "starts-moving"},
+    {Code::straight_commands, "straight-commands"},
     {Code::noisier_than_documented, "noisier-than-documented"},
     {Code::no_documented_noise, "no-documented-noise"},
     {Code::no_documented_effort_noise, "no-documented-effort-noise"},

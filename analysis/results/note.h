@@ -31,6 +31,7 @@ struct Note {
         slow_log,            ///< logged slower than the loop
         scattered_stamps,    ///< about the documented period
         starts_moving,       ///< cut from a longer record
+        straight_commands,   ///< of a continuous loop: not held between rows
         // its noise
         noisier_than_documented,  ///< the floor is estimated
         no_documented_noise,      ///< the floor is estimated

@@ -43,8 +43,7 @@ constexpr Sentence sentences[] = {
      "joint"},
     {Code::no_such_controller,
      "another controller than the documented one made the measured effort ({share0} of its squares remain at any "
-     "gains), and "
-     "none is named; causes in the mechanism were sought with the measured effort as the drive"},
+     "gains), and none is named; causes in the mechanism were sought with the measured effort as the drive"},
     {Code::no_effort,
      "no effort was measured: inertia, gain and torque constant can be distinguished by friction and load only"},
     {Code::holes,
@@ -55,6 +54,7 @@ constexpr Sentence sentences[] = {
     {Code::slow_log, "logged slower than the loop; readings between rows are interpolated"},
     {Code::scattered_stamps, "the time stamps scatter about the documented period; evenly spaced ticks are used"},
     {Code::starts_moving, "starts in motion; at_rest_at_start under [record] says otherwise"},
+    {Code::straight_commands, "commands go straight from row to row here, not held: the loop is continuous"},
     {Code::noisier_than_documented,
      "the readings are noisier than documented; the floor uses the noise estimated from third differences"},
     {Code::no_documented_noise, "no documented noise; the floor uses the noise estimated from third differences"},

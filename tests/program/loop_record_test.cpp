@@ -33,10 +33,10 @@ std::string reference()
     return rows.str();
 }
 
-/// What diagnose makes of the record that this joint leaves, taken for `machine`.
-nlohmann::json diagnosis_of(const Folder& folder, const std::string& settings)
+/// What diagnose makes of the record that this joint leaves, taken for the one without these settings.
+nlohmann::json diagnosis_of(const Folder& folder, const std::string& settings, const std::string& of = machine)
 {
-    const auto joint = folder.write("joint.toml", machine);
+    const auto joint = folder.write("joint.toml", of);
     const auto motion = folder.write("motion.csv", reference());
     const auto out = folder / "record";
     const auto played = stickslip("simulate " + joint + settings + " --reference " + motion + " --seed 5 -o " + out);
@@ -63,6 +63,43 @@ TEST_CASE("a record of an edited joint names the edit")
     CHECK(found["verdict"] == "gap");
     REQUIRE(!found["effects"].empty());
     CHECK(found["effects"][0]["names"][0] == "delay");
+}
+
+TEST_CASE("a record of a continuous loop has no gap, and names the edit of its joint")
+{
+    const Folder folder;
+    const auto sampled = machine.find("period"), friction = machine.find("[friction]");
+    const auto continuous = machine.substr(0, sampled) + machine.substr(friction);
+    const auto same = diagnosis_of(folder, "", continuous);
+    CHECK(same["verdict"] == "no-gap");
+    CHECK(same["note_codes"].dump().find("straight-commands") != std::string::npos);
+    const auto found = diagnosis_of(folder, " --set control.k_p=20", continuous);
+    CHECK(found["verdict"] == "gap");
+    REQUIRE(!found["effects"].empty());
+    CHECK(found["effects"][0]["names"][0] == "gain-k_p");
+}
+
+TEST_CASE("a law that no record is fitted with says what to write instead")
+{
+    const Folder folder;
+    const auto motion = folder.write("motion.csv", reference());
+    const auto before = machine.find("law = "), after = machine.find("[sensor]");
+    const auto refused = [&](const std::string& law) {
+        const auto joint = folder.write("joint.toml", machine.substr(0, before) + law + machine.substr(after));
+        const auto out = folder / "record";
+        REQUIRE(stickslip("simulate " + joint + " --reference " + motion + " -o " + out).exit_code == 0);
+        const auto run =
+            stickslip("diagnose " + joint + " " + out + "/record.csv --no-report -o " + (folder / "found"));
+        CHECK(run.exit_code == 2);
+        CHECK_THAT(run.output, Catch::Contains("joint.toml: friction law"));
+        return run.output;
+    };
+    CHECK_THAT(refused("law = \"maxwell-slip\"\nviscous = 0.15\nelements = [{ stiffness = 100, yield = 0.3 }, "
+                       "{ stiffness = 20, yield = 0.1 }]\n"),
+               Catch::Contains("coulomb = 0.4, viscous = 0.15, bristle = { stiffness = 120 }"));
+    CHECK_THAT(refused("law = \"time-lag\"\nlag = 0.004\n[friction.curve]\nlaw = \"coulomb-viscous\"\n"
+                       "coulomb = 0.4\nviscous = 0.15\n"),
+               Catch::Contains("lag = 0.004, lag_viscous = true"));
 }
 
 TEST_CASE("a reference that cannot be followed says why")

@@ -38,7 +38,7 @@ Ticks logged_again(const Trace& trace, const Ticks& t, const Joint& joint)
     log.at_rest_at_start = t.at_rest;
     Ticks again = on_clock(log, joint);
     again.feed_forward = t.feed_forward, again.load = t.load, again.inertia = t.inertia;
-    again.load_error = t.load_error;
+    again.load_error = t.load_error, again.straight_command = t.straight_command;
     return again;
 }
 

@@ -1,6 +1,7 @@
 // A pack of joints that run through their records side by side: one lane each, the same terms in all.
 #pragma once
 #include "analysis/diagnosis/plant/friction_step.h"
+#include "analysis/diagnosis/records/ticks.h"
 #include "analysis/joint/drive.h"
 
 #include <array>
@@ -31,6 +32,14 @@ inline Kind kind_of(const Plant& p)
     k.read_late = p.sensor.delay > 0;
     k.motor = terms_of(p.motor), k.link = terms_of(p.link);
     k.actuator = p.actuator.kind, k.signal = p.actuator.signal;
+    return k;
+}
+
+/// The same along a record: a command that goes straight between ticks asks for what a late one does.
+inline Kind kind_of(const Plant& p, const Ticks& ticks)
+{
+    Kind k = kind_of(p);
+    k.dead_time = k.dead_time || ticks.straight_command;
     return k;
 }
 

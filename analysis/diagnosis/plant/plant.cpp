@@ -1,7 +1,9 @@
 #include "analysis/diagnosis/plant/plant.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 
 namespace stickslip::gap {
@@ -24,7 +26,10 @@ void take(const Stribeck& law, Rubbing& r)
 
 void take(const RateAndState& law, Rubbing& r)
 {
-    if (law.B.size > 1) throw std::invalid_argument("a record is simulated with one memory state, the law has more");
+    if (law.B.size > 1)
+        throw std::invalid_argument(
+            "friction law \"rate-and-state\" cannot be fitted to records with more than one state: expected one value "
+            "of B and of L");
     r.coulomb = law.f0;
     r.A = law.A;
     r.V_star = law.V_star;
@@ -34,10 +39,42 @@ void take(const RateAndState& law, Rubbing& r)
     }
 }
 
+std::string digits(double value)
+{
+    std::array<char, 32> text;
+    std::snprintf(text.data(), text.size(), "%g", value);
+    return text.data();
+}
+
+/// What to write in place of a law whose equations a record is not fitted with.
+std::string instead_of(const MaxwellSlip& law)
+{
+    double level = 0, stiffness = 0;
+    for (const auto& e : law.elements) level += e.yield, stiffness += e.stiffness;
+    return "its elements slip one after the other, records are fitted with one bristle. The same level, slope and "
+           "stiffness at rest: law = \"coulomb-viscous\", coulomb = " +
+           digits(level) + ", viscous = " + digits(law.viscous) + ", bristle = { stiffness = " + digits(stiffness) +
+           " }";
+}
+std::string instead_of(const TimeLag& law)
+{
+    return "its delay is a pure one, records are fitted with a lag of first order. The law of friction.curve in place "
+           "of \"time-lag\", with memory = { lag = " +
+           digits(law.lag) + ", lag_viscous = true }, differs little where " + digits(law.lag) +
+           " s is short beside the motion";
+}
+template <class Law>
+std::string instead_of(const Law&)
+{
+    return "expected coulomb-viscous, stribeck, kinetic-static, rate-and-state, ageing or rate-and-state-regularised "
+           "with one state, lugre, or dahl with exponent = 1";
+}
+
 template <class Law>
 void take(const Law& law, Rubbing&)
 {
-    throw std::invalid_argument("friction law \"" + std::string(law.info.name) + "\" has no record simulation yet");
+    throw std::invalid_argument("friction law \"" + std::string(law.info.name) +
+                                "\" cannot be fitted to records: " + instead_of(law));
 }
 
 Rubbing flatten(const Friction& f)

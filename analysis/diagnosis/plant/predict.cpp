@@ -16,7 +16,7 @@ struct Batch {
 
 void add(std::vector<Batch>& batches, const Run& run)
 {
-    const Kind kind = kind_of(*run.plant);
+    const Kind kind = kind_of(*run.plant, *run.ticks);
     const int parts = substeps(run.ticks->step[run.from], longest_step(*run.plant));
     for (auto& b : batches)
         if (b.parts == parts && b.kind == kind) return b.runs.push_back(run);

@@ -33,6 +33,15 @@ std::optional<Friction> written_out(Friction f, const RateAndStateRegularised& l
     return f;
 }
 
+std::optional<Friction> written_out(Friction f, const Ageing& law)
+{
+    if (f.has_memory() || f.has_lag() || law.B.size > 1) return std::nullopt;
+    f.law = CoulombViscous{law.f0, 0};
+    f.memory.A = law.A, f.memory.V_star = law.V_star, f.memory.form = MemoryForm::ageing;
+    if (law.B.size == 1) f.memory.B = law.B[0], f.memory.L = law.L[0];
+    return f;
+}
+
 std::optional<Friction> written_out(Friction f, const KineticStatic& law)
 {
     f.law = law.breakaway > law.kinetic

@@ -33,8 +33,10 @@ Trace closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t seed)
     if (n == 0) return out;
     SeededNoise noise(seed);
     const Sensor& sensor = plant.sensor;
-    Mechanics<lanes::Pack<1, 1>> mechanics(kind_of(plant));
-    mechanics.load(0, plant, ticks, out.command, 0);
+    Mechanics<lanes::Pack<1, 1>> mechanics(kind_of(plant, ticks));
+    // a command that is not held goes on as it went from the tick before, until the next one is known
+    std::vector<double> drive(n);
+    mechanics.load(0, plant, ticks, ticks.straight_command ? drive : out.command, 0);
     // where the joint stands at the start is known to a step of its encoder, and in a loop that hunts across the steps
     // two starts end far apart
     const double within_step =
@@ -51,6 +53,8 @@ Trace closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t seed)
         out.position[k] = reading;
         out.velocity[k] = controller.velocity();
         out.command[k] = controller.command(ticks.reference[k], ticks.reference_rate[k], ticks.added(k), ticks.time[k]);
+        drive[k] = out.command[k];
+        if (k + 1 < n) drive[k + 1] = k == 0 ? drive[k] : 2 * drive[k] - drive[k - 1];
         out.effort[k] = mechanics.effort_now()[0] + (seed != 0 ? sensor.effort_noise * noise() : 0);
         if (k + 1 < n) mechanics.advance();
     }

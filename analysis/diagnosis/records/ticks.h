@@ -47,6 +47,7 @@ struct Ticks {
     bool lost = false;               ///< rows are missing in an otherwise regular log: ticks without one
     bool rebuilt = false;            ///< positions between rows follow exactly from the logged velocities
     bool reference_rebuilt = false;  ///< the reference follows from the command: see rebuild_reference()
+    bool straight_command = false;   ///< of a continuous loop: goes straight from row to row, is not held
     bool noisy_rows = false;         ///< commands and velocities of the rows carry noise that is unknown between them
     bool has_velocity = false, has_effort = false, has_reference = false;
     bool at_rest = true;

@@ -11,6 +11,7 @@ LoopController::LoopController(const Joint& joint, double frame, double gear)
       gear_(gear)
 {
     state.window.resize(static_cast<std::size_t>(std::max(1.0, control_.velocity_estimate.average)));
+    state.output = not_set;  // nothing was commanded yet
 }
 
 double LoopController::begin(double output, double velocity, double step)
@@ -144,10 +145,12 @@ double LoopController::command(double reference, double rate, double step, doubl
     output += ahead(reference, rate, step) + added + (jumps ? 0 : push);
     if (continuous()) {
         const double now = output;
-        output += 0.5 * (now - state.output);
+        if (is_set(state.output)) output += 0.5 * (now - state.output);
         state.output = now;
     }
-    output += c.dither.at(time_) + (jumps ? push : 0);  // what is known of this moment, or has no slope to go on by
+    const double known = c.dither.at(time_) + (jumps ? push : 0);  // of this moment, or without a slope to go on by
+    logged_ = std::clamp((continuous() ? state.output : output) + known, -c.effort_limit, c.effort_limit);
+    output += known;
     const double limited = std::clamp(output, -c.effort_limit, c.effort_limit);
     saturated_high_ = output > c.effort_limit, saturated_low_ = output < -c.effort_limit;
     wanted_ = output, cut_ = limited - output;

@@ -56,6 +56,8 @@ class LoopController {
     bool integrates() const { return gain_of_integral_ != 0; }
     /// The last command before its limit.
     double wanted() const { return wanted_; }
+    /// The last command as a log has it: of a continuous loop that of the moment, not of the middle of the step.
+    double logged() const { return logged_; }
 
   private:
     void hold(double integral);
@@ -73,7 +75,7 @@ class LoopController {
     bool holds_ = false;
     double path_ = 0, time_ = 0, last_rate_ = not_set;
     bool saturated_high_ = false, saturated_low_ = false;
-    double wanted_ = 0, cut_ = 0;  ///< output of the last tick before its limit; what was lost there
+    double wanted_ = 0, logged_ = 0, cut_ = 0;  ///< output of the last tick before its limit; what was lost there
 };
 
 }  // namespace stickslip

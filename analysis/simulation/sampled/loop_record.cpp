@@ -80,7 +80,8 @@ int ticks_a_row(const Joint& joint, const ReferenceMotion& r)
     const double row = (r.time.back() - r.time.front()) / static_cast<double>(r.time.size() - 1);
     for (std::size_t i = 1; i < r.time.size(); ++i)
         if (std::abs(r.time[i] - r.time[i - 1] - row) > even * row) return 0;
-    return static_cast<int>(std::ceil(row / tick_of(joint)));
+    constexpr double least = 4;  // what drives the joint is that of the middle of a tick, what is logged that of a row
+    return static_cast<int>(std::max(least, std::ceil(row / tick_of(joint))));
 }
 
 bool needs_motion(const Joint& joint)

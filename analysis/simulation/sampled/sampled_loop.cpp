@@ -190,7 +190,7 @@ void SampledLoop::ask(double reference, double rate, double added)
     motion.joint.arriving = line_.front();
     motion.enter();
     readings_.velocity = controller_.state.velocity;
-    readings_.command = line_.back();
+    readings_.command = controller_.logged();
     if (options_.readings && reading_part_ == 0) readings_.effort = measured_effort();
 }
 

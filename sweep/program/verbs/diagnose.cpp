@@ -152,6 +152,7 @@ int diagnose(const Options& options, const Invocation& invocation)
         options.records, {options.joint, options.names.empty() ? "" : options.names.front(), options.how}, joint);
     const auto promised = guarantee_for(options.guarantee, joint, given.records);
     const auto directory = answer_folder(options.directory);
+    require_fitted(joint, given, options.joint);
     auto found = [&] {
         StageLine line;
         return diagnose_joint(joint, given, invocation, line);

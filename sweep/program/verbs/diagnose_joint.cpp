@@ -1,6 +1,7 @@
 #include "sweep/program/verbs/diagnose_joint.h"
 
 #include "analysis/diagnosis/diagnose.h"
+#include "analysis/diagnosis/plant/plant.h"
 #include "analysis/diagnosis/plant/record_form.h"
 #include "analysis/diagnosis/rig/rig.h"
 #include "sweep/engine/build.h"
@@ -101,6 +102,16 @@ void remove_earlier(const std::filesystem::path& directory)
 {
     for (const char* name : {"report.html", "next-experiment.csv", "next-outcome.csv", "corrected-joint.toml"})
         std::filesystem::remove(directory / name);
+}
+
+void require_fitted(const Joint& joint, const GatheredRecords& records, const std::string& file)
+{
+    if (records.records.empty() || gap::is_rig(records.records.front())) return;
+    try {
+        gap::flatten(gap::record_form(joint));
+    } catch (const std::invalid_argument& e) {
+        throw BadInput(file + ": " + e.what());
+    }
 }
 
 JointDiagnosis diagnose_joint(const Joint& documented, const GatheredRecords& given, const Invocation& invocation,

@@ -28,6 +28,9 @@ struct JointDiagnosis {
     bool rig = false;           ///< a friction rig, which has no controller
 };
 
+/// Throws BadInput, which names the joint's file, for a law or a model that no record is fitted with.
+void require_fitted(const Joint& joint, const GatheredRecords& records, const std::string& file);
+
 /// Throws BadInput for records with gaps and for those that cannot be read as time series.
 /// `about` is said before each stage.
 JointDiagnosis diagnose_joint(const Joint& joint, const GatheredRecords& records, const Invocation& invocation,

@@ -54,6 +54,21 @@ TEST_CASE("a pushed mass under Coulomb friction follows the parabolas of constan
     CHECK(-run.position[400] == Approx(0.015).epsilon(1e-12));
 }
 
+TEST_CASE("a command that goes straight from row to row pushes by its ramp, late or not", "[gap]")
+{
+    Joint joint = sliding_mass(2, 0, 0);
+    for (const double delay : {0.0, 0.0035}) {
+        joint.control.delay = delay;
+        Record record = at_ticks(401, 1e-3);
+        for (int k = 0; k <= 400; ++k) record.effort_command[k] = 3 * record.time[k];
+        Ticks ticks = on_clock(record, joint);
+        ticks.straight_command = true;
+        Innovation run;
+        predict(flatten(joint), ticks, ticks.command, 0, run);
+        CHECK(-run.position[400] == Approx(3 * std::pow(0.4 - delay, 3) / 6 / 2).epsilon(1e-5));
+    }
+}
+
 TEST_CASE("a force below the friction level never moves the mass, one above it does", "[gap]")
 {
     const Joint joint = sliding_mass(1, 2, 0.1);

@@ -49,14 +49,7 @@ class Circle {
         a.topRightCorner(n, 1) = loop_.input;
         a.bottomLeftCorner(1, n) = loop_.output;
         b.topLeftCorner(n, n).setIdentity();
-        Eigen::GeneralizedEigenSolver<Eigen::MatrixXd> solver(a, b, false);
-        sound_ = solver.info() == Eigen::Success;
-        constexpr double far = 1e9;
-        for (Eigen::Index i = 0; sound_ && i <= n; ++i) {
-            const Complex alpha = solver.alphas()[i];
-            const double beta = solver.betas()[i];
-            if (std::abs(alpha) < far * std::abs(beta)) zeros_.push_back(alpha / beta);
-        }
+        take_zeros(a, b);
         start_ = pi;
         for (const auto* roots : {&poles_, &zeros_})
             for (const Complex& r : *roots)
@@ -103,6 +96,24 @@ class Circle {
     }
 
   private:
+    /// Where a − z b is singular: by QZ, which does not always settle, else by the eigenvalues of (a − σ b)⁻¹ b.
+    void take_zeros(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
+    {
+        constexpr double far = 1e9;
+        const Eigen::GeneralizedEigenSolver<Eigen::MatrixXd> solver(a, b, false);
+        sound_ = solver.info() == Eigen::Success;
+        if (sound_) {
+            for (Eigen::Index i = 0; i < a.rows(); ++i)
+                if (std::abs(solver.alphas()[i]) < far * std::abs(solver.betas()[i]))
+                    zeros_.push_back(solver.alphas()[i] / solver.betas()[i]);
+            return;
+        }
+        constexpr double aside = 0.37;  // from z = 1, far inside: a zero just there has no reason
+        const Eigen::VectorXcd inverse = eigenvalues_of((a + aside * b).partialPivLu().solve(b));
+        sound_ = inverse.size() > 0 && inverse.allFinite();
+        for (Eigen::Index i = 0; sound_ && i < inverse.size(); ++i)
+            if (std::abs(inverse[i]) * far > 1) zeros_.push_back(1.0 / inverse[i] - aside);
+    }
     /// By how much arg(z − r) grows over a band of at most half the circle, r counted from 1: from nothing to 3π/2
     /// where r lies inside, from −π to half the band outside, so that a turn is missing only far beyond rounding.
     static double turn(const Complex& root, const Band& band)
@@ -196,7 +207,8 @@ CircleCrossings circle_crossings(const DiscreteLoop& loop)
 {
     CircleCrossings found;
     const Circle circle(loop);
-    if (!circle.sound()) {
+    found.searched = circle.sound();
+    if (!found.searched) {
         found.doubtful.push_back({0, pi / loop.period});
         return found;
     }

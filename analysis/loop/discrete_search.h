@@ -20,6 +20,7 @@ double sampled_growth(const DiscreteLoop& loop, double gain);
 struct CircleCrossings {
     std::vector<Crossing> crossings;
     std::vector<Interval> doubtful;
+    bool searched = true;  ///< false: the poles and zeros of T, by which bands are excluded, are not known
 };
 
 /// 1 + g T(z) = 0 on |z| = 1. The phase of T turns by what its poles and zeros turn, each monotone but for half the

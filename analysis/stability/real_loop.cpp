@@ -281,6 +281,12 @@ StableGains turned_gains(const RealLoop& loop)
     StableGains found;
     if (const auto* sampled = std::get_if<DiscreteLoop>(&loop.loop)) {
         auto circle = circle_crossings(*sampled);
+        if (!circle.searched) {
+            found.doubtful = std::move(circle.doubtful);
+            found.searched_from = found.searched_to = loop.gain;
+            report(loop, found);
+            return found;
+        }
         found.stable = stable_gains(*sampled, circle.crossings, loop.gain);
         found.crossings = std::move(circle.crossings);
         found.doubtful = std::move(circle.doubtful);

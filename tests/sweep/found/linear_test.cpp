@@ -162,9 +162,17 @@ TEST_CASE("W10: gains and lengths far outside any machine are answered by the cl
     CHECK(linear_verdict(joint).state_variable.k_cr == Approx((B - A) / L * (1 + m * V0 / (L * C))).epsilon(1e-9));
 }
 
-// A motor behind a gear of 86:1: doublings of an exponential in double precision left three digits of a slow mode. The number is that of mpmath
-// with 50 digits, by tests/reliability/loops.py.
+// A motor behind a gear of 86:1: doublings of an exponential in double precision left three digits of a slow mode. The
+// number is that of mpmath with 50 digits, by tests/reliability/loops.py.
 TEST_CASE("growth of a stiff sampled loop", "[found]")
 {
     CHECK(growth_rate(found("sampled-stiff-motor")) == Approx(-0.7360075760390392).epsilon(1e-6));
+}
+
+// QZ did not settle on the zeros of a loop with seven ticks of dead time, and its windows were "every gain".
+TEST_CASE("windows of a sampled loop whose zeros are hard to find", "[found]")
+{
+    const auto joint = found("sampled-seven-ticks");
+    check_gains(joint, 1e2, 1e7);
+    CHECK(linear_verdict(joint).state_variable.stable_intervals.size() == 1);
 }

@@ -139,6 +139,18 @@ TEST_CASE("an evaluation that the usual work does not decide says how to allow m
     CHECK(Json::parse(whole.output)["decided"] == true);
 }
 
+TEST_CASE("a page whose nonlinear outcome is undecided says so first, and is not green", "[program][impossible]")
+{
+    const Folder folder;
+    const auto run = stickslip("evaluate tests/sweep/found/sampled-seven-ticks.toml -o '" + (folder / "page") + "'");
+    INFO(run.output);
+    CHECK(run.exit_code == 4);
+    const auto page = program::read(folder / "page/report.html");
+    CHECK_THAT(page, Contains("class=\"verdict warning\"") && !Contains("class=\"verdict good\""));
+    const auto open = page.find("Undecided whether larger disturbances"), small = page.find("Slides smoothly at");
+    CHECK(open < small);
+}
+
 TEST_CASE("a file that cannot be written is named with the reason", "[program][impossible]")
 {
     const Folder folder;

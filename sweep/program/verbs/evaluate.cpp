@@ -172,10 +172,13 @@ std::filesystem::path write_page(const Evaluated& e, const Options& options, con
         for (auto& section : report.sections)
             if (section.id == "response")
                 section.figures.push_back(disturbance_figure(e.joint, options.surroundings.force, *e.motion));
+    if (e.open()) {
+        report.verdict = open_text(e.nonlinear) + " " + report.verdict;
+        if (report.tone == Headline::Tone::good) report.tone = Headline::Tone::warning;
+    }
     if (e.only_rest()) report.verdict = set_point_text(*e.rest, e.units());
     if (e.rest) report.sections.insert(report.sections.end() - 1, set_point_section(*e.rest, e.units()));
     if (e.loads) report.sections.insert(report.sections.end() - 1, load_section(e.joint, *e.loads));
-    if (e.open()) report.alerts.push_back({Headline::Tone::warning, open_text(e.nonlinear)});
     for (const auto& mode : e.near) report.alerts.push_back(near_mode_alert(mode, e.units()));
     if (e.integral)
         report.alerts.push_back({e.integral->with > 0 ? Headline::Tone::neutral : Headline::Tone::warning,

@@ -39,7 +39,7 @@ struct Share {
     std::string name;
     double share = 0;
     ConfidenceInterval interval;
-    double rms = 0, floor = 0;  ///< in `unit`; regimes: in noise floors
+    double rms = 0, floor = 0;  ///< in `unit`; regimes: in multiples of the noise floor
     std::string unit;
 };
 
@@ -113,7 +113,7 @@ struct SignalGap {
 };
 
 struct OverallGap {
-    double before = 0, after = 0, floor = 0, explained = 0;  ///< in noise floors
+    double before = 0, after = 0, floor = 0, explained = 0;  ///< in multiples of the noise floor
     ConfidenceInterval interval;                             ///< of explained
     double own_floor = 0;  ///< what noisy simulations with the cause differ by; 0: by no more than `floor`
 

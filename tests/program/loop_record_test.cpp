@@ -77,6 +77,12 @@ TEST_CASE("a record of a continuous loop has no gap, and names the edit of its j
     CHECK(found["verdict"] == "gap");
     REQUIRE(!found["effects"].empty());
     CHECK(found["effects"][0]["names"][0] == "gain-k_p");
+
+    // a late loop moves as if its commands were held for longer; what the controller feeds back is seen in its commands
+    const auto late = diagnosis_of(folder, " --set control.delay=0.008", continuous);
+    REQUIRE(!late["effects"].empty());
+    CHECK(late["effects"][0]["names"].dump() == "[\"delay\"]");
+    CHECK(late["effects"][0]["parameters"]["delay.time"]["value"].get<double>() == Approx(0.008).margin(5e-4));
 }
 
 TEST_CASE("a law that no record is fitted with says what to write instead")

@@ -41,6 +41,11 @@ Recursion recursion_of(const std::vector<const Case*>& cases)
     return {ab / aa, std::sqrt(std::max(0.0, 1 - ab * ab / aa / bb))};
 }
 
+bool is_filter(const Recursion& seen)
+{
+    return seen.misfit <= exact_velocity && seen.gain > 0 && seen.gain <= 1 + exact_velocity;
+}
+
 /// Whether the command is made of the logged velocities, seen without a reference: a motion that somebody wants is
 /// smooth, and of its fifth differences from tick to tick nothing is left beside those of readings with noise and
 /// steps; where it has a kink the rows are left out.
@@ -152,6 +157,11 @@ void correct(std::vector<Case>& cases, double tau, Audit& result)
 
 }  // namespace
 
+bool velocities_follow_a_filter(const std::vector<const Case*>& cases)
+{
+    return is_filter(recursion_of(cases));
+}
+
 void audit_filter(std::vector<Case>& cases, Audit& result)
 {
     const Control documented = cases[0].joint.control;
@@ -178,7 +188,7 @@ void audit_filter(std::vector<Case>& cases, Audit& result)
             return;
         const double tick = at_every_tick[0]->ticks.step[0];
         const auto seen = recursion_of(at_every_tick);
-        if (seen.misfit > exact_velocity || seen.gain <= 0 || seen.gain > 1 + exact_velocity) return;
+        if (!is_filter(seen)) return;
         const double found = tick * std::max(0.0, 1 / seen.gain - 1);
         const bool differs = filters_differently(tau, found, tick);
         // plain differences of the readings are what anybody would log

@@ -11,4 +11,7 @@ namespace stickslip::gap {
 /// `filter_seen` whether the velocities follow a filter exactly. Records that document different filters are left.
 void audit_filter(std::vector<Case>& cases, Audit& result);
 
+/// Whether the logged velocities are filtered differences of the readings, with a filter of any time constant.
+bool velocities_follow_a_filter(const std::vector<const Case*>& cases);
+
 }  // namespace stickslip::gap

@@ -2,6 +2,7 @@
 #include "analysis/diagnosis/audit/prepare.h"
 
 #include "analysis/diagnosis/audit/audit.h"
+#include "analysis/diagnosis/audit/continuous_loop.h"
 #include "analysis/diagnosis/audit/effort_drive.h"
 #include "analysis/diagnosis/records/even_clock.h"
 #include "analysis/joint/parameters.h"
@@ -128,34 +129,6 @@ void find_start(Case& c, std::vector<Note>& notes)
     notes.push_back({Note::Code::starts_moving, c.ticks.name});
 }
 
-/// A joint file without `control.period` leaves open what its commands do between rows. Of predictions with held ones
-/// the errors are α times their difference to those with straight ones: α is 0 where commands were held, 1 where they
-/// were not, whatever else the prediction gets wrong. Held, unless α is above a half by twice its standard error.
-void find_command_between(Case& c, std::vector<Note>& notes)
-{
-    constexpr double halfway = 0.5, sure = 2;
-    if (is_set(c.joint.control.period) || c.ticks.source != CommandSource::logged || c.ticks.unseen_between()) return;
-    const Plant plant = flatten(c.joint);
-    Ticks straight = c.ticks;
-    straight.straight_command = true;
-    const auto command = known_command(plant, c.ticks);
-    Innovation held, other;
-    predict(plant, c.ticks, command, levels[0], held);
-    predict(plant, straight, command, levels[0], other);
-    double ed = 0, dd = 0, ee = 0, rows = 0;
-    for (std::size_t k = 0; k < c.ticks.size(); ++k) {
-        const double e = held.position[k], d = e - other.position[k];
-        if (std::isfinite(e) && std::isfinite(d)) ed += e * d, dd += d * d, ee += e * e, rows += 1;
-    }
-    if (!(dd > 0)) return;
-    const double alpha = ed / dd, error = std::sqrt(std::max(0.0, ee - alpha * ed) / rows / dd);
-    if (!(alpha - sure * error > halfway)) return;
-    c.ticks.straight_command = true;
-    auto& estimate = c.joint.control.velocity_estimate;
-    if (estimate.tau == 0 && c.ticks.has_velocity) estimate.form = EstimateForm::exact;
-    notes.push_back({Note::Code::straight_commands, c.ticks.name});
-}
-
 /// Noise of the effort that drives the joint.
 double drive_noise(const Case& c, const Record& record, double doubt, std::vector<Note>& notes)
 {
@@ -238,7 +211,7 @@ Case prepare_with_effort(const Record& record, const Joint& joint, std::vector<N
             std::hypot(sigma, effort_part * range, c.joint.actuator.kind == ActuatorKind::effort ? command_noise : 0);
     }
     if (!record.at_rest_at_start) find_start(c, notes);
-    find_command_between(c, notes);
+    find_continuous_loop(c, notes);
     measure_load_error(c);
     return c;
 }

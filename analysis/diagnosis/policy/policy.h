@@ -310,6 +310,11 @@ inline constexpr double noise_of_commands = 2;
 /// exists takes nearly all of what its absence leaves.
 inline constexpr double much_less = 0.5, much_better = 0.25;
 
+/// Where the joint file gives no period: part of the way from held to straight commands above which the motion says
+/// that they are straight, and by how many standard errors. Reason: halfway is nearer to neither. Evidence: simulated
+/// records of continuous loops lie at 1.0, of sampled ones at 0.0, while nothing else is wrong.
+inline constexpr double straight = 0.5, straight_errors = 2;
+
 /// Multiple of what all terms together leave, or of rounding, below which no further term is needed. Reason: terms
 /// share a little of what rounding leaves.
 inline constexpr double enough = 1.2;

@@ -19,7 +19,7 @@
 #include "sweep/files/toml/servo_text.h"
 #include "sweep/program/verbs/disturbance_option.h"
 #include "sweep/program/verbs/exit_code.h"
-#include "sweep/program/verbs/still_searching.h"
+#include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/surroundings_option.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/figures/disturbance_figure.h"
@@ -114,7 +114,7 @@ struct Evaluated {
     Motion units() const { return joint.mechanism.motion; }
 };
 
-Evaluated evaluated(const Options& options, StillSearching& searching)
+Evaluated evaluated(const Options& options, StageLine& line)
 {
     auto asked = read_spec_or_joint(options.joint, options.settings);
     const Joint described = asked.design;
@@ -125,7 +125,7 @@ Evaluated evaluated(const Options& options, StillSearching& searching)
     set_search_effort(options.effort);
     Evaluated e;
     e.joint = asked.design;
-    searching.stage("the roots and the stable gains");
+    line.stage("the roots and the stable gains");
     e.verdict = linear_verdict(e.joint);
     add_margins(e.joint, e.verdict);
     e.summed = e.joint.control.structure == Structure::cascade ? with_gains(e.joint) : e.joint;
@@ -134,11 +134,11 @@ Evaluated evaluated(const Options& options, StillSearching& searching)
     nonlinear.disturbance = options.disturbance.disturbance(asked.spec.nonlinear);
     nonlinear.rtol = asked.spec.nonlinear.tolerance;
     nonlinear.effort = options.effort;
-    searching.stage("what the nonlinear joint does");
+    line.stage("what the nonlinear joint does");
     e.nonlinear = nonlinear_verdict(e.joint, nonlinear);
-    searching.stage("reductions, force ramps and critical velocities");
+    line.stage("reductions, force ramps and critical velocities");
     if (options.json || !options.directory.empty()) e.study = linear_study(e.summed);
-    searching.stage("the motion under load, and rest");
+    line.stage("the motion under load, and rest");
     if (e.decided()) {
         e.motion = disturbed(e.summed, options.surroundings.force);
         e.loads = loaded(e.summed, options.surroundings);
@@ -234,11 +234,14 @@ void print_text(const Evaluated& e)
 
 int evaluate(const Options& options, const Invocation& invocation)
 {
-    StillSearching searching("--effort 0.1 searches less");
-    const Evaluated e = evaluated(options, searching);
-    searching.stage("what its page draws");
     std::filesystem::path page;
-    if (!options.directory.empty()) page = write_page(e, options, invocation.command);
+    const Evaluated e = [&] {
+        StageLine line("--effort 0.1 searches less", std::chrono::seconds(1));
+        auto found = evaluated(options, line);
+        line.stage("what its page draws");
+        if (!options.directory.empty()) page = write_page(found, options, invocation.command);
+        return found;
+    }();
     if (options.json) {
         fmt::print("{}\n", evaluate_json(e, options.surroundings.force).dump(2));
     } else {

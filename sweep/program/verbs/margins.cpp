@@ -8,7 +8,7 @@
 #include "sweep/files/toml/requirements_file.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/parallel.h"
-#include "sweep/program/verbs/still_searching.h"
+#include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/margins_report.h"
 #include "sweep/report/pages/write_report.h"
@@ -29,24 +29,23 @@ struct Options {
     bool json = false, ideal_loop = false;
 };
 
-int margins(const Options& options, const Invocation& invocation)
+MarginsAnswer answered(const Options& options, const std::string& command)
 {
     auto asked = read_spec_or_joint(options.input, options.settings);
     if (options.ideal_loop) {
         asked.design = with_ideal_loop(asked.design);
         asked.spec.joint = with_ideal_loop(asked.spec.joint);
     }
-    const ThreadLimit limit(options.threads);
     set_search_effort(options.effort);
-    StillSearching searching("--effort 0.1 searches less");
-    searching.stage("the nearest boundary in all directions");
+    StageLine line("--effort 0.1 searches less", std::chrono::seconds(1));
+    line.stage("the nearest boundary in all directions");
     auto answer = margins_of(asked.design);
     answer.title = asked.spec.title;
-    answer.command = invocation.command;
+    answer.command = command;
     if (!options.uncertain.empty()) {
         answer.uncertainty = uncertainty_from(asked.design, options.uncertain);
         if (options.shape == "ellipsoid") answer.uncertainty.shape = UncertaintyShape::ellipsoid;
-        searching.stage("the worst joint within the uncertainty");
+        line.stage("the worst joint within the uncertainty");
         answer.worst = worst_case(asked.design, answer.uncertainty, Curve::Kind::state_variable);
     }
     if (!options.over.empty()) {
@@ -54,29 +53,41 @@ int margins(const Options& options, const Invocation& invocation)
             throw BadInput("--over: the robustly stable set needs --uncertain PATH=SHARE, such as friction.L=20%");
         const Axis x = axis_from(asked, options.over[0], "--over"), y = axis_from(asked, options.over[1], "--over");
         if (x.path == y.path) throw BadInput("--over: got " + x.path + " twice, expected two different axes");
-        searching.stage("the set that is stable for all joints within the uncertainty");
+        line.stage("the set that is stable for all joints within the uncertainty");
         BoundaryRequest request;
         request.parallel = parallel_for_each;
         request.following.guard = options.guard;
         answer.robust = follow_robust_boundary(asked.design, x, y, answer.uncertainty, request);
         answer.nominal = follow_boundaries(asked.design, x, y, request);
     }
-    const auto json = margins_json(answer);
-    if (options.json) {
-        fmt::print("{}\n", json.dump(2));
-    } else {
-        fmt::print("{}\n", plain_text(margins_text(answer)));
-        for (const auto& row : alone_table(answer).rows)
-            fmt::print("  {:<24} {:>16}  boundary at {:<18} {}\n", plain_text(row[0]), plain_text(row[1]),
-                       plain_text(row[2]), plain_text(row[3]));
-        if (answer.robust)
-            fmt::print("robust boundary: {} pieces, {} points\n", answer.robust->pieces.size(),
-                       answer.robust->points());
+    if (!options.directory.empty()) {
+        line.stage("growth along each parameter");
+        answer.growth = growth_by_parameter(answer);  // only the page shows it
     }
+    return answer;
+}
+
+void print_text(const MarginsAnswer& answer)
+{
+    fmt::print("{}\n", plain_text(margins_text(answer)));
+    for (const auto& row : alone_table(answer).rows)
+        fmt::print("  {:<24} {:>16}  boundary at {:<18} {}\n", plain_text(row[0]), plain_text(row[1]),
+                   plain_text(row[2]), plain_text(row[3]));
+    if (answer.robust)
+        fmt::print("robust boundary: {} pieces, {} points\n", answer.robust->pieces.size(), answer.robust->points());
+}
+
+int margins(const Options& options, const Invocation& invocation)
+{
+    const ThreadLimit limit(options.threads);
+    const auto answer = answered(options, invocation.command);
+    const auto json = margins_json(answer);
+    if (options.json)
+        fmt::print("{}\n", json.dump(2));
+    else
+        print_text(answer);
     if (!options.directory.empty()) {
         write_whole(std::filesystem::path(options.directory) / "margins.json", json.dump(1) + "\n");
-        searching.stage("growth along each parameter");
-        answer.growth = growth_by_parameter(answer);  // only the page shows it
         const auto page = write_report(margins_report(answer), options.directory);
         if (!options.json) fmt::print("report: {}\n", page.string());
     }

@@ -10,16 +10,21 @@
 namespace stickslip {
 namespace {
 
-constexpr std::chrono::milliseconds on_terminal{500}, in_log{30'000};
+constexpr StageLine::Interval on_terminal{500}, in_log{30'000};
 
 }  // namespace
 
-StageLine::StageLine() : terminal_(isatty(STDERR_FILENO) != 0)
+StageLine::StageLine(std::string shorter, std::optional<Interval> patience)
+    : shorter_(std::move(shorter)), terminal_(isatty(STDERR_FILENO) != 0)
 {
-    clock_ = std::thread([this] {
+    clock_ = std::thread([this, patience] {
         const auto interval = terminal_ ? on_terminal : in_log;
+        auto next = start_ + patience.value_or(interval);
         std::unique_lock lock(mutex_);
-        while (!ended_.wait_for(lock, interval, [this] { return end_; })) draw();
+        while (!ended_.wait_until(lock, next, [this] { return end_; })) {
+            draw();
+            next = std::chrono::steady_clock::now() + interval;
+        }
     });
 }
 
@@ -31,20 +36,23 @@ StageLine::~StageLine()
     }
     ended_.notify_all();
     clock_.join();
-    if (!terminal_) return;
+    if (!terminal_ || !drawn_) return;
     say("\r\x1b[K");
     std::fflush(stderr);
 }
 
+void StageLine::stage(std::string what, double done)
+{
+    const std::lock_guard lock(mutex_);
+    stage_ = std::move(what);
+    done_ = done;
+    tasks_ = 0;
+    if (terminal_ && drawn_) draw();
+}
+
 std::function<void(const std::string&, double)> StageLine::listener()
 {
-    return [this](const std::string& stage, double done) {
-        const std::lock_guard lock(mutex_);
-        stage_ = stage;
-        done_ = done;
-        tasks_ = 0;
-        if (terminal_) draw();
-    };
+    return [this](const std::string& what, double done) { stage(what, done); };
 }
 
 ParallelFor StageLine::counted(ParallelFor run)
@@ -65,10 +73,12 @@ void StageLine::draw()
     const auto seconds =
         std::chrono::duration_cast<std::chrono::seconds>(std::chrono::steady_clock::now() - start_).count();
     const std::size_t tasks = tasks_, finished = finished_;
-    const auto text = fmt::format("{:3.0f} %  {}{}  {} s", 100 * done_, stage_,
-                                  tasks > 1 ? fmt::format(", {} of {}", finished, tasks) : "", seconds);
+    const auto text = fmt::format("{}{}{}  {} s{}", is_set(done_) ? fmt::format("{:3.0f} %  ", 100 * done_) : "",
+                                  stage_, tasks > 1 ? fmt::format(", {} of {}", finished, tasks) : "", seconds,
+                                  shorter_.empty() ? "" : "  (" + shorter_ + ")");
     say("{}{}{}", terminal_ ? "\r\x1b[K" : "", text, terminal_ ? "" : "\n");
     std::fflush(stderr);
+    drawn_ = true;
 }
 
 }  // namespace stickslip

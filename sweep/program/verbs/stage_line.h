@@ -1,6 +1,7 @@
 // What a long answer is busy with: stage, how many of its tasks are done, seconds. On a terminal one line that changes,
 // in a pipe or a log a new line every 30 s.
 #pragma once
+#include "analysis/base/field.h"
 #include "analysis/diagnosis/search/attribute.h"
 
 #include <atomic>
@@ -8,6 +9,7 @@
 #include <condition_variable>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -15,12 +17,18 @@ namespace stickslip {
 
 class StageLine {
   public:
-    StageLine();
+    using Interval = std::chrono::milliseconds;
+
+    /// Nothing is said before `patience`, where not set half a second at a terminal and 30 s elsewhere. `shorter` is
+    /// how to have an answer sooner, as "--effort 0.1 searches less".
+    explicit StageLine(std::string shorter = "", std::optional<Interval> patience = {});
     ~StageLine();
     StageLine(const StageLine&) = delete;
     StageLine& operator=(const StageLine&) = delete;
 
-    /// Called at each stage. It must not be called once the line is gone.
+    /// `done`: the part of the whole that lies behind, where that is known.
+    void stage(std::string what, double done = not_set);
+    /// The same as a function. It must not be called once the line is gone.
     std::function<void(const std::string& stage, double done)> listener();
     /// The same tasks, counted.
     ParallelFor counted(ParallelFor run);
@@ -28,13 +36,14 @@ class StageLine {
   private:
     void draw();
 
+    std::string shorter_;
     bool terminal_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     std::mutex mutex_;
     std::condition_variable ended_;
-    bool end_ = false;
+    bool end_ = false, drawn_ = false;
     std::string stage_;
-    double done_ = 0;
+    double done_ = not_set;
     std::atomic<std::size_t> tasks_{0}, finished_{0};
     std::thread clock_;
 };

@@ -5,7 +5,7 @@
 
 #include "analysis/base/work_limits.h"
 #include "analysis/loop/late_count.h"
-#include "analysis/numerics/balance.h"
+#include "analysis/numerics/eigenvalues.h"
 #include "analysis/numerics/root.h"
 
 namespace stickslip {
@@ -38,9 +38,7 @@ Reach features(const LateLoop& loop, const OpenedLoop& open)
     };
     for (const Complex& s : open.poles()) take(s);
     if (loop.period == 0) {
-        Eigen::MatrixXd closed = loop.A + loop.input * loop.held;
-        balance(closed);
-        const Eigen::VectorXcd poles = closed.eigenvalues();
+        const Eigen::VectorXcd poles = eigenvalues_of(loop.A + loop.input * loop.held);
         for (const Complex& s : poles) take(s);
         for (const Complex& s : poles)
             if (std::abs(s) < 1e-9 * high) low = std::min(low, 1e-6 * high);

@@ -6,26 +6,19 @@
 #include "analysis/stability/characteristic.h"
 #include "analysis/stability/delay_spectrum.h"
 #include "analysis/stability/neutral.h"
+#include "analysis/stability/polished.h"
 #include "analysis/stability/winding.h"
 
 namespace stickslip {
 namespace {
 
-/// Newton's method on F. Keeps the start if it does not stay near, or if it is the rate of a friction state that the
-/// motion does not notice, which F does not contain.
-Complex polished(const LinearJoint& j, Complex start)
+/// Not where it is the rate of a friction state that the motion does not notice, which F does not contain.
+Complex polished_of(const LinearJoint& j, Complex start)
 {
     for (int i = 0; i < j.bodies; ++i)
         for (int k = 0; k < j.friction[i].states; ++k)
             if (j.friction[i].weight(k) == 0 && start == j.friction[i].lambda[k]) return start;
-    Complex s = start;
-    for (int i = 0; i < 4; ++i) {
-        const Complex step = 1.0 / drift(j, s);
-        if (!(std::abs(step) < 1e-4 * std::abs(s))) break;
-        s -= step;
-        if (std::abs(step) < 1e-15 * std::abs(s)) break;
-    }
-    return s;
+    return polished(start, [&](Complex s) { return drift(j, s); });
 }
 
 Polynomial characteristic_polynomial(const LinearJoint& j)
@@ -181,7 +174,7 @@ std::vector<Complex> spectrum(const LinearJoint& j)
     std::vector<Complex> roots;
     if (j.rational()) {
         roots = raw_eigenvalues(j);
-        for (auto& s : roots) s = polished(j, s);
+        for (auto& s : roots) s = polished_of(j, s);
         clear_near_axis(j, roots);
     } else {
         roots = rightmost_roots(j);
@@ -198,7 +191,7 @@ double spectral_abscissa(const LinearJoint& j)
     if (roots.empty()) return missing;
     // further right comes first
     auto rightmost = std::min_element(roots.begin(), roots.end(), further_right);
-    *rightmost = polished(j, *rightmost);
+    *rightmost = polished_of(j, *rightmost);
     clear_near_axis(j, roots);
     return std::min_element(roots.begin(), roots.end(), further_right)->real();
 }

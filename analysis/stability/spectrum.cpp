@@ -7,6 +7,7 @@
 #include "analysis/numerics/polynomial.h"
 #include "analysis/stability/critical_gain.h"
 #include "analysis/stability/neutral.h"
+#include "analysis/stability/polished.h"
 
 namespace stickslip {
 namespace {
@@ -27,27 +28,21 @@ auto roots_with_one_state(const LinearMass& j)
                        -j.k_p * lambda / j.inertia);
 }
 
-/// Newton's method on F(s) Π(s − λ), (27) times what makes it entire: beside a pole whose weight is next to nothing F
-/// alone would lead away.
-Complex polished(const LinearMass& j, Complex s)
+/// d log/ds of F(s) Π(s − λ), (27) times what makes it entire: beside a pole whose weight is next to nothing F alone
+/// would lead away.
+Complex drift(const LinearMass& j, Complex s)
 {
-    if (s == 0.0) return s;
-    for (int i = 0; i < 3; ++i) {
-        Complex G = 0, G_slope = 0, from_poles = 0;
-        for (int k = 0; k < j.friction.states; ++k) {
-            const Complex gap = s - j.friction.lambda[k];
-            G += j.friction.weight(k) / gap;
-            G_slope -= j.friction.weight(k) / (gap * gap);
-            from_poles += 1.0 / gap;
-        }
-        const Complex C = j.k_v + j.friction.f_v - G;
-        const Complex value = (j.inertia * s + C) * s + j.k_p;
-        const Complex slope = 2 * j.inertia * s + C - G_slope * s;
-        const Complex step = 1.0 / (slope / value + from_poles);
-        if (!(std::norm(step) < 1e-8 * std::norm(s))) break;
-        s -= step;
+    Complex G = 0, G_slope = 0, from_poles = 0;
+    for (int k = 0; k < j.friction.states; ++k) {
+        const Complex gap = s - j.friction.lambda[k];
+        G += j.friction.weight(k) / gap;
+        G_slope -= j.friction.weight(k) / (gap * gap);
+        from_poles += 1.0 / gap;
     }
-    return s;
+    const Complex C = j.k_v + j.friction.f_v - G;
+    const Complex value = (j.inertia * s + C) * s + j.k_p;
+    const Complex slope = 2 * j.inertia * s + C - G_slope * s;
+    return slope / value + from_poles;
 }
 
 /// States (x, v, θ_i): v' = −(k_p x + C v + Σ h θ)/m, θ_i' = b_i v + λ_i θ_i.
@@ -72,7 +67,7 @@ std::vector<Complex> roots_of_matrix(const LinearMass& j)
         values.cwiseAbs().minCoeff(&least);
         values[least] = 0;
     }
-    for (const auto& s : values) roots.push_back(polished(j, s));
+    for (const auto& s : values) roots.push_back(polished(s, [&](Complex z) { return drift(j, z); }));
     return roots;
 }
 

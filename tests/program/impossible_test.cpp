@@ -123,7 +123,7 @@ TEST_CASE("a spec may ask for boundaries by itself", "[program][boundary]")
     CHECK(own["lines"][0]["kind"] == "velocity-only");
 }
 
-TEST_CASE("an evaluation that the usual work does not decide says how to allow more", "[program][impossible]")
+TEST_CASE("an evaluation that the usual work does not decide says how to allow more", "[program][impossible][slow]")
 {
     const std::string joint = "evaluate tests/sweep/found/w12-stribeck.toml ";
     const auto cut = stickslip(joint + "--effort 0.02");
@@ -139,7 +139,7 @@ TEST_CASE("an evaluation that the usual work does not decide says how to allow m
     CHECK(Json::parse(whole.output)["decided"] == true);
 }
 
-TEST_CASE("a page whose nonlinear outcome is undecided says so first, and is not green", "[program][impossible]")
+TEST_CASE("a page whose nonlinear outcome is undecided says so first, and is not green", "[program][impossible][slow]")
 {
     const Folder folder;
     const auto run = stickslip("evaluate tests/sweep/found/sampled-seven-ticks.toml -o '" + (folder / "page") + "'");

@@ -56,7 +56,7 @@ TEST_CASE("a record that the joint itself played has no gap")
     CHECK(diagnosis_of(folder, "")["verdict"] == "no-gap");
 }
 
-TEST_CASE("a record of an edited joint names the edit")
+TEST_CASE("a record of an edited joint names the edit", "[slow]")
 {
     const Folder folder;
     const auto found = diagnosis_of(folder, " --set control.delay=0.012");

@@ -11,7 +11,7 @@ using Json = nlohmann::json;
 using program::Folder;
 using program::stickslip;
 
-TEST_CASE("a sweep without a spec runs the embedded example and says where everything is", "[program]")
+TEST_CASE("a sweep without a spec runs the embedded example and says where everything is", "[program][slow]")
 {
     Folder folder;
     const auto run = stickslip("sweep -o '" + (folder / "out") + "'");

@@ -84,7 +84,7 @@ TEST_CASE("every command of the README runs and says what it said", "[program][s
     CHECK(ran >= 5);
 }
 
-TEST_CASE("the README's output is the program's", "[program]")
+TEST_CASE("the README's output is the program's", "[program][slow]")
 {
     const auto blocks = shown_outputs(program::read(std::string(SOURCE_ROOT) + "/README.md"));
     REQUIRE_FALSE(blocks.empty());

@@ -64,7 +64,7 @@ TEST_CASE("a file that may not grow is refused in words, not by a signal, and le
 }
 
 TEST_CASE("results that do not fit say so, keep the journal, and do not crash the end of the program",
-          "[program][silence]")
+          "[program][silence][slow]")
 {
     const Folder folder;
     const auto out = folder / "out", merged = folder / "merged.nc";

@@ -176,7 +176,7 @@ TEST_CASE("a bend over the travel is no wave of friction: it stays in the remain
 }
 
 TEST_CASE("the small terms that every machine has are corrections beside a cause, which then leaves next to nothing",
-          "[gap][ladder]")
+          "[gap][ladder][slow]")
 {
     Machine m;
     m.viscous = 3;  // documented: 1.5
@@ -206,7 +206,7 @@ TEST_CASE("the small terms that every machine has are corrections beside a cause
     CHECK(ripple[2] == Approx(1.3 * m.waves).epsilon(0.01));
 }
 
-TEST_CASE("a cogging of another shape than a sine keeps its name, with its second harmonic", "[gap][ladder]")
+TEST_CASE("a cogging of another shape than a sine keeps its name, with its second harmonic", "[gap][ladder][slow]")
 {
     const auto climbed = [](double second) {
         Machine m;

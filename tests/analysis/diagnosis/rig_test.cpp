@@ -215,7 +215,7 @@ struct BothWays {
 
 }  // namespace
 
-TEST_CASE("one law with one set of numbers answers several records of a rig, each with its own level", "[gap]")
+TEST_CASE("one law with one set of numbers answers several records of a rig, each with its own level", "[gap][slow]")
 {
     std::vector<Record> records;
     // a step up, a step down, and one that begins at another speed than the first
@@ -240,7 +240,8 @@ TEST_CASE("one law with one set of numbers answers several records of a rig, eac
     CHECK(d.gap.at(0).after == Approx(d.gap.at(0).floor).epsilon(0.1));
 }
 
-TEST_CASE("both directions of a reversing rig are judged, without the unloading of the spring between them", "[gap]")
+TEST_CASE("both directions of a reversing rig are judged, without the unloading of the spring between them",
+          "[gap][slow]")
 {
     // 0.6 over 30 000 per metre: the spring turns from one side to the other over 40 um, 4 s
     BothWays rig{30000, 0.6, {{20, slow}, {26, quick}, {40, -quick}, {60, -slow}}};

@@ -67,7 +67,7 @@ Friction with_memory(double A, double B, MemoryForm form)
 
 }  // namespace
 
-TEST_CASE("both simulators: laws", "[gap][two-simulators]")
+TEST_CASE("both simulators: laws", "[gap][two-simulators][slow]")
 {
     RateAndStateRegularised regularised;
     regularised.f0 = 5, regularised.A = 0.1, regularised.V_star = 1e-3;

@@ -102,7 +102,7 @@ double amplitude_by_small_steps(double k_p, int dead_ticks, double seconds)
 
 }  // namespace
 
-TEST_CASE("late friction in a sampled loop: outcomes on both sides of the ends of its windows", "[sampled][late]")
+TEST_CASE("late friction in a sampled loop: outcomes on both sides of the ends of its windows", "[sampled][late][slow]")
 {
     for (const double delay : {0.0, 1e-3}) {
         const auto windows = linear_verdict(late_joint(2e4, delay, 20e-3)).state_variable.stable_intervals;

@@ -6,7 +6,7 @@
 
 using namespace stickslip;
 
-TEST_CASE("linear answers about random joints of every law, model and control agree", "[stability]")
+TEST_CASE("linear answers about random joints of every law, model and control agree", "[stability][slow]")
 {
     constexpr std::uint64_t joints = 150;
     for (std::uint64_t number = 0; number < joints; ++number) {
@@ -19,7 +19,7 @@ TEST_CASE("linear answers about random joints of every law, model and control ag
 // does not notice, a velocity gain of 0 beside dead time, roots between poles that are no roots; slow roots from whose
 // slopes the first step of a count saw nothing, fast roots of a delay that a scan over gains found at one of two,
 // a friction state that the motion hardly notices.
-TEST_CASE("linear answers about joints that once contradicted themselves agree", "[stability]")
+TEST_CASE("linear answers about joints that once contradicted themselves agree", "[stability][slow]")
 {
     for (const std::uint64_t number : {374, 431, 601, 811, 1182, 2351, 2652, 2843, 2859, 3051, 7192, 10354, 200021}) {
         CAPTURE(number);

@@ -70,7 +70,7 @@ TEST_CASE("the child of the kill test", "[.]")
     REQUIRE(run_sweep(killed_plan(), joint(), slow_evaluation(), options).end == RunEnd::complete);
 }
 
-TEST_CASE("a sweep survives kill -9 at random moments")
+TEST_CASE("a sweep survives kill -9 at random moments", "[slow]")
 {
     constexpr unsigned seed = 20261121;
     INFO("seed " << seed);

@@ -95,7 +95,7 @@ TEST_CASE("W9: every turn of a motion counts among those after which it repeats,
     CHECK(verdict.amplitude == Approx(161.183).epsilon(1e-5));
 }
 
-TEST_CASE("W12: what a motion comes to is judged within the work of one verdict, or what it takes is said")
+TEST_CASE("W12: what a motion comes to is judged within the work of one verdict, or what it takes is said", "[slow]")
 {
     const auto with = [](const std::string& name, double effort) {
         NonlinearOptions options;

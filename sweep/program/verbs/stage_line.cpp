@@ -73,8 +73,9 @@ void StageLine::draw()
     const auto seconds =
         std::chrono::duration_cast<std::chrono::seconds>(std::chrono::steady_clock::now() - start_).count();
     const std::size_t tasks = tasks_, finished = finished_;
-    const auto text = fmt::format("{}{}{}  {} s{}", is_set(done_) ? fmt::format("{:3.0f} %  ", 100 * done_) : "",
-                                  stage_, tasks > 1 ? fmt::format(", {} of {}", finished, tasks) : "", seconds,
+    const auto text = fmt::format("{}{}{}  {} s{}",
+                                  is_set(done_) ? fmt::format("{:3.0f} %  ", 100 * done_) : "still searching: ", stage_,
+                                  tasks > 1 ? fmt::format(", {} of {}", finished, tasks) : "", seconds,
                                   shorter_.empty() ? "" : "  (" + shorter_ + ")");
     say("{}{}{}", terminal_ ? "\r\x1b[K" : "", text, terminal_ ? "" : "\n");
     std::fflush(stderr);

@@ -56,7 +56,7 @@ std::string said_with(std::chrono::milliseconds patience, bool wait_for_words)
 TEST_CASE("an answer that lasts longer than patience names its stage, a shorter one says nothing", "[program]")
 {
     const auto said = said_with(std::chrono::milliseconds(0), true);
-    CHECK(said.starts_with("the stable gains  "));
+    CHECK(said.starts_with("still searching: the stable gains  "));
     CHECK(said.ends_with(" s  (--effort 0.1 searches less)\n"));
     CHECK(said_with(std::chrono::hours(1), false).empty());
 }

@@ -16,9 +16,6 @@ struct Corrected {
     std::size_t numbers = 0;      ///< how many parameters these have
 };
 
-/// Of what a document is off at most: a descent ends just inside.
-inline constexpr double at_the_bound = 0.99;
-
 /// The corrections that a joint can have. They are named as the effects of the catalogue that change the same number:
 /// where such an effect is a cause, its prior must not hold it back, and its correction is left out.
 class Corrections {
@@ -45,6 +42,9 @@ class Corrections {
     /// How far a correction with numbers from `at` on is from the document, in standard deviations of its prior: of a
     /// wave its amplitude, wherever it lies.
     static double deviations(const Candidate& candidate, std::size_t correction, std::size_t at,
+                             const Eigen::VectorXd& x);
+    /// As far off as a document is at most, where its correction holds a cause back.
+    static bool at_its_bound(const Candidate& candidate, std::size_t correction, std::size_t at,
                              const Eigen::VectorXd& x);
     /// Numbers for that: corrections from `corrections` (empty: as documented) of `from`, causes from `causes`.
     static Eigen::VectorXd start(const Corrected& to, const Corrected& from, const Eigen::VectorXd& corrections,

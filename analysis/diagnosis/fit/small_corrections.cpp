@@ -1,6 +1,7 @@
 // Corrections that are small terms of every machine: which there are, their priors, and how large one is.
 #include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/fit/corrections.h"
+#include "analysis/diagnosis/policy/policy.h"
 
 #include <algorithm>
 #include <array>
@@ -61,6 +62,12 @@ double Corrections::deviations(const Candidate& candidate, std::size_t correctio
         if (const double sd = candidate.sd_of(i); sd > 0 && prior_mean(candidate, i) == 0)
             square += std::pow(x[static_cast<Eigen::Index>(i)] / sd, 2);
     return std::sqrt(square);
+}
+
+bool Corrections::at_its_bound(const Candidate& candidate, std::size_t correction, std::size_t at,
+                               const Eigen::VectorXd& x)
+{
+    return deviations(candidate, correction, at, x) > (1 - policy::inside_bound) * policy::ladder.prior.widest;
 }
 
 }  // namespace stickslip::gap

@@ -105,7 +105,7 @@ class Climber {
     {
         for (std::size_t i = 0, at = 0; i < set.model.corrections;) {
             const Candidate& all = set.model.candidate;
-            const bool bound = Corrections::deviations(all, i, at, set.fit.x) > at_the_bound * rules_.prior.widest;
+            const bool bound = Corrections::at_its_bound(all, i, at, set.fit.x);
             const auto single = std::ranges::find_if(
                 singles_, [&](const Attribution& s) { return s.candidate.effects[0]->name == all.effects[i]->name; });
             at += all.count_of(*all.forms[i++]);

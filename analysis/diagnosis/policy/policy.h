@@ -206,6 +206,11 @@ inline constexpr double turned_back = 2.0 / 3;
 /// parameter at a bound comes from the search, not from the joint.
 inline constexpr double beside_bound = 0.001, implausible_size = 10, least_prior = 0.1;
 
+/// Part of the largest deviation that a correction may have (`widest`) within which it is at its bound. Reason: a
+/// descent may end just inside. Evidence: of 65 corrections that the tests of the ladder look at, those at their bound
+/// stand at it to the last digit, and the nearest other at 0.90 of it.
+inline constexpr double inside_bound = 0.01;
+
 /// `signature_correlation`: correlation, second by second, of the residual and what an effect takes out of it.
 /// `acting_square`: mean square in multiples of the noise floor above which the effect acts there. Reason: half of the
 /// squares of a second are then due to the effect.

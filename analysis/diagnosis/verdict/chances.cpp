@@ -79,7 +79,7 @@ bool frees_held_number(const Ladder& ladder)
         const auto name = ladder.rungs.back().causes.effects[cause]->name;
         for (std::size_t i = 0, at = 0; i < below.model.corrections; at += c.count_of(*c.forms[i++]))
             if (c.effects[i]->name == name && c.forms[i]->own == 0 && !Corrections::is_small_term(*c.effects[i]))
-                return Corrections::deviations(c, i, at, below.fit.x) > at_the_bound * policy::ladder.prior.widest;
+                return Corrections::at_its_bound(c, i, at, below.fit.x);
         return false;
     });
 }

@@ -23,6 +23,13 @@ bool has_reason(const Diagnosis& d, Note::Code code)
     return std::ranges::any_of(d.reasons, [&](const Note& note) { return note.code == code; });
 }
 
+/// What was gained on unseen rows may stand beside a simulation of whole records that gets worse with it: no verdict.
+bool gained_but_worse(const Diagnosis& d)
+{
+    return has_reason(d, Note::Code::withdrawn_worse) && d.verdict == Verdict::unknown && d.overall.worse() &&
+           std::ranges::all_of(d.ladder, [](const LadderRung& rung) { return rung.probability < 0.5; });
+}
+
 void check_probabilities(const Diagnosis& d, Found& found)
 {
     double sum = 0, most = 0;
@@ -50,8 +57,7 @@ void check_names(const Diagnosis& d, Found& found)
             if (d.effects[0].form.empty() && set(rival) == set(d.effects[0].names) && d.ladder.size() > 1)
                 found.push_back("a-cause-is-its-own-rival");
     if (d.verdict == Verdict::gap) return;
-    // what was gained on unseen rows stands beside a simulation of whole records that gets worse with it
-    if (!d.ladder.empty() && !has_reason(d, Note::Code::withdrawn_worse)) found.push_back("rungs-without-a-cause");
+    if (!d.ladder.empty() && !gained_but_worse(d)) found.push_back("rungs-without-a-cause");
     if (!d.ambiguous_with.empty()) found.push_back("rivals-without-a-cause");
     if (!d.effects.empty() && d.effects[0].probability > 0.5) found.push_back("likely-and-not-named");
 }
@@ -69,7 +75,7 @@ void check_shares(const Diagnosis& d, Found& found)
     if (!d.remainder.structure.empty() && !(d.remainder.share > 0)) found.push_back("structure-of-nothing");
     const bool corrections_answer = taken >= 0.5 && taken >= 0.5 * d.ceiling.share;  // policy.h: least_of_gap
     if (d.verdict == Verdict::unknown && judged && corrections_answer &&
-        !has_reason(d, Note::Code::force_beside_numbers) && !has_reason(d, Note::Code::withdrawn_worse))
+        !has_reason(d, Note::Code::force_beside_numbers) && !gained_but_worse(d))
         found.push_back("unknown-though-mostly-taken");
 }
 
@@ -83,6 +89,8 @@ void check_reasons(const Diagnosis& d, Found& found)
         found.push_back("within-noise-and-a-gap");
     const bool noise = has_reason(d, Note::Code::cause_to_noise) || has_reason(d, Note::Code::numbers_to_noise);
     if (noise && !d.remainder.structure.empty()) found.push_back("structure-of-noise");
+    if (has_reason(d, Note::Code::withdrawn_worse) && !d.overall.worse())
+        found.push_back("withdrawn-as-worse-and-better");
     if (noise && d.verdict != Verdict::gap) found.push_back("to-the-noise-and-not-named");
 }
 

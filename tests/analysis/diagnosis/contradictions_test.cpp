@@ -72,4 +72,19 @@ TEST_CASE("an answer that contradicts its own numbers is found, each by what it 
     CHECK(finds(unknown, "shares-are-not-the-whole"));
     CHECK(finds(with([](auto& d) { d.verdict = Verdict::unknown; }), "rungs-without-a-cause"));
     CHECK(finds(with([](auto& d) { d.verdict = Verdict::unknown; }), "likely-and-not-named"));
+    // a ladder may stand without a cause only where the simulation of whole records got worse, and no rung is likely
+    const auto withdrawn = [](double after, double probability) {
+        Diagnosis d = answer();
+        d.verdict = Verdict::unknown;
+        d.reasons = {{.code = Note::Code::withdrawn_worse, .names = {"stribeck"}}};
+        d.effects[0].probability = d.effects[1].probability = 0.05;
+        d.ladder[0].probability = probability;
+        d.overall = {20, after, 1, (400.0 - after * after) / (400 - 1), {}, 0};
+        return d;
+    };
+    CHECK(contradictions_in(withdrawn(21, 0.1)).empty());
+    CHECK(finds(withdrawn(21, 0.9), "rungs-without-a-cause"));
+    CHECK(finds(withdrawn(4, 0.1), "rungs-without-a-cause"));
+    CHECK(finds(withdrawn(4, 0.1), "unknown-though-mostly-taken"));
+    CHECK(finds(withdrawn(4, 0.1), "withdrawn-as-worse-and-better"));
 }

@@ -105,15 +105,21 @@ def comment_complaints():
 
 
 def functions(lines):
-    """Name, lines from brace to brace, and the reason to stay whole. A body opens and closes with a brace of its own line."""
+    """Name, lines from brace to brace, and the reason to stay whole. A body opens and closes with a brace of its own line;
+    a lambda with a name, outside functions, opens at the end of its line."""
     at = 0
     while at < len(lines):
+        if lambda_named := re.match(r"(?:\w+ )*auto (\w+) = \[.*\{$", lines[at]):
+            end = next((i for i in range(at, len(lines)) if lines[i] == "};"), at)
+            why = IN_ONE_PIECE.search(lines[at - 1]) if at else None
+            yield lambda_named.group(1), end - at + 1, why.group(1) if why else ""
+            at = end
         opens = re.fullmatch(r"( *)\{", lines[at])
         start = at
         while start > 0 and lines[start - 1].strip():
             start -= 1
         head = " ".join(line.strip() for line in lines[start:at] if not line.lstrip().startswith("//"))
-        named = re.search(r"(\w+|operator\S+)\(.*\)(?: const| override| noexcept)*(?: : .*)?$", head)
+        named = re.search(r"(\w+|operator\S+)\(.*\)(?: const| override| noexcept)*(?: -> .+?)?(?: requires .+?)?(?: : .*)?$", head)
         if opens and named:
             end = next((i for i in range(at, len(lines)) if lines[i] == opens.group(1) + "}"), at)
             why = next((found.group(1) for line in lines[start:at] if (found := IN_ONE_PIECE.search(line))), "")

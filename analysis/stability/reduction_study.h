@@ -28,6 +28,7 @@ struct ReductionStudy {
     std::string model;                   ///< short: "Fig. 6, transmission at the motor, then Fig. 7a, ideal motor"
     std::vector<std::string> neglected;  ///< half sentences, mark-up
     std::string refused;                 ///< why the reduction does not apply; all below is empty then
+    bool unsearched = false;             ///< it would take more than the usual effort; likewise
     std::string boundary_path;           ///< the number whose boundary is compared: "control.k_p"
     std::string assumption_path;         ///< the number that is assumed large; empty for an exact reduction
     std::string assumption;              ///< mark-up: "k_{tr} ≫ k_{p}"
@@ -37,6 +38,8 @@ struct ReductionStudy {
     std::vector<ReductionError> at;                          ///< one a value
     /// Above this value of the assumption's number the error stays within 1 % and 10 %; NaN where it never does.
     double good_from = missing, fair_from = missing;
+
+    bool compared() const { return refused.empty() && !unsearched; }
 };
 
 struct StudyOptions {

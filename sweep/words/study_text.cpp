@@ -69,6 +69,12 @@ std::string margins_reason_text(const std::vector<StudyReason>& reasons, double 
     return text;
 }
 
+std::string refused_text(const ReductionStudy& r)
+{
+    return r.unsearched ? "not searched within the usual effort for friction that answers late; --effort 10 does"
+                        : r.refused;
+}
+
 std::string error_text(const ReductionStudy& r)
 {
     const auto range = fmt::format("{} from {:.4g} to {:.4g}", r.boundary_path, r.searched_low, r.searched_high);

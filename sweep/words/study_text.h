@@ -13,6 +13,9 @@ std::string study_text(StudyReason reason);
 std::string velocities_text(const std::vector<StudyReason>& reasons);
 std::string margins_reason_text(const std::vector<StudyReason>& reasons, double searched_to);
 
+/// Why a reduction was not compared.
+std::string refused_text(const ReductionStudy& reduction);
+
 /// Of a reduction without an error, with the range and what was found there.
 std::string error_text(const ReductionStudy& reduction);
 

@@ -149,6 +149,11 @@ std::string margins_reason_text(const std::vector<StudyReason>& reasons, double)
     return reasons.empty() ? "" : "#margins";
 }
 
+std::string refused_text(const ReductionStudy&)
+{
+    return "#refused";
+}
+
 std::string error_text(const ReductionStudy&)
 {
     return "#error-of-reduction";

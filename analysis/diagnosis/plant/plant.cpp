@@ -1,9 +1,9 @@
 #include "analysis/diagnosis/plant/plant.h"
 
+#include "analysis/results/not_fitted.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 namespace stickslip::gap {
@@ -26,10 +26,7 @@ void take(const Stribeck& law, Rubbing& r)
 
 void take(const RateAndState& law, Rubbing& r)
 {
-    if (law.B.size > 1)
-        throw std::invalid_argument(
-            "friction law \"rate-and-state\" cannot be fitted to records with more than one state: expected one value "
-            "of B and of L");
+    if (law.B.size > 1) throw NotFitted(NotFitted::Why::several_states, law.info.name);
     r.coulomb = law.f0;
     r.A = law.A;
     r.V_star = law.V_star;
@@ -39,42 +36,25 @@ void take(const RateAndState& law, Rubbing& r)
     }
 }
 
-std::string digits(double value)
+void take(const MaxwellSlip& law, Rubbing&)
 {
-    std::array<char, 32> text;
-    std::snprintf(text.data(), text.size(), "%g", value);
-    return text.data();
+    NotFitted refused(NotFitted::Why::elements, law.info.name);
+    for (const auto& e : law.elements) refused.level += e.yield, refused.stiffness += e.stiffness;
+    refused.viscous = law.viscous;
+    throw refused;
 }
 
-/// What to write in place of a law whose equations a record is not fitted with.
-std::string instead_of(const MaxwellSlip& law)
+void take(const TimeLag& law, Rubbing&)
 {
-    double level = 0, stiffness = 0;
-    for (const auto& e : law.elements) level += e.yield, stiffness += e.stiffness;
-    return "its elements slip one after the other, records are fitted with one bristle. The same level, slope and "
-           "stiffness at rest: law = \"coulomb-viscous\", coulomb = " +
-           digits(level) + ", viscous = " + digits(law.viscous) + ", bristle = { stiffness = " + digits(stiffness) +
-           " }";
-}
-std::string instead_of(const TimeLag& law)
-{
-    return "its delay is a pure one, records are fitted with a lag of first order. The law of friction.curve in place "
-           "of \"time-lag\", with memory = { lag = " +
-           digits(law.lag) + ", lag_viscous = true }, differs little where " + digits(law.lag) +
-           " s is short beside the motion";
-}
-template <class Law>
-std::string instead_of(const Law&)
-{
-    return "expected coulomb-viscous, stribeck, kinetic-static, rate-and-state, ageing or rate-and-state-regularised "
-           "with one state, lugre, or dahl with exponent = 1";
+    NotFitted refused(NotFitted::Why::pure_delay, law.info.name);
+    refused.lag = law.lag;
+    throw refused;
 }
 
 template <class Law>
 void take(const Law& law, Rubbing&)
 {
-    throw std::invalid_argument("friction law \"" + std::string(law.info.name) +
-                                "\" cannot be fitted to records: " + instead_of(law));
+    throw NotFitted(NotFitted::Why::other_law, law.info.name);
 }
 
 Rubbing flatten(const Friction& f)

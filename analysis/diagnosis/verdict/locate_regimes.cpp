@@ -134,7 +134,7 @@ Surroundings surroundings_of(const std::vector<Case>& cases)
 
 /// One record as its joint predicts it, and what counts there as fast, hard, heavy and at the limit.
 struct Predicted {
-    Predicted(const Case& c, const Surroundings& around) : c(c), around(around)
+    Predicted(const Case& record, const Surroundings& surroundings) : c(record), around(surroundings)
     {
         const Plant plant = flatten(c.joint);
         const Ticks& t = c.ticks;
@@ -235,12 +235,12 @@ void add_record(const Predicted& p, Sums& of_regimes, Sums& of_bands)
     close_blocks();
 }
 
-std::vector<Share> shares_of(const Sums& sums, const char* const* names, std::size_t exclusive)
+std::vector<Share> shares_of(const Sums& sums, const char* const* called, std::size_t apart)
 {
     std::vector<Share> shares(sums.squares.size());
-    add_shares(shares, sums.blocks, exclusive);
+    add_shares(shares, sums.blocks, apart);
     for (std::size_t i = 0; i < shares.size(); ++i) {
-        shares[i].name = names[i], shares[i].unit = "floors";
+        shares[i].name = called[i], shares[i].unit = "floors";
         shares[i].rms = sums.counts[i] > 0 ? std::sqrt(sums.squares[i] / sums.counts[i]) : 0;
         shares[i].floor = 1;
     }

@@ -195,6 +195,7 @@ template <class A>
 void fields(A& a, Like<ReductionStudy> auto& v)
 {
     a("name", v.name), a("model", v.model), a("neglected", v.neglected), a("refused", v.refused);
+    a("unsearched", v.unsearched);
     a("boundary_path", v.boundary_path), a("assumption_path", v.assumption_path), a("assumption", v.assumption);
     a("own", v.own), a("searched_low", v.searched_low), a("searched_high", v.searched_high);
     a("values", v.values), a("at", v.at), a("good_from", v.good_from), a("fair_from", v.fair_from);

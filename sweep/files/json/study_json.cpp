@@ -88,8 +88,8 @@ Json comparison_json(const Comparison& c)
 Json reduction_json(const ReductionStudy& r)
 {
     Json json{{"name", plain_text(r.name)}, {"assumption", plain_text(r.assumption)}};
-    if (!r.refused.empty()) {
-        json["refused"] = plain_text(r.refused);
+    if (!r.compared()) {
+        json["refused"] = plain_text(refused_text(r));
         return json;
     }
     json["model"] = plain_text(r.model);

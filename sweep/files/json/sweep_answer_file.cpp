@@ -25,8 +25,8 @@ std::optional<SweepAnswer> read_sweep_answer(const std::filesystem::path& direct
     const std::string text((std::istreambuf_iterator<char>(file)), {});
     const auto json = archive::Json::parse(text, nullptr, false);
     if (!json.is_object()) throw BadInput(path.string() + ": is no answer of a sweep; remove it to have it made again");
-    const auto says = [&](const char* key, std::string_view text) {
-        return json.contains(key) && json[key].is_string() && json[key].get_ref<const std::string&>() == text;
+    const auto says = [&](const char* key, std::string_view value) {
+        return json.contains(key) && json[key].is_string() && json[key].get_ref<const std::string&>() == value;
     };
     if (!says("format", sweep_answer_format) || !says("plan_id", plan_id)) return std::nullopt;
     try {

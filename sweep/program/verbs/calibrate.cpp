@@ -15,6 +15,7 @@
 #include "sweep/study/guarantee/order_statistic.h"
 #include "sweep/study/guarantee/own_cases.h"
 #include "sweep/words/guarantee_text.h"
+#include "sweep/words/not_fitted_text.h"
 
 #include <fmt/format.h>
 
@@ -120,7 +121,7 @@ Work work_of(const Options& options)
         try {
             return guarantee::OwnCases(joint, given.records);
         } catch (const std::invalid_argument& e) {
-            throw BadInput(options.joint + ": no cases can be made: " + e.what());
+            throw BadInput(options.joint + ": no cases can be made: " + refusal_text(e));
         }
     }();
     const auto population = fmt::format(

@@ -16,6 +16,7 @@
 #include "sweep/report/pages/diagnosis_report.h"
 #include "sweep/report/pages/write_linked_report.h"
 #include "sweep/words/loop_text.h"
+#include "sweep/words/not_fitted_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
@@ -110,7 +111,7 @@ void require_fitted(const Joint& joint, const GatheredRecords& records, const st
     try {
         gap::flatten(gap::record_form(joint));
     } catch (const std::invalid_argument& e) {
-        throw BadInput(file + ": " + e.what());
+        throw BadInput(file + ": " + refusal_text(e));
     }
 }
 
@@ -139,7 +140,7 @@ JointDiagnosis diagnose_joint(const Joint& documented, const GatheredRecords& gi
             d = std::move(result.diagnosis);
             found.after = result.after;
         } catch (const std::invalid_argument& e) {
-            throw BadInput(e.what());
+            throw BadInput(refusal_text(e));
         }
     }
     d.notes.insert(d.notes.begin(), given.warnings.begin(), given.warnings.end());

@@ -8,6 +8,7 @@
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/words/not_fitted_text.h"
 
 #include <fmt/format.h>
 
@@ -65,7 +66,7 @@ int run(const Options& options)
         try {
             return plan(joint, reference.time, reference.value, !options.directory.empty(), parallel_for_each);
         } catch (const std::invalid_argument& e) {
-            throw BadInput(options.joint + ": " + e.what());
+            throw BadInput(options.joint + ": " + refusal_text(e));
         }
     }();
     Json json = {{"format", "stickslip-plan/1"}};

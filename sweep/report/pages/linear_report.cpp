@@ -48,7 +48,7 @@ void reduction_alerts(Report& report, const std::vector<ReductionStudy>& studies
 {
     constexpr double poor = 0.1;
     for (const auto& study : studies)
-        if (study.refused.empty() && study.own.error > poor)
+        if (study.compared() && study.own.error > poor)
             report.alerts.push_back(
                 {Tone::warning,
                  "The reduction to " + study.model + " " +

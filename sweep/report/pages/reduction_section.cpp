@@ -3,6 +3,7 @@
 #include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
 #include "sweep/words/line_figure.h"
+#include "sweep/words/study_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -135,11 +136,12 @@ Section reduction_section(const Joint& joint, const std::vector<ReductionStudy>&
     std::size_t number = 0;
     for (const auto& study : studies) {
         ++number;
-        if (!study.refused.empty()) {
-            const auto same = std::find_if(refused.begin(), refused.end(),
-                                           [&](const auto& entry) { return entry.first == study.refused; });
+        if (!study.compared()) {
+            const auto why = refused_text(study);
+            const auto same =
+                std::find_if(refused.begin(), refused.end(), [&](const auto& entry) { return entry.first == why; });
             if (same == refused.end())
-                refused.emplace_back(study.refused, study.name);
+                refused.emplace_back(why, study.name);
             else if (same->second.find(study.name) == std::string::npos)
                 same->second += ", " + study.name;
             continue;

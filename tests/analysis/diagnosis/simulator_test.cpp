@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/plant/simulator.h"
 #include "analysis/diagnosis/plant/step.h"
+#include "analysis/results/not_fitted.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -36,6 +37,37 @@ Record at_ticks(int rows, double period)
 }
 
 }  // namespace
+
+TEST_CASE("a law that no record is fitted with is refused by a code and its numbers", "[gap]")
+{
+    const auto refused = [](auto law) {
+        Joint j = sliding_mass(1, 0, 0);
+        j.friction.law = std::move(law);
+        try {
+            flatten(j);
+        } catch (const NotFitted& e) {
+            return e;
+        }
+        throw std::logic_error("is fitted");
+    };
+    RateAndState two_states;
+    for (const double B : {0.02, 0.01}) two_states.B.push_back(B), two_states.L.push_back(1e-3);
+    CHECK(refused(two_states).why == NotFitted::Why::several_states);
+    MaxwellSlip elements;
+    elements.elements.push_back({100, 0.3});
+    elements.elements.push_back({20, 0.1});
+    elements.viscous = 0.15;
+    const auto in_turn = refused(elements);
+    CHECK(in_turn.why == NotFitted::Why::elements);
+    CHECK(in_turn.law == "maxwell-slip");
+    CHECK(in_turn.level == Approx(0.4));
+    CHECK(in_turn.stiffness == 120);
+    CHECK(in_turn.viscous == 0.15);
+    TimeLag late;
+    late.lag = 0.004;
+    CHECK(refused(late).why == NotFitted::Why::pure_delay);
+    CHECK(refused(late).lag == 0.004);
+}
 
 TEST_CASE("a pushed mass under Coulomb friction follows the parabolas of constant force, stops and stays", "[gap]")
 {

@@ -24,9 +24,9 @@ class NotFitted : public std::invalid_argument {
     }
 
     Why why;
-    std::string law;                             ///< its name in a joint file
+    std::string law;                               ///< its name in a joint file
     double level = 0, viscous = 0, stiffness = 0;  ///< SI
-    double lag = 0;                              ///< s
+    double lag = 0;                                ///< s
 };
 
 }  // namespace stickslip

@@ -27,7 +27,8 @@ bool feeds_back_measured_velocity(const Case& c)
     if (!t.has_velocity || !t.has_reference || gains_of(c.joint.control).k_v == 0) return false;
     const double measured = misfit_with(EstimateForm::exact, c);
     return measured < policy::understood &&
-           measured < policy::much_less * misfit_with(EstimateForm::backward_difference, c) && !velocities_follow_a_filter({&c});
+           measured < policy::much_less * misfit_with(EstimateForm::backward_difference, c) &&
+           !velocities_follow_a_filter({&c});
 }
 
 /// Of predictions with held commands the errors are α times their difference to those with straight ones: α is 0 where

@@ -4,6 +4,7 @@
 #include "analysis/design/check_requirements.h"
 #include "analysis/design/judge.h"
 #include "analysis/numerics/optimise.h"
+#include "analysis/stability/real_loop.h"
 #include "analysis/stability/steady.h"
 
 #include <algorithm>
@@ -235,7 +236,7 @@ GainDesign design_gains(const Joint& joint, const Requirements& r, const Paralle
 {
     check_sense(joint, r);
     GainDesign design;
-    if (steady_sliding(joint).reason != Reason::none) return design;
+    if (possible_sliding(joint).reason != Reason::none) return design;
     design.decided = true;
     Judge judge(joint, r, Curve::Kind::state_variable);
     design.margin_reach = judge.reach();

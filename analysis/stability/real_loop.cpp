@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "analysis/joint/gains.h"
+#include "analysis/stability/effort_limits.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/steady.h"
 #include "analysis/stability/winding.h"
@@ -177,21 +178,7 @@ Actuation actuation(const Joint& joint, double velocity, double effort)
 
 bool limits_leave(const Joint& joint, double velocity)
 {
-    const auto& a = joint.actuator;
-    const auto& c = joint.control;
-    if (c.kind == ControlKind::force) return true;
-    const double effort = std::abs(steady_effort(joint, velocity));
-    if (a.kind == ActuatorKind::effort) {
-        const double left = a.sag_effort < infinity ? 1 - effort / a.sag_effort : 1;
-        return left > 0 && effort <= a.limit && effort / left <= std::abs(a.effort_gain) * c.effort_limit;
-    }
-    if (effort > a.limit) return false;
-    const auto acts = actuation(joint, velocity, effort);
-    const double volts = (effort * a.resistance / (a.effort_gain * a.k_t)) + a.k_e * std::abs(velocity);
-    const bool duty = a.signal == DriveSignal::duty;
-    const double command = duty ? volts / a.supply_voltage : volts;
-    const double most = is_set(a.supply_voltage) ? (duty ? 1 : a.supply_voltage) : infinity;
-    return acts.gain > 0 && command <= std::min(most, c.effort_limit);
+    return !low_limit(joint, velocity);
 }
 
 SteadySliding possible_sliding(const Joint& joint)

@@ -1,5 +1,7 @@
 #include "sweep/words/design_text.h"
 
+#include "analysis/stability/steady.h"
+#include "sweep/words/low_limit_text.h"
 #include "sweep/words/nearest_text.h"
 
 #include <cmath>
@@ -110,7 +112,9 @@ std::string design_verdict(const DesignAnswer& a)
 {
     const DesignUnits u{a.joint.mechanism.motion};
     const auto& d = a.design;
-    if (!d.decided) return "No design: the joint has no steady sliding.";
+    if (!d.decided)
+        return low_limit(a.joint, commanded_velocity(a.joint)) ? "No design. " + low_limit_text(a.joint)
+                                                               : "No design: the joint has no steady sliding.";
     if (!d.feasible) return infeasible_text(a, u);
     std::string text = "Best gains: " + gains_text(d.best, u) + ". Sensor noise moves the link by " +
                        u.position(d.best.motion_noise) + " rms and the actuator by " + u.effort(d.best.effort_noise) +

@@ -6,6 +6,7 @@
 #include "sweep/words/detail_text.h"
 #include "sweep/words/line_figure.h"
 #include "sweep/words/loop_text.h"
+#include "sweep/words/low_limit_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -111,6 +112,7 @@ std::string verdict_text(const Joint& joint, const LinearVerdict& v, bool bistab
 {
     const auto motion = joint.mechanism.motion;
     if (v.steady.reason == Reason::no_steady_state) return "Undecided: the design point has no steady sliding.";
+    if (v.steady.reason == Reason::limit_too_low) return low_limit_text(joint);
     if (v.steady.reason != Reason::none) return "Undecided at the design point: " + reason_text(v.steady.reason) + ".";
     const auto& memory = v.state_variable;
     const double k_p = joint.control.k_p;

@@ -173,3 +173,52 @@ TEST_CASE("Ctrl-C ends a verb of seconds at once, in words and with code 3", "[p
     CHECK(run.exit_code == 3);
     CHECK(run.output == "interrupted before the answer was complete\n");
 }
+
+TEST_CASE("a dead time that is refused is named with its number and its place", "[program]")
+{
+    const std::string sampled = "V0 = 1e-3\nperiod = 1e-3\nvelocity_estimate = { form = \"backward-difference\" }\n";
+    Folder folder;
+    const auto late = folder.write("late.toml", with("V0 = 1e-3\n", sampled + "delay = 1e3\n"));
+    const std::string both = with("V0 = 1e-3\n", sampled + "delay = 0.6\n") + "[sensor]\ndelay = 0.5\n";
+    const auto apart = folder.write("apart.toml", both);
+    const auto prompt = folder.write("prompt.toml", with("V0 = 1e-3\n", sampled));
+    struct Refused {
+        std::string command;
+        const char *place, *says;
+    };
+    const Refused cases[] = {
+        {"sweep '" + late + "' -o '" + (folder / "out") + "'", "late.toml:11:9: control.delay: is 1000 s",
+         "1e+06 periods, expected at most 1000 periods (1 s)"},
+        {"margins '" + apart + "'", "apart.toml:23:9: sensor.delay: is 0.5 s and control.delay 0.6 s",
+         "1100 periods, expected at most 1000 periods (1 s)"},
+        {"evaluate '" + prompt + "' --set control.delay=1000", "--set: control.delay: is 1000 s", "1e+06 periods"}};
+    for (const auto& bad : cases) {
+        const auto run = stickslip(bad.command);
+        INFO(bad.command << "\n" << run.output);
+        CHECK(run.exit_code == 2);
+        CHECK_THAT(run.output, Contains(bad.place));
+        CHECK_THAT(run.output, Contains(bad.says));
+    }
+}
+
+TEST_CASE("a limit below the friction of steady sliding is said with its place by every verb", "[program]")
+{
+    Folder folder;
+    const auto weak = folder.write("weak.toml", with("V0 = 1e-3\n", "V0 = 1e-3\neffort_limit = 50.0\n"));
+    const std::string says =
+        "effort_limit: is 50 N, and steady sliding at V_0 = 1 mm/s takes 60 N (friction 60 N): there is no steady sliding";
+    for (const std::string rest :
+         {"evaluate '" + weak + "'", "boundary '" + weak + "' --along control.k_p=1e4..1e6 -o '" + (folder / "b") + "'",
+          "margins '" + weak + "'", "sweep '" + weak + "' --no-report -o '" + (folder / "s") + "'",
+          "simulate '" + weak + "' -o '" + (folder / "m") + "'",
+          "design '" + weak + "' --require position_noise=1e-6 --require sample_time=1e-3"}) {
+        const auto run = stickslip(rest);
+        INFO(rest << "\n" << run.output);
+        CHECK(run.exit_code == 4);
+        CHECK_THAT(run.output, Contains("weak.toml:9:16: control." + says));
+        CHECK_THAT(run.output, !Contains("unstable throughout") && !Contains("Nearest to feasible"));
+    }
+    const auto set = stickslip("evaluate '" + weak + "' --set control.effort_limit=30");
+    CHECK_THAT(set.output, Contains("--set: control.effort_limit: is 30 N"));
+    CHECK(stickslip("evaluate '" + weak + "' --set control.effort_limit=61").exit_code == 0);
+}

@@ -18,7 +18,7 @@ double instability(const Joint& joint, Curve::Kind theory)
 {
     if (theory == Curve::Kind::ideal_loop) return growth_rate(with_ideal_loop(joint));
     if (theory == Curve::Kind::velocity_only) {
-        const auto steady = steady_sliding(joint);
+        const auto steady = possible_sliding(joint);
         if (steady.reason != Reason::none) return missing;
         if (loop_kind(joint) != LoopKind::ideal) return real_growth(joint, steady.velocity, true);
         const auto& c = joint.control;
@@ -34,7 +34,7 @@ double instability(const Joint& joint, Curve::Kind theory)
 std::optional<bool> is_stable(const Joint& joint, Curve::Kind theory)
 {
     if (joint.mechanism.model != Model::single_mass && loop_kind(joint) == LoopKind::ideal) {
-        const auto steady = steady_sliding(joint);
+        const auto steady = possible_sliding(joint);
         if (steady.reason != Reason::none) return {};
         auto linear = linear_joint(joint, steady.velocity);
         if (theory == Curve::Kind::velocity_only) linear = velocity_only(linear);

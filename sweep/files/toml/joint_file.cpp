@@ -3,6 +3,7 @@
 #include "analysis/joint/parameters.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/csv.h"
+#include "sweep/files/toml/dead_time.h"
 #include "sweep/files/toml/joint_keys.h"
 #include "sweep/files/toml/joint_table.h"
 #include "sweep/files/toml/servo.h"
@@ -116,6 +117,9 @@ void apply_settings(Joint& joint, const std::vector<std::string>& settings)
             messages.insert(messages.end(), bad.messages().begin(), bad.messages().end());
         }
     }
+    if (messages.empty())
+        if (const auto late = files::refused_dead_time(changed.control, changed.sensor.delay); !late.message.empty())
+            messages.push_back("--set: " + late.path + ": " + late.message);
     if (messages.empty())
         for (const auto& problem : check(changed))
             messages.push_back("--set: " + problem.path + ": " + problem.message);

@@ -9,6 +9,7 @@
 #include "sweep/program/verbs/boundary_question.h"
 #include "sweep/program/verbs/disturbance_option.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/no_sliding.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/stoppable.h"
@@ -122,6 +123,7 @@ int locate(const BoundaryOptions& options, const Invocation& invocation)
         asked.design = with_ideal_loop(asked.design);
         asked.spec.joint = with_ideal_loop(asked.spec.joint);
     }
+    say_no_sliding(options.input, options.settings, asked.design);
     const auto questions = boundary_questions(asked, options);
     const ThreadLimit limit(options.threads);
     BoundaryAnswer answer;

@@ -9,6 +9,7 @@
 #include "sweep/files/toml/requirements_file.h"
 #include "sweep/program/verbs/design_set_point.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/no_sliding.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/terminal.h"
 #include "sweep/program/verbs/verbs.h"
@@ -54,6 +55,7 @@ std::optional<GainChart> map_of_choices(const DesignAnswer& answer, const Joint&
 int design(const Options& options, const Invocation& invocation)
 {
     const auto asked = read_spec_or_joint(options.input, options.settings);
+    say_no_sliding(options.input, options.settings, asked.design);
     DesignAnswer answer;
     answer.title = asked.spec.title;
     answer.command = invocation.command;

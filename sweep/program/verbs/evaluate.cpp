@@ -19,6 +19,7 @@
 #include "sweep/files/toml/servo_text.h"
 #include "sweep/program/verbs/disturbance_option.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/no_sliding.h"
 #include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/surroundings_option.h"
 #include "sweep/program/verbs/verbs.h"
@@ -122,6 +123,7 @@ Evaluated evaluated(const Options& options, StageLine& line)
         asked.design = with_ideal_loop(asked.design);
         asked.spec.joint = with_ideal_loop(asked.spec.joint);
     }
+    say_no_sliding(options.joint, options.settings, asked.design);
     set_search_effort(options.effort);
     Evaluated e;
     e.joint = asked.design;

@@ -7,6 +7,7 @@
 #include "sweep/files/toml/asked_axes.h"
 #include "sweep/files/toml/requirements_file.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/no_sliding.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/verbs.h"
@@ -36,6 +37,7 @@ MarginsAnswer answered(const Options& options, const std::string& command)
         asked.design = with_ideal_loop(asked.design);
         asked.spec.joint = with_ideal_loop(asked.spec.joint);
     }
+    say_no_sliding(options.input, options.settings, asked.design);
     set_search_effort(options.effort);
     StageLine line("--effort 0.1 searches less", std::chrono::seconds(1));
     line.stage("the nearest boundary in all directions");

@@ -12,6 +12,7 @@
 #include "sweep/files/toml/asked_axes.h"
 #include "sweep/program/verbs/disturbance_option.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/no_sliding.h"
 #include "sweep/program/verbs/surroundings_option.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/record_report.h"
@@ -112,6 +113,7 @@ MotionMeasures measured(const Trajectory& trajectory, double velocity)
 int record_joint(const Options& options, const Invocation& invocation)
 {
     const Joint joint = read_spec_or_joint(options.joint, options.settings).design;
+    say_no_sliding(options.joint, options.settings, joint);
     const auto reference = read_reference(options.reference, joint.mechanism.motion);
     const auto record = record_along(joint, reference, options.surroundings.force.seed, options.tolerance);
     if (record.time.empty()) throw BadInput(options.joint + ": cannot follow a reference: " + detail_text(record.why));
@@ -132,6 +134,7 @@ int simulate_joint(const Options& options, const Invocation& invocation)
 {
     const auto asked = read_spec_or_joint(options.joint, options.settings);
     const Joint& joint = asked.design;
+    say_no_sliding(options.joint, options.settings, joint);
     SimulateOptions simulation;
     simulation.disturbance = options.disturbance.disturbance(asked.spec.nonlinear);
     simulation.rtol = options.tolerance;

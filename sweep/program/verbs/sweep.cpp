@@ -9,6 +9,7 @@
 #include "sweep/files/toml/spec_file.h"
 #include "sweep/program/verbs/embedded.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/no_sliding.h"
 #include "sweep/program/verbs/progress_line.h"
 #include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/shell_word.h"
@@ -106,6 +107,7 @@ int sweep(const Options& options, Invocation& invocation)
     if (options.every_point) spec.nonlinear.interpolation = 0;
     if (options.ideal_loop) spec.joint = with_ideal_loop(spec.joint);
     choose_charts(spec);
+    if (!options.spec.empty()) say_no_sliding(options.spec, {}, design_joint(spec));
 
     for (const auto& path : idle_axes(design_joint(spec), spec.axes))
         say("note: {} changes no linear answer at the design point; the maps' theory may leave it out\n", path);

@@ -5,6 +5,7 @@
 #include "sweep/report/pages/ending.h"
 #include "sweep/words/heading_text.h"
 #include "sweep/words/line_figure.h"
+#include "sweep/words/low_limit_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <algorithm>
@@ -172,7 +173,8 @@ Report trajectory_report(const Joint& joint, const Trajectory& t, const Nonlinea
                       " friction · V_{0} = " + with_unit(t.commanded_velocity, Quantity::velocity, motion) + " · " +
                       gains_text(joint);
     if (t.time.empty()) {
-        report.verdict = "No motion: " + reason_text(t.reason) + ".";
+        report.verdict =
+            t.reason == Reason::limit_too_low ? low_limit_text(joint) : "No motion: " + reason_text(t.reason) + ".";
         report.tone = Headline::Tone::warning;
         return report;
     }

@@ -1,0 +1,52 @@
+#include "analysis/stability/effort_limits.h"
+
+#include "analysis/stability/linear_joint.h"
+#include "analysis/stability/real_loop.h"
+#include "analysis/stability/steady.h"
+
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+std::optional<LowLimit> of_an_effort(const Joint& joint, double effort)
+{
+    const auto& a = joint.actuator;
+    if (!(effort < a.sag_effort)) return LowLimit{"actuator.sag_effort", Quantity::effort, a.sag_effort, effort};
+    if (effort > a.limit) return LowLimit{"actuator.limit", Quantity::effort, a.limit, effort};
+    const double left = 1 - effort / a.sag_effort;  // nothing sags where sag_effort is infinite
+    const double command = effort / left, gain = std::abs(a.effort_gain), limit = joint.control.effort_limit;
+    if (!(command <= gain * limit)) return LowLimit{"control.effort_limit", Quantity::effort, limit, command / gain};
+    return std::nullopt;
+}
+
+/// The controller's output is a voltage or, with `signal = "duty"`, a share of the supply.
+std::optional<LowLimit> of_a_motor(const Joint& joint, double effort, double velocity)
+{
+    const auto& a = joint.actuator;
+    if (effort > a.limit) return LowLimit{"actuator.limit", Quantity::effort, a.limit, effort};
+    const double volts = (effort * a.resistance / (a.effort_gain * a.k_t)) + a.k_e * std::abs(velocity);
+    const bool duty = a.signal == DriveSignal::duty;
+    const LowLimit supply{"actuator.supply_voltage", Quantity::voltage, a.supply_voltage, volts};
+    if (is_set(a.supply_voltage) && volts > a.supply_voltage) return supply;
+    if (!(actuation(joint, velocity, effort).gain > 0)) return supply;  // it sags before the effort is reached
+    const double command = duty ? volts / a.supply_voltage : volts;
+    if (command > joint.control.effort_limit)
+        return LowLimit{"control.effort_limit", duty ? Quantity::number : Quantity::voltage, joint.control.effort_limit,
+                        command};
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<LowLimit> low_limit(const Joint& joint, double velocity)
+{
+    if (joint.control.kind == ControlKind::force) return std::nullopt;
+    const double effort = std::abs(steady_effort(joint, velocity));
+    auto low = joint.actuator.kind == ActuatorKind::effort ? of_an_effort(joint, effort)
+                                                           : of_a_motor(joint, effort, velocity);
+    if (low) low->velocity = velocity, low->friction = steady_sliding(joint).friction;
+    return low;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,22 @@
+// Which limit of controller or actuator is below what steady sliding takes, in numbers.
+#pragma once
+#include "analysis/joint/joint.h"
+#include "analysis/results/quantity.h"
+
+#include <optional>
+#include <string_view>
+
+namespace stickslip {
+
+/// The key that is too low, in the quantity that it limits: an effort, or the voltage or duty of a motor.
+struct LowLimit {
+    std::string_view path;
+    Quantity quantity = Quantity::effort;
+    double allowed = 0, needed = 0;
+    double velocity = 0, friction = 0;  ///< of the steady sliding that it takes this much for
+};
+
+/// At V; nothing where every limit leaves the effort of steady sliding, and of force loops, whose ramp knows no limit.
+std::optional<LowLimit> low_limit(const Joint& joint, double velocity);
+
+}  // namespace stickslip

@@ -1,0 +1,22 @@
+#include "sweep/files/toml/dead_time.h"
+
+#include "sweep/files/text/toml_input.h"
+
+#include <fmt/format.h>
+
+namespace stickslip::files {
+
+Problem refused_dead_time(const Control& control, double sensor_delay)
+{
+    const double most = most_dead_ticks * control.period;
+    const bool own = control.delay > most;
+    if (!is_set(control.period) || !(own || (sensor_delay > 0 && control.delay + sensor_delay > most))) return {};
+    const double given = own ? control.delay : control.delay + sensor_delay;
+    return {own ? "control.delay" : "sensor.delay",
+            fmt::format("is {} s{}, which is {:.6g} periods, expected at most {} periods ({} s)",
+                        number_text(own ? given : sensor_delay),
+                        own ? "" : " and control.delay " + number_text(control.delay) + " s", given / control.period,
+                        most_dead_ticks, number_text(most))};
+}
+
+}  // namespace stickslip::files

@@ -1,0 +1,25 @@
+#include "sweep/words/low_limit_text.h"
+
+#include "analysis/results/text.h"
+#include "analysis/stability/steady.h"
+#include "sweep/words/verdict_text.h"
+
+namespace stickslip {
+
+std::string low_limit_words(const LowLimit& low, Motion motion)
+{
+    constexpr int digits = 6;  // a limit just below the friction reads otherwise like it
+    return "is " + with_unit(low.allowed, low.quantity, motion, digits) + ", and steady sliding at V_{0} = " +
+           with_unit(low.velocity, Quantity::velocity, motion) + " takes " +
+           with_unit(low.needed, low.quantity, motion, digits) + " (friction " +
+           with_unit(low.friction, Quantity::effort, motion, digits) + "): there is no steady sliding";
+}
+
+std::string low_limit_text(const Joint& joint)
+{
+    const auto low = low_limit(joint, commanded_velocity(joint));
+    if (!low) return "Undecided at the design point: " + reason_text(Reason::limit_too_low) + ".";
+    return "No steady sliding: " + std::string(low->path) + " " + low_limit_words(*low, joint.mechanism.motion) + ".";
+}
+
+}  // namespace stickslip

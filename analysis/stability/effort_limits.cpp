@@ -43,8 +43,8 @@ std::optional<LowLimit> low_limit(const Joint& joint, double velocity)
 {
     if (joint.control.kind == ControlKind::force) return std::nullopt;
     const double effort = std::abs(steady_effort(joint, velocity));
-    auto low = joint.actuator.kind == ActuatorKind::effort ? of_an_effort(joint, effort)
-                                                           : of_a_motor(joint, effort, velocity);
+    auto low =
+        joint.actuator.kind == ActuatorKind::effort ? of_an_effort(joint, effort) : of_a_motor(joint, effort, velocity);
     if (low) low->velocity = velocity, low->friction = steady_sliding(joint).friction;
     return low;
 }

@@ -1,6 +1,7 @@
 // A limit that leaves no steady sliding, in words.
 #pragma once
 #include "analysis/joint/joint.h"
+#include "analysis/results/point.h"
 #include "analysis/stability/effort_limits.h"
 
 #include <string>
@@ -13,5 +14,8 @@ std::string low_limit_words(const LowLimit& low, Motion motion);
 
 /// The same as a sentence of its own, at the commanded velocity.
 std::string low_limit_text(const Joint& joint);
+
+/// Of a motion that was not simulated.
+std::string no_motion_text(const Joint& joint, Reason reason);
 
 }  // namespace stickslip

@@ -206,7 +206,8 @@ TEST_CASE("a limit below the friction of steady sliding is said with its place b
     Folder folder;
     const auto weak = folder.write("weak.toml", with("V0 = 1e-3\n", "V0 = 1e-3\neffort_limit = 50.0\n"));
     const std::string says =
-        "effort_limit: is 50 N, and steady sliding at V_0 = 1 mm/s takes 60 N (friction 60 N): there is no steady sliding";
+        "effort_limit: is 50 N, and steady sliding at V_0 = 1 mm/s takes 60 N (friction 60 N): there is no steady "
+        "sliding";
     for (const std::string rest :
          {"evaluate '" + weak + "'", "boundary '" + weak + "' --along control.k_p=1e4..1e6 -o '" + (folder / "b") + "'",
           "margins '" + weak + "'", "sweep '" + weak + "' --no-report -o '" + (folder / "s") + "'",

@@ -173,8 +173,7 @@ Report trajectory_report(const Joint& joint, const Trajectory& t, const Nonlinea
                       " friction · V_{0} = " + with_unit(t.commanded_velocity, Quantity::velocity, motion) + " · " +
                       gains_text(joint);
     if (t.time.empty()) {
-        report.verdict =
-            t.reason == Reason::limit_too_low ? low_limit_text(joint) : "No motion: " + reason_text(t.reason) + ".";
+        report.verdict = no_motion_text(joint, t.reason);
         report.tone = Headline::Tone::warning;
         return report;
     }

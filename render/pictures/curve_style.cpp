@@ -14,7 +14,7 @@ CurveStyle curve_style(Curve::Kind kind)
         case Curve::Kind::fold:
             return {{from_hex(0x00594c), 2.4, {10, 4, 2, 4}}, "fold of limit cycles"};
         case Curve::Kind::ideal_loop:
-            return {{from_hex(0x00506e), 2.2, {1.5, 4}}, "boundary, the paper's ideal loop"};
+            return {{from_hex(0x00506e), 3, {3, 3}}, "boundary, the paper's ideal loop"};
         case Curve::Kind::outcome:
             break;
     }

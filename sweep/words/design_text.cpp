@@ -91,7 +91,9 @@ std::string cost_of_simple_thinking(const DesignAnswer& a, const DesignUnits& u)
     if (v.margin < 0) return text + ", which actually stick-slips.";
     const bool motion = a.requirements.objective == DesignObjective::motion;
     const double ratio = motion ? v.motion_noise / d.best.motion_noise : v.effort_noise / d.best.effort_noise;
-    return text + ": " + plain_number(ratio) + " times the " + (motion ? "motion" : "effort") + " noise.";
+    const std::string times = plain_number(ratio), noise = motion ? "motion" : "effort";
+    return text + (times == plain_number(1) ? ", with as much " + noise + " noise."
+                                            : ": " + times + " times the " + noise + " noise.");
 }
 
 std::vector<std::string> row_of(const char* name, const GainChoice& c, const GainDesign& d, const DesignUnits& u)

@@ -6,7 +6,6 @@
 #include "sweep/words/detail_text.h"
 #include "sweep/words/line_figure.h"
 #include "sweep/words/loop_text.h"
-#include "sweep/words/low_limit_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -112,7 +111,9 @@ std::string verdict_text(const Joint& joint, const LinearVerdict& v, bool bistab
 {
     const auto motion = joint.mechanism.motion;
     if (v.steady.reason == Reason::no_steady_state) return "Undecided: the design point has no steady sliding.";
-    if (v.steady.reason == Reason::limit_too_low) return low_limit_text(joint);
+    if (v.steady.reason == Reason::limit_too_low)
+        return "No steady sliding: the effort limit is below what it takes against a friction of " +
+               with_unit(v.steady.friction, Quantity::effort, motion, 6) + ".";
     if (v.steady.reason != Reason::none) return "Undecided at the design point: " + reason_text(v.steady.reason) + ".";
     const auto& memory = v.state_variable;
     const double k_p = joint.control.k_p;

@@ -30,6 +30,7 @@
 #include "sweep/study/open_verdict.h"
 #include "sweep/words/integral_text.h"
 #include "sweep/words/loop_text.h"
+#include "sweep/words/low_limit_text.h"
 #include "sweep/words/neighbour_text.h"
 #include "sweep/words/open_text.h"
 #include "sweep/words/set_point_text.h"
@@ -169,6 +170,8 @@ std::filesystem::path write_page(const Evaluated& e, const Options& options, con
         report.alerts.push_back(
             {e.described_slides == e.verdict.state_variable.stable ? Headline::Tone::neutral : Headline::Tone::warning,
              left_out_text(loop_use(*e.described), e.described_slides)});
+    if (e.verdict.steady.reason == Reason::limit_too_low)
+        report.alerts.push_back({Headline::Tone::bad, low_limit_text(e.joint)});
     report.provenance = {{"version", program_version()}, {"command", command}};
     if (e.motion)
         for (auto& section : report.sections)

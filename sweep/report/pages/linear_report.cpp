@@ -84,9 +84,8 @@ Section gains_section(Motion motion, const BothLoops& stable, const GainChart& c
     Section section{
         "gains",
         "Safe gains: this loop and the paper's",
-        "Under the paper's ideal loop, k_{p} and k_{v} at once and without end, sliding is stable for k_{p} " +
-            intervals_text(stable.ideal, Quantity::stiffness, motion) +
-            " at this k_{v}; in the loop as it is for k_{p} " +
+        "The paper's ideal loop acts at once and without limit. Stable k_{p} at this k_{v}: in the paper's loop " +
+            intervals_text(stable.ideal, Quantity::stiffness, motion) + ", in the loop as it is " +
             intervals_text(stable.real, Quantity::stiffness, motion) +
             ". Colours and regions are those of the loop as it is.",
         {},

@@ -86,6 +86,15 @@ for page in sorted((ROOT / "docs").rglob("*.md")):
         if not (page.parent / target).exists() and target.removeprefix("pictures/") not in docs.drawn():
             wrong.append(f"docs/{name}: leads to {target}, which does not exist")
 
+# what the troubleshooting page quotes is what the program says
+literals = "".join(re.sub(r'"\s*\n\s*"', "", path.read_text(encoding="utf-8"))
+                   for room in ("analysis", "sweep") for path in sorted((ROOT / room).rglob("*.cpp")))
+quoted = [phrase for row in re.findall(r"^\| ([^|]*) \|", text_of("docs/troubleshooting.md"), re.MULTILINE)
+          for phrase in re.findall(r'"([^"]+)"', row)]
+assert len(quoted) > 5, quoted
+wrong += [f"docs/troubleshooting.md: \"{part.strip()}\" is not what the program says" for phrase in quoted
+          for part in phrase.split("…") if part.strip(" :;?") and part.strip(" ;?") not in literals]
+
 print("\n".join(wrong))
 print(f"{len(keys)} keys, {len(numbers)} thresholds, {without} rows without evidence of their own, {len(wrong)} complaints")
 sys.exit(1 if wrong else 0)

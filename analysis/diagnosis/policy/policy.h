@@ -355,4 +355,24 @@ inline constexpr double least_of_free_force = 0.004, better_than_cause = 0.25;
 /// eighth row is not the joint's.
 inline constexpr double most_misjudged = 0.12, most_contradicting = 0.15;
 
+// Deciding between laws of a friction rig (rig/).
+
+/// Part of the RMS on held-out rows by which a law of a rig must be better than its friction at one level to be named.
+/// Reason: one number more takes a little from any scatter. Evidence: in the simulated rigs of the tests laws that are
+/// there take 0.51 to 0.83 of it; of a constant friction the best law takes nothing.
+inline constexpr double worth_a_rig_law = 0.1;
+/// Difference of the logarithm of the RMS on held-out rows. Laws closer than this cannot be distinguished; over it, the
+/// odds fall by e. Reason: what rigs leave is model error, not noise, and no law of the catalogue is exact. Evidence:
+/// in the tests, laws that one step cannot distinguish are 0.003 to 0.03 apart, those that it can 0.09 and more.
+inline constexpr double rig_margin = 0.05;
+/// Penalty for each parameter of a law, as a logarithm of the RMS. Reason: a law contains simpler ones as limits, so
+/// that its parameters have to earn their place.
+inline constexpr double price_of_rig_parameter = 0.005;
+/// RMS of a rig about its level, in multiples of the noise, up to which there is no gap. Reason: as `slack_of_floor`
+/// of the mean square, twice that for the RMS. Evidence: in the tests a constant friction reaches 0.97, and rigs with
+/// memory, Stribeck or viscous friction 2.0 to 5.7.
+inline constexpr double quiet_rig = 1.06;
+/// Probability of all laws of a rig together. Reason: the catalogue is finite.
+inline constexpr double any_law_of_rig = 0.95;
+
 }  // namespace stickslip::gap::policy

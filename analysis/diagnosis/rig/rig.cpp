@@ -1,6 +1,7 @@
 #include "analysis/diagnosis/rig/rig.h"
 
 #include "analysis/diagnosis/fit/effect.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/rig/rig_experiment.h"
 #include "analysis/diagnosis/rig/rig_laws.h"
 #include "analysis/diagnosis/rig/rig_tell.h"
@@ -12,11 +13,6 @@
 
 namespace stickslip::gap {
 namespace {
-
-constexpr double worth = 0.1;  // gain on held-out rows that earns a name
-constexpr double near = 0.05;  // of log RMS: what cannot be distinguished
-constexpr double quiet = 1.06;
-constexpr double width = 0.05;  // of log RMS: residuals of rigs are model error, not noise
 
 /// A law, fitted, and how it predicts the rows that its fits have not seen.
 struct Entry {
@@ -48,8 +44,7 @@ const char* effect_of(const RigRival& rival, const Entry& e)
 /// their place.
 double score_of(const Entry& e, const RigRival& rival)
 {
-    constexpr double price = 0.005;
-    return 0.5 * std::log(e.held) + price * static_cast<double>(rival.parameters.size());
+    return 0.5 * std::log(e.held) + policy::price_of_rig_parameter * static_cast<double>(rival.parameters.size());
 }
 
 /// The laws by score, best first.
@@ -84,7 +79,7 @@ Cause cause_of(const Rig& rig, const RigRival& rival, const Entry& e, const Entr
         c.heldout_gain_interval.low = std::min(c.heldout_gain_interval.low, gain);
         c.heldout_gain_interval.high = std::max(c.heldout_gain_interval.high, gain);
     }
-    c.signature = c.heldout_gain > worth;
+    c.signature = c.heldout_gain > policy::worth_a_rig_law;
     if (const Effect* effect = effect_named(effect_of(rival, e))) c.tell_tale = effect->signature;
     const RigNumbers& p = e.fit.p;
     for (std::size_t n = 0; n < rival.parameters.size(); ++n)
@@ -122,7 +117,7 @@ void name_causes(const Rig& rig, const std::vector<Entry>& entries, const std::v
     for (std::size_t i : order) {
         if (i == 0) continue;
         const double beyond = score_of(entries[i], rivals[i]) - least;
-        const bool rival = !d.effects.empty() && beyond < near;
+        const bool rival = !d.effects.empty() && beyond < policy::rig_margin;
         const auto same = std::find_if(d.effects.begin(), d.effects.end(),
                                        [&](const auto& c) { return c.names[0] == effect_of(rivals[i], entries[i]); });
         const std::vector<std::string> names{effect_of(rivals[i], entries[i])};
@@ -131,15 +126,14 @@ void name_causes(const Rig& rig, const std::vector<Entry>& entries, const std::v
         if (same == d.effects.end()) {
             d.effects.push_back(cause_of(rig, rivals[i], entries[i], entries[0], d.motion));
             d.effects.back().misfit = 0.5 * std::log(entries[i].held) - std::log(noise);
-            sum += d.effects.back().probability = std::exp(-beyond / width);
+            sum += d.effects.back().probability = std::exp(-beyond / policy::rig_margin);
         } else if (rival) {
             auto& note = laws_alike(d.reasons, *same);
             note.names.emplace_back(rivals[i].form);
             same->form += std::string(" or ") + rivals[i].form;
         }
     }
-    constexpr double any_of_these = 0.95;
-    for (auto& c : d.effects) c.probability *= any_of_these / sum;
+    for (auto& c : d.effects) c.probability *= policy::any_law_of_rig / sum;
 }
 
 /// A law with memory becomes that of the joint, where it weakens as a joint's does.
@@ -210,8 +204,8 @@ DiagnosisResult diagnose_rig(const Joint& joint, const std::vector<Record>& give
     const RigRival& best = rivals[order[0]];
     const double noise = std::max(rig_noise(rig), 1e-12 * rig.range);
     const double before = std::sqrt(entries[0].held), after = std::sqrt(entries[order[0]].held);
-    const bool gap = order[0] != 0 && after < (1 - worth) * before;
-    d.verdict = gap ? Verdict::gap : before < quiet * noise ? Verdict::no_gap : Verdict::unknown;
+    const bool gap = order[0] != 0 && after < (1 - policy::worth_a_rig_law) * before;
+    d.verdict = gap ? Verdict::gap : before < policy::quiet_rig * noise ? Verdict::no_gap : Verdict::unknown;
     add_gap(rig, before, after, noise, d);
     if (gap) {
         name_causes(rig, entries, order, noise, d);

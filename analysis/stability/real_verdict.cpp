@@ -1,6 +1,7 @@
 #include "analysis/stability/real_loop.h"
 
 #include "analysis/stability/steady.h"
+#include "analysis/stability/verdict_parts.h"
 
 namespace stickslip {
 namespace {
@@ -156,15 +157,7 @@ LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
     }
     memory.stable = memory.spectral_abscissa < 0;
     memory.neutral = memory.spectral_abscissa == 0;
-    if (const auto turned = real_loop(joint, linear, V, TurnedGain::k_p)) {
-        auto gains = turned_gains(*turned);
-        memory.crossings = std::move(gains.crossings);
-        memory.stable_intervals = std::move(gains.stable);
-        memory.doubtful = std::move(gains.doubtful);
-        memory.searched_from = gains.searched_from;
-        memory.searched_to = gains.searched_to;
-        memory.k_cr = gains.k_cr;
-    }
+    if (const auto turned = real_loop(joint, linear, V, TurnedGain::k_p)) take_gains(memory, turned_gains(*turned));
     const auto curve = velocity_only(linear);
     if (const auto loop = real_loop(joint, curve, V, TurnedGain::all)) {
         const double rate = growth(*loop);

@@ -11,6 +11,7 @@
 #include "analysis/stability/spectrum.h"
 #include "analysis/stability/stable_gains.h"
 #include "analysis/stability/steady.h"
+#include "analysis/stability/verdict_parts.h"
 
 namespace stickslip {
 namespace {
@@ -56,17 +57,6 @@ Region region_of(std::uint8_t velocity_only, std::uint8_t memory)
     return velocity_only == 1 ? Region::velocity_only : Region::unstable;
 }
 
-/// The stable gains and all that hangs on them.
-void take_gains(StateVariableVerdict& memory, StableGains gains)
-{
-    memory.crossings = std::move(gains.crossings);
-    memory.stable_intervals = std::move(gains.stable);
-    memory.doubtful = std::move(gains.doubtful);
-    memory.searched_from = gains.searched_from;
-    memory.searched_to = gains.searched_to;
-    memory.k_cr = gains.k_cr;
-}
-
 /// Any other joint, with the means of linear_joint.h.
 LinearVerdict joint_verdict(const Joint& joint, LinearVerdict verdict)
 {
@@ -81,13 +71,7 @@ LinearVerdict joint_verdict(const Joint& joint, LinearVerdict verdict)
     simple.neutral = simply == verdict_neutral;
     memory.eigenvalues = spectrum(linear);
     memory.all_eigenvalues = linear.rational();
-    memory.spectral_abscissa = spectral_abscissa(linear);
-    if (!std::isfinite(memory.spectral_abscissa)) {
-        verdict.steady.reason = Reason::not_finite;
-        return verdict;
-    }
-    memory.stable = memory.spectral_abscissa < 0;
-    memory.neutral = memory.spectral_abscissa == 0;
+    if (!take_abscissa(verdict, spectral_abscissa(linear))) return verdict;
     take_gains(memory, stable_gains(joint));
     return verdict;
 }
@@ -160,13 +144,7 @@ LinearVerdict linear_verdict(const Joint& joint)
     memory.f_v = mass.friction.f_v;
     memory.kernel_integral = kernel_integral(mass.friction);
     memory.eigenvalues = spectrum(mass);
-    memory.spectral_abscissa = spectral_abscissa(mass);
-    if (!std::isfinite(memory.spectral_abscissa)) {
-        verdict.steady.reason = Reason::not_finite;
-        return verdict;
-    }
-    memory.stable = memory.spectral_abscissa < 0;
-    memory.neutral = memory.spectral_abscissa == 0;
+    if (!take_abscissa(verdict, spectral_abscissa(mass))) return verdict;
     take_gains(memory, stable_gains(joint));
     return verdict;
 }

@@ -86,8 +86,7 @@ std::string mjcf_text(const ExportAnswer& a, const std::string& name)
 {
     const auto& j = a.joint;
     const bool elastic = j.two_bodies() && std::isfinite(j.stiffness);
-    DryFriction motor = j.motor;
-    motor.viscous += j.back_emf;
+    const DryFriction motor = motor_friction(j);
     std::string text = fmt::format(
         "<!-- Paste body or joint attributes, tendon and actuators into your robot; the file also loads as it stands. "
         "-->\n"

@@ -70,13 +70,8 @@ std::string sdf_text(const ExportAnswer& a, const std::string& name)
     const auto& j = a.joint;
     std::string text = fmt::format("<?xml version=\"1.0\"?>\n<sdf version=\"1.9\">\n  <model name=\"{}\">\n", name);
     if (j.backlash > 0 && j.two_bodies()) {
-        Pendulum rotor;
-        rotor.mass = j.motion == Motion::prismatic ? j.armature : 1e-3;
-        rotor.own_inertia = j.motion == Motion::prismatic ? 1e-3 * j.armature : j.armature;
-        text += link(name + "_motor", rotor) + link(name + "_link", pendulum(j, j.link_inertia));
-        DryFriction motor = j.motor;
-        motor.viscous += j.back_emf;
-        text += joint(j, name, "world", name + "_motor", effort_limit(j), motor);
+        text += link(name + "_motor", rotor_of(j)) + link(name + "_link", pendulum(j, j.link_inertia));
+        text += joint(j, name, "world", name + "_motor", effort_limit(j), motor_friction(j));
         const auto band = fmt::format("        <limit><lower>{:.9g}</lower><upper>{:.9g}</upper></limit>\n",
                                       -j.backlash / 2, j.backlash / 2);
         text += joint(j, name + "_backlash", name + "_motor", name + "_link", band, j.link);

@@ -43,4 +43,21 @@ files::Pendulum files::pendulum(const SimulatorJoint& joint, double inertia)
     return p;
 }
 
+files::Pendulum files::rotor_of(const SimulatorJoint& joint)
+{
+    constexpr double little =
+        1e-3;  // of a turning rotor the mass, of a sliding one the inertia, neither of which moves
+    Pendulum rotor;
+    rotor.mass = joint.motion == Motion::prismatic ? joint.armature : little;
+    rotor.own_inertia = joint.motion == Motion::prismatic ? little * joint.armature : joint.armature;
+    return rotor;
+}
+
+DryFriction files::motor_friction(const SimulatorJoint& joint)
+{
+    DryFriction friction = joint.motor;
+    friction.viscous += joint.back_emf;
+    return friction;
+}
+
 }  // namespace stickslip

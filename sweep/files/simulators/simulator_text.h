@@ -26,5 +26,9 @@ struct Pendulum {
 /// A body with this inertia about the axis. With gravity, half of the inertia is a point mass that hangs below it.
 Pendulum pendulum(const SimulatorJoint& joint, double inertia);
 
+/// The motor as a body of its own, where backlash parts it from the link, and its friction with the back-EMF.
+Pendulum rotor_of(const SimulatorJoint& joint);
+DryFriction motor_friction(const SimulatorJoint& joint);
+
 }  // namespace files
 }  // namespace stickslip

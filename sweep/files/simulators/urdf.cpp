@@ -59,13 +59,8 @@ std::string urdf_text(const ExportAnswer& a, const std::string& name)
     const auto& j = a.joint;
     std::string text = fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n  <link name=\"base\"/>\n", name);
     if (j.backlash > 0 && j.two_bodies()) {
-        Pendulum rotor;
-        rotor.mass = j.motion == Motion::prismatic ? j.armature : 1e-3;
-        rotor.own_inertia = j.motion == Motion::prismatic ? 1e-3 * j.armature : j.armature;
-        text += link(name + "_motor", rotor) + link(name + "_link", pendulum(j, j.link_inertia));
-        DryFriction motor = j.motor;
-        motor.viscous += j.back_emf;
-        text += hinge(j, name, "base", name + "_motor", travel(j), motor, false);
+        text += link(name + "_motor", rotor_of(j)) + link(name + "_link", pendulum(j, j.link_inertia));
+        text += hinge(j, name, "base", name + "_motor", travel(j), motor_friction(j), false);
         text += fmt::format("  <!-- backlash: free within ±{:.9g}, no actuator -->\n", j.backlash / 2);
         const auto band = fmt::format("    <limit lower=\"{:.9g}\" upper=\"{:.9g}\" effort=\"0\" velocity=\"1e9\"/>\n",
                                       -j.backlash / 2, j.backlash / 2);

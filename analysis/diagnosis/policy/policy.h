@@ -177,6 +177,7 @@ inline constexpr double explained_single = 0.97, explained_pair = 0.985, explain
                         explained_alone = 0.9;
 
 /// Part of the misfit beyond the noise. A cause that explains less is not named. Reason: it is one cause among others.
+/// Evidence: in 12 blind cases (seed 4122), of 27 values that were compared with it none lies between 0.62 and 0.82.
 inline constexpr double nameable = 0.75;
 
 /// `completed`: part that a pair with backlash or a spring must explain. `taken_by_partner`: part of the remainder of
@@ -195,7 +196,8 @@ inline constexpr double mostly_explained = 0.9;
 inline constexpr double slack_of_floor = 0.06, deviations_of_floor = 4;
 
 /// Misfit in multiples of the noise floor, at the fastest observer, above which a cause is rejected whatever the noise.
-/// Reason: no joint's own noise reaches this within a few rows.
+/// Reason: no joint's own noise reaches this within a few rows. Evidence: in 12 blind cases (seed 4122), of 44 values
+/// that were compared with it none lies between 2.7 and 4.2.
 inline constexpr double hopeless = 3;
 
 /// Periods of a wave that a record must contain. Reason: a shorter piece is a bend that other shapes describe as well.
@@ -203,7 +205,8 @@ inline constexpr double turned_back = 2.0 / 3;
 
 /// `beside_bound`: distance to the end of a range, as a part of it, within which a parameter is at its bound.
 /// `implausible_size`: multiple of the usual size that is implausible. `least_prior`: least usual size. Reason: a
-/// parameter at a bound comes from the search, not from the joint.
+/// parameter at a bound comes from the search, not from the joint. Evidence: in 12 blind cases (seed 4122),
+/// `beside_bound`: of 308 values that were compared with it none lies between 0 and 0.0025.
 inline constexpr double beside_bound = 0.001, implausible_size = 10, least_prior = 0.1;
 
 /// Part of the largest deviation that a correction may have (`widest`) within which it is at its bound. Reason: a
@@ -248,19 +251,22 @@ inline constexpr double slack_of_runs = 1.25;
 
 /// Part of the span, and standard deviations of a reading, up to which the spread of simulations of one joint counts as
 /// noise. Reason: an unstable or chaotic simulation differs from itself by a large part of the motion, and any record
-/// would be within its spread.
+/// would be within its spread. Evidence: in 12 blind cases (seed 4122), `own_part`: all 64 values that were compared
+/// with it are at most 0.00066.
 inline constexpr double own_part = 0.02, own_readings = 20;
 
 /// Mean square in multiples of the noise floor, at the fastest and the middle observer, and the part of the misfit
 /// beyond the noise, at which a cause explains to within noise. Reason: as `slack_of_floor`, with room for parameters
-/// that are not fitted exactly; simulations of the joint's own noise confirm it afterwards.
+/// that are not fitted exactly; simulations of the joint's own noise confirm it afterwards. Evidence: in 12 blind cases
+/// (seed 4122), `accepted_part`: of 15 values that were compared with it none lies between -0.049 and 0.91.
 inline constexpr double accepted_fast = 1.12, accepted_middle = 1.15, accepted_part = 0.8;
 
 /// Penalty of score for each parameter. Reason: a parameter that fits only noise gains less in thousands of rows.
 inline constexpr double price_of_parameter = 0.003;
 
 /// Part of the mean square above the floor. The fastest observer that shows so much screens the causes. Reason: at an
-/// observer that shows less, noise decides the ranking.
+/// observer that shows less, noise decides the ranking. Evidence: in 12 blind cases (seed 4122), of 31 values that were
+/// compared with it none lies between 0.24 and 0.6.
 inline constexpr double visible_excess = 0.3;
 
 /// Part of the squares of a measured effort. Where the documented controller leaves more of them at any gains, another
@@ -295,7 +301,8 @@ inline constexpr double flagged_gain = 0.004;
 
 /// Misfit of the command over its rms: `digits` is that of a rounded file, below `understood` the controller is
 /// understood. Reason: logs with five digits leave the first; a controller whose terms are all known leaves hardly more
-/// than the second.
+/// than the second. Evidence: in 12 blind cases (seed 4122), `digits`: of 15 values that were compared with it none
+/// lies between 0 and 5.2e-05.
 inline constexpr double digits = 2e-5, understood = 2e-3;
 
 /// `rough_command`: misfit over rms up to which a controller is judged at all. `rough_multiple`, `rough_gain`: multiple
@@ -312,7 +319,8 @@ inline constexpr double noise_of_commands = 2;
 
 /// Parts of the misfit without a term: what an undocumented filter, dead zone or derivative term may leave at most
 /// (`much_less`), and the same of any undocumented term compared with free gains (`much_better`). Reason: a term that
-/// exists takes nearly all of what its absence leaves.
+/// exists takes nearly all of what its absence leaves. Evidence: in 12 blind cases (seed 4122), `much_less`: all 30
+/// values that were compared with it are at least 0.6.
 inline constexpr double much_less = 0.5, much_better = 0.25;
 
 /// Where the joint file gives no period: part of the way from held to straight commands above which the motion says
@@ -338,7 +346,8 @@ inline constexpr double most_rows = 0.5;
 
 /// `felt_grid`: part of the known reading error below which a grid has no influence. `coarser_grid`, `grid_over_noise`:
 /// multiples of the documented step, and of the noise, above which a grid is coarser than documented. Reason: a step
-/// larger by a third is another converter; below half the noise no grid is visible.
+/// larger by a third is another converter; below half the noise no grid is visible. Evidence: in 12 blind cases (seed
+/// 4122), `coarser_grid`: all 35 values that were compared with it are at most 1.
 inline constexpr double felt_grid = 0.1, coarser_grid = 1.3, grid_over_noise = 0.5;
 
 /// Part of the squares of a logged supply's drop that follows the current, and part of the supply that the drop makes
@@ -347,7 +356,9 @@ inline constexpr double felt_grid = 0.1, coarser_grid = 1.3, grid_over_noise = 0
 inline constexpr double supply_follows = 0.8, supply_matters = 0.002;
 
 /// Difference of score, and part of what the cause leaves. An unmodelled force that is better by the larger of both
-/// rejects the cause. Reason: a free shape has more parameters, which gain a little from noise.
+/// rejects the cause. Reason: a free shape has more parameters, which gain a little from noise. Evidence: in 12 blind
+/// cases (seed 4122), `least_of_free_force`: of 6 values that were compared with it none lies between 0.0007 and 0.017;
+/// `better_than_cause`: of 5 values that were compared with it none lies between 0.033 and 0.33.
 inline constexpr double least_of_free_force = 0.004, better_than_cause = 0.25;
 
 /// Parts of the rows of a table of outcomes: what a named law may misjudge beyond contradicting rows, and how many

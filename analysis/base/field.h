@@ -38,6 +38,7 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr Range any_finite{};
 inline constexpr Range positive{0, infinity, true, true};
 inline constexpr Range not_negative{0, infinity, false, true};
+inline constexpr Range below_one{0, 1, false, true}, part_of_one{0, 1, false, false};
 inline constexpr Range whole_positive{1, 1e9, false, false, true};
 
 enum class Need { required, optional };

@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/diagnose.h"
 
+#include "analysis/diagnosis/audit/continuous_loop.h"
 #include "analysis/diagnosis/audit/effort_drive.h"
 #include "analysis/diagnosis/audit/inspect.h"
 #include "analysis/diagnosis/audit/noisy_rows.h"
@@ -82,6 +83,7 @@ Prepared audited(const Joint& joint, const std::vector<Record>& usable, Diagnosi
         p.cases.push_back(prepare(r, joint, d.notes));
         p.cases.back().number = p.cases.size() - 1;
     }
+    find_continuous_loop(p.cases, d.notes);
     share_noise(p.cases, joint.sensor, d.notes);
     for (const auto& c : p.cases) p.documented.push_back(c.joint);
     p.audit = audit(p.cases);

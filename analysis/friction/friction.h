@@ -77,6 +77,42 @@ struct FrictionDrift {
     }
 };
 
+/// Friction of the gear of a joint that is one mass, per effort τ = G + beyond · J a that reaches the load side (G: what
+/// the load resists): `forward` where the drive moves the load, `backward` where the load moves the drive. Their
+/// efficiencies are 1/(1 + forward) and 1 − backward.
+struct GearLoss {
+    double forward = 0, backward = 0, beyond = 1;
+
+    template <class Self, class Visitor>
+    static void fields(Self& self, Visitor& visit)
+    {
+        visit.number({"forward", Quantity::number, not_negative, Need::optional,
+                      "friction per effort that reaches the load, where the drive moves it"},
+                     self.forward);
+        visit.number({"backward", Quantity::number, below_one, Need::optional,
+                      "the same where the load moves the drive"},
+                     self.backward);
+        visit.number({"beyond", Quantity::number, part_of_one, Need::optional,
+                      "part of the inertia that lies beyond the gear, on the side of the load"},
+                     self.beyond);
+    }
+
+    bool acts() const { return forward != 0 || backward != 0; }
+
+    /// Friction where the load resists with `load` and everything but friction pushes with `net`, in motion along
+    /// `direction` against other friction of this size. τ + beyond · (friction of the gear) = load + beyond · (net −
+    /// direction · other), so that τ has the sign of the right side.
+    template <class Real>
+    static Real level(const Real& forward, const Real& backward, const Real& beyond, const Real& load, const Real& net,
+                      const Real& direction, const Real& other)
+    {
+        using std::max;
+        const Real one(1.0), along = direction * (load + beyond * (net - direction * other));
+        return forward / (one + beyond * forward) * max(along, Real(0.0)) +
+               backward / (one - beyond * backward) * max(-along, Real(0.0));
+    }
+};
+
 /// Presliding under a static law: what the law resists apart from viscous friction is carried by bristles, in the form
 /// of LuGre (bristle_response).
 struct Bristle {
@@ -134,6 +170,7 @@ struct Friction {
     Asymmetry asymmetry;
     double normal_load = 1;       ///< σ_n of (1) per the one at which the numbers of the law hold: multiplies all of f
     double load_coefficient = 0;  ///< f += load_coefficient · |transmitted effort| · sgn V
+    GearLoss gear;                ///< of a single mass
     PositionRipple ripple;        ///< multiplies sgn V: flips with direction, unlike cogging
     FrictionDrift drift;
     Bristle bristle;
@@ -150,12 +187,15 @@ struct Friction {
         visit.number({"load_coefficient", Quantity::number, not_negative, Need::optional,
                       "friction per transmitted effort", Role::law},
                      self.load_coefficient);
+        visit.table("gear", "friction of a gear that grows with the effort at the load", self.gear);
         visit.table("ripple", "position dependence of the Coulomb level", self.ripple);
         visit.table("drift", "warm-up of the Coulomb level", self.drift);
         visit.table("bristle", "presliding stiffness under the law", self.bristle);
         visit.table("memory", "rate-and-state memory on top of the law", self.memory);
     }
 
+    /// Whether its level changes with place, time or effort.
+    bool level_moves() const { return load_coefficient != 0 || gear.acts() || ripple.acts() || drift.change != 0; }
     bool has_bristle() const { return bristle.stiffness > 0; }
     bool has_memory() const { return memory.A != 0 || memory.B != 0; }
     bool has_lag() const { return memory.lag > 0; }

@@ -146,6 +146,7 @@ void leave_surroundings(Collector& c, const Joint& joint)
     if (m.model == Model::single_mass) {
         c.leave(joint.friction.ripple.acts(), "friction.ripple", WhyNot::place,
                 noticed(joint, joint.friction.ripple.steepest()));
+        c.leave(joint.friction.gear.acts(), "friction.gear", WhyNot::load_direction, true);
         c.leave(joint.friction.drift.change != 0, "friction.drift", WhyNot::time, false);
     }
     c.leave(m.model == Model::two_mass && m.transmission.backlash > 0, "joint.transmission.backlash", WhyNot::backlash,

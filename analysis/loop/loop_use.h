@@ -23,6 +23,7 @@ enum class WhyNot {
     needs_period,    ///< of a sampled estimate, in a loop without a period
     no_feedback,     ///< the loop feeds nothing back that it could act on
     reference_only,  ///< it acts on the reference alone and moves no root
+    load_direction,  ///< friction of a gear, with a kink where the effort at the load changes its sign
     fed_back,        ///< a push that follows the motion itself, of which the linear theory has no term
     unsupported      ///< this loop has no evaluation with such friction
 };
@@ -31,7 +32,7 @@ enum class WhyNot {
 constexpr std::string_view name_of(WhyNot why)
 {
     constexpr std::string_view names[] = {"small-signal", "rounding",    "place",          "time",     "backlash",
-                                          "needs-period", "no-feedback", "reference-only", "fed-back", "unsupported"};
+                                          "needs-period", "no-feedback", "reference-only", "load-direction", "fed-back", "unsupported"};
     static_assert(std::size(names) == static_cast<std::size_t>(WhyNot::unsupported) + 1);
     return names[static_cast<std::size_t>(why)];
 }

@@ -96,6 +96,17 @@ std::string directions_text(const Cause& cause, Joint after)
     return "Friction differs between the directions" + text + ".";
 }
 
+std::string gear_text(const Cause& cause)
+{
+    const auto number = [&](const std::string& name) {
+        const auto* p = fitted(cause, "load-dependent-friction." + name);
+        return p ? with_error(p->value, p->standard_error, p->unit) : "";
+    };
+    return "Friction of the gear grows with the effort at the load: " + number("forward") +
+           " of it where the drive moves the load, " + number("backward") + " where the load moves the drive, with " +
+           number("beyond") + " of the inertia beyond the gear.";
+}
+
 /// The numbers of a joint file that end like one of the paths and have moved.
 std::string moved_numbers(const Words& words, Joint before, Joint after)
 {
@@ -152,6 +163,7 @@ std::string wave_numbers(const std::string& effect, Joint before, Joint after)
 std::string one_text(const std::string& effect, const Cause& cause, const Joint& before, const Joint& after)
 {
     if (effect == "asymmetric-friction") return directions_text(cause, after);
+    if (fitted(cause, effect + ".backward")) return gear_text(cause);
     const auto* words =
         std::find_if(std::begin(all_words), std::end(all_words), [&](const Words& w) { return w.effect == effect; });
     std::string text(words == std::end(all_words) ? std::string_view(effect) : words->sentence);

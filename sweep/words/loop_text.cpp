@@ -39,6 +39,8 @@ std::string why_text(WhyNot why)
             return "the loop feeds nothing back through it";
         case WhyNot::reference_only:
             return "it acts on the reference only and moves no root";
+        case WhyNot::load_direction:
+            return "its friction changes where the effort at the load changes sign, which no linear system has";
         case WhyNot::fed_back:
             return "it follows the motion itself, and the linear theory has no term for it: the simulation has";
         case WhyNot::unsupported:

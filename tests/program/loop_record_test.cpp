@@ -85,6 +85,19 @@ TEST_CASE("a record of a continuous loop has no gap, and names the edit of its j
     CHECK(late["effects"][0]["parameters"]["delay.time"]["value"].get<double>() == Approx(0.008).margin(5e-4));
 }
 
+TEST_CASE("a gear that loses more when the load drives it is friction that depends on the load")
+{
+    const Folder folder;
+    const auto arm = "[load]\ngravity_amplitude = 3\n" + machine;
+    CHECK(diagnosis_of(folder, " --set friction.gear.forward=0.05 --set friction.gear.backward=0.5", arm)["effects"][0]["names"].dump() ==
+          "[\"load-dependent-friction\"]");
+    const auto found = nlohmann::json::parse(read(folder / "found/diagnosis.json"))["effects"][0]["parameters"];
+    INFO(found.dump());
+    CHECK(found["load-dependent-friction.forward"]["value"].get<double>() == Approx(0.05).margin(0.01));
+    CHECK(found["load-dependent-friction.backward"]["value"].get<double>() == Approx(0.5).margin(0.02));
+    CHECK_THAT(read(folder / "found/corrected-joint.toml"), Catch::Contains("backward = 0."));
+}
+
 TEST_CASE("a law that no record is fitted with says what to write instead")
 {
     const Folder folder;

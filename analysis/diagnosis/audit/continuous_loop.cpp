@@ -5,6 +5,7 @@
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/joint/gains.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stickslip::gap {
@@ -52,17 +53,28 @@ bool moves_by_straight_commands(const Case& c)
     return alpha - policy::straight_errors * error > policy::straight;
 }
 
+bool unfiltered(const Case& c)
+{
+    return c.joint.control.velocity_estimate.tau == 0 && c.ticks.has_velocity;
+}
+
+bool runs_without_clock(const Case& c)
+{
+    if (is_set(c.joint.control.period) || c.ticks.source != CommandSource::logged || c.ticks.unseen_between())
+        return false;
+    return (unfiltered(c) && feeds_back_measured_velocity(c)) || moves_by_straight_commands(c);
+}
+
 }  // namespace
 
-void find_continuous_loop(Case& c, std::vector<Note>& notes)
+void find_continuous_loop(std::vector<Case>& cases, std::vector<Note>& notes)
 {
-    if (is_set(c.joint.control.period) || c.ticks.source != CommandSource::logged || c.ticks.unseen_between()) return;
-    auto& estimate = c.joint.control.velocity_estimate;
-    const bool unfiltered = estimate.tau == 0 && c.ticks.has_velocity;
-    if (!(unfiltered && feeds_back_measured_velocity(c)) && !moves_by_straight_commands(c)) return;
-    c.ticks.straight_command = true;
-    if (unfiltered) estimate.form = EstimateForm::exact;
-    notes.push_back({Note::Code::straight_commands, c.ticks.name});
+    if (!std::ranges::all_of(cases, runs_without_clock)) return;
+    for (auto& c : cases) {
+        c.ticks.straight_command = true;
+        if (unfiltered(c)) c.joint.control.velocity_estimate.form = EstimateForm::exact;
+        notes.push_back({Note::Code::straight_commands, c.ticks.name});
+    }
 }
 
 }  // namespace stickslip::gap

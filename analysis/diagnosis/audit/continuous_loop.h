@@ -1,4 +1,4 @@
-// Whether the loop that made a record runs without a clock: what its commands do between rows, and what velocity it
+// Whether the loop that made the records runs without a clock: what its commands do between rows, and what velocity it
 // feeds back.
 #pragma once
 #include "analysis/diagnosis/fit/fit.h"
@@ -10,7 +10,8 @@ namespace stickslip::gap {
 
 /// A joint file without `control.period` leaves open what its commands do between rows. They go straight where the
 /// logged command is that of the logged velocity and these are no filtered differences of the readings, or where the
-/// motion says so; held otherwise. Corrects the case and adds a note.
-void find_continuous_loop(Case& c, std::vector<Note>& notes);
+/// motion says so; held otherwise. One machine made all records, so that each must say it. Corrects the cases and adds
+/// notes.
+void find_continuous_loop(std::vector<Case>& cases, std::vector<Note>& notes);
 
 }  // namespace stickslip::gap

@@ -2,7 +2,6 @@
 #include "analysis/diagnosis/audit/prepare.h"
 
 #include "analysis/diagnosis/audit/audit.h"
-#include "analysis/diagnosis/audit/continuous_loop.h"
 #include "analysis/diagnosis/audit/effort_drive.h"
 #include "analysis/diagnosis/records/even_clock.h"
 #include "analysis/joint/parameters.h"
@@ -211,7 +210,6 @@ Case prepare_with_effort(const Record& record, const Joint& joint, std::vector<N
             std::hypot(sigma, effort_part * range, c.joint.actuator.kind == ActuatorKind::effort ? command_noise : 0);
     }
     if (!record.at_rest_at_start) find_start(c, notes);
-    find_continuous_loop(c, notes);
     measure_load_error(c);
     return c;
 }

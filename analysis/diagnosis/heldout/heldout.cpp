@@ -204,9 +204,11 @@ DiagnosedTrace trace_of(const Case& shown, const Trace& before, const Trace& aft
             trace.effort_before.push_back(before.effort[k]);
             trace.effort_after.push_back(after.effort[k]);
         } else if (t.source == CommandSource::logged && !trace.predicted) {
+            // where the drive is off nobody knows what the controller asked for
+            const double factor = t.enabled[k] ? command.factor : not_set;
             trace.effort_measured.push_back(command.factor * t.command[k]);
-            trace.effort_before.push_back(command.factor * before.command[k]);
-            trace.effort_after.push_back(command.factor * after.command[k]);
+            trace.effort_before.push_back(factor * before.command[k]);
+            trace.effort_after.push_back(factor * after.command[k]);
         }
     }
     return trace;

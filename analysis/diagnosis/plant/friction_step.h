@@ -8,7 +8,7 @@ namespace stickslip::gap {
 
 /// What the frictions of a pack have in common.
 struct Terms {
-    bool stribeck = false, asymmetric = false, loaded = false, ripple = false, second_ripple = false, drifts = false,
+    bool stribeck = false, asymmetric = false, loaded = false, geared = false, ripple = false, second_ripple = false, drifts = false,
          bristles = false;
     bool remembers = false, ageing = false, lags = false, late = false, plain = false, glides = false;
     double exponent = 0;  ///< of a Stribeck peak: 1 or 2; 0 for others
@@ -21,6 +21,7 @@ inline Terms terms_of(const Rubbing& r)
     t.stribeck = r.stribeck != 0, t.ripple = r.ripple != 0, t.second_ripple = r.second_ripple != 0,
     t.drifts = r.drift != 0;
     t.asymmetric = r.asymmetric_coulomb != 0 || r.asymmetric_viscous != 0, t.loaded = r.load_coefficient != 0;
+    t.geared = r.geared();
     t.bristles = r.bristle_stiffness > 0;
     t.remembers = r.remembers(), t.ageing = r.ageing && t.remembers, t.lags = r.lag > 0, t.late = r.late();
     t.plain = r.plain();
@@ -52,6 +53,7 @@ inline constexpr double memory_floor = 1e-3;
 template <class P>
 struct Surroundings {
     P position, transmitted;
+    P load = 0, net = 0;  ///< a single mass: what the load resists, and all that pushes but friction
 };
 
 template <class P>
@@ -94,6 +96,14 @@ P steady(const Rubs<P>& r, const P& speed)
     return level + r.viscous * speed;
 }
 
+/// Slope of the friction with the speed of this instant in this direction.
+template <class P>
+P viscous(const Rubs<P>& r, const P& direction)
+{
+    const P slope = r.has.late ? P(0.0) : r.viscous;
+    return r.has.asymmetric ? slope + direction * r.asymmetric_viscous : slope;
+}
+
 /// The resisting force apart from viscous friction that follows the speed at once, never negative, for motion in
 /// `direction`.
 template <class P>
@@ -109,15 +119,11 @@ P resistance(const Rubs<P>& r, const RubState<P>& s, const P& speed, const P& di
     if (r.has.second_ripple)
         level = level + r.second_ripple * sine(2.0 * r.ripple_periods * at.position + r.second_phase);
     if (r.has.remembers) level = level + (r.A * logarithm_of(speed, r) + s.theta);
-    return max(level, P(0.0));
-}
-
-/// Slope of the friction with the speed of this instant in this direction.
-template <class P>
-P viscous(const Rubs<P>& r, const P& direction)
-{
-    const P slope = r.has.late ? P(0.0) : r.viscous;
-    return r.has.asymmetric ? slope + direction * r.asymmetric_viscous : slope;
+    level = max(level, P(0.0));
+    if (r.has.geared)
+        level = level + GearLoss::level(r.gear_forward, r.gear_backward, r.gear_beyond, at.load, at.net, direction,
+                                        level + viscous(r, direction) * speed);
+    return level;
 }
 
 /// The memory state after a slip at this mean speed in h, exact for constant speed.

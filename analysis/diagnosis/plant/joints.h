@@ -84,6 +84,8 @@ void load_rubs(Rubs<P>& to, int lane, const Rubbing& r)
     to.exponent.set(lane, r.exponent);
     to.asymmetric_coulomb.set(lane, r.asymmetric_coulomb), to.asymmetric_viscous.set(lane, r.asymmetric_viscous);
     to.load_coefficient.set(lane, r.load_coefficient);
+    to.gear_forward.set(lane, r.gear_forward), to.gear_backward.set(lane, r.gear_backward);
+    to.gear_beyond.set(lane, r.gear_beyond);
     to.ripple.set(lane, r.ripple), to.ripple_periods.set(lane, r.ripple_periods);
     to.ripple_phase.set(lane, r.ripple_phase);
     to.second_ripple.set(lane, r.second_ripple), to.second_phase.set(lane, r.second_phase);

@@ -64,6 +64,7 @@ Rubbing flatten(const Friction& f)
     r.asymmetric_coulomb = f.asymmetry.coulomb;
     r.asymmetric_viscous = f.asymmetry.viscous;
     r.load_coefficient = f.load_coefficient;
+    r.gear_forward = f.gear.forward, r.gear_backward = f.gear.backward, r.gear_beyond = f.gear.beyond;
     r.ripple = f.ripple.amplitude;
     r.ripple_periods = f.ripple.periods;
     r.ripple_phase = f.ripple.phase;

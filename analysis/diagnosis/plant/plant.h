@@ -16,6 +16,7 @@ struct RubbingOf {
     Real stribeck = 0, stribeck_velocity = 1, exponent = 2;
     Real asymmetric_coulomb = 0, asymmetric_viscous = 0;
     Real load_coefficient = 0;
+    Real gear_forward = 0, gear_backward = 0, gear_beyond = 1;
     Real ripple = 0, ripple_periods = 1, ripple_phase = 0, second_ripple = 0, second_phase = 0;
     Real drift = 0, drift_time = 1;
     Real bristle_stiffness = 0, bristle_damping = 0;
@@ -28,10 +29,11 @@ struct RubbingOf {
 struct Rubbing : RubbingOf<double> {
     bool remembers() const { return A != 0 || B != 0; }
     bool late() const { return lag > 0 && lag_viscous; }
+    bool geared() const { return gear_forward != 0 || gear_backward != 0; }
     /// Apart from its drift, which a tick holds.
     bool plain() const
     {
-        return stribeck == 0 && asymmetric_coulomb == 0 && load_coefficient == 0 && ripple == 0 && second_ripple == 0 &&
+        return stribeck == 0 && asymmetric_coulomb == 0 && load_coefficient == 0 && !geared() && ripple == 0 && second_ripple == 0 &&
                !remembers() && !late();
     }
 };

@@ -62,8 +62,8 @@ void step_single(const Joints<P>& p, State<P>& s, const PushOf<P>& drive, const 
     const P h = length.h, mobility = length.motor_mobility, zero(0.0), one(1.0);
     const P v = s.motor_velocity, middle = s.motor_position + 0.5 * h * v;
     const Rubs<P>& r = p.motor;
-    const Surroundings<P> at{middle, drive.at(v)};
-    const P force = drive.push + outside_force(p, s, middle, v, t + 0.5 * h);
+    const P outside = outside_force(p, s, middle, v, t + 0.5 * h), force = drive.push + outside;
+    const Surroundings<P> at{middle, drive.at(v), -outside, force - drive.drag * v};
     if (r.has.bristles) {
         s.motor_velocity = rub(r, s.motor, v, force - drive.drag * v, mobility, h, at);
         s.motor_position = middle + 0.5 * h * s.motor_velocity;

@@ -15,7 +15,7 @@ constexpr double least_change = 1e-6;  ///< of a state by a relative change of V
 
 bool has_unsteady_terms(const Friction& f, const Load& l)
 {
-    return f.load_coefficient != 0 || f.ripple.acts() || f.drift.change != 0 || l.gravity_amplitude != 0 ||
+    return f.level_moves() || l.gravity_amplitude != 0 ||
            l.cogging.acts() || l.disturbance.amplitude != 0;
 }
 

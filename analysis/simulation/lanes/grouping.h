@@ -20,8 +20,7 @@ inline double rounded(double value)
 /// A law with nothing beside it.
 inline bool plain(const Friction& f, const Load& l)
 {
-    return f.asymmetry.coulomb == 0 && f.asymmetry.viscous == 0 && f.load_coefficient == 0 && !f.ripple.acts() &&
-           f.drift.change == 0 && f.bristle.stiffness == 0 && f.memory.A == 0 && f.memory.B == 0 && f.memory.lag == 0 &&
+    return f.asymmetry.coulomb == 0 && f.asymmetry.viscous == 0 && !f.level_moves() && f.bristle.stiffness == 0 && f.memory.A == 0 && f.memory.B == 0 && f.memory.lag == 0 &&
            l.gravity_amplitude == 0 && !l.cogging.acts() && l.disturbance.amplitude == 0;
 }
 

@@ -39,6 +39,26 @@ DrivenJoint::Extra DrivenJoint::extra(const double* y, int i) const
     return e;
 }
 
+/// What the gear of a single mass adds to its level in motion against other friction of this size.
+double DrivenJoint::gear_level(const double* y, double direction, double other) const
+{
+    const auto& f = body_[0].friction;
+    double by_place, by_time;
+    const double pushed = load(y, &by_place, &by_time);
+    return GearLoss::level(f.gear.forward, f.gear.backward, f.gear.beyond, -pushed, drive(y).effort + pushed, direction,
+                           other) /
+           f.normal_load;
+}
+
+/// The most that it adds at rest, where nothing accelerates.
+double DrivenJoint::gear_level_at_rest(const double* y, double direction) const
+{
+    const auto& f = body_[0].friction;
+    double by_place, by_time;
+    const double pushed = load(y, &by_place, &by_time);
+    return GearLoss::level(f.gear.forward, f.gear.backward, 0.0, -pushed, 0.0, direction, 0.0) / f.normal_load;
+}
+
 FrictionResponse DrivenJoint::respond_as(const BodyData& b, const Friction& friction, Mode mode, const double* y,
                                          int i) const
 {
@@ -101,6 +121,10 @@ DrivenJoint::Contact DrivenJoint::contact(const double* y, int i, bool derivativ
     Friction raised = b.friction;
     raise(raised.law, extra(y, i).level);
     Contact c{respond_as(b, raised, modes[i], y, i)};
+    if (b.friction.gear.acts()) {
+        raise(raised.law, gear_level(y, modes[i] == Mode::reverse ? -1 : 1, std::abs(c.r.force)));
+        c.r = respond_as(b, raised, modes[i], y, i);
+    }
     if (!derivatives) return c;
     const double change = small_change * (std::abs(c.r.force) + std::abs(extra(y, i).level) + 1e-300);
     raise(raised.law, change);
@@ -127,6 +151,7 @@ double DrivenJoint::limit(const double* y, int i, Branch branch) const
     still[bodies() + i] = V;
     Friction raised = b.friction;
     if (b.bent) raise(raised.law, extra(y, i).level);
+    if (b.friction.gear.acts()) raise(raised.law, gear_level_at_rest(y, branch == Branch::forward ? 1 : -1));
     const Mode mode = branch == Branch::forward ? Mode::forward : Mode::reverse;
     const double sliding = std::abs(respond_as(b, raised, mode, still.data(), i).force);
     // what a law resists at rest beyond the end of its curve: of kinetic and static friction

@@ -29,7 +29,7 @@ Detail why_not_driven(const Joint& joint)
         if (law.linear_only) return Detail::linear_law;
         if (law.needs_history && states(f) > 0) return Detail::late_with_memory;
         if (!has_response(f)) return Detail::bristles_with_memory;
-        const bool bent = f.load_coefficient != 0 || f.ripple.acts() || f.drift.change != 0;
+        const bool bent = f.level_moves();
         if (bent && !with_levels(f.law, [](double&) {})) return Detail::no_level;
     }
     return Detail::none;
@@ -59,7 +59,7 @@ DrivenJoint::DrivenJoint(const Joint& joint, double frame, double speed, LoopSid
         b.logarithmic = info(b.friction.law).needs_motion;
         b.rests = stickslip::can_rest(b.friction);
         const auto& f = b.friction;
-        b.bent = f.load_coefficient != 0 || f.ripple.acts() || f.drift.change != 0;
+        b.bent = f.level_moves();
         b.late = std::holds_alternative<TimeLag>(f.law);
         if (b.late) past_.set_lag(i, std::get<TimeLag>(f.law).lag);
         timed |= b.late;

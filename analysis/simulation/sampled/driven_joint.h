@@ -129,6 +129,8 @@ class DrivenJoint {
     double spring(const double* y, int i, double* by_stretch, double* by_rate) const;
     double load(const double* y, double* by_place, double* by_time) const;
     Extra extra(const double* y, int i) const;
+    double gear_level(const double* y, double direction, double other) const;
+    double gear_level_at_rest(const double* y, double direction) const;
     Contact contact(const double* y, int i, bool derivatives) const;
     FrictionResponse respond_as(const BodyData& b, const Friction& friction, Mode mode, const double* y, int i) const;
     double needed(const double* y, int i) const;

@@ -45,7 +45,12 @@ DrivenJoint::Steady DrivenJoint::steady(double velocity_asked) const
     const double origin = y[measured_];
     for (int i = 0; i < n; ++i) y[i] -= origin;
     const auto& a = joint_.actuator;
-    if (n == 1) carried /= 1 - joint_.friction.load_coefficient;
+    if (n == 1) {
+        const double direction = velocity_asked < 0 ? -1 : 1;
+        if (joint_.friction.gear.acts())
+            carried += direction * joint_.friction.normal_load * gear_level_at_rest(y.data(), direction);
+        carried /= 1 - joint_.friction.load_coefficient;
+    }
     const double effort = carried / effort_ratio_, v = effort_ratio_ * velocity_asked;
     const auto missed = [&](double command) { return push_of(a, command, a.supply_voltage, v).at(v) - effort; };
     const double sign = a.effort_gain < 0 ? -1 : 1;

@@ -27,8 +27,8 @@ FrictionOrReason resting_friction(const Friction& friction)
     const auto bristles = [&](double coulomb, double breakaway, double viscous, double stiffness) {
         return RestingFriction{{n * coulomb, n * breakaway}, n * viscous, breakaway / stiffness, false};
     };
-    if (friction.has_bristle() || friction.has_memory() || friction.has_lag() || friction.load_coefficient != 0 ||
-        friction.asymmetry.viscous != 0 || friction.ripple.acts())
+    if (friction.has_bristle() || friction.has_memory() || friction.has_lag() || friction.level_moves() ||
+        friction.asymmetry.viscous != 0)
         return {{}, SetPointReason::friction_term};
     if (const auto* law = std::get_if<CoulombViscous>(&friction.law))
         return {{{n * law->coulomb, n * law->coulomb}, n * law->viscous, 0, true}};

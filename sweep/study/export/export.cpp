@@ -82,6 +82,7 @@ constexpr Rule rules[] = {
     {"friction.normal_load", "musi", Lost::mechanism_elsewhere},
     {"friction.asymmetry", nobody, Lost::direction},
     {"friction.load_coefficient", nobody, Lost::load_dependent},
+    {"friction.gear", nobody, Lost::load_dependent},
     {"friction.ripple", nobody, Lost::position_dependent},
     {"friction.drift", nobody, Lost::time_dependent},
     {"friction.bristle", nobody, Lost::presliding},

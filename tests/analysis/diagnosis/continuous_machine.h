@@ -167,6 +167,18 @@ class ContinuousMachine {
 
     static constexpr double least_ratio = 1e-3;  // of V*, in the logarithms of the memory
 
+    /// Of a gear, in motion along `direction` while `effort` reaches the load.
+    double gear(double direction, double effort) const
+    {
+        const auto& g = j_.friction.gear;
+        return (direction * effort > 0 ? g.forward : g.backward) * std::abs(effort);
+    }
+    /// The effort that reaches the load while the joint accelerates so.
+    double at_load(double q, double t, double acceleration) const
+    {
+        return -load(q, t) + j_.friction.gear.beyond * j_.mechanism.inertia * acceleration;
+    }
+
     /// Size of the dry friction for motion in one direction.
     double dry(const double* y, int b, double direction, double speed, double t, double transmitted) const
     {
@@ -183,6 +195,11 @@ class ContinuousMachine {
         if (f.memory.A != 0 || f.memory.B != 0)
             level += f.memory.A * std::log(speed / f.memory.V_star + least_ratio) + y[each * b + 3];
         return std::max(level, 0.0);
+    }
+    double at_rest(const double* y, int b, double direction, double t, double transmitted) const
+    {
+        const double level = dry(y, b, direction, 0, t, transmitted);
+        return friction(b).gear.acts() ? level + gear(direction, at_load(y[position(b)], t, 0)) : level;
     }
     /// Of the law alone, in steady sliding.
     double curve(int b, double speed) const
@@ -223,6 +240,11 @@ class ContinuousMachine {
             if (bristles || direction != 0) {
                 d[position(b)] = v;
                 d[velocity(b)] = (force - resisting) / inertia(b);
+                // what the gear takes depends on the acceleration that it leaves: again and again, it converges
+                for (int i = 0; i < 200 && f.gear.acts(); ++i) {
+                    const double loss = gear(direction, at_load(y[position(b)], t, d[velocity(b)]));
+                    d[velocity(b)] = (force - resisting - direction * loss) / inertia(b);
+                }
             }
             const Memory& m = f.memory;
             if (m.A != 0 || m.B != 0) {
@@ -242,7 +264,7 @@ class ContinuousMachine {
         if (friction(b).bristle.stiffness > 0) return 1;
         if (sliding_[b] != 0) return sliding_[b] * y[velocity(b)];
         const auto [force, transmitted] = push(y, b, t);
-        return dry(y, b, std::copysign(1.0, force), 0, t, transmitted) - std::abs(force);
+        return at_rest(y, b, std::copysign(1.0, force), t, transmitted) - std::abs(force);
     }
 
     /// Chooses who slides: a body at rest stays while its friction can hold it.
@@ -256,7 +278,7 @@ class ContinuousMachine {
             v = 0;
             sliding_[b] = 0;
             const auto [force, transmitted] = push(state_.data(), b, t);
-            if (std::abs(force) <= dry(state_.data(), b, std::copysign(1.0, force), 0, t, transmitted)) continue;
+            if (std::abs(force) <= at_rest(state_.data(), b, std::copysign(1.0, force), t, transmitted)) continue;
             sliding_[b] = std::copysign(1.0, force);
             v = sliding_[b] * 2 * rest;
         }

@@ -101,9 +101,12 @@ TEST_CASE("both simulators: laws", "[gap][two-simulators][slow]")
     frictions["drift"].drift = {-2, 1};
     frictions["asymmetry"].law = CoulombViscous{5, 10};
     frictions["asymmetry"].asymmetry = {0.7, 0.5};
+    frictions["gear"].law = CoulombViscous{5, 10};
+    frictions["gear"].gear = {0.1, 0.5, 0.7};
     for (const auto& [name, friction] : frictions) {
         Joint joint = sampled_joint();
         joint.friction = friction;
+        if (name == "gear") joint.mechanism.motion = Motion::revolute, joint.load.gravity_amplitude = 8;
         CAPTURE(name);
         CHECK(difference(joint) < 2e-5);
     }

@@ -77,8 +77,8 @@ struct FrictionDrift {
     }
 };
 
-/// Friction of the gear of a joint that is one mass, per effort τ = G + beyond · J a that reaches the load side (G: what
-/// the load resists): `forward` where the drive moves the load, `backward` where the load moves the drive. Their
+/// Friction of the gear of a joint that is one mass, per effort τ = G + beyond · J a that reaches the load side (G:
+/// what the load resists): `forward` where the drive moves the load, `backward` where the load moves the drive. Their
 /// efficiencies are 1/(1 + forward) and 1 − backward.
 struct GearLoss {
     double forward = 0, backward = 0, beyond = 1;
@@ -89,9 +89,9 @@ struct GearLoss {
         visit.number({"forward", Quantity::number, not_negative, Need::optional,
                       "friction per effort that reaches the load, where the drive moves it"},
                      self.forward);
-        visit.number({"backward", Quantity::number, below_one, Need::optional,
-                      "the same where the load moves the drive"},
-                     self.backward);
+        visit.number(
+            {"backward", Quantity::number, below_one, Need::optional, "the same where the load moves the drive"},
+            self.backward);
         visit.number({"beyond", Quantity::number, part_of_one, Need::optional,
                       "part of the inertia that lies beyond the gear, on the side of the load"},
                      self.beyond);

@@ -72,7 +72,8 @@ struct Joint {
         if (normal.from_load != 0 && single)
             return "normal.from_load is of the effort that a transmission carries, and a single mass has none; "
                    "friction.load_coefficient is of the effort of the loop";
-        if (!single && (frictions.motor.gear.acts() || frictions.transmission.gear.acts() || frictions.link.gear.acts()))
+        if (!single &&
+            (frictions.motor.gear.acts() || frictions.transmission.gear.acts() || frictions.link.gear.acts()))
             return "friction.gear is of a joint that is one mass; of several, load_coefficient is of the effort of the "
                    "transmission";
         if (normal.from_load != 0 && normal.alpha != 0)

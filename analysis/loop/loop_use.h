@@ -31,8 +31,9 @@ enum class WhyNot {
 /// As JSON calls it.
 constexpr std::string_view name_of(WhyNot why)
 {
-    constexpr std::string_view names[] = {"small-signal", "rounding",    "place",          "time",     "backlash",
-                                          "needs-period", "no-feedback", "reference-only", "load-direction", "fed-back", "unsupported"};
+    constexpr std::string_view names[] = {"small-signal",   "rounding",     "place",       "time",
+                                          "backlash",       "needs-period", "no-feedback", "reference-only",
+                                          "load-direction", "fed-back",     "unsupported"};
     static_assert(std::size(names) == static_cast<std::size_t>(WhyNot::unsupported) + 1);
     return names[static_cast<std::size_t>(why)];
 }

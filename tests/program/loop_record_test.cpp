@@ -89,8 +89,9 @@ TEST_CASE("a gear that loses more when the load drives it is friction that depen
 {
     const Folder folder;
     const auto arm = "[load]\ngravity_amplitude = 3\n" + machine;
-    CHECK(diagnosis_of(folder, " --set friction.gear.forward=0.05 --set friction.gear.backward=0.5", arm)["effects"][0]["names"].dump() ==
-          "[\"load-dependent-friction\"]");
+    CHECK(diagnosis_of(folder, " --set friction.gear.forward=0.05 --set friction.gear.backward=0.5",
+                       arm)["effects"][0]["names"]
+              .dump() == "[\"load-dependent-friction\"]");
     const auto found = nlohmann::json::parse(read(folder / "found/diagnosis.json"))["effects"][0]["parameters"];
     INFO(found.dump());
     CHECK(found["load-dependent-friction.forward"]["value"].get<double>() == Approx(0.05).margin(0.01));

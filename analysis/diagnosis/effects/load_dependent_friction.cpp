@@ -24,7 +24,8 @@ Effect load_dependent_friction()
         EffectForm f;
         f.name = "gear";
         f.parameters = {
-            {"forward", Quantity::number, Scale::one, false, 0, 0.9, 0.1, "friction per effort at the load, driving it"},
+            {"forward", Quantity::number, Scale::one, false, 0, 0.9, 0.1,
+             "friction per effort at the load, driving it"},
             {"backward", Quantity::number, Scale::one, false, 0, 0.95, 0.3, "the same, driven by it"},
             {"beyond", Quantity::number, Scale::one, false, 0, 1, 0.5, "part of the inertia on the side of the load"},
         };

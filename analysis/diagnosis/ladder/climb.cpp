@@ -172,6 +172,13 @@ Ladder LadderSearch::of(const Attribution& known)
     return finished(fitter_->fit_folds(known.candidate, std::move(found)));
 }
 
+Ladder LadderSearch::without(const Ladder& ladder, const Effect& cause)
+{
+    const auto& all = ladder.last().causes.effects;
+    return finished(
+        climber_->without(ladder.last(), static_cast<std::size_t>(std::ranges::find(all, &cause) - all.begin())));
+}
+
 Ladder LadderSearch::finished(FittedSet set)
 {
     Ladder ladder;

@@ -75,6 +75,8 @@ class LadderSearch {
     std::vector<FarNumber> far_off(const Ladder& ladder) const;
     /// Takes the last rung away.
     void shorten(Ladder& ladder) const;
+    /// Without this one of its causes.
+    Ladder without(const Ladder& ladder, const Effect& cause);
     /// The ladder of causes that are known.
     Ladder of(const Attribution& known);
 

@@ -8,8 +8,8 @@ namespace stickslip::gap {
 
 /// What the frictions of a pack have in common.
 struct Terms {
-    bool stribeck = false, asymmetric = false, loaded = false, geared = false, ripple = false, second_ripple = false, drifts = false,
-         bristles = false;
+    bool stribeck = false, asymmetric = false, loaded = false, geared = false, ripple = false, second_ripple = false,
+         drifts = false, bristles = false;
     bool remembers = false, ageing = false, lags = false, late = false, plain = false, glides = false;
     double exponent = 0;  ///< of a Stribeck peak: 1 or 2; 0 for others
     bool operator==(const Terms&) const = default;

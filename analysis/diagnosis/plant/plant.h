@@ -33,8 +33,8 @@ struct Rubbing : RubbingOf<double> {
     /// Apart from its drift, which a tick holds.
     bool plain() const
     {
-        return stribeck == 0 && asymmetric_coulomb == 0 && load_coefficient == 0 && !geared() && ripple == 0 && second_ripple == 0 &&
-               !remembers() && !late();
+        return stribeck == 0 && asymmetric_coulomb == 0 && load_coefficient == 0 && !geared() && ripple == 0 &&
+               second_ripple == 0 && !remembers() && !late();
     }
 };
 

@@ -84,13 +84,37 @@ bool frees_held_number(const Ladder& ladder)
     });
 }
 
+namespace {
+
+/// Whether rung i takes little beside the corrections and the rungs above it.
+bool takes_little(const Shares& s, std::size_t i)
+{
+    const double above = i > 0 ? s.rungs[i - 1] : s.corrected;
+    return above - s.rungs[i] < policy::least_against_corrections * (s.documented - above);
+}
+
+}  // namespace
+
+const Effect* small_term_between(const JudgedLadder& j)
+{
+    const Ladder& ladder = j.ladder;
+    const FittedSet& last = ladder.last();
+    for (std::size_t i = 1; i + 1 < ladder.rungs.size(); ++i) {
+        const auto& above = ladder.rungs[i - 1].causes.effects;
+        for (const Effect* cause : ladder.rungs[i].causes.effects)
+            if (std::ranges::count(above, cause) == 0 && takes_little(j.shares, i) &&
+                ladder.corrections->is_usual(last.causes, last.of_causes(last.fit.x), *cause))
+                return cause;
+    }
+    return nullptr;
+}
+
 bool small_against_corrections(const JudgedLadder& j)
 {
     // small terms that every machine has are not what the gap comes from, beside corrections or another cause
     const Shares& s = j.shares;
     if (!j.usual || s.rungs.empty()) return false;
-    const double above = s.rungs.size() > 1 ? s.rungs[s.rungs.size() - 2] : s.corrected;
-    return above - s.rungs.back() < policy::least_against_corrections * (s.documented - above);
+    return takes_little(s, s.rungs.size() - 1);
 }
 
 }  // namespace stickslip::gap

@@ -88,8 +88,21 @@ bool document_suffices(LadderSearch& search, const Prepared& p, const ParallelFo
     return true;
 }
 
+/// Judges the ladder in place of the one before, whose causes count as what a free force is held against.
+void judge_in_place(Ladder ladder, const LadderSearch& search, const Prepared& p, const ParallelFor& parallel,
+                    bool small_term, JudgedLadder& j)
+{
+    JudgedLadder next;
+    next.noise_below = j.noise_left || j.noise_below;
+    next.with_small_terms = j.with_small_terms;
+    if (small_term) next.with_small_terms = std::min(j.with_small_terms, mean_log_misfit(j.winner.evaluation));
+    next.ladder = std::move(ladder);
+    judge(next, search.data(), p.scales, p.nominal, parallel);
+    j = std::move(next);
+}
+
 /// Rungs that are small against the corrections go, and further ones that are less likely than not, the last first.
-void shorten_to_likely(const LadderSearch& search, const Prepared& p, const ParallelFor& parallel, JudgedLadder& j)
+void shorten_to_likely(LadderSearch& search, const Prepared& p, const ParallelFor& parallel, JudgedLadder& j)
 {
     const auto unlikely = [&] {
         return !j.noise_left && j.ladder.rungs.size() > 1 && j.chances.back() < policy::least_chance_of_further_rung &&
@@ -99,15 +112,12 @@ void shorten_to_likely(const LadderSearch& search, const Prepared& p, const Para
     const auto corrections_alone = [&] {
         return j.why_not && !j.ladder.rungs.empty() && corrections_take_most(j.shares);
     };
+    while (const Effect* small = small_term_between(j))
+        judge_in_place(search.without(j.ladder, *small), search, p, parallel, true, j);
     while (small_against_corrections(j) || unlikely() || corrections_alone()) {
-        JudgedLadder shorter;
-        shorter.noise_below = j.noise_left || j.noise_below;
-        shorter.with_small_terms = j.with_small_terms;
-        if (j.usual) shorter.with_small_terms = std::min(j.with_small_terms, mean_log_misfit(j.winner.evaluation));
-        shorter.ladder = std::move(j.ladder);
-        search.shorten(shorter.ladder);
-        judge(shorter, search.data(), p.scales, p.nominal, parallel);
-        j = std::move(shorter);
+        Ladder shorter = std::move(j.ladder);
+        search.shorten(shorter);
+        judge_in_place(std::move(shorter), search, p, parallel, j.usual, j);
     }
 }
 

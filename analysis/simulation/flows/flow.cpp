@@ -15,8 +15,7 @@ constexpr double least_change = 1e-6;  ///< of a state by a relative change of V
 
 bool has_unsteady_terms(const Friction& f, const Load& l)
 {
-    return f.level_moves() || l.gravity_amplitude != 0 ||
-           l.cogging.acts() || l.disturbance.amplitude != 0;
+    return f.level_moves() || l.gravity_amplitude != 0 || l.cogging.acts() || l.disturbance.amplitude != 0;
 }
 
 bool can_rest(const Friction& friction)

@@ -20,8 +20,9 @@ inline double rounded(double value)
 /// A law with nothing beside it.
 inline bool plain(const Friction& f, const Load& l)
 {
-    return f.asymmetry.coulomb == 0 && f.asymmetry.viscous == 0 && !f.level_moves() && f.bristle.stiffness == 0 && f.memory.A == 0 && f.memory.B == 0 && f.memory.lag == 0 &&
-           l.gravity_amplitude == 0 && !l.cogging.acts() && l.disturbance.amplitude == 0;
+    return f.asymmetry.coulomb == 0 && f.asymmetry.viscous == 0 && !f.level_moves() && f.bristle.stiffness == 0 &&
+           f.memory.A == 0 && f.memory.B == 0 && f.memory.lag == 0 && l.gravity_amplitude == 0 && !l.cogging.acts() &&
+           l.disturbance.amplitude == 0;
 }
 
 /// A rate-and-state law whose one state the lanes can step.

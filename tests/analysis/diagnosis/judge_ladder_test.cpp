@@ -350,6 +350,20 @@ TEST_CASE("small terms that every machine has are not named beside a cause", "[g
     CHECK_FALSE(of(m));
 }
 
+TEST_CASE("a small term goes from between two rungs, too", "[gap][ladder]")
+{
+    Machine m;
+    m.inertia = 1.2 * 1.5, m.one_way = 0.06 * m.viscous, m.coulomb = 2 * 0.8;
+    const Search search(m, {"inertia", "asymmetric-friction", "coulomb-level"});
+    const auto j = search.judged(search.search->climb({}, policy::ladder.most_rungs));
+    INFO(j.ladder.rungs.size() << " rungs, the last but one adds " << j.ladder.rungs[1].causes.effects.back()->name);
+    REQUIRE(j.ladder.rungs.size() == 3);
+    REQUIRE(small_term_between(j) == effect_named("asymmetric-friction"));
+    const auto shorter = search.judged(search.search->without(j.ladder, *small_term_between(j)));
+    CHECK(names_of(shorter.ladder.last().causes) == std::vector<std::string>{"coulomb-level", "inertia"});
+    CHECK(small_term_between(shorter) == nullptr);
+}
+
 TEST_CASE("what could not be told from a rung is fitted anew before it is", "[gap][ladder]")
 {
     Machine m;

@@ -7,6 +7,22 @@
 #include <cmath>
 
 namespace stickslip {
+
+double command_for(const Actuator& a, double effort, double velocity)
+{
+    if (a.kind == ActuatorKind::effort) {
+        const double left = 1 - std::abs(effort) / a.sag_effort;  // nothing sags where sag_effort is infinite
+        return left > 0 ? effort / left / a.effort_gain : missing;
+    }
+    const bool duty = a.signal == DriveSignal::duty;
+    const double per_ampere = a.effort_gain * a.k_t, supply = a.supply_voltage;
+    const double volts = effort * a.resistance / per_ampere + a.k_e * velocity;
+    if (!is_set(supply)) return volts;
+    // effort (R + |D| R_b) = k_t (D U − k_e v)
+    const double left = supply - std::abs(effort / per_ampere) * a.supply_resistance;
+    return left > 0 ? volts / left * (duty ? 1 : supply) : missing;
+}
+
 namespace {
 
 std::optional<LowLimit> of_an_effort(const Joint& joint, double effort)
@@ -14,9 +30,8 @@ std::optional<LowLimit> of_an_effort(const Joint& joint, double effort)
     const auto& a = joint.actuator;
     if (!(effort < a.sag_effort)) return LowLimit{"actuator.sag_effort", Quantity::effort, a.sag_effort, effort};
     if (effort > a.limit) return LowLimit{"actuator.limit", Quantity::effort, a.limit, effort};
-    const double left = 1 - effort / a.sag_effort;  // nothing sags where sag_effort is infinite
-    const double command = effort / left, gain = std::abs(a.effort_gain), limit = joint.control.effort_limit;
-    if (!(command <= gain * limit)) return LowLimit{"control.effort_limit", Quantity::effort, limit, command / gain};
+    const double command = std::abs(command_for(a, effort, 0)), limit = joint.control.effort_limit;
+    if (!(command <= limit)) return LowLimit{"control.effort_limit", Quantity::effort, limit, command};
     return std::nullopt;
 }
 
@@ -30,7 +45,7 @@ std::optional<LowLimit> of_a_motor(const Joint& joint, double effort, double vel
     const LowLimit supply{"actuator.supply_voltage", Quantity::voltage, a.supply_voltage, volts};
     if (is_set(a.supply_voltage) && volts > a.supply_voltage) return supply;
     if (!(actuation(joint, velocity, effort).gain > 0)) return supply;  // it sags before the effort is reached
-    const double command = duty ? volts / a.supply_voltage : volts;
+    const double command = std::abs(command_for(a, effort, std::abs(velocity)));
     if (command > joint.control.effort_limit)
         return LowLimit{"control.effort_limit", duty ? Quantity::number : Quantity::voltage, joint.control.effort_limit,
                         command};

@@ -16,6 +16,10 @@ struct LowLimit {
     double velocity = 0, friction = 0;  ///< of the steady sliding that it takes this much for
 };
 
+/// The command for which this actuator makes this effort at a velocity, whatever its limits: an effort, or the voltage
+/// or duty of a motor. NaN where its supply sags before.
+double command_for(const Actuator& actuator, double effort, double velocity);
+
 /// At V; nothing where every limit leaves the effort of steady sliding, and of force loops, whose ramp knows no limit.
 std::optional<LowLimit> low_limit(const Joint& joint, double velocity);
 

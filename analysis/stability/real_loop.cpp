@@ -143,7 +143,10 @@ LoopPlant loop_plant(const Joint& joint, const LinearJoint& linear, double veloc
 double steady_effort(const Joint& joint, double velocity)
 {
     if (joint.mechanism.model != Model::single_mass) return carried_efforts(joint, velocity, joint.load.constant)[0];
-    return steady_force(joint.friction, velocity) / (1 - joint.friction.load_coefficient) - joint.load.constant;
+    const auto& f = joint.friction;
+    const double direction = velocity < 0 ? -1 : 1, load = -joint.load.constant;
+    const double gear = GearLoss::level(f.gear.forward, f.gear.backward, 0.0, load, 0.0, direction, 0.0);
+    return (steady_force(f, velocity) + direction * gear) / (1 - f.load_coefficient) + load;
 }
 
 Actuation actuation(const Joint& joint, double velocity, double effort)

@@ -1,6 +1,7 @@
 #include "analysis/stability/steady.h"
 
 #include "analysis/joint/gains.h"
+#include "analysis/stability/effort_limits.h"
 #include "analysis/stability/linear_joint.h"
 
 namespace stickslip {
@@ -68,7 +69,7 @@ SteadySliding steady_sliding(const Joint& joint)
         for (int i = chain.bodies > 1 ? 1 : 0; i < chain.bodies; ++i)
             carries = carries && chain.body[i].friction->load_coefficient < 1;
     }
-    s.deflection = effort / gains_of(joint.control).k_p;
+    s.deflection = command_for(joint.actuator, effort, s.velocity) / gains_of(joint.control).k_p;
     if (!std::isfinite(effort) || !carries) s.reason = Reason::no_steady_state;
     return s;
 }

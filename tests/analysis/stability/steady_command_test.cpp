@@ -1,0 +1,50 @@
+// What the controller has to ask for in steady sliding, and how far the joint is behind for it.
+#include "analysis/joint/drive.h"
+#include "analysis/stability/effort_limits.h"
+#include "analysis/stability/steady.h"
+
+#include <catch2/catch.hpp>
+#include <random>
+
+using namespace stickslip;
+
+TEST_CASE("the command for an effort makes this effort", "[stability][steady]")
+{
+    std::mt19937_64 random(20261125);
+    std::uniform_real_distribution<double> part(0.1, 1);
+    for (int i = 0; i < 300; ++i) {
+        Actuator a;
+        a.effort_gain = 2 * part(random);
+        const double velocity = i % 2 ? part(random) : -part(random);
+        double effort = velocity > 0 ? part(random) : -part(random);
+        if (i % 3 == 0) {
+            if (i % 5 == 0) a.sag_effort = 5 * part(random) + 1;
+        } else {
+            a.kind = ActuatorKind::dc_motor;
+            a.k_t = 0.3 * part(random), a.k_e = 0.3 * part(random), a.resistance = 3 * part(random);
+            a.signal = i % 3 == 1 ? DriveSignal::duty : DriveSignal::voltage;
+            if (a.signal == DriveSignal::duty || i % 5 == 0) {
+                a.supply_voltage = 200;
+                if (i % 7 < 4) a.supply_resistance = a.resistance * part(random);
+            }
+        }
+        CAPTURE(i, effort, velocity);
+        CHECK(push_of(a, command_for(a, effort, velocity), a.supply_voltage, velocity).at(velocity) ==
+              Approx(effort).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("a motor behind its winding is as far behind as its voltage asks for", "[stability][steady]")
+{
+    Joint joint;
+    joint.mechanism.motion = Motion::revolute, joint.mechanism.inertia = 0.0065;
+    joint.friction.law = CoulombViscous{0.04, 0.02};
+    joint.control.k_p = 20, joint.control.k_v = 0.5, joint.control.V0 = 0.05;
+    CHECK(steady_sliding(joint).deflection == Approx(0.041 / 20));
+    joint.actuator.effort_gain = 0.5;
+    CHECK(steady_sliding(joint).deflection == Approx(0.082 / 20));
+    joint.actuator.kind = ActuatorKind::dc_motor, joint.actuator.effort_gain = 1;
+    joint.actuator.k_t = joint.actuator.k_e = 0.3232, joint.actuator.resistance = 4.764;
+    // 0.041 N·m take 0.126856 A, these 0.604344 V beside a back-EMF of 0.01616 V, at 20 V/rad
+    CHECK(steady_sliding(joint).deflection == Approx(0.0310252).epsilon(1e-5));
+}

@@ -170,7 +170,7 @@ struct Friction {
     Asymmetry asymmetry;
     double normal_load = 1;       ///< σ_n of (1) per the one at which the numbers of the law hold: multiplies all of f
     double load_coefficient = 0;  ///< f += load_coefficient · |transmitted effort| · sgn V
-    GearLoss gear;                ///< of a single mass
+    GearLoss gear;                ///< of a joint that is one mass, see OneMassFriction
     PositionRipple ripple;        ///< multiplies sgn V: flips with direction, unlike cogging
     FrictionDrift drift;
     Bristle bristle;
@@ -187,7 +187,6 @@ struct Friction {
         visit.number({"load_coefficient", Quantity::number, not_negative, Need::optional,
                       "friction per transmitted effort", Role::law},
                      self.load_coefficient);
-        visit.table("gear", "friction of a gear that grows with the effort at the load", self.gear);
         visit.table("ripple", "position dependence of the Coulomb level", self.ripple);
         visit.table("drift", "warm-up of the Coulomb level", self.drift);
         visit.table("bristle", "presliding stiffness under the law", self.bristle);
@@ -202,6 +201,19 @@ struct Friction {
 
     /// What ranges cannot say: bristles need a level that they carry, and the states must find room.
     std::string problem() const;
+};
+
+/// The friction of a joint that is one mass: with that of its gear, which a transmission has by `load_coefficient`.
+struct OneMassFriction : Friction {
+    OneMassFriction() = default;
+    OneMassFriction(const Friction& friction) : Friction(friction) {}
+
+    template <class Self, class Visitor>
+    static void fields(Self& self, Visitor& visit)
+    {
+        Friction::fields(self, visit);
+        visit.table("gear", "friction of a gear that grows with the effort at the load", self.gear);
+    }
 };
 
 // The friction of one body as one law: the calls of the concept (response.h) with every term included that depends on

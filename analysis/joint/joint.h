@@ -32,8 +32,8 @@ struct Joint {
     Mechanism mechanism;
     Load load;
     Control control;
-    Friction friction;        ///< single-mass
-    BodyFrictions frictions;  ///< the other models
+    OneMassFriction friction;  ///< single-mass
+    BodyFrictions frictions;   ///< the other models
     Actuator actuator;
     Sensor sensor;
     NormalLoad normal;
@@ -72,10 +72,6 @@ struct Joint {
         if (normal.from_load != 0 && single)
             return "normal.from_load is of the effort that a transmission carries, and a single mass has none; "
                    "friction.load_coefficient is of the effort of the loop";
-        if (!single &&
-            (frictions.motor.gear.acts() || frictions.transmission.gear.acts() || frictions.link.gear.acts()))
-            return "friction.gear is of a joint that is one mass; of several, load_coefficient is of the effort of the "
-                   "transmission";
         if (normal.from_load != 0 && normal.alpha != 0)
             return "normal.alpha and normal.from_load: a state that follows the transmitted effort is not computed, "
                    "expected one of them";

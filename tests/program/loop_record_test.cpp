@@ -85,6 +85,20 @@ TEST_CASE("a record of a continuous loop has no gap, and names the edit of its j
     CHECK(late["effects"][0]["parameters"]["delay.time"]["value"].get<double>() == Approx(0.008).margin(5e-4));
 }
 
+TEST_CASE("what records are not simulated with is refused")
+{
+    const Folder folder;
+    const auto motion = folder.write("motion.csv", reference());
+    const auto joint = folder.write("joint.toml", machine);
+    REQUIRE(stickslip("simulate " + joint + " --reference " + motion + " -o " + (folder / "record")).exit_code == 0);
+    auto pressed = machine;
+    pressed.insert(pressed.find("period"), "contact_stiffness = 50\n");
+    const auto run = stickslip("diagnose " + folder.write("pressed.toml", pressed) + " " + (folder / "record") +
+                               "/record.csv --no-report -o " + (folder / "found"));
+    CHECK(run.exit_code == 2);
+    CHECK_THAT(run.output, Catch::Contains("pressed.toml: control.contact_stiffness"));
+}
+
 TEST_CASE("a gear that loses more when the load drives it is friction that depends on the load")
 {
     const Folder folder;

@@ -94,6 +94,11 @@ Plant flatten(const Joint& joint)
 {
     Plant p;
     const Mechanism& m = joint.mechanism;
+    if (joint.control.kind == ControlKind::force)
+        throw std::invalid_argument("control.kind: is \"force\"; records are simulated under position control");
+    if (joint.control.contact_stiffness != 0)
+        throw std::invalid_argument(
+            "control.contact_stiffness: records are simulated without a spring between link and surroundings");
     switch (m.model) {
         case Model::single_mass:
             p.motor_inertia = m.inertia;

@@ -58,7 +58,8 @@ std::string loop_note(const Joint& joint)
 std::vector<std::string> friction_notes(Joint joint)
 {
     Joint plain = joint;
-    for (Friction* f : {&plain.friction, &plain.frictions.motor, &plain.frictions.transmission, &plain.frictions.link})
+    for (Friction* f : std::initializer_list<Friction*>{&plain.friction, &plain.frictions.motor,
+                                                        &plain.frictions.transmission, &plain.frictions.link})
         *f = Friction{f->law};
     const auto own = parameters(joint), at_rest = parameters(plain);
     struct Place {

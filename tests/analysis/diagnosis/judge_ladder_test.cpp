@@ -353,7 +353,7 @@ TEST_CASE("small terms that every machine has are not named beside a cause", "[g
 TEST_CASE("a small term goes from between two rungs, too", "[gap][ladder]")
 {
     Machine m;
-    m.inertia = 1.2 * 1.5, m.one_way = 0.06 * m.viscous, m.coulomb = 2 * 0.8;
+    m.inertia = 1.2 * 1.5, m.one_way = 0.06 * m.viscous, m.coulomb = 2 * 0.83;
     const Search search(m, {"inertia", "asymmetric-friction", "coulomb-level"});
     const auto j = search.judged(search.search->climb({}, policy::ladder.most_rungs));
     INFO(j.ladder.rungs.size() << " rungs, the last but one adds " << j.ladder.rungs[1].causes.effects.back()->name);

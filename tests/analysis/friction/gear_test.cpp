@@ -58,9 +58,4 @@ TEST_CASE("a verdict without the gear's friction says so", "[friction][gear]")
     REQUIRE(use.not_used.size() == 1);
     CHECK(use.not_used[0].key == "friction.gear");
     CHECK(use.not_used[0].matters);
-    CHECK(joint.problem().empty());
-
-    joint.mechanism.model = Model::two_mass;
-    joint.frictions.link.gear.backward = 0.4;
-    CHECK_THAT(joint.problem(), Catch::Contains("friction.gear"));
 }

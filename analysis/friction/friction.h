@@ -100,8 +100,8 @@ struct GearLoss {
     bool acts() const { return forward != 0 || backward != 0; }
 
     /// Friction where the load resists with `load` and everything but friction pushes with `net`, in motion along
-    /// `direction` against other friction of this size. τ + beyond · (friction of the gear) = load + beyond · (net −
-    /// direction · other), so that τ has the sign of the right side.
+    /// `direction` against other friction of this size. τ + direction · beyond · (that friction) = load + beyond · (net
+    /// − direction · other), so that τ has the sign of the right side.
     template <class Real>
     static Real level(const Real& forward, const Real& backward, const Real& beyond, const Real& load, const Real& net,
                       const Real& direction, const Real& other)

@@ -7,6 +7,15 @@
 #include <cmath>
 
 namespace stickslip {
+namespace {
+
+/// At the winding, nothing of the supply counted.
+double winding_voltage(const Actuator& a, double effort, double velocity)
+{
+    return effort * a.resistance / (a.effort_gain * a.k_t) + a.k_e * velocity;
+}
+
+}  // namespace
 
 double command_for(const Actuator& a, double effort, double velocity)
 {
@@ -15,11 +24,10 @@ double command_for(const Actuator& a, double effort, double velocity)
         return left > 0 ? effort / left / a.effort_gain : missing;
     }
     const bool duty = a.signal == DriveSignal::duty;
-    const double per_ampere = a.effort_gain * a.k_t, supply = a.supply_voltage;
-    const double volts = effort * a.resistance / per_ampere + a.k_e * velocity;
+    const double supply = a.supply_voltage, volts = winding_voltage(a, effort, velocity);
     if (!is_set(supply)) return volts;
     // effort (R + |D| R_b) = k_t (D U − k_e v)
-    const double left = supply - std::abs(effort / per_ampere) * a.supply_resistance;
+    const double left = supply - std::abs(effort / (a.effort_gain * a.k_t)) * a.supply_resistance;
     return left > 0 ? volts / left * (duty ? 1 : supply) : missing;
 }
 
@@ -40,7 +48,7 @@ std::optional<LowLimit> of_a_motor(const Joint& joint, double effort, double vel
 {
     const auto& a = joint.actuator;
     if (effort > a.limit) return LowLimit{"actuator.limit", Quantity::effort, a.limit, effort};
-    const double volts = (effort * a.resistance / (a.effort_gain * a.k_t)) + a.k_e * std::abs(velocity);
+    const double volts = winding_voltage(a, effort, std::abs(velocity));
     const bool duty = a.signal == DriveSignal::duty;
     const LowLimit supply{"actuator.supply_voltage", Quantity::voltage, a.supply_voltage, volts};
     if (is_set(a.supply_voltage) && volts > a.supply_voltage) return supply;

@@ -187,8 +187,7 @@ TEST_CASE("corrections alone are held against free forces, which have to take as
     CHECK_FALSE(answers(force(0.7, 1.05)));
 }
 
-TEST_CASE("a small term of every machine that takes little is not what the gap comes from, any other cause stays",
-          "[gap][ladder]")
+TEST_CASE("a small term that takes little is not what the gap comes from, any other cause stays", "[gap][ladder]")
 {
     auto j = ladder_of_one({}, 3, false);
     j.shares.documented = 1, j.shares.base = j.shares.corrected = 0.2;  // corrections take 0.8
@@ -356,7 +355,6 @@ TEST_CASE("a small term goes from between two rungs, too", "[gap][ladder]")
     m.inertia = 1.2 * 1.5, m.one_way = 0.06 * m.viscous, m.coulomb = 2 * 0.83;
     const Search search(m, {"inertia", "asymmetric-friction", "coulomb-level"});
     const auto j = search.judged(search.search->climb({}, policy::ladder.most_rungs));
-    INFO(j.ladder.rungs.size() << " rungs, the last but one adds " << j.ladder.rungs[1].causes.effects.back()->name);
     REQUIRE(j.ladder.rungs.size() == 3);
     REQUIRE(small_term_between(j) == effect_named("asymmetric-friction"));
     const auto shorter = search.judged(search.search->without(j.ladder, *small_term_between(j)));
@@ -377,8 +375,7 @@ TEST_CASE("what could not be told from a rung is fitted anew before it is", "[ga
     CHECK(std::abs(ladder.rivals[0][0].misfit - rung.misfit) < margin_of(rung, policy::ladder));
 }
 
-TEST_CASE("a number of the document that would go back to its bound is told apart from other last rungs",
-          "[gap][ladder]")
+TEST_CASE("a documented number that would go back to its bound is told apart from other last rungs", "[gap][ladder]")
 {
     std::vector<Note> notes;
     const std::vector<Case> cases{prepare(test::record_of({}, 1, 3), test::nominal_joint(), notes)};

@@ -100,7 +100,7 @@ struct Control {
         visit.flag("reference_velocity", "velocity feedback acts on the velocity error, not on velocity alone",
                    self.reference_velocity);
         visit.number(
-            Field{"effort_limit", Quantity::effort, positive, Need::optional, "limit of the controller's output"}
+            Field{"effort_limit", Quantity::command, positive, Need::optional, "limit of the controller's output"}
                 .called("u_{max}", "controller limit"),
             self.effort_limit);
         visit.number(
@@ -135,10 +135,10 @@ struct Control {
     template <class Self, class Visitor>
     static void sum_fields(Self& self, Visitor& visit)
     {
-        visit.number(Field{"k_p", Quantity::stiffness, any_finite, Need::required, "position gain"}.called(
+        visit.number(Field{"k_p", Quantity::position_gain, any_finite, Need::required, "position gain"}.called(
                          "k_{p}", "position gain"),
                      self.k_p);
-        visit.number(Field{"k_v", Quantity::damping, any_finite, Need::optional, "velocity gain"}.called(
+        visit.number(Field{"k_v", Quantity::velocity_gain, any_finite, Need::optional, "velocity gain"}.called(
                          "k_{v}", "velocity gain"),
                      self.k_v);
         visit.number(Field{"k_i", Quantity::integral_gain, any_finite, Need::optional,
@@ -154,10 +154,10 @@ struct Control {
                 .called("K_{pos}", "position gain of the cascade"),
             self.position_gain);
         visit.number(
-            Field{"velocity_gain", Quantity::damping, any_finite, Need::required, "effort per velocity error"}.called(
-                "K_{v}", "velocity gain of the cascade"),
+            Field{"velocity_gain", Quantity::velocity_gain, any_finite, Need::required, "effort per velocity error"}
+                .called("K_{v}", "velocity gain of the cascade"),
             self.velocity_gain);
-        visit.number(Field{"velocity_integral_gain", Quantity::stiffness, any_finite, Need::optional,
+        visit.number(Field{"velocity_integral_gain", Quantity::position_gain, any_finite, Need::optional,
                            "effort per integral of the velocity error"}
                          .called("K_{i}", "integral gain of the velocity loop"),
                      self.velocity_integral_gain);
@@ -169,7 +169,7 @@ struct Control {
     template <class Self, class Visitor>
     static void integral_fields(Self& self, Visitor& visit)
     {
-        visit.number(Field{"integral_limit", Quantity::effort, positive, Need::optional,
+        visit.number(Field{"integral_limit", Quantity::command, positive, Need::optional,
                            "limit of the integral's share of the output"}
                          .called("u_{i,max}", "limit of the integral"),
                      self.integral_limit);

@@ -68,10 +68,10 @@ struct FeedForward {
         visit.number({"velocity", Quantity::number, any_finite, Need::optional,
                       "share of the reference velocity in the velocity error (with reference_velocity)"},
                      self.velocity);
-        visit.number(
-            {"acceleration", Quantity::inertia, any_finite, Need::optional, "effort per acceleration of the reference"},
-            self.acceleration);
-        visit.number(Field{"coulomb", Quantity::effort, any_finite, Need::optional,
+        visit.number({"acceleration", Quantity::acceleration_gain, any_finite, Need::optional,
+                      "effort per acceleration of the reference"},
+                     self.acceleration);
+        visit.number(Field{"coulomb", Quantity::command, any_finite, Need::optional,
                            "push against dry friction, in the direction that coulomb_from names"}
                          .called("F_{c}", "Coulomb friction"),
                      self.coulomb);
@@ -98,7 +98,7 @@ struct Dither {
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number({"amplitude", Quantity::effort, not_negative, Need::optional, "amplitude, 0 for none"},
+        visit.number({"amplitude", Quantity::command, not_negative, Need::optional, "amplitude, 0 for none"},
                      self.amplitude);
         visit.number({"frequency", Quantity::angular_frequency, positive, Need::optional,
                       "angular frequency; of a sampled loop below half its sampling rate"},

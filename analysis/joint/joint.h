@@ -83,6 +83,15 @@ struct Joint {
     }
 };
 
+/// Gains of a position loop turn positions into what the drive takes. Force loops have springs in their place.
+inline Units units_of(const Joint& joint)
+{
+    const auto& a = joint.actuator;
+    const bool efforts = a.kind == ActuatorKind::effort || joint.control.kind == ControlKind::force;
+    const Command signal = a.signal == DriveSignal::voltage ? Command::voltage : Command::duty;
+    return {joint.mechanism.motion, efforts ? Command::effort : signal};
+}
+
 /// The friction on the body that a normal load presses.
 inline Friction& link_friction(Joint& joint)
 {

@@ -29,10 +29,11 @@ constexpr Column numbered(std::string_view name, std::string_view long_name, Qua
 }
 
 constexpr Column table[] = {
-    numbered("k_v_min", "least velocity gain of the velocity-only theory", Quantity::damping, &PointResult::k_v_min),
+    numbered("k_v_min", "least velocity gain of the velocity-only theory", Quantity::velocity_gain,
+             &PointResult::k_v_min),
     numbered("spectral_abscissa", "largest real part of the spectrum, memory included", Quantity::rate,
              &PointResult::spectral_abscissa),
-    numbered("k_cr", "critical position gain", Quantity::stiffness, &PointResult::k_cr),
+    numbered("k_cr", "critical position gain", Quantity::position_gain, &PointResult::k_cr),
     numbered("omega", "frequency at the critical position gain", Quantity::angular_frequency, &PointResult::omega),
     coded<&PointResult::region>("region", "verdicts of both theories",
                                 "stable memory_only velocity_only unstable bistable undecided neutral"),

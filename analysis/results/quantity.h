@@ -9,6 +9,24 @@ namespace stickslip {
 /// How a joint moves: a prismatic joint reads m, N, kg where a revolute one reads rad, N·m, kg·m².
 enum class Motion { prismatic, revolute };
 
+/// What a controller puts out: an effort on the joint, or the signal of a motor's drive, in volts or as a share of the
+/// supply.
+enum class Command { effort, voltage, duty };
+
+/// "effort", "voltage", "duty", as files have it; what is none of them is an effort.
+std::string_view name_of(Command command);
+Command command_named(std::string_view name);
+
+/// What the units of one joint's numbers depend on. units_of() of a joint (joint.h) knows both.
+struct Units {
+    Motion motion = Motion::prismatic;
+    Command command = Command::effort;
+
+    constexpr Units() = default;
+    constexpr Units(Motion moves, Command puts_out = Command::effort) : motion(moves), command(puts_out) {}
+    friend constexpr bool operator==(const Units&, const Units&) = default;
+};
+
 enum class Quantity {
     number,             ///< a ratio, an exponent, a count
     time,               ///< s
@@ -19,9 +37,8 @@ enum class Quantity {
     effort,             ///< N | N·m
     effort_rate,        ///< N/s | N·m/s
     impulse,            ///< N·s | N·m·s: effort times time
-    stiffness,          ///< N/m | N·m/rad: position gains, kernel weights
-    integral_gain,      ///< N/(m·s) | N·m/(rad·s)
-    damping,            ///< N·s/m | N·m·s/rad: velocity gains, friction slopes
+    stiffness,          ///< N/m | N·m/rad: springs, kernel weights
+    damping,            ///< N·s/m | N·m·s/rad: dampers, friction slopes
     inertia,            ///< kg | kg·m²
     per_position,       ///< 1/m | 1/rad: periods of a position-locked term times 2π
     angle,              ///< rad for every motion: a phase
@@ -32,10 +49,15 @@ enum class Quantity {
     resistance,         ///< Ω
     torque_constant,    ///< N/A | N·m/A
     back_emf,           ///< V·s/m | V·s/rad
-    temperature         ///< °C
+    temperature,        ///< °C
+    command,            ///< what the controller puts out: N | N·m, V, or a number
+    position_gain,      ///< command per position
+    velocity_gain,      ///< command per velocity
+    integral_gain,      ///< command per position and time
+    acceleration_gain   ///< command per acceleration: kg | kg·m² of efforts
 };
 
 /// The unit as it is printed, e.g. unit_of(Quantity::stiffness, Motion::revolute) == "N·m/rad"; "1" for a plain number.
-std::string_view unit_of(Quantity quantity, Motion motion);
+std::string_view unit_of(Quantity quantity, Units units);
 
 }  // namespace stickslip

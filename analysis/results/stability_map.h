@@ -77,7 +77,7 @@ struct MapMotion {
 struct StabilityMap {
     std::string title;  ///< "Stability of sliding over (k_p, k_v)"
     std::string fixed;  ///< what is held, mark-up: "V_{0} = 1 mm/s, force control, …"
-    Motion motion = Motion::prismatic;
+    Units units;
     Axis x, y;
     std::vector<double>
         abscissa;                ///< max Re s [1/s], row-major: index = iy * x.values.size() + ix; NaN where undecided
@@ -106,7 +106,7 @@ struct FieldMap {
         std::optional<Curve::Kind> boundary = {};  ///< set: in the pen and the words of a stability map's curve
     };
     std::string title, fixed, statement;
-    Motion motion = Motion::prismatic;
+    Units units;
     Axis x, y;
     std::string name, symbol;  ///< "limit-cycle amplitude", "x_{a}"
     Quantity quantity = Quantity::number;
@@ -123,10 +123,10 @@ struct FieldMap {
 /// k_cr over two axes, for the 3-D picture; NaN where no critical gain exists.
 struct CriticalGainSurface {
     std::string title, fixed;
-    Motion motion = Motion::prismatic;
+    Units units;
     Axis x, y;
     std::string z_name, z_symbol;  ///< "critical position gain", "k_{cr}"
-    Quantity z_quantity = Quantity::stiffness;
+    Quantity z_quantity = Quantity::position_gain;
     std::vector<double> z;  ///< row-major like StabilityMap::abscissa
 };
 

@@ -15,7 +15,7 @@ struct StabilityPanel {
 /// Small multiples: the same map again and again, along a third axis and a fourth, with one scale and one legend.
 struct StabilityPanels {
     std::string title, fixed;
-    Motion motion = Motion::prismatic;
+    Units units;
     Axis x, y;
     Axis across, up;                     ///< with the values shown; the fourth one's name is empty where there is none
     std::vector<StabilityPanel> panels;  ///< row-major: index = i_up * across.values.size() + i_across

@@ -62,9 +62,9 @@ std::string plain_number(double value, int digits)
            "}";
 }
 
-ScaledUnit scaled_unit(double largest, Quantity quantity, Motion motion)
+ScaledUnit scaled_unit(double largest, Quantity quantity, Units units)
 {
-    return scaled_unit(largest, std::string(unit_of(quantity, motion)));
+    return scaled_unit(largest, std::string(unit_of(quantity, units)));
 }
 
 ScaledUnit scaled_unit(double largest, const std::string& unit)
@@ -77,31 +77,31 @@ ScaledUnit scaled_unit(double largest, const std::string& unit)
     return {1, unit};
 }
 
-std::string with_unit(double value, Quantity quantity, Motion motion, int digits)
+std::string with_unit(double value, Quantity quantity, Units units, int digits)
 {
-    const std::string unit(unit_of(quantity, motion));
+    const std::string unit(unit_of(quantity, units));
     if (std::isnan(value) || unit == "1") return plain_number(value, digits);
-    const ScaledUnit scaled = scaled_unit(std::isfinite(value) ? rounded(value, digits) : 0, quantity, motion);
+    const ScaledUnit scaled = scaled_unit(std::isfinite(value) ? rounded(value, digits) : 0, quantity, units);
     return plain_number(value / scaled.size, digits) + " " + scaled.text;
 }
 
-bool reads_alike(double low, double high, Quantity quantity, Motion motion, int digits)
+bool reads_alike(double low, double high, Quantity quantity, Units units, int digits)
 {
-    return with_unit(low, quantity, motion, digits) == with_unit(high, quantity, motion, digits);
+    return with_unit(low, quantity, units, digits) == with_unit(high, quantity, units, digits);
 }
 
-std::string span_text(double low, double high, Quantity quantity, Motion motion, RangeWords words, int digits)
+std::string span_text(double low, double high, Quantity quantity, Units units, RangeWords words, int digits)
 {
-    const std::string least = with_unit(low, quantity, motion, digits);
-    if (reads_alike(low, high, quantity, motion, digits)) return std::string(words.single) + least;
-    return std::string(words.before) + least + std::string(words.between) + with_unit(high, quantity, motion, digits);
+    const std::string least = with_unit(low, quantity, units, digits);
+    if (reads_alike(low, high, quantity, units, digits)) return std::string(words.single) + least;
+    return std::string(words.before) + least + std::string(words.between) + with_unit(high, quantity, units, digits);
 }
 
-std::string range_text(double low, double high, Quantity quantity, Motion motion, RangeWords words, int digits)
+std::string range_text(double low, double high, Quantity quantity, Units units, RangeWords words, int digits)
 {
     constexpr int most = 9;  // searches locate their ends to 1e-9 at best
-    while (digits < most && low != high && reads_alike(low, high, quantity, motion, digits)) ++digits;
-    return span_text(low, high, quantity, motion, words, digits);
+    while (digits < most && low != high && reads_alike(low, high, quantity, units, digits)) ++digits;
+    return span_text(low, high, quantity, units, words, digits);
 }
 
 std::string counted(std::uint64_t count, std::string_view noun)

@@ -130,13 +130,13 @@ Ticks ticks(const Scale& scale, int room, double divisor)
     return scale.log ? log_ticks(scale, room, divisor) : linear_ticks(scale, room, divisor);
 }
 
-AxisLabel axis_label(const std::string& name, const std::string& symbol, Quantity quantity, Motion motion,
+AxisLabel axis_label(const std::string& name, const std::string& symbol, Quantity quantity, Units units,
                      const Scale& scale)
 {
     AxisLabel label{name};
     if (!symbol.empty() && symbol != name) label.text += (name.empty() ? "" : " ") + symbol;
     const double largest = scale.log ? 1 : std::max(std::abs(scale.low), std::abs(scale.high));
-    const ScaledUnit unit = scaled_unit(largest, quantity, motion);
+    const ScaledUnit unit = scaled_unit(largest, quantity, units);
     label.divisor = unit.size;
     if (unit.text != "1") label.text += " [" + unit.text + "]";
     return label;

@@ -44,7 +44,7 @@ struct AxisLabel {
 
 /// A log axis keeps the unit itself, its labels carry the power of ten; a linear one takes the prefix that leaves its
 /// labels short.
-AxisLabel axis_label(const std::string& name, const std::string& symbol, Quantity quantity, Motion motion,
+AxisLabel axis_label(const std::string& name, const std::string& symbol, Quantity quantity, Units units,
                      const Scale& scale);
 
 /// The same of a line chart's axis.

@@ -10,9 +10,9 @@
 namespace stickslip::drawing {
 namespace {
 
-std::string column(const std::string& name, Quantity quantity, Motion motion)
+std::string column(const std::string& name, Quantity quantity, Units units)
 {
-    const auto unit = unit_of(quantity, motion);
+    const auto unit = unit_of(quantity, units);
     return field(plain_text(name) + (unit == "1" ? "" : " [" + std::string(unit) + "]"));
 }
 
@@ -36,9 +36,9 @@ std::string field(std::string_view text)
 
 std::string csv_header(const StabilityMap& map)
 {
-    std::string text = column(map.x.path, map.x.quantity, map.motion) + "," +
-                       column(map.y.path, map.y.quantity, map.motion) + ",spectral abscissa [1/s],";
-    for (const auto& reading : map.readings) text += column(reading.name, reading.quantity, map.motion) + ",";
+    std::string text = column(map.x.path, map.x.quantity, map.units) + "," +
+                       column(map.y.path, map.y.quantity, map.units) + ",spectral abscissa [1/s],";
+    for (const auto& reading : map.readings) text += column(reading.name, reading.quantity, map.units) + ",";
     return text + "region";
 }
 
@@ -60,7 +60,7 @@ std::string csv_header(const StabilityPanels& p)
 {
     std::string text;
     for (const Axis* axis : {&p.up, &p.across, &p.x, &p.y})
-        if (!axis->name.empty()) text += column(axis->path, axis->quantity, p.motion) + ",";
+        if (!axis->name.empty()) text += column(axis->path, axis->quantity, p.units) + ",";
     return text + "spectral abscissa [1/s],region";
 }
 
@@ -82,8 +82,8 @@ std::string csv(const StabilityPanels& p)
 
 std::string csv_header(const FieldMap& map)
 {
-    return column(map.x.path, map.x.quantity, map.motion) + "," + column(map.y.path, map.y.quantity, map.motion) + "," +
-           (map.classes.empty() ? column(map.name, map.quantity, map.motion) : field(map.name));
+    return column(map.x.path, map.x.quantity, map.units) + "," + column(map.y.path, map.y.quantity, map.units) + "," +
+           (map.classes.empty() ? column(map.name, map.quantity, map.units) : field(map.name));
 }
 
 std::string csv(const FieldMap& map)
@@ -103,9 +103,9 @@ std::string csv(const FieldMap& map)
 
 std::string csv_header(const CriticalGainSurface& surface)
 {
-    return column(surface.x.path, surface.x.quantity, surface.motion) + "," +
-           column(surface.y.path, surface.y.quantity, surface.motion) + "," +
-           column(surface.z_name, surface.z_quantity, surface.motion);
+    return column(surface.x.path, surface.x.quantity, surface.units) + "," +
+           column(surface.y.path, surface.y.quantity, surface.units) + "," +
+           column(surface.z_name, surface.z_quantity, surface.units);
 }
 
 std::string csv(const CriticalGainSurface& surface)

@@ -17,9 +17,9 @@
 namespace stickslip::drawing {
 namespace {
 
-bool takes_prefix(Quantity quantity, Motion motion)
+bool takes_prefix(Quantity quantity, Units units)
 {
-    return scaled_unit(1e3, quantity, motion).text != unit_of(quantity, motion);
+    return scaled_unit(1e3, quantity, units).text != unit_of(quantity, units);
 }
 
 std::size_t nearest(const Axis& axis, double value)
@@ -34,13 +34,13 @@ std::size_t nearest(const Axis& axis, double value)
 }
 
 /// `hides_zero`: a read-out leaves it out where it is 0.
-std::string reading(std::string_view name, Quantity quantity, Motion motion, const std::vector<double>& values,
+std::string reading(std::string_view name, Quantity quantity, Units units, const std::vector<double>& values,
                     bool hides_zero = false)
 {
     return JsonObject()
         .text("name", name)
-        .text("unit", unit_of(quantity, motion))
-        .flag("prefix", takes_prefix(quantity, motion))
+        .text("unit", unit_of(quantity, units))
+        .flag("prefix", takes_prefix(quantity, units))
         .flag("hides_zero", hides_zero)
         .text("values", pack_floats(values))
         .close();
@@ -48,7 +48,7 @@ std::string reading(std::string_view name, Quantity quantity, Motion motion, con
 
 struct GridPicture {
     const Axis &x, &y;
-    Motion motion;
+    Units units;
     std::string header;         ///< of its CSV file
     const DesignPoint* design;  ///< null: none, or beyond the chart
 };
@@ -69,8 +69,8 @@ JsonObject grid_data(const GridPicture& grid, const RenderedFigure& rendered, co
     json.text("kind", kind)
         .text("header", grid.header)
         .numbers("start", {static_cast<double>(column), static_cast<double>(row)})
-        .raw("x", axis_data(grid.x, grid.motion))
-        .raw("y", axis_data(grid.y, grid.motion));
+        .raw("x", axis_data(grid.x, grid.units))
+        .raw("y", axis_data(grid.y, grid.units));
     if (rendered.plot.width > 0) json.raw("area", area_data(rendered.plot, rendered));
     return json;
 }
@@ -91,10 +91,10 @@ std::string region_classes()
 std::string data(const StabilityMap& map, const RenderedFigure& rendered)
 {
     const DesignPoint* design = map.has_design && map.design.inside ? &map.design : nullptr;
-    JsonObject json = grid_data({map.x, map.y, map.motion, csv_header(map), design}, rendered);
-    std::vector<std::string> readings{reading("max Re s", Quantity::rate, map.motion, map.abscissa)};
+    JsonObject json = grid_data({map.x, map.y, map.units, csv_header(map), design}, rendered);
+    std::vector<std::string> readings{reading("max Re s", Quantity::rate, map.units, map.abscissa)};
     for (const auto& r : map.readings)
-        readings.push_back(reading(r.name, r.quantity, map.motion, r.values, r.column == "interpolation_error"));
+        readings.push_back(reading(r.name, r.quantity, map.units, r.values, r.column == "interpolation_error"));
     json.raw("readings", json_array(readings))
         .raw("classes", region_classes())
         .text("class", pack(region_codes(map.region)));
@@ -108,7 +108,7 @@ std::string data(const StabilityMap& map, const RenderedFigure& rendered)
 std::string data(const StabilityPanels& p, const RenderedFigure& rendered)
 {
     const DesignPoint* design = p.has_design && p.design.inside ? &p.design : nullptr;
-    JsonObject json = grid_data({p.x, p.y, p.motion, csv_header(p), design}, rendered, "panels");
+    JsonObject json = grid_data({p.x, p.y, p.units, csv_header(p), design}, rendered, "panels");
     std::vector<std::string> areas, places;
     for (const auto& area : rendered.panels) areas.push_back(area_data(area, rendered));
     std::vector<double> field;
@@ -121,12 +121,12 @@ std::string data(const StabilityPanels& p, const RenderedFigure& rendered)
     json.raw("areas", json_array(areas))
         .raw("places", json_array(places))
         .number("own", static_cast<double>(p.own))
-        .raw("readings", json_array({reading("max Re s", Quantity::rate, p.motion, {})}))
+        .raw("readings", json_array({reading("max Re s", Quantity::rate, p.units, {})}))
         .text("field", pack_coarse(field))
         .raw("classes", region_classes())
         .text("class", pack(region_codes(regions)))
-        .raw("across", axis_data(p.across, p.motion));
-    if (!p.up.name.empty()) json.raw("up", axis_data(p.up, p.motion));
+        .raw("across", axis_data(p.across, p.units));
+    if (!p.up.name.empty()) json.raw("up", axis_data(p.up, p.units));
     if (!p.command.empty()) json.text("command", p.command);
     return json.close();
 }
@@ -134,9 +134,9 @@ std::string data(const StabilityPanels& p, const RenderedFigure& rendered)
 std::string data(const FieldMap& map, const RenderedFigure& rendered)
 {
     const DesignPoint* design = map.has_design && map.design.inside ? &map.design : nullptr;
-    JsonObject json = grid_data({map.x, map.y, map.motion, csv_header(map), design}, rendered);
+    JsonObject json = grid_data({map.x, map.y, map.units, csv_header(map), design}, rendered);
     if (map.classes.empty()) {
-        json.raw("readings", json_array({reading(plain_text(map.name), map.quantity, map.motion, map.values)}));
+        json.raw("readings", json_array({reading(plain_text(map.name), map.quantity, map.units, map.values)}));
         if (!map.none.empty()) json.text("none", map.none);
     } else {
         std::vector<std::string> names;
@@ -152,9 +152,9 @@ std::string data(const CriticalGainSurface& surface, const RenderedFigure& rende
 {
     RenderedFigure seen_from_aside = rendered;
     seen_from_aside.plot = {};  // no place of the picture is a place of the grid
-    return grid_data({surface.x, surface.y, surface.motion, csv_header(surface), nullptr}, seen_from_aside)
+    return grid_data({surface.x, surface.y, surface.units, csv_header(surface), nullptr}, seen_from_aside)
         .flag("surface", true)
-        .raw("readings", json_array({reading(surface.z_name, surface.z_quantity, surface.motion, surface.z)}))
+        .raw("readings", json_array({reading(surface.z_name, surface.z_quantity, surface.units, surface.z)}))
         .close();
 }
 
@@ -241,14 +241,14 @@ bool zoomable(const Picture& picture)
     return points >= long_series;
 }
 
-std::string axis_data(const Axis& axis, Motion motion)
+std::string axis_data(const Axis& axis, Units units)
 {
     const Scale scale = spanning(axis.values, axis.log);
     return JsonObject()
         .text("symbol", axis.symbol.empty() ? axis.name : axis.symbol)
         .text("name", axis.name)
-        .text("unit", unit_of(axis.quantity, motion))
-        .flag("prefix", takes_prefix(axis.quantity, motion))
+        .text("unit", unit_of(axis.quantity, units))
+        .flag("prefix", takes_prefix(axis.quantity, units))
         .flag("log", axis.log)
         .number("low", scale.low)
         .number("high", scale.high)

@@ -15,7 +15,7 @@ std::string figure_data(const Figure& figure, const RenderedFigure& rendered);
 bool zoomable(const Picture& picture);
 
 /// One axis: symbol, unit, range, values.
-std::string axis_data(const Axis& axis, Motion motion);
+std::string axis_data(const Axis& axis, Units units);
 
 std::vector<std::uint8_t> region_codes(const std::vector<Region>& regions);
 

@@ -70,7 +70,7 @@ std::string depth_data(const StabilityMap& map)
     }
     const FieldScale scale = field_scale(map.abscissa);
     return JsonObject()
-        .raw("axis", axis_data(axis, map.motion))
+        .raw("axis", axis_data(axis, map.units))
         .number("at", static_cast<double>(own))
         .text("field", pack_coarse(fields))
         .text("class", pack(region_codes(regions)))
@@ -99,7 +99,7 @@ std::string motion_data(const StabilityMap& map)
         .numbers("lengths", lengths)
         .text("time", pack_coarse(time))
         .text("velocity", pack_coarse(velocity))
-        .text("unit", unit_of(Quantity::velocity, map.motion))
+        .text("unit", unit_of(Quantity::velocity, map.units))
         .close();
 }
 

@@ -141,12 +141,12 @@ Drawn draw(const CriticalGainSurface& surface, const std::string& description, c
         return {"", "no critical gain exists anywhere on this grid", 0, 0, {}};
     const auto axis = [&](const Axis& a) {
         const Scale scale = spanning(a.values, a.log);
-        return ChartAxis{scale, axis_label(a.name, a.symbol, a.quantity, surface.motion, scale)};
+        return ChartAxis{scale, axis_label(a.name, a.symbol, a.quantity, surface.units, scale)};
     };
     const ChartAxis x = axis(surface.x), y = axis(surface.y);
     const Scale z_scale = height_scale(surface.z);
     const ChartAxis z{z_scale,
-                      axis_label(surface.z_name, surface.z_symbol, surface.z_quantity, surface.motion, z_scale)};
+                      axis_label(surface.z_name, surface.z_symbol, surface.z_quantity, surface.units, z_scale)};
 
     Canvas canvas(picture_width, fonts);
     const double top = draw_heading(canvas, 40, picture_width - 80, surface.title, surface.fixed,

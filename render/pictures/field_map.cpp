@@ -60,7 +60,7 @@ Colouring colouring(const FieldMap& map, const Rectangle& plot)
         for (double& v : result.positions) v = scale.at(v);
         result.table = &vik_table;
         result.bar.marks = field_marks(scale, plot.height);
-        result.bar.label = axis_label(map.name, map.symbol, map.quantity, map.motion, Scale{1, 10, true}).text;
+        result.bar.label = axis_label(map.name, map.symbol, map.quantity, map.units, Scale{1, 10, true}).text;
         return result;
     }
     const bool log = map.scale == FieldMap::Scale::log;
@@ -69,7 +69,7 @@ Colouring colouring(const FieldMap& map, const Rectangle& plot)
                                               [](double v) { return v == 0 || !std::isfinite(v); });
     // of zero everywhere neither a negative nor a large value is meant
     const Scale scale = none ? Scale{1, 10, log} : nothing ? Scale{0, 1, false} : spanning(map.values, log);
-    const AxisLabel label = axis_label(map.name, map.symbol, map.quantity, map.motion, scale);
+    const AxisLabel label = axis_label(map.name, map.symbol, map.quantity, map.units, scale);
     for (double& v : result.positions) v = scale.at(v);
     const Ticks marks = ticks(scale, static_cast<int>(plot.height / 60), label.divisor);
     for (const Tick& tick : marks.major) result.bar.marks.push_back({scale.at(tick.value), tick.label});
@@ -168,8 +168,8 @@ Drawn draw(const FieldMap& map, const std::string& description, const Fonts& fon
     const double top =
         draw_heading(canvas, axis_margin, picture_width - axis_margin - 20, map.title, map.fixed, map.statement);
     const Frame frame{{axis_margin, top, plot_width, plot_height},
-                      {x, axis_label(map.x.name, map.x.symbol, map.x.quantity, map.motion, x)},
-                      {y, axis_label(map.y.name, map.y.symbol, map.y.quantity, map.motion, y)}};
+                      {x, axis_label(map.x.name, map.x.symbol, map.x.quantity, map.units, x)},
+                      {y, axis_label(map.y.name, map.y.symbol, map.y.quantity, map.units, y)}};
     Obstacles obstacles;
     std::vector<std::size_t> owners;
     for (std::size_t i = 0; i < map.lines.size(); ++i)

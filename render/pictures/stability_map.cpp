@@ -68,8 +68,8 @@ Drawn draw(const StabilityMap& map, const std::string& description, const Fonts&
     const double top =
         draw_heading(canvas, axis_margin, picture_width - axis_margin - 20, map.title, map.fixed, statement(map));
     const Frame frame{{axis_margin, top, plot_width, plot_height},
-                      {x, axis_label(map.x.name, map.x.symbol, map.x.quantity, map.motion, x)},
-                      {y, axis_label(map.y.name, map.y.symbol, map.y.quantity, map.motion, y)}};
+                      {x, axis_label(map.x.name, map.x.symbol, map.x.quantity, map.units, x)},
+                      {y, axis_label(map.y.name, map.y.symbol, map.y.quantity, map.units, y)}};
     const FieldScale scale = field_scale(map.abscissa);
     const StabilityBody body{map.x, map.y, map.abscissa, map.region, map.curves};
     const DrawnBody drawn = draw_body(canvas, frame, body, scale, map.title);

@@ -36,7 +36,7 @@ std::size_t column_count(const StabilityPanels& p)
 std::vector<std::string> panel_title(const StabilityPanels& p, const StabilityPanel& panel)
 {
     const auto held = [&](const Axis& axis, double value) {
-        return axis.symbol + " = " + with_unit(value, axis.quantity, p.motion);
+        return axis.symbol + " = " + with_unit(value, axis.quantity, p.units);
     };
     std::vector<std::string> lines{held(p.across, panel.across)};
     if (!p.up.name.empty()) lines.push_back(held(p.up, panel.up));
@@ -56,8 +56,8 @@ Drawn draw(const StabilityPanels& p, const std::string& description, const Fonts
 {
     check(p);
     const Scale x = spanning(p.x.values, p.x.log), y = spanning(p.y.values, p.y.log);
-    const ChartAxis x_axis{x, axis_label(p.x.name, p.x.symbol, p.x.quantity, p.motion, x)};
-    const ChartAxis y_axis{y, axis_label(p.y.name, p.y.symbol, p.y.quantity, p.motion, y)};
+    const ChartAxis x_axis{x, axis_label(p.x.name, p.x.symbol, p.x.quantity, p.units, x)};
+    const ChartAxis y_axis{y, axis_label(p.y.name, p.y.symbol, p.y.quantity, p.units, y)};
     const FieldScale scale = field_scale(whole_field(p));
     const std::size_t columns = column_count(p), rows = (p.panels.size() + columns - 1) / columns;
     const double width = std::floor((total_width - gap * static_cast<double>(columns - 1)) / columns);

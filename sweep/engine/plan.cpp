@@ -133,11 +133,12 @@ PlanId id_of(const Plan& plan)
         hash.add(axis.path);
         hash.add(axis.symbol);
         hash.add(axis.name);
-        hash.add(unit_of(axis.quantity, plan.motion));
+        hash.add(unit_of(axis.quantity, plan.units));
         hash.add(std::uint64_t{axis.log});
         hash.add(axis.values);
     }
-    hash.add(std::uint64_t{plan.motion == Motion::revolute});
+    hash.add(std::uint64_t{plan.units.motion == Motion::revolute});
+    if (plan.units.command != Command::effort) hash.add(name_of(plan.units.command));
     hash.add(plan.joint);
     hash.add(plan.options);
     hash.add(std::uint64_t{plan.nonlinear});
@@ -154,7 +155,7 @@ Plan make_plan(const Joint& joint, std::vector<Axis> axes, const PlanOptions& op
     Plan plan;
     plan.points = count_points(axes, options.nonlinear);
     plan.axes = std::move(axes);
-    plan.motion = joint.mechanism.motion;
+    plan.units = units_of(joint);
     plan.joint = canonical_text(joint);
     plan.options = options.evaluation;
     plan.nonlinear = options.nonlinear;

@@ -29,7 +29,7 @@ struct PointRange {
 /// the slowest.
 struct Plan {
     std::vector<Axis> axes;  ///< none: the sweep is one point, the joint as it stands
-    Motion motion = Motion::prismatic;
+    Units units;
     std::string joint;       ///< canonical_text of the joint that the axes vary
     std::string options;     ///< canonical text of all options of the evaluation
     bool nonlinear = false;  ///< rows have the columns of the nonlinear joint too

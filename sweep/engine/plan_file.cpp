@@ -10,23 +10,23 @@ namespace {
 using Json = nlohmann::ordered_json;
 constexpr char format[] = "stickslip-sweep-plan/1";
 
-Json axis_json(const Axis& axis, Motion motion)
+Json axis_json(const Axis& axis, Units units)
 {
     return {{"path", axis.path},
             {"name", axis.name},
             {"symbol", axis.symbol},
-            {"unit", unit_of(axis.quantity, motion)},
+            {"unit", unit_of(axis.quantity, units)},
             {"scale", axis.log ? "log" : "linear"},
             {"values", axis.values}};
 }
 
-Axis axis_from(const Json& json, Motion motion)
+Axis axis_from(const Json& json, Units units)
 {
     Axis axis;
     json.at("path").get_to(axis.path);
     json.at("name").get_to(axis.name);
     json.at("symbol").get_to(axis.symbol);
-    axis.quantity = quantity_in(json.at("unit").get<std::string>(), motion);
+    axis.quantity = quantity_in(json.at("unit").get<std::string>(), units);
     axis.log = json.at("scale") == "log";
     json.at("values").get_to(axis.values);
     return axis;
@@ -34,23 +34,24 @@ Axis axis_from(const Json& json, Motion motion)
 
 }  // namespace
 
-Quantity quantity_in(std::string_view unit, Motion motion)
+Quantity quantity_in(std::string_view unit, Units units)
 {
     constexpr int last = static_cast<int>(Quantity::temperature);
     for (int i = 0; i <= last; ++i)
-        if (unit_of(static_cast<Quantity>(i), motion) == unit) return static_cast<Quantity>(i);
+        if (unit_of(static_cast<Quantity>(i), units) == unit) return static_cast<Quantity>(i);
     throw std::runtime_error("no quantity is written in \"" + std::string(unit) + "\"");
 }
 
 std::string to_json(const Plan& plan)
 {
     Json axes = Json::array();
-    for (const Axis& axis : plan.axes) axes.push_back(axis_json(axis, plan.motion));
+    for (const Axis& axis : plan.axes) axes.push_back(axis_json(axis, plan.units));
     const Json json = {{"format", format},
                        {"id", to_text(plan.id)},
                        {"points", plan.points},
                        {"chunk_size", plan.chunk_size},
-                       {"motion", plan.motion == Motion::revolute ? "revolute" : "prismatic"},
+                       {"motion", plan.units.motion == Motion::revolute ? "revolute" : "prismatic"},
+                       {"drive_signal", name_of(plan.units.command)},
                        {"nonlinear", plan.nonlinear},
                        {"build", plan.build},
                        {"version", plan.version},
@@ -74,7 +75,8 @@ Plan plan_from_json(std::string_view text)
         json.at("id").get_to(id);
         json.at("points").get_to(plan.points);
         json.at("chunk_size").get_to(plan.chunk_size);
-        plan.motion = json.at("motion") == "revolute" ? Motion::revolute : Motion::prismatic;
+        plan.units = {json.at("motion") == "revolute" ? Motion::revolute : Motion::prismatic,
+                      command_named(json.value("drive_signal", "effort"))};
         json.at("nonlinear").get_to(plan.nonlinear);
         json.at("build").get_to(plan.build);
         json.at("version").get_to(plan.version);
@@ -83,7 +85,7 @@ Plan plan_from_json(std::string_view text)
         json.at("options").get_to(plan.options);
         json.at("joint").get_to(plan.joint);
         json.at("spec").get_to(plan.spec);
-        for (const Json& axis : json.at("axes")) plan.axes.push_back(axis_from(axis, plan.motion));
+        for (const Json& axis : json.at("axes")) plan.axes.push_back(axis_from(axis, plan.units));
     } catch (const Json::exception& e) {
         throw std::runtime_error(std::string("the plan cannot be read: ") + e.what());
     }

@@ -15,6 +15,6 @@ Plan plan_from_json(std::string_view text);
 
 /// The quantity that is written in this unit: the way back from a file to an axis. Units that several quantities share
 /// (rad of a position and of an angle) give the first of them. Throws std::runtime_error for a unit of no quantity.
-Quantity quantity_in(std::string_view unit, Motion motion);
+Quantity quantity_in(std::string_view unit, Units units);
 
 }  // namespace stickslip

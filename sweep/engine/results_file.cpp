@@ -33,7 +33,8 @@ std::vector<std::size_t> shape_of(const std::vector<Axis>& axes)
 
 ResultsFile::ResultsFile(const std::filesystem::path& path) : file_(NetcdfFile::open(path))
 {
-    motion_ = attribute("motion") == "revolute" ? Motion::revolute : Motion::prismatic;
+    units_ = {attribute("motion") == "revolute" ? Motion::revolute : Motion::prismatic,
+              command_named(attribute("drive_signal"))};
     int dimensions = 0;
     file_.check(nc_inq_ndims(file_.id(), &dimensions), "count the dimensions");
     for (int d = 0; d < dimensions; ++d) {
@@ -45,7 +46,7 @@ ResultsFile::ResultsFile(const std::filesystem::path& path) : file_(NetcdfFile::
         axis.path = file_.text(coordinate, "path");
         axis.symbol = file_.text(coordinate, "symbol");
         axis.name = file_.text(coordinate, "long_name");
-        axis.quantity = quantity_in(file_.text(coordinate, "units"), motion_);
+        axis.quantity = quantity_in(file_.text(coordinate, "units"), units_);
         axis.log = file_.text(coordinate, "scale") == "log";
         axis.values.resize(length);
         file_.check(nc_get_var_double(file_.id(), coordinate, axis.values.data()), "read an axis");

@@ -20,7 +20,7 @@ class ResultsFile {
     explicit ResultsFile(const std::filesystem::path& path);
 
     const std::vector<Axis>& axes() const { return axes_; }  ///< slowest first, as in the plan
-    Motion motion() const { return motion_; }
+    Units units() const { return units_; }
     std::uint64_t points() const;
 
     /// A global attribute: title, spec, joint, plan_id, command, build …; throws NetcdfError for a name that is not
@@ -54,7 +54,7 @@ class ResultsFile {
                            std::span<const std::size_t> at) const;
 
     NetcdfFile file_;
-    Motion motion_ = Motion::prismatic;
+    Units units_;
     std::vector<Axis> axes_;
 };
 

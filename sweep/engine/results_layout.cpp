@@ -43,21 +43,21 @@ int define_variable(const NetcdfFile& file, const std::string& name, nc_type typ
     return variable;
 }
 
-void describe_coordinate(const NetcdfFile& file, int variable, const Axis& axis, Motion motion)
+void describe_coordinate(const NetcdfFile& file, int variable, const Axis& axis, Units units)
 {
-    file.put_text(variable, "units", unit_of(axis.quantity, motion));
+    file.put_text(variable, "units", unit_of(axis.quantity, units));
     file.put_text(variable, "long_name", axis.name);
     file.put_text(variable, "symbol", axis.symbol);
     file.put_text(variable, "path", axis.path);
     file.put_text(variable, "scale", axis.log ? "log" : "linear");
 }
 
-int define_number(const NetcdfFile& file, const Column& column, const std::vector<int>& dimensions, Motion motion)
+int define_number(const NetcdfFile& file, const Column& column, const std::vector<int>& dimensions, Units units)
 {
     const int variable = define_variable(file, std::string(column.name), NC_DOUBLE, dimensions);
     file.check(nc_put_att_double(file.id(), variable, "_FillValue", NC_DOUBLE, 1, &missing), "set the fill value");
     file.put_text(variable, "long_name", column.long_name);
-    file.put_text(variable, "units", unit_of(column.quantity, motion));
+    file.put_text(variable, "units", unit_of(column.quantity, units));
     return variable;
 }
 
@@ -81,7 +81,8 @@ void describe_file(const NetcdfFile& file, const Plan& plan)
     file.put_text(global_attribute, "plan_id", to_text(plan.id));
     file.put_text(global_attribute, "command", plan.command);
     file.put_text(global_attribute, "build", plan.build);
-    file.put_text(global_attribute, "motion", plan.motion == Motion::revolute ? "revolute" : "prismatic");
+    file.put_text(global_attribute, "motion", plan.units.motion == Motion::revolute ? "revolute" : "prismatic");
+    file.put_text(global_attribute, "drive_signal", name_of(plan.units.command));
     file.put_text(global_attribute, "joint", plan.joint);
     file.put_text(global_attribute, "options", plan.options);
     file.put_text(global_attribute, "spec", plan.spec);
@@ -124,11 +125,11 @@ ResultsVariables define_results(const NetcdfFile& file, const Plan& plan, const 
                    "define " + names[i]);
     for (std::size_t i = 0; i < names.size(); ++i) {
         coordinates.push_back(define_variable(file, names[i], NC_DOUBLE, {dimensions[i]}));
-        describe_coordinate(file, coordinates.back(), plan.axes[i], plan.motion);
+        describe_coordinate(file, coordinates.back(), plan.axes[i], plan.units);
     }
     ResultsVariables variables;
     for (const Column* column : format.numbers())
-        variables.numbers.push_back(define_number(file, *column, dimensions, plan.motion));
+        variables.numbers.push_back(define_number(file, *column, dimensions, plan.units));
     for (const Column* column : format.codes()) variables.codes.push_back(define_code(file, *column, dimensions));
     file.check(nc_enddef(file.id()), "end the definitions");
 

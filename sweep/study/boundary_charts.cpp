@@ -38,7 +38,7 @@ StabilityMap stability_under(const Joint& design, Axis x, Axis y, const Parallel
     x.values = spaced(x.values.front(), x.values.back(), map_nodes, x.log);
     y.values = spaced(y.values.front(), y.values.back(), map_nodes, y.log);
     StabilityMap map;
-    map.motion = design.mechanism.motion;
+    map.units = units_of(design);
     map.abscissa.resize(x.values.size() * y.values.size());
     map.region.resize(map.abscissa.size());
     parallel(y.values.size(), [&](std::size_t j) {

@@ -61,8 +61,8 @@ const Fineness& fineness_of(const Joint& joint)
 
 Axis k_p_axis(const Interval& range, int points)
 {
-    return {"control.k_p",       "k_{p}", "position gain",
-            Quantity::stiffness, true,    log_steps(range.low, range.high, points)};
+    return {"control.k_p",           "k_{p}", "position gain",
+            Quantity::position_gain, true,    log_steps(range.low, range.high, points)};
 }
 
 GainChart judged(const Joint& joint, const Axis& k_p, const Axis& k_v, int mesh)
@@ -96,10 +96,10 @@ std::optional<GainChart> gain_chart_over(const Joint& joint, const Interval& k_p
 {
     if (!has_gains_to_turn(joint) || !(k_p.low > 0) || !(k_v.low > 0)) return std::nullopt;
     const auto& size = fineness_of(joint);
-    return judged(
-        joint, k_p_axis(k_p, size.columns),
-        {"control.k_v", "k_{v}", "velocity gain", Quantity::damping, true, log_steps(k_v.low, k_v.high, size.rows)},
-        size.mesh);
+    return judged(joint, k_p_axis(k_p, size.columns),
+                  {"control.k_v", "k_{v}", "velocity gain", Quantity::velocity_gain, true,
+                   log_steps(k_v.low, k_v.high, size.rows)},
+                  size.mesh);
 }
 
 std::optional<GainChart> gain_chart(const Joint& joint)
@@ -111,7 +111,7 @@ std::optional<GainChart> gain_chart(const Joint& joint)
     const double top = k_v_end(joint);
     if (!std::isfinite(top) || !(top > 0)) return std::nullopt;
     const auto& size = fineness_of(joint);
-    Axis k_v{"control.k_v", "k_{v}", "velocity gain", Quantity::damping, false, {}};
+    Axis k_v{"control.k_v", "k_{v}", "velocity gain", Quantity::velocity_gain, false, {}};
     for (int i = 0; i < size.rows; ++i) k_v.values.push_back(top * i / (size.rows - 1));
     return judged(joint, k_p_axis(k_p, size.columns), k_v, size.mesh);
 }

@@ -31,11 +31,11 @@ bool within(const Axis& axis, double value)
 
 }  // namespace
 
-std::string held_text(const std::vector<Held>& held, Motion motion)
+std::string held_text(const std::vector<Held>& held, Units units)
 {
     std::string text;
     for (const auto& h : held)
-        text += (text.empty() ? "" : ", ") + h.axis.symbol + " = " + with_unit(h.value, h.axis.quantity, motion);
+        text += (text.empty() ? "" : ", ") + h.axis.symbol + " = " + with_unit(h.value, h.axis.quantity, units);
     return text;
 }
 

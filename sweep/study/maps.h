@@ -37,7 +37,7 @@ struct Profile {
 };
 
 /// "k_{v} = 10 N·s/m, V_{0} = 1 mm/s"
-std::string held_text(const std::vector<Held>& held, Motion motion);
+std::string held_text(const std::vector<Held>& held, Units units);
 
 /// The joint with each held parameter at its value. Throws std::invalid_argument for a path that it lacks.
 Joint joint_at(Joint joint, const std::vector<Held>& held);

@@ -11,14 +11,14 @@ namespace stickslip {
 namespace {
 
 /// What lies beyond a range without boundaries.
-std::string outside_text(const LocatedRay& ray, Motion motion)
+std::string outside_text(const LocatedRay& ray, Units units)
 {
     if (!ray.outside) return "";
     const auto& o = *ray.outside;
     const auto quantity = ray.axis.quantity;
-    if (!o.nearest) return " None lies within " + range_text(o.low, o.high, quantity, motion, low_to_high) + " either.";
+    if (!o.nearest) return " None lies within " + range_text(o.low, o.high, quantity, units, low_to_high) + " either.";
     return " The nearest one outside lies at " + ray.axis.symbol + " = " +
-           with_unit(o.nearest->value, quantity, motion, ray.kind == BoundaryKind::outcome ? 4 : 8) + ".";
+           with_unit(o.nearest->value, quantity, units, ray.kind == BoundaryKind::outcome ? 4 : 8) + ".";
 }
 
 /// What the scanned points of a ray without boundaries say.
@@ -93,20 +93,20 @@ std::string ray_text(const Joint& design, const LocatedRay& ray)
     // the boundary along the velocity has a name of its own
     std::string kind =
         ray.kind == BoundaryKind::v_min ? "least velocity V_{min}" : std::string(name_of(ray.kind)) + " boundary";
-    const auto motion = design.mechanism.motion;
+    const Units units = units_of(design);
     const std::string range =
-        range_text(ray.axis.values.front(), ray.axis.values.back(), ray.axis.quantity, motion, low_to_high);
+        range_text(ray.axis.values.front(), ray.axis.values.back(), ray.axis.quantity, units, low_to_high);
     if (ray.undecided == ray.nodes)
         return "No verdict along " + ray.axis.symbol + ": the joint cannot be judged at any of the " +
                std::to_string(ray.nodes) + " points of the scan" +
                (ray.reason == Reason::none ? "." : ". At the first point: " + reason_text(ray.reason) + ".");
     if (ray.points.empty())
         return "No " + kind + " along " + ray.axis.symbol + " within " + range + throughout(ray) + "." +
-               outside_text(ray, motion);
+               outside_text(ray, units);
     kind[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(kind[0])));
     std::string text = kind + " along " + ray.axis.symbol + " at ";
     for (const auto& p : ray.points)
-        text += (&p == &ray.points.front() ? "" : ", ") + with_unit(p.value, ray.axis.quantity, motion, 8) + " (" +
+        text += (&p == &ray.points.front() ? "" : ", ") + with_unit(p.value, ray.axis.quantity, units, 8) + " (" +
                 direction_text(p.direction, ray.kind) + ")";
     return text + ".";
 }

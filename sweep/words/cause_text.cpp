@@ -110,15 +110,15 @@ std::string gear_text(const Cause& cause)
 /// The numbers of a joint file that end like one of the paths and have moved.
 std::string moved_numbers(const Words& words, Joint before, Joint after)
 {
-    const Motion motion = after.mechanism.motion;
+    const Units units = units_of(after);
     std::string text;
     for (const auto& p : parameters(after)) {
         const double* was = find_parameter(before, p.path);
         const bool own = std::any_of(words.paths.begin(), words.paths.end(),
                                      [&](auto end) { return !end.empty() && p.path.ends_with(end); });
         if (!own || !was || *was == *p.value) continue;
-        text += (text.empty() ? "" : ", ") + with_unit(*p.value, p.quantity, motion, 4);
-        text += std::isfinite(*was) && *was != 0 ? " instead of " + with_unit(*was, p.quantity, motion, 4)
+        text += (text.empty() ? "" : ", ") + with_unit(*p.value, p.quantity, units, 4);
+        text += std::isfinite(*was) && *was != 0 ? " instead of " + with_unit(*was, p.quantity, units, 4)
                                                  : " where the joint file has none";
     }
     return text;
@@ -155,7 +155,7 @@ std::string wave_numbers(const std::string& effect, Joint before, Joint after)
         const double* was = find_parameter(before, p.path);
         if (at == std::string::npos || (was && *was == *p.value) || p.path.ends_with("phase")) continue;
         text += (text.empty() ? "" : ", ") + p.path.substr(at + wave->second.size()) + " " +
-                with_unit(*p.value, p.quantity, after.mechanism.motion, 4);
+                with_unit(*p.value, p.quantity, units_of(after), 4);
     }
     return text;
 }

@@ -63,7 +63,7 @@ std::string infeasible_text(const DesignAnswer& a, const DesignUnits& u)
         return "No gains: the noise to be minimised is not a finite number above zero for any gains of the range "
                "(position noise " +
                u.position(a.requirements.noise.position) + ", sample time " +
-               with_unit(a.requirements.noise.period, Quantity::time, u.motion) + ").";
+               with_unit(a.requirements.noise.period, Quantity::time, u.units) + ").";
     std::string text = "No gains within the range meet every requirement.";
     if (a.requirements.effort_limit <= a.design.steady_effort)
         text += " Steady sliding alone takes " + u.effort(a.design.steady_effort) + ".";
@@ -112,7 +112,7 @@ std::vector<std::string> row_of(const char* name, const GainChoice& c, const Gai
 
 std::string design_verdict(const DesignAnswer& a)
 {
-    const DesignUnits u{a.joint.mechanism.motion};
+    const DesignUnits u{units_of(a.joint)};
     const auto& d = a.design;
     if (!d.decided)
         return low_limit(a.joint, commanded_velocity(a.joint)) ? "No design. " + low_limit_text(a.joint)
@@ -121,21 +121,20 @@ std::string design_verdict(const DesignAnswer& a)
     std::string text = "Best gains: " + gains_text(d.best, u) + ". Sensor noise moves the link by " +
                        u.position(d.best.motion_noise) + " rms and the actuator by " + u.effort(d.best.effort_noise) +
                        " rms. ";
-    return text + nearest_text(a.nearest, a.joint.mechanism.motion) + " " + cost_of_simple_thinking(a, u);
+    return text + nearest_text(a.nearest, units_of(a.joint)) + " " + cost_of_simple_thinking(a, u);
 }
 
 std::string design_text(const DesignAnswer& a)
 {
     std::string text = design_verdict(a);
     if (a.design.decided && a.design.feasible)
-        for (const auto& end : ends_of_range(a, DesignUnits{a.joint.mechanism.motion}))
-            text += " On the search limit: " + end;
+        for (const auto& end : ends_of_range(a, DesignUnits{units_of(a.joint)})) text += " On the search limit: " + end;
     return text;
 }
 
 std::vector<Table> design_tables(const DesignAnswer& a)
 {
-    const DesignUnits u{a.joint.mechanism.motion};
+    const DesignUnits u{units_of(a.joint)};
     const auto& d = a.design;
     if (!d.decided) return {};
     Table choices;

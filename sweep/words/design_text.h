@@ -11,12 +11,12 @@ namespace stickslip {
 
 /// Numbers of a design with their units.
 struct DesignUnits {
-    Motion motion;
-    std::string stiffness(double v) const { return with_unit(v, Quantity::stiffness, motion, 4); }
-    std::string damping(double v) const { return with_unit(v, Quantity::damping, motion, 4); }
-    std::string position(double v) const { return with_unit(v, Quantity::position, motion); }
-    std::string effort(double v) const { return with_unit(v, Quantity::effort, motion, 4); }
-    std::string velocity(double v) const { return with_unit(v, Quantity::velocity, motion); }
+    Units units;
+    std::string stiffness(double v) const { return with_unit(v, Quantity::position_gain, units, 4); }
+    std::string damping(double v) const { return with_unit(v, Quantity::velocity_gain, units, 4); }
+    std::string position(double v) const { return with_unit(v, Quantity::position, units); }
+    std::string effort(double v) const { return with_unit(v, Quantity::effort, units, 4); }
+    std::string velocity(double v) const { return with_unit(v, Quantity::velocity, units); }
 };
 
 /// "k_{p} = 20 kN/m, k_{v} = 10 N·s/m"

@@ -11,9 +11,9 @@ std::string page_title(const std::string& question, const std::string& joint)
 
 std::string gains_text(const Joint& joint)
 {
-    const auto motion = joint.mechanism.motion;
-    return "k_{p} = " + with_unit(joint.control.k_p, Quantity::stiffness, motion) +
-           " · k_{v} = " + with_unit(joint.control.k_v, Quantity::damping, motion);
+    const Units units = units_of(joint);
+    return "k_{p} = " + with_unit(joint.control.k_p, Quantity::position_gain, units) +
+           " · k_{v} = " + with_unit(joint.control.k_v, Quantity::velocity_gain, units);
 }
 
 }  // namespace stickslip

@@ -4,9 +4,9 @@
 
 namespace stickslip {
 
-std::string integral_text(const IntegralCost& cost, Motion motion)
+std::string integral_text(const IntegralCost& cost, Units units)
 {
-    const std::string gain = "Your k_i of " + with_unit(cost.gain, Quantity::integral_gain, motion);
+    const std::string gain = "Your k_i of " + with_unit(cost.gain, Quantity::integral_gain, units);
     if (cost.with <= 0)
         return gain + " costs the whole margin: without it the position gain is " + percent(cost.without) +
                " from its boundary, with it sliding is unstable.";

@@ -8,6 +8,6 @@
 namespace stickslip {
 
 /// "Your k_i of 1 MN/(m·s) costs 30 % of the margin: …".
-std::string integral_text(const IntegralCost& cost, Motion motion);
+std::string integral_text(const IntegralCost& cost, Units units);
 
 }  // namespace stickslip

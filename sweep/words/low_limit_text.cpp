@@ -6,20 +6,20 @@
 
 namespace stickslip {
 
-std::string low_limit_words(const LowLimit& low, Motion motion)
+std::string low_limit_words(const LowLimit& low, Units units)
 {
     constexpr int digits = 6;  // a limit just below the friction reads otherwise like it
-    return "is " + with_unit(low.allowed, low.quantity, motion, digits) +
-           ", and steady sliding at V_{0} = " + with_unit(low.velocity, Quantity::velocity, motion) + " takes " +
-           with_unit(low.needed, low.quantity, motion, digits) + " (friction " +
-           with_unit(low.friction, Quantity::effort, motion, digits) + "): there is no steady sliding";
+    return "is " + with_unit(low.allowed, low.quantity, units, digits) +
+           ", and steady sliding at V_{0} = " + with_unit(low.velocity, Quantity::velocity, units) + " takes " +
+           with_unit(low.needed, low.quantity, units, digits) + " (friction " +
+           with_unit(low.friction, Quantity::effort, units, digits) + "): there is no steady sliding";
 }
 
 std::string low_limit_text(const Joint& joint)
 {
     const auto low = low_limit(joint, commanded_velocity(joint));
     if (!low) return "Undecided at the design point: " + reason_text(Reason::limit_too_low) + ".";
-    return "No steady sliding: " + std::string(low->path) + " " + low_limit_words(*low, joint.mechanism.motion) + ".";
+    return "No steady sliding: " + std::string(low->path) + " " + low_limit_words(*low, units_of(joint)) + ".";
 }
 
 std::string no_motion_text(const Joint& joint, Reason reason)

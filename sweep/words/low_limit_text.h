@@ -10,7 +10,7 @@ namespace stickslip {
 
 /// "is 50 N, and steady sliding at V_{0} = 1 mm/s takes 60 N (friction 60 N): there is no steady sliding", to stand
 /// behind the key and its place.
-std::string low_limit_words(const LowLimit& low, Motion motion);
+std::string low_limit_words(const LowLimit& low, Units units);
 
 /// The same as a sentence of its own, at the commanded velocity.
 std::string low_limit_text(const Joint& joint);

@@ -10,9 +10,9 @@
 
 namespace stickslip {
 
-std::string coordinate_text(const Coordinate& c, Motion motion)
+std::string coordinate_text(const Coordinate& c, Units units)
 {
-    return symbol_of(c.path, motion) + (c.less.empty() ? "" : " − " + symbol_of(c.less, motion));
+    return symbol_of(c.path, units) + (c.less.empty() ? "" : " − " + symbol_of(c.less, units));
 }
 
 std::string signed_percent(double share)
@@ -41,11 +41,11 @@ std::string worst_text(const MarginsAnswer& a)
     if (!a.worst) return "";
     std::string within;
     for (std::size_t i = 0; i < a.uncertainty.share.size(); ++i)
-        within += (i ? ", " : "") + coordinate_text(a.uncertainty.coordinates[i], a.joint.mechanism.motion) + " ± " +
+        within += (i ? ", " : "") + coordinate_text(a.uncertainty.coordinates[i], units_of(a.joint)) + " ± " +
                   plain_number(100 * a.uncertainty.share[i]) + " %";
     std::string at;
     for (std::size_t i = 0; i < a.worst->deviations.size(); ++i)
-        at += (i ? ", " : "") + coordinate_text(a.uncertainty.coordinates[i], a.joint.mechanism.motion) + " " +
+        at += (i ? ", " : "") + coordinate_text(a.uncertainty.coordinates[i], units_of(a.joint)) + " " +
               signed_percent(a.worst->deviations[i]);
     const bool box = a.uncertainty.shape == UncertaintyShape::box;
     const double growth = a.worst->instability;
@@ -59,7 +59,7 @@ std::string worst_text(const MarginsAnswer& a)
 
 Table alone_table(const MarginsAnswer& a)
 {
-    const auto motion = a.joint.mechanism.motion;
+    const Units units = units_of(a.joint);
     Table table;
     table.title = "One parameter at a time, within a factor of ten";
     table.columns = {"parameter", "value", "boundary", "change"};
@@ -67,8 +67,8 @@ Table alone_table(const MarginsAnswer& a)
         const auto& c = a.alone_of[i];
         const auto quantity = quantity_of(a.joint, c.path);
         const auto& n = a.alone[i];
-        table.rows.push_back({coordinate_text(c, motion), with_unit(value_of(a.joint, c), quantity, motion, 5),
-                              n.found ? with_unit(n.moves[0].to, quantity, motion, 8) : "none",
+        table.rows.push_back({coordinate_text(c, units), with_unit(value_of(a.joint, c), quantity, units, 5),
+                              n.found ? with_unit(n.moves[0].to, quantity, units, 8) : "none",
                               n.found ? signed_percent(n.moves[0].to / n.moves[0].from - 1) : "–"});
     }
     return table;
@@ -76,9 +76,9 @@ Table alone_table(const MarginsAnswer& a)
 
 std::string margins_text(const MarginsAnswer& a)
 {
-    std::string text = nearest_text(a.nearest, a.joint.mechanism.motion);
+    std::string text = nearest_text(a.nearest, units_of(a.joint));
     if (a.nearest.found)
-        text += " Without reaching it " + uncertain_numbers(a.nearest, a.joint.mechanism.motion) + " may be off by " +
+        text += " Without reaching it " + uncertain_numbers(a.nearest, units_of(a.joint)) + " may be off by " +
                 all_at_once(a.nearest.distance, scales_of(a)) + " each, all at once (distance " +
                 plain_number(a.nearest.distance) + ").";
     return text + worst_text(a);

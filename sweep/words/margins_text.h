@@ -9,7 +9,7 @@
 namespace stickslip {
 
 /// "f_{0} − A"
-std::string coordinate_text(const Coordinate& coordinate, Motion motion);
+std::string coordinate_text(const Coordinate& coordinate, Units units);
 
 /// "−10.2 %" of a share.
 std::string signed_percent(double share);

@@ -20,19 +20,19 @@ std::string body_of(const std::string& path)
     return "";
 }
 
-std::string symbol(const NearestMove& move, Motion motion)
+std::string symbol(const NearestMove& move, Units units)
 {
-    return symbol_of(move.path, motion) + (move.less.empty() ? "" : " − " + symbol_of(move.less, motion)) +
+    return symbol_of(move.path, units) + (move.less.empty() ? "" : " − " + symbol_of(move.less, units)) +
            body_of(move.path);
 }
 
-std::string move_text(const NearestMove& move, Motion motion)
+std::string move_text(const NearestMove& move, Units units)
 {
     const double ratio = move.to / move.from;
-    if (ratio > 2) return symbol(move, motion) + " grows to " + plain_number(ratio) + " times its value";
-    if (ratio < 0.5) return symbol(move, motion) + " falls to 1/" + plain_number(1 / ratio) + " of its value";
+    if (ratio > 2) return symbol(move, units) + " grows to " + plain_number(ratio) + " times its value";
+    if (ratio < 0.5) return symbol(move, units) + " falls to 1/" + plain_number(1 / ratio) + " of its value";
     const double change = ratio - 1;
-    return symbol(move, motion) + (change < 0 ? " falls by " : " grows by ") + plain_number(100 * std::abs(change), 2) +
+    return symbol(move, units) + (change < 0 ? " falls by " : " grows by ") + plain_number(100 * std::abs(change), 2) +
            " %";
 }
 
@@ -49,7 +49,7 @@ std::vector<NearestMove> leading_moves(const NearestBoundary& n)
 
 }  // namespace
 
-std::string nearest_text(const NearestBoundary& n, Motion motion)
+std::string nearest_text(const NearestBoundary& n, Units units)
 {
     if (!n.decided) return "The joint has no linear verdict, hence no margin.";
     const std::string event = n.stable ? "Stick-slip appears" : "Sliding becomes stable";
@@ -63,40 +63,40 @@ std::string nearest_text(const NearestBoundary& n, Motion motion)
                  : i == 1                ? " while "
                  : i + 1 == moves.size() ? " and "
                                          : ", ") +
-                move_text(moves[i], motion);
+                move_text(moves[i], units);
     return text + ".";
 }
 
-Headline nearest_headline(const NearestBoundary& n, Motion motion)
+Headline nearest_headline(const NearestBoundary& n, Units units)
 {
-    Headline h{Headline::Tone::neutral, "no boundary near", nearest_text(n, motion)};
+    Headline h{Headline::Tone::neutral, "no boundary near", nearest_text(n, units)};
     if (!n.found) return h;
     h.meaning += " Nearest change of all uncertain parameters together.";
     const auto moves = leading_moves(n);
     const double change = moves.front().to / moves.front().from - 1;
-    h.value = symbol(moves.front(), motion) + (change < 0 ? " −" : " +") + plain_number(100 * std::abs(change), 2) +
+    h.value = symbol(moves.front(), units) + (change < 0 ? " −" : " +") + plain_number(100 * std::abs(change), 2) +
               " %" + (moves.size() > 1 ? " with others" : "");
     h.tone = !n.stable ? Headline::Tone::bad : n.distance < near ? Headline::Tone::warning : Headline::Tone::good;
     return h;
 }
 
-std::string uncertain_numbers(const NearestBoundary& n, Motion motion)
+std::string uncertain_numbers(const NearestBoundary& n, Units units)
 {
     constexpr std::size_t most = 6;  // that a reader takes in
     if (n.moves.empty() || n.moves.size() > most)
         return "all " + std::to_string(n.direction.size()) + " uncertain parameters";
     std::string text;
     for (std::size_t i = 0; i < n.moves.size(); ++i)
-        text += (i == 0 ? "" : i + 1 == n.moves.size() ? " and " : ", ") + symbol(n.moves[i], motion);
+        text += (i == 0 ? "" : i + 1 == n.moves.size() ? " and " : ", ") + symbol(n.moves[i], units);
     return text;
 }
 
-void name_symbols(Report& report, const NearestBoundary& n, Motion motion)
+void name_symbols(Report& report, const NearestBoundary& n, Units units)
 {
     if (!n.decided || !n.found) return;
     std::string text;
     for (const auto& move : leading_moves(n))
-        text += (text.empty() ? "" : " ") + symbol(move, motion) + ": " + name_of(move.path) +
+        text += (text.empty() ? "" : " ") + symbol(move, units) + ": " + name_of(move.path) +
                 (move.less.empty() ? "" : " minus " + name_of(move.less)) + ".";
     report.findings.push_back(text);
 }

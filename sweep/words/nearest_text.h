@@ -6,18 +6,18 @@
 namespace stickslip {
 
 /// "stick-slip appears if L falls by 18 % while B − A grows by 7 %", mark-up.
-std::string nearest_text(const NearestBoundary& nearest, Motion motion);
+std::string nearest_text(const NearestBoundary& nearest, Units units);
 
 /// The parameter that moves most, and the sentence.
-Headline nearest_headline(const NearestBoundary& nearest, Motion motion);
+Headline nearest_headline(const NearestBoundary& nearest, Units units);
 
 /// "m, V_{0}, A, B − A and L": the numbers that a distance is over. B is in a distance over A and B − A, but not by
 /// itself: a reader of "five parameters" has to know which.
-std::string uncertain_numbers(const NearestBoundary& nearest, Motion motion);
+std::string uncertain_numbers(const NearestBoundary& nearest, Units units);
 
 /// What the letters of that sentence stand for: "L: slip distance. B − A: evolution effect minus direct effect.", below
 /// the numbers of the first screen.
-void name_symbols(Report& report, const NearestBoundary& nearest, Motion motion);
+void name_symbols(Report& report, const NearestBoundary& nearest, Units units);
 
 /// A distance over numbers as an engineer states tolerances: "±4.2 %". Numbers that are all off by no more than that
 /// together stay within the distance: |ln(1 ± x)| √Σ 1/scale² ≤ d. `scales` are those of the coordinates in which it

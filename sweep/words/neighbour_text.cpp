@@ -4,18 +4,18 @@
 
 namespace stickslip {
 
-std::string near_mode_text(const NearMode& mode, Motion motion)
+std::string near_mode_text(const NearMode& mode, Units units)
 {
-    const auto frequency = [&](double omega) { return with_unit(omega, Quantity::angular_frequency, motion); };
+    const auto frequency = [&](double omega) { return with_unit(omega, Quantity::angular_frequency, units); };
     return "Neighbour " + std::to_string(mode.neighbour + 1) + " vibrates at " + frequency(mode.omega) + ", within " +
            percent(near_mode) + " of the frequency at which friction turns this joint unstable (" +
            frequency(mode.friction) +
            "): its gains change the critical gain, and neither a rigid nor a free neighbour " + "bounds it.";
 }
 
-Alert near_mode_alert(const NearMode& mode, Motion motion)
+Alert near_mode_alert(const NearMode& mode, Units units)
 {
-    return {Headline::Tone::warning, near_mode_text(mode, motion)};
+    return {Headline::Tone::warning, near_mode_text(mode, units)};
 }
 
 }  // namespace stickslip

@@ -9,9 +9,9 @@
 namespace stickslip {
 
 /// "Neighbour 1 vibrates at 63.2 rad/s, within 30 % of …": one sentence, for the terminal and the page.
-std::string near_mode_text(const NearMode& mode, Motion motion);
+std::string near_mode_text(const NearMode& mode, Units units);
 
 /// The same as an alert of a page.
-Alert near_mode_alert(const NearMode& mode, Motion motion);
+Alert near_mode_alert(const NearMode& mode, Units units);
 
 }  // namespace stickslip

@@ -13,8 +13,8 @@ namespace stickslip {
 std::string way_text(SetPointWay way);
 
 /// What is best and why it does not hunt, mark-up.
-std::string set_point_design_text(const SetPointDesign& design, Motion motion);
+std::string set_point_design_text(const SetPointDesign& design, Units units);
 /// Every way, and the proofs of the best one.
-std::vector<Table> set_point_design_tables(const SetPointDesign& design, Motion motion);
+std::vector<Table> set_point_design_tables(const SetPointDesign& design, Units units);
 
 }  // namespace stickslip

@@ -61,16 +61,16 @@ std::string set_point_reason(SetPointReason reason)
     return "";
 }
 
-std::string set_point_text(const SetPoint& s, Motion motion)
+std::string set_point_text(const SetPoint& s, Units units)
 {
-    const auto length = [&](double value) { return with_unit(value, Quantity::position, motion); };
+    const auto length = [&](double value) { return with_unit(value, Quantity::position, units); };
     std::string text;
     switch (s.hunting) {
         case Hunting::yes:
             text = "Hunts at a set point";
             if (is_set(s.amplitude)) text += ": stops " + length(s.amplitude) + " to either side";
             if (s.asymmetric) text = "Hunts at a set point: stops up to " + length(s.amplitude) + " away, unequally";
-            if (is_set(s.period)) text += ", one cycle in " + with_unit(s.period, Quantity::time, motion);
+            if (is_set(s.period)) text += ", one cycle in " + with_unit(s.period, Quantity::time, units);
             text += s.rests_nearby ? "; from nearby it comes to rest." : ".";
             break;
         case Hunting::no:
@@ -91,7 +91,7 @@ std::string set_point_text(const SetPoint& s, Motion motion)
     return text;
 }
 
-Table set_point_table(const SetPoint& s, Motion motion)
+Table set_point_table(const SetPoint& s, Units units)
 {
     Table table;
     table.title = "At a set point";
@@ -101,7 +101,7 @@ Table set_point_table(const SetPoint& s, Motion motion)
                                                                        : "undecided"});
     table.rows.push_back({"because", set_point_reason(s.reason)});
     const auto add = [&](const char* name, double value, Quantity quantity) {
-        if (is_set(value)) table.rows.push_back({name, with_unit(value, quantity, motion, 6)});
+        if (is_set(value)) table.rows.push_back({name, with_unit(value, quantity, units, 6)});
     };
     add("distance of the stops from the set point", s.amplitude, Quantity::position);
     add("slip time", s.slip_time, Quantity::time);
@@ -109,11 +109,11 @@ Table set_point_table(const SetPoint& s, Motion motion)
     add("hunting period", s.period, Quantity::time);
     add("multiplier from stop to stop", s.multiplier, Quantity::number);
     add("static friction", s.own_level, Quantity::effort);
-    add("level of the compensation", s.compensation, Quantity::effort);
+    add("level of the compensation", s.compensation, Quantity::command);
     if (s.starts > 0 && s.hunting == Hunting::no)
         table.rows.push_back({"slips followed", fmt::format("{} starts from {} to {}", s.starts,
-                                                            with_unit(s.searched_from, Quantity::position, motion),
-                                                            with_unit(s.searched_to, Quantity::position, motion))});
+                                                            with_unit(s.searched_from, Quantity::position, units),
+                                                            with_unit(s.searched_to, Quantity::position, units))});
     add("largest ratio of distances from stop to stop", s.largest_ratio, Quantity::number);
     if (s.hunting == Hunting::no) add("largest error at rest", s.rest_error, Quantity::position);
     std::string keys;
@@ -122,9 +122,9 @@ Table set_point_table(const SetPoint& s, Motion motion)
     return table;
 }
 
-Section set_point_section(const SetPoint& s, Motion motion)
+Section set_point_section(const SetPoint& s, Units units)
 {
-    return {"set-point", "At a set point", set_point_text(s, motion), {}, {set_point_table(s, motion)}};
+    return {"set-point", "At a set point", set_point_text(s, units), {}, {set_point_table(s, units)}};
 }
 
 }  // namespace stickslip

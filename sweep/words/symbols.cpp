@@ -37,14 +37,14 @@ std::vector<std::string> last_keys(std::string_view path, std::size_t count)
 
 }  // namespace
 
-std::string symbol_of(std::string_view given, Motion motion)
+std::string symbol_of(std::string_view given, Units units)
 {
     const Split split = split_index(given);
     std::string symbol;
     if (const Sign* sign = sign_of(split.path)) {
         symbol = sign->symbol;
         const bool inertia = sign->quantity == Quantity::inertia || sign->quantity == Quantity::rotary_inertia;
-        if (motion == Motion::revolute && inertia && symbol.front() == 'm') symbol.front() = 'J';
+        if (units.motion == Motion::revolute && inertia && symbol.front() == 'm') symbol.front() = 'J';
     } else {
         const auto keys = last_keys(split.path, 1);
         const std::string key = keys.empty() ? "" : keys.back();

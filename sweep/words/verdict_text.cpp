@@ -14,9 +14,9 @@
 namespace stickslip {
 namespace {
 
-std::string stiffness(double k, Motion motion)
+std::string stiffness(double k, Units units)
 {
-    return with_unit(k, Quantity::stiffness, motion);
+    return with_unit(k, Quantity::position_gain, units);
 }
 
 /// A real force loop has no k_p of its own that could be turned, a cascade there no k_v: neither was searched.
@@ -35,19 +35,19 @@ bool searched_in_k_v(const Joint& joint, const LoopUse& loop)
 std::string stable_gains(const Joint& joint, const StateVariableVerdict& memory)
 {
     if (!searched_in_k_p(joint)) return ".";
-    const auto motion = joint.mechanism.motion;
+    const Units units = units_of(joint);
     const auto& stable = memory.stable_intervals;
     const bool limited = std::isfinite(memory.searched_to);
     if (stable.empty()) return limited ? "." : ". No k_{p} makes it stable.";
     const bool all = stable.size() == 1 && stable[0].low == 0 && stable[0].high == infinity;
     if (all && memory.stable) return " for every k_{p} > 0.";
-    return ". k_{p} = " + stiffness(joint.control.k_p, motion) +
+    return ". k_{p} = " + stiffness(joint.control.k_p, units) +
            (memory.stable ? " is one of the stable gains: " : " is not among the stable gains: ") +
-           intervals_text(stable, Quantity::stiffness, motion) +
+           intervals_text(stable, Quantity::position_gain, units) +
            (memory.searched_from > 0
-                ? ", searched " + range_text(memory.searched_from, memory.searched_to, Quantity::stiffness, motion) +
+                ? ", searched " + range_text(memory.searched_from, memory.searched_to, Quantity::position_gain, units) +
                       "."
-            : limited ? ", searched up to " + stiffness(memory.searched_to, motion) + "."
+            : limited ? ", searched up to " + stiffness(memory.searched_to, units) + "."
                       : ".");
 }
 
@@ -56,7 +56,7 @@ std::string asked_by_velocity(const Joint& joint, const LoopUse& loop, const Vel
 {
     if (!searched_in_k_v(joint, loop)) return ".";
     if (velocity_only.stable_k_v.empty()) return " at every k_{v}.";
-    return " and asks for " + demanded_text(velocity_only.stable_k_v, joint.mechanism.motion) + ".";
+    return " and asks for " + demanded_text(velocity_only.stable_k_v, units_of(joint)) + ".";
 }
 
 /// Above the upper end of a real loop's stable gains it is dead time, lag or sampling that destabilises, not friction.
@@ -69,7 +69,7 @@ bool above_the_loops_window(const Joint& joint, const LinearVerdict& v)
 /// The first words: what the joint does, and how fast.
 std::string first_words(const Joint& joint, const LinearVerdict& v, bool bistable)
 {
-    const auto speed = with_unit(v.steady.velocity, Quantity::velocity, joint.mechanism.motion);
+    const auto speed = with_unit(v.steady.velocity, Quantity::velocity, units_of(joint));
     if (v.state_variable.stable && bistable)
         return "Bistable: slides smoothly at " + speed + ", but a large enough disturbance ends in stick-slip for good";
     if (v.state_variable.stable) return "Slides smoothly at " + speed;
@@ -109,11 +109,11 @@ std::string other_theory(const Joint& joint, const LinearVerdict& v)
 
 std::string verdict_text(const Joint& joint, const LinearVerdict& v, bool bistable)
 {
-    const auto motion = joint.mechanism.motion;
+    const Units units = units_of(joint);
     if (v.steady.reason == Reason::no_steady_state) return "Undecided: the design point has no steady sliding.";
     if (v.steady.reason == Reason::limit_too_low)
         return "No steady sliding: the effort limit is below what it takes against a friction of " +
-               with_unit(v.steady.friction, Quantity::effort, motion, 6) + ".";
+               with_unit(v.steady.friction, Quantity::effort, units, 6) + ".";
     if (v.steady.reason != Reason::none) return "Undecided at the design point: " + reason_text(v.steady.reason) + ".";
     const auto& memory = v.state_variable;
     const double k_p = joint.control.k_p;
@@ -121,8 +121,8 @@ std::string verdict_text(const Joint& joint, const LinearVerdict& v, bool bistab
     if (memory.neutral)
         text += neutral_words(joint, memory);
     else if (std::isfinite(memory.k_cr) && k_p > 0)
-        text += ": k_{p} = " + stiffness(k_p, motion) + " is " + plain_number(k_p / memory.k_cr) +
-                " × the critical gain k_{cr} = " + stiffness(memory.k_cr, motion) + ".";
+        text += ": k_{p} = " + stiffness(k_p, units) + " is " + plain_number(k_p / memory.k_cr) +
+                " × the critical gain k_{cr} = " + stiffness(memory.k_cr, units) + ".";
     else
         text += stable_gains(joint, memory);
     const auto side = side_text(joint, false);
@@ -131,9 +131,9 @@ std::string verdict_text(const Joint& joint, const LinearVerdict& v, bool bistab
 
 Table linear_table(const Joint& joint, const LinearVerdict& v)
 {
-    const auto motion = joint.mechanism.motion;
+    const Units units = units_of(joint);
     const auto row = [&](std::string name, double value, Quantity q) {
-        return std::vector<std::string>{std::move(name), with_unit(value, q, motion, 6)};
+        return std::vector<std::string>{std::move(name), with_unit(value, q, units, 6)};
     };
     Table table;
     table.title = "Linear theory at the design point";
@@ -146,10 +146,10 @@ Table linear_table(const Joint& joint, const LinearVerdict& v)
         {"k_{v} required by the velocity-only model", !searched_in_k_v(joint, v.loop) ? "not searched in this loop"
                                                       : v.velocity_only.k_v_min == 0 && v.velocity_only.slope <= 0
                                                           ? "any k_{v} > 0"
-                                                          : demanded_text(v.velocity_only.stable_k_v, motion)},
+                                                          : demanded_text(v.velocity_only.stable_k_v, units)},
         row("direct effect f_{v}", v.state_variable.f_v, Quantity::damping),
         row("kernel integral ∫g", v.state_variable.kernel_integral, Quantity::damping),
-        row("critical position gain k_{cr}", v.state_variable.k_cr, Quantity::stiffness),
+        row("critical position gain k_{cr}", v.state_variable.k_cr, Quantity::position_gain),
         row("spectral abscissa max Re s", v.state_variable.spectral_abscissa, Quantity::rate)};
     if (v.loop.kind != LoopKind::ideal) table.rows.push_back({"loop", loop_name(v.loop.kind)});
     if (is_set(v.state_variable.gain_margin_db))
@@ -159,7 +159,7 @@ Table linear_table(const Joint& joint, const LinearVerdict& v)
     if (std::isnan(v.state_variable.k_cr))
         table.rows.push_back(
             {"stable k_{p}", searched_in_k_p(joint)
-                                 ? intervals_text(v.state_variable.stable_intervals, Quantity::stiffness, motion)
+                                 ? intervals_text(v.state_variable.stable_intervals, Quantity::position_gain, units)
                                  : "not searched: a force loop turns none of its gains alone"});
     else {
         const double omega = v.state_variable.crossings.back().omega;
@@ -171,7 +171,7 @@ Table linear_table(const Joint& joint, const LinearVerdict& v)
 
 Table nonlinear_table(const Joint& joint, const NonlinearVerdict& v)
 {
-    const auto motion = joint.mechanism.motion;
+    const Units units = units_of(joint);
     Table table;
     table.title = "The nonlinear joint";
     table.columns = {"quantity", "value"};
@@ -186,7 +186,7 @@ Table nonlinear_table(const Joint& joint, const NonlinearVerdict& v)
             {"larger disturbances", "also end in steady sliding: " + larger_tried_text(v.searched_from)});
     if (v.repeats > 1) table.rows.push_back({"cycles after which the motion repeats", std::to_string(v.repeats)});
     const auto add = [&](const char* name, double value, Quantity q) {
-        if (is_set(value)) table.rows.push_back({name, with_unit(value, q, motion, 6)});
+        if (is_set(value)) table.rows.push_back({name, with_unit(value, q, units, 6)});
     };
     add("growth rate of a small disturbance", v.growth_rate, Quantity::rate);
     add("limit-cycle amplitude in position", v.amplitude, Quantity::position);
@@ -200,7 +200,7 @@ Table nonlinear_table(const Joint& joint, const NonlinearVerdict& v)
         table.rows.push_back({"at k_{cr}", "subcritical: cycles exist above it, too"});
     if (v.criticality == Criticality::supercritical)
         table.rows.push_back({"at k_{cr}", "supercritical: cycles grow from zero below it"});
-    add("k_{p} at the fold of limit cycles", v.fold_k_p, Quantity::stiffness);
+    add("k_{p} at the fold of limit cycles", v.fold_k_p, Quantity::position_gain);
     return table;
 }
 

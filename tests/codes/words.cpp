@@ -48,7 +48,7 @@ std::string cause_text(const Cause&, const Joint&, const Joint&)
     return "#cause";
 }
 
-std::string integral_text(const IntegralCost&, Motion)
+std::string integral_text(const IntegralCost&, Units)
 {
     return "#integral";
 }
@@ -58,12 +58,12 @@ std::string why_text(WhyNot)
     return "#why-not";
 }
 
-std::string nearest_text(const NearestBoundary&, Motion)
+std::string nearest_text(const NearestBoundary&, Units)
 {
     return "#nearest";
 }
 
-std::string near_mode_text(const NearMode&, Motion)
+std::string near_mode_text(const NearMode&, Units)
 {
     return "#near-mode";
 }
@@ -93,7 +93,7 @@ std::string outcome_words(const JointOutcome&)
     return "#outcome";
 }
 
-std::string set_point_text(const SetPoint&, Motion)
+std::string set_point_text(const SetPoint&, Units)
 {
     return "#set-point";
 }
@@ -184,7 +184,7 @@ std::string design_text(const DesignAnswer&)
     return "#design-of-gains";
 }
 
-std::string set_point_design_text(const SetPointDesign&, Motion)
+std::string set_point_design_text(const SetPointDesign&, Units)
 {
     return "#design-of-set-point";
 }

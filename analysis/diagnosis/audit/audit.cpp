@@ -86,7 +86,7 @@ bool find_missing_k_v(std::vector<Case>& cases, double limit, double misfit_with
     for (const double x : each) square += (x - k_v) * (x - k_v);
     const double n = static_cast<double>(each.size());
     result.findings.push_back({"gain-k_v", "gain-k_v.value", k_v,
-                               n > 1 ? std::sqrt(square / (n - 1) / n) : misfit * k_v, Quantity::damping,
+                               n > 1 ? std::sqrt(square / (n - 1) / n) : misfit * k_v, Quantity::velocity_gain,
                                1 - std::pow(misfit / misfit_without, 2)});
     result.notes.push_back({Note::Code::undocumented_k_v});
     for (auto& c : cases) c.joint.control.k_v = k_v;
@@ -150,7 +150,7 @@ void find_saturation(std::vector<Case>& cases, double limit, Audit& result)
         }
     }
     if (wanted > policy::wanted_more * limit) {
-        result.findings.push_back({"saturation", "saturation.limit", limit, 0, Quantity::effort, 1});
+        result.findings.push_back({"saturation", "saturation.limit", limit, 0, Quantity::command, 1});
         for (auto& c : cases) c.joint.control.effort_limit = limit;
     }
 }

@@ -76,7 +76,7 @@ void find_integral_limit(std::vector<Case>& cases, double limit, Audit& result)
     if (1 - gain > policy::much_better * policy::much_better) return set_all(documented);
     const double limit_of_integral = found < largest * most ? found : infinity;
     set_all(limit_of_integral);
-    result.findings.push_back({"gain-k_i", "gain-k_i.integral_limit", limit_of_integral, 0, Quantity::effort, gain});
+    result.findings.push_back({"gain-k_i", "gain-k_i.integral_limit", limit_of_integral, 0, Quantity::command, gain});
 }
 
 void find_coulomb_speed(std::vector<Case>& cases, double limit)

@@ -107,16 +107,17 @@ AuditFinding finding_of(int term, const TermFit& fit, bool factor, const Control
     const auto& f = corrected.feed_forward;
     switch (term) {
         case k_p_term:
-            return gain_of("gain-k_p", Quantity::stiffness);
+            return gain_of("gain-k_p", Quantity::position_gain);
         case k_v_term:
-            return gain_of("gain-k_v", Quantity::damping);
+            return gain_of("gain-k_v", Quantity::velocity_gain);
         case k_i_term:
-            return gain_of("gain-k_i",
-                           corrected.structure == Structure::cascade ? Quantity::stiffness : Quantity::integral_gain);
+            return gain_of("gain-k_i", corrected.structure == Structure::cascade ? Quantity::position_gain
+                                                                                 : Quantity::integral_gain);
         case coulomb_term:
-            return {"feed-forward", "feed-forward.coulomb", f.coulomb, error, Quantity::effort, gain};
+            return {"feed-forward", "feed-forward.coulomb", f.coulomb, error, Quantity::command, gain};
         case acceleration_term:
-            return {"feed-forward", "feed-forward.acceleration", f.acceleration, error, Quantity::inertia, gain};
+            return {"feed-forward", "feed-forward.acceleration", f.acceleration,
+                    error,          Quantity::acceleration_gain, gain};
         default:
             return {"feed-forward", "feed-forward.velocity", f.velocity, error, Quantity::number, gain};
     }

@@ -10,10 +10,10 @@ Cause cause_of(const Prepared& p, const Attribution& a, double probability, std:
     Cause c;
     for (const auto& f : p.audit.findings)
         if (std::find(c.names.begin(), c.names.end(), f.effect) == c.names.end()) c.names.push_back(f.effect);
-    const Motion motion = p.documented[0].mechanism.motion;
+    const Units units = units_of(p.documented[0]);
     if (!c.names.empty())
         for (const auto& f : p.audit.findings)
-            c.parameters.push_back({f.parameter, f.value, f.stderr_, std::string(unit_of(f.quantity, motion))});
+            c.parameters.push_back({f.parameter, f.value, f.stderr_, std::string(unit_of(f.quantity, units))});
     c.probability = probability;
     c.misfit = a.score;
     for (const auto& name : c.names)
@@ -45,7 +45,7 @@ Cause cause_of(const Prepared& p, const Attribution& a, double probability, std:
             std::string name = std::string(e.name) + "." + std::string(parameter.name);
             if (k >= shared) name += " in " + p.cases[(k - shared) / form.own].ticks.name;
             c.parameters.push_back(
-                {name, si[i], quality.standard_error[i], std::string(unit_of(parameter.quantity, motion))});
+                {name, si[i], quality.standard_error[i], std::string(unit_of(parameter.quantity, units))});
         }
     }
     return c;

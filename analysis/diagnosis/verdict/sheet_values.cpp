@@ -70,7 +70,7 @@ std::vector<SheetValue> sheet_values(const Prepared& p, const Attribution& a, co
         SheetValue v{std::string(number.name),
                      mean_of(number, p, c, x),
                      {},
-                     std::string(unit_of(number.quantity, p.documented[0].mechanism.motion))};
+                     std::string(unit_of(number.quantity, units_of(p.documented[0])))};
         if (quality.covariance.rows() == x.size()) {
             Eigen::VectorXd slope(x.size());
             for (Eigen::Index k = 0; k < x.size(); ++k) {

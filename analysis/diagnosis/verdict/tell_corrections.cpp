@@ -14,7 +14,7 @@ std::vector<Correction> corrections_of(const Prepared& p, const JudgedLadder& j)
     const Candidate& c = j.winner.candidate;
     const auto quality = quality_of(p.cases, j.winner, p.scales);
     const auto si = in_si(c, j.winner.x[ladder_level], p.scales);
-    const Motion motion = p.documented[0].mechanism.motion;
+    const Units units = units_of(p.documented[0]);
     std::size_t i = 0;
     for (std::size_t n = 0; n < j.corrections; ++n)
         for (std::size_t k = 0; k < c.count_of(*c.forms[n]); ++k, ++i) {
@@ -26,7 +26,7 @@ std::vector<Correction> corrections_of(const Prepared& p, const JudgedLadder& j)
             const double sd =
                 !of_document ? not_set : c.sd_of(i) * (parameter.logarithmic ? 1 : unit_of(parameter.scale, p.scales));
             all.push_back({c.forms[n]->own > 0 ? "coulomb-level" : std::string(c.effects[n]->name),
-                           {name, si[i], quality.standard_error[i], std::string(unit_of(parameter.quantity, motion))},
+                           {name, si[i], quality.standard_error[i], std::string(unit_of(parameter.quantity, units))},
                            sd});
         }
     return all;

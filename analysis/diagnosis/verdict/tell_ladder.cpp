@@ -206,7 +206,7 @@ std::vector<Cause> causes_of(const Prepared& p, const JudgedLadder& j)
                 c.parameters.push_back(
                     {std::string(rival.causes.effects[n]->name) + "." + std::string(rival.causes.parameter(i).name),
                      si[i], not_set,
-                     std::string(unit_of(rival.causes.parameter(i).quantity, p.documented[0].mechanism.motion))});
+                     std::string(unit_of(rival.causes.parameter(i).quantity, units_of(p.documented[0])))});
         causes.push_back(std::move(c));
     };
     const auto odds = odds_of_rivals(j, 0);

@@ -15,10 +15,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json axis_json(const Axis& axis, Motion motion)
+Json axis_json(const Axis& axis, Units units)
 {
     return {{"path", axis.path},
-            {"unit", unit_of(axis.quantity, motion)},
+            {"unit", unit_of(axis.quantity, units)},
             {"from", axis.values.front()},
             {"to", axis.values.back()},
             {"scale", axis.log ? "log" : "linear"}};
@@ -38,7 +38,7 @@ Json point_json(const BoundaryPoint& p)
 
 Json ray_json(const Joint& design, const LocatedRay& ray)
 {
-    Json json = {{"kind", name_of(ray.kind)}, {"axis", axis_json(ray.axis, design.mechanism.motion)}};
+    Json json = {{"kind", name_of(ray.kind)}, {"axis", axis_json(ray.axis, units_of(design))}};
     json["points"] = Json::array();
     for (const auto& p : ray.points) json["points"].push_back(point_json(p));
     json["evaluations"] = ray.evaluations;
@@ -60,8 +60,8 @@ Json ray_json(const Joint& design, const LocatedRay& ray)
 
 Json curve_json(const Joint& design, const FollowedBoundary& c)
 {
-    const auto motion = design.mechanism.motion;
-    Json json = {{"kind", name_of(c.kind)}, {"x", axis_json(c.x, motion)}, {"y", axis_json(c.y, motion)}};
+    const Units units = units_of(design);
+    Json json = {{"kind", name_of(c.kind)}, {"x", axis_json(c.x, units)}, {"y", axis_json(c.y, units)}};
     json["pieces"] = Json::array();
     for (const auto& piece : c.pieces) {
         Json points = Json::array();
@@ -83,9 +83,9 @@ Json curve_json(const Joint& design, const FollowedBoundary& c)
     return json;
 }
 
-Json meeting_json(const Meeting& m, Motion motion)
+Json meeting_json(const Meeting& m, Units units)
 {
-    Json json = {{"kind", name_of(m.kind)}, {"path", m.axis.path}, {"unit", unit_of(m.axis.quantity, motion)},
+    Json json = {{"kind", name_of(m.kind)}, {"path", m.axis.path}, {"unit", unit_of(m.axis.quantity, units)},
                  {"from", m.own},           {"at", m.at},          {"on_chart", m.on_chart}};
     json["beyond"] = m.beyond ? set_point_json(*m.beyond) : Json(nullptr);
     return json;
@@ -113,7 +113,7 @@ nlohmann::ordered_json boundary_json(const BoundaryAnswer& answer)
     json["curves"] = Json::array();
     for (const auto& c : answer.curves) json["curves"].push_back(curve_json(answer.design, c));
     json["meetings"] = Json::array();
-    for (const auto& m : answer.meetings) json["meetings"].push_back(meeting_json(m, answer.design.mechanism.motion));
+    for (const auto& m : answer.meetings) json["meetings"].push_back(meeting_json(m, units_of(answer.design)));
     return json;
 }
 

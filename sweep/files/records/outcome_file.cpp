@@ -159,7 +159,7 @@ class OutcomeReader {
                 }
             }
             if (!unit.empty() && column.role != Role::unread) {
-                const auto reading = unit_for(unit, quantity, joint_.mechanism.motion);
+                const auto reading = unit_for(unit, quantity, units_of(joint_));
                 if (!reading.error.empty()) complain(cell.column, name + ": " + reading.error);
                 column.unit = reading.unit;
             }

@@ -112,8 +112,7 @@ class HeaderMatcher {
                 complain(std::string(signal.name) + " stands twice in the header");
         slot.signal = &signal;
         if (unit.empty()) return;
-        const auto reading =
-            signal.any_unit ? parse_unit(unit) : unit_for(unit, signal.quantity, joint_.mechanism.motion);
+        const auto reading = signal.any_unit ? parse_unit(unit) : unit_for(unit, signal.quantity, units_of(joint_));
         if (!reading.error.empty()) complain("column \"" + names_[i] + "\": " + reading.error);
         slot.scaling = scaling_of(reading.unit);
     }
@@ -138,12 +137,12 @@ class HeaderMatcher {
         if (from == std::string::npos || signal.any_unit) return;
         std::string token = column.substr(from + 1);
         while (!token.empty() && (token.back() == ')' || token.back() == ']')) token.pop_back();
-        const auto reading = unit_for(token, signal.quantity, joint_.mechanism.motion);
+        const auto reading = unit_for(token, signal.quantity, units_of(joint_));
         if (reading.error.empty() &&
             (reading.unit.factor != 1 || reading.unit.decimals != 0 || reading.unit.offset != 0))
             header_.warnings.push_back("suspected unit: column \"" + column + "\" is read as " +
-                                       std::string(unit_of(signal.quantity, joint_.mechanism.motion)) +
-                                       ", its name says " + token);
+                                       std::string(unit_of(signal.quantity, units_of(joint_))) + ", its name says " +
+                                       token);
     }
 
     void require_signals()

@@ -37,14 +37,14 @@ bool has_column(const std::filesystem::path& file, std::string_view name)
 
 }  // namespace
 
-ReferenceMotion read_reference(const std::filesystem::path& file, Motion motion)
+ReferenceMotion read_reference(const std::filesystem::path& file, Units units)
 {
-    const auto position = read_series(file, "reference_position", SeriesQuantity{Quantity::position, motion});
+    const auto position = read_series(file, "reference_position", SeriesQuantity{Quantity::position, units});
     ReferenceMotion reference{position.time, position.value, {}, {}};
     if (has_column(file, "reference_velocity"))
-        reference.velocity = read_series(file, "reference_velocity", SeriesQuantity{Quantity::velocity, motion}).value;
+        reference.velocity = read_series(file, "reference_velocity", SeriesQuantity{Quantity::velocity, units}).value;
     if (has_column(file, "feed_forward"))
-        reference.feed_forward = read_series(file, "feed_forward", SeriesQuantity{Quantity::effort, motion}).value;
+        reference.feed_forward = read_series(file, "feed_forward", SeriesQuantity{Quantity::command, units}).value;
     return reference;
 }
 

@@ -26,7 +26,7 @@ constexpr Signal signal_list[] = {
     {"temperature", &Record::temperature, Quantity::temperature, false, false, "of the joint"},
     {"torque_enable", &Record::torque_enable, Quantity::number, false, false, "0: the drive is off, anything else: on"},
     {"link_position", &Record::link_position, Quantity::position, true, false, "measured behind the transmission"},
-    {"feed_forward", &Record::feed_forward, Quantity::effort, false, false,
+    {"feed_forward", &Record::feed_forward, Quantity::command, false, false,
      "what the controller adds to its own output"},
     {"load_effort", &Record::load_effort, Quantity::effort, false, false,
      "known load on the link, positive in the direction of motion"},

@@ -11,17 +11,17 @@
 namespace stickslip {
 namespace {
 
-std::string with(double value, Quantity quantity, Motion motion)
+std::string with(double value, Quantity quantity, Units units)
 {
-    return fmt::format("{:.6g} {}", value, unit_of(quantity, motion));
+    return fmt::format("{:.6g} {}", value, unit_of(quantity, units));
 }
 
-std::string limits_text(const RobotJoint& j, Motion motion)
+std::string limits_text(const RobotJoint& j, Units units)
 {
     std::string text;
     if (std::isfinite(j.low) && std::isfinite(j.high))
-        text += fmt::format("# travel {:.6g} to {}\n", j.low, with(j.high, Quantity::position, motion));
-    if (std::isfinite(j.velocity)) text += "# top speed " + with(j.velocity, Quantity::velocity, motion) + "\n";
+        text += fmt::format("# travel {:.6g} to {}\n", j.low, with(j.high, Quantity::position, units));
+    if (std::isfinite(j.velocity)) text += "# top speed " + with(j.velocity, Quantity::velocity, units) + "\n";
     if (j.gear != 1) text += fmt::format("# gear of the actuator: {:.6g}\n", j.gear);
     return text;
 }
@@ -35,7 +35,7 @@ std::string with_missing(std::string text, const ImportAnswer& answer)
         const auto dot = p.path.rfind('.');
         const std::string header = "[" + p.path.substr(0, dot) + "]\n";
         const auto line = fmt::format("# {} =    # {}, required: {}; the robot's description does not have it\n",
-                                      p.path.substr(dot + 1), unit_of(p.quantity, joint.mechanism.motion), p.help);
+                                      p.path.substr(dot + 1), unit_of(p.quantity, units_of(joint)), p.help);
         const auto at = text.find(header);
         if (at == std::string::npos)
             text += "\n" + header + line;
@@ -50,18 +50,18 @@ std::string with_missing(std::string text, const ImportAnswer& answer)
 std::string import_text(const ImportAnswer& answer, const std::string& robot_file, const std::string& pose_file)
 {
     const auto& d = answer.dynamics;
-    const Motion motion = answer.joint.mechanism.motion;
+    const Units units = units_of(answer.joint);
     std::string text = fmt::format("# Joint \"{}\" of {}, all other joints standing still {}.\n", answer.described.name,
                                    robot_file, pose_file.empty() ? "at their zero" : "as in " + pose_file);
     text += fmt::format("# The joint moves {} {} of {:.6g} kg: inertia {} about it, armature {}.\n", d.bodies,
-                        d.bodies == 1 ? "body" : "bodies", d.mass, with(d.inertia, Quantity::inertia, motion),
-                        with(answer.described.armature, Quantity::inertia, motion));
-    text += fmt::format("# At {} gravity is {}", with(answer.position, Quantity::position, motion),
-                        with(d.gravity_effort, Quantity::effort, motion));
-    text += motion == Motion::revolute
-                ? ", its stiffness " + with(d.gravity_stiffness, Quantity::stiffness, motion) + ".\n"
+                        d.bodies == 1 ? "body" : "bodies", d.mass, with(d.inertia, Quantity::inertia, units),
+                        with(answer.described.armature, Quantity::inertia, units));
+    text += fmt::format("# At {} gravity is {}", with(answer.position, Quantity::position, units),
+                        with(d.gravity_effort, Quantity::effort, units));
+    text += units.motion == Motion::revolute
+                ? ", its stiffness " + with(d.gravity_stiffness, Quantity::stiffness, units) + ".\n"
                 : ".\n";
-    text += limits_text(answer.described, motion);
+    text += limits_text(answer.described, units);
     if (answer.described.friction == 0)
         text += "# Friction is 0 in the robot's description: put in what was measured.\n";
     return with_missing(text + "\n" + joint_text(answer.joint), answer);

@@ -5,7 +5,7 @@
 
 namespace stickslip {
 
-KernelTable read_kernel_table(const std::filesystem::path& file, Motion motion)
+KernelTable read_kernel_table(const std::filesystem::path& file, Units units)
 {
     auto series = read_series(file, "g", SeriesQuantity{Quantity::stiffness, motion});
     KernelTable table{std::move(series.time), std::move(series.value)};

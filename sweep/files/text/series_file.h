@@ -21,7 +21,7 @@ struct Series {
 /// What a column of a series holds, so that a unit in its header can be converted.
 struct SeriesQuantity {
     Quantity quantity;
-    Motion motion;
+    Units units;
 };
 
 /// CSV or .csv.gz; `#` comments may stand above. Two columns, time [s] and the value, with or without a header; of more

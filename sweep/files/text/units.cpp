@@ -189,10 +189,10 @@ UnitReading parse_unit(std::string_view text)
     return UnitParser(trimmed(text)).parse();
 }
 
-UnitReading unit_for(std::string_view unit_text, Quantity quantity, Motion motion)
+UnitReading unit_for(std::string_view unit_text, Quantity quantity, Units units)
 {
     UnitReading reading = parse_unit(unit_text);
-    const std::string expected(unit_of(quantity, motion));
+    const std::string expected(unit_of(quantity, units));
     const Unit target = parse_unit(expected).unit;
     if (!reading.error.empty()) {
         reading.error += ", expected " + (expected == "1" ? "a number without unit" : expected);
@@ -204,10 +204,10 @@ UnitReading unit_for(std::string_view unit_text, Quantity quantity, Motion motio
     return reading;
 }
 
-NumberReading parse_number_with_unit(std::string_view given, Quantity quantity, Motion motion)
+NumberReading parse_number_with_unit(std::string_view given, Quantity quantity, Units units)
 {
     const std::string_view text = trimmed(given);
-    const std::string expected(unit_of(quantity, motion));
+    const std::string expected(unit_of(quantity, units));
     const std::string quoted = in_quotes(given);
     const char* begin = text.data();
     const char* const end = begin + text.size();
@@ -221,7 +221,7 @@ NumberReading parse_number_with_unit(std::string_view given, Quantity quantity, 
     if (unit_text.empty())
         return {0, quoted + " is text without a unit, expected a number without quotes" +
                        (expected == "1" ? "" : " (" + expected + ") or with a unit")};
-    const UnitReading reading = unit_for(unit_text, quantity, motion);
+    const UnitReading reading = unit_for(unit_text, quantity, units);
     if (!reading.error.empty()) return {0, quoted + ": " + reading.error};
 
     // Shift the decimal exponent in the text, so that the result is rounded once.

@@ -45,10 +45,10 @@ struct NumberReading {
 
 /// Reads "number unit" as the given quantity of a joint with this motion and returns it in the unit of unit_of().
 /// Errors: no number, no unit, unknown unit, a unit of another kind (names the expected one), overflow.
-NumberReading parse_number_with_unit(std::string_view text, Quantity quantity, Motion motion);
+NumberReading parse_number_with_unit(std::string_view text, Quantity quantity, Units units);
 
 /// What turns a number written in `unit_text` into the unit of unit_of(): value · unit.factor · 10^decimals +
 /// unit.offset. Errors: unknown unit, a unit of another kind.
-UnitReading unit_for(std::string_view unit_text, Quantity quantity, Motion motion);
+UnitReading unit_for(std::string_view unit_text, Quantity quantity, Units units);
 
 }  // namespace stickslip

@@ -62,7 +62,7 @@ Axis axis_from(const Asked& asked, const std::string& text, const std::string& o
     const std::string path = text.substr(0, equals);
     Joint joint = asked.design;
     const auto leaf = leaf_of(joint, path, option);
-    Axis axis{path, symbol_of(path, joint.mechanism.motion), name_of(path), leaf.quantity, false, {}};
+    Axis axis{path, symbol_of(path, units_of(joint)), name_of(path), leaf.quantity, false, {}};
     if (equals == std::string::npos) {
         for (const auto& known : asked.spec.axes)
             if (known.path == path && known.values.size() > 1) {

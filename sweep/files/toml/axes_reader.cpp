@@ -33,15 +33,15 @@ bool looks_logarithmic(const std::vector<double>& values)
 
 class AxisReader {
   public:
-    AxisReader(const NamedValue& given, const Parameter& leaf, Motion motion, Complaints& complaints)
-        : given_(given), leaf_(leaf), motion_(motion), complaints_(complaints), path_("axes." + given.path)
+    AxisReader(const NamedValue& given, const Parameter& leaf, Units units, Complaints& complaints)
+        : given_(given), leaf_(leaf), units_(units), complaints_(complaints), path_("axes." + given.path)
     {
     }
 
     /// The values of the axis; empty after a complaint.
     std::optional<Axis> read()
     {
-        Axis axis{given_.path, symbol_of(given_.path, motion_), name_of(given_.path), leaf_.quantity, false, {}};
+        Axis axis{given_.path, symbol_of(given_.path, units_), name_of(given_.path), leaf_.quantity, false, {}};
         const std::size_t before = complaints_.count();
         const auto* table = given_.node->as_table();
         if (table) complain_unknown_keys(*table, axis_keys, path_, complaints_);
@@ -92,7 +92,7 @@ class AxisReader {
         const auto* array = node.as_array();
         std::vector<double> values;
         if (!array) {
-            if (const auto value = read_value(node, leaf_, motion_, given_.place, path, complaints_))
+            if (const auto value = read_value(node, leaf_, units_, given_.place, path, complaints_))
                 values.push_back(*value);
             return values;
         }
@@ -102,7 +102,7 @@ class AxisReader {
         requested_ = static_cast<double>(std::max<std::size_t>(1, array->size()));
         bool sound = true;
         for (const auto& element : *array) {
-            const auto value = read_value(element, leaf_, motion_, given_.place, path, complaints_);
+            const auto value = read_value(element, leaf_, units_, given_.place, path, complaints_);
             sound = sound && value;
             if (!sound) continue;
             if (!values.empty() && *value <= values.back()) {
@@ -124,7 +124,7 @@ class AxisReader {
         for (const int i : {0, 1}) {
             const char* key = i == 0 ? "from" : "to";
             if (const auto* node = table.get(key))
-                ends[i] = read_value(*node, leaf_, motion_, given_.place, path_ + "." + key, complaints_);
+                ends[i] = read_value(*node, leaf_, units_, given_.place, path_ + "." + key, complaints_);
             else if (!misspelt_)
                 complain(table, key, "is missing, an axis is a list of values or { from, to, points, scale }");
         }
@@ -164,7 +164,7 @@ class AxisReader {
 
     const NamedValue& given_;
     const Parameter& leaf_;
-    Motion motion_;
+    Units units_;
     Complaints& complaints_;
     std::string path_;
     double requested_ = 1;
@@ -189,7 +189,7 @@ std::vector<Axis> read_axes(const toml::table& table, Joint& joint, const PlanLi
         if (std::find(taken.begin(), taken.end(), leaf->value) != taken.end())
             complaints.add(given.place, "axes." + given.path, "is the same parameter as an axis above");
         taken.push_back(leaf->value);
-        AxisReader reader(given, *leaf, joint.mechanism.motion, complaints);
+        AxisReader reader(given, *leaf, units_of(joint), complaints);
         auto axis = reader.read();
         points *= reader.requested();
         sound = sound && axis;

@@ -34,18 +34,18 @@ std::string value_text(const Key& key, const std::string& value)
 
 }  // namespace
 
-std::string allowed_values(const Key& key, Motion motion)
+std::string allowed_values(const Key& key, Units units)
 {
     if (key.kind == KeyKind::flag) return "true, false";
     if (key.kind == KeyKind::text) return "text";
     if (key.kind == KeyKind::choice) return fmt::format("{}", fmt::join(key.words, ", "));
-    const auto unit = unit_of(key.quantity, motion);
+    const auto unit = unit_of(key.quantity, units);
     const std::string range = describe(key.range);
     const std::string list = key.kind == KeyKind::numbers ? ", or a list" : "";
     return (unit == "1" ? "" : std::string(unit) + ", ") + range + list;
 }
 
-std::string commented_toml(const std::vector<Key>& keys, Motion motion)
+std::string commented_toml(const std::vector<Key>& keys, Units units)
 {
     std::vector<TableText> tables;
     for (const auto& key : keys) {
@@ -61,7 +61,7 @@ std::string commented_toml(const std::vector<Key>& keys, Motion motion)
         const bool of_note = set && (key.in_force() || key.need == Need::required);
         std::string line = (set ? "" : "# ") + name + " = " + value_text(key, set ? key.value : key.standard);
         if (key.kind != KeyKind::text && !set && key.standard.empty()) line = "# " + name + " =";
-        table->lines += fmt::format("{:<32} # {}: {}\n", line, allowed_values(key, motion), key.help);
+        table->lines += fmt::format("{:<32} # {}: {}\n", line, allowed_values(key, units), key.help);
         table->anything_set = table->anything_set || of_note;
     }
     std::string text;
@@ -88,7 +88,7 @@ std::string commented_joint(const Joint& joint)
     return "# A joint for stickslip, SI units. Lines that begin with # are keys at their default: remove the # to set "
            "them,\n"
            "# and that of the [table] above them. The numbers are an example: put in those of your joint.\n\n" +
-           commented_toml(keys(joint), joint.mechanism.motion);
+           commented_toml(keys(joint), units_of(joint));
 }
 
 std::string commented_spec(const Joint& joint)
@@ -103,7 +103,7 @@ std::string commented_spec(const Joint& joint)
         "# A sweep for stickslip: a joint, the axes to vary, and what to compute at each point. SI units.\n"
         "# In place of the joint's own tables the file may say  joint = \"joint.toml\"  here, above all tables.\n"
         "title = \"New sweep\"\n\n";
-    text += commented_toml(keys(joint), joint.mechanism.motion);
+    text += commented_toml(keys(joint), units_of(joint));
     text += "\n[axes]                           # any numbers of the joint: see stickslip list keys\n";
     text += axis("control.k_p", c.k_p / 100, c.k_p * 100, 41);
     text += axis("control.k_v", k_v / 10, k_v * 1000, 31);
@@ -112,7 +112,7 @@ std::string commented_spec(const Joint& joint)
     auto rest = keys_of(NonlinearSpec{}, "nonlinear");
     for (auto more : {keys_of(BoundarySpec{}, "boundary"), keys_of(CheckSpec{}, "check")})
         rest.insert(rest.end(), more.begin(), more.end());
-    text += "\n" + commented_toml(rest, joint.mechanism.motion);
+    text += "\n" + commented_toml(rest, units_of(joint));
     text += "\n# [report]\n# charts = [[\"control.k_p\", \"control.k_v\"]]   # pairs of axes to draw\n";
     return text;
 }

@@ -8,7 +8,7 @@
 namespace stickslip {
 
 /// Keys in the order of their tables. What is set stands as it is; the rest is commented out with its default.
-std::string commented_toml(const std::vector<Key>& keys, Motion motion);
+std::string commented_toml(const std::vector<Key>& keys, Units units);
 
 /// joint.toml for this joint.
 std::string commented_joint(const Joint& joint);
@@ -17,6 +17,6 @@ std::string commented_joint(const Joint& joint);
 std::string commented_spec(const Joint& joint);
 
 /// "> 0, N/m" or the words of a choice: what a key takes.
-std::string allowed_values(const Key& key, Motion motion);
+std::string allowed_values(const Key& key, Units units);
 
 }  // namespace stickslip

@@ -13,13 +13,30 @@ namespace stickslip {
 namespace files {
 namespace {
 
+template <class Enum, int n>
+void take(const toml::node_view<const toml::node>& node, const Choice<Enum> (&choices)[n], Enum& value)
+{
+    const auto name = node.value<std::string>();
+    for (const auto& c : choices)
+        if (name == c.name) value = c.value;
+}
+
+/// The drive is described behind the gains, whose units depend on it.
+void take_drive(const toml::table& root, Actuator& actuator)
+{
+    take(root["actuator"]["kind"], actuator_kinds, actuator.kind);
+    take(root["actuator"]["signal"], drive_signals, actuator.signal);
+}
+
 void read_into(Joint& joint, const toml::table& root, Complaints& complaints, Mode mode,
                const std::vector<std::string>& also_allowed, const std::filesystem::path& folder = {})
 {
     const auto explain = [&joint](const std::string& path, const std::vector<std::string>& siblings) {
         return explain_unknown_key(joint, path, siblings);
     };
-    StructReader reader(complaints, joint.mechanism.motion, mode, explain, folder);
+    take_drive(root, joint.actuator);
+    StructReader reader(
+        complaints, [&joint] { return units_of(joint); }, mode, explain, folder);
     if (mode == Mode::whole) {
         auto gains = servo_gains(root, complaints);
         reader.fill(std::move(gains.numbers), std::move(gains.choices), "control.servo");

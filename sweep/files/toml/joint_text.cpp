@@ -35,7 +35,7 @@ std::string toml_string(std::string_view text)
 /// Writes one struct: its own lines first, then its tables, since TOML has no way back out of a table.
 class Writer {
   public:
-    Writer(Motion motion, std::string path) : motion_(motion), path_(std::move(path)) {}
+    Writer(Units units, std::string path) : units_(units), path_(std::move(path)) {}
 
     void number(const Field& f, double& value)
     {
@@ -64,7 +64,7 @@ class Writer {
     {
         const std::string path = path_.empty() ? std::string(key) : path_ + "." + std::string(key);
         Struct standard{};
-        Writer writer(motion_, path), by_default(motion_, path);
+        Writer writer(units_, path), by_default(units_, path);
         Struct::fields(s, writer);
         Struct::fields(standard, by_default);
         if (writer.all() == by_default.all()) return;
@@ -75,7 +75,7 @@ class Writer {
     {
         const std::string path = path_.empty() ? std::string(key) : path_ + "." + std::string(key);
         for (auto& row : list) {
-            Writer writer(motion_, path);
+            Writer writer(units_, path);
             Struct::fields(row, writer);
             tables_ += "\n[[" + path + "]]\n" + writer.all();
         }
@@ -106,7 +106,7 @@ class Writer {
     }
     std::string unit_comment(Quantity quantity) const
     {
-        const auto unit = unit_of(quantity, motion_);
+        const auto unit = unit_of(quantity, units_);
         return unit == "1" ? "" : "   # " + std::string(unit);
     }
     /// Leaves out the lines that the defaults have too; the header is needed only for lines of its own.
@@ -121,7 +121,7 @@ class Writer {
         return (text.empty() ? "" : "\n" + header + text) + tables_;
     }
 
-    Motion motion_;
+    Units units_;
     std::string path_;
     std::string choices_, law_;
     std::vector<std::pair<std::string, std::string>> lines_;
@@ -133,7 +133,7 @@ class Writer {
 std::string joint_text(const Joint& given)
 {
     Joint joint = given;
-    Writer writer(joint.mechanism.motion, "");
+    Writer writer(units_of(joint), "");
     Joint::fields(joint, writer);
     const std::string text = writer.all();
     return text.starts_with('\n') ? text.substr(1) : text;

@@ -54,12 +54,12 @@ std::optional<Parameter> find_leaf(Joint& joint, const std::string& path, const 
     return {};
 }
 
-std::optional<double> read_value(const toml::node& node, const Parameter& leaf, Motion motion, const Place& fallback,
+std::optional<double> read_value(const toml::node& node, const Parameter& leaf, Units units, const Place& fallback,
                                  const std::string& path, Complaints& complaints)
 {
     const Field field{leaf.path, leaf.quantity, leaf.range, leaf.need, leaf.help};
     double value = 0;
-    if (const std::string problem = read_number(node, field, motion, value); !problem.empty()) {
+    if (const std::string problem = read_number(node, field, units, value); !problem.empty()) {
         complaints.add(Place(node.source()).or_else(fallback), path, problem);
         return {};
     }

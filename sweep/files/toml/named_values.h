@@ -27,7 +27,7 @@ std::optional<Parameter> find_leaf(Joint& joint, const std::string& path, const 
                                    Complaints& complaints);
 
 /// A number, plain or with a unit, within the range of the leaf; or nothing after a complaint.
-std::optional<double> read_value(const toml::node& node, const Parameter& leaf, Motion motion, const Place& fallback,
+std::optional<double> read_value(const toml::node& node, const Parameter& leaf, Units units, const Place& fallback,
                                  const std::string& path, Complaints& complaints);
 
 }  // namespace stickslip::files

@@ -51,12 +51,12 @@ struct RequirementsTable {
                       "stable at every velocity from here up to V0"},
                      r.least_velocity);
         visit.number(
-            {"stiffness_scale", Quantity::stiffness, positive, Need::optional, "the k_p that doubles the cost"},
+            {"stiffness_scale", Quantity::position_gain, positive, Need::optional, "the k_p that doubles the cost"},
             r.stiffness_scale);
-        visit.number({"k_p_from", Quantity::stiffness, positive, Need::optional, "least k_p"}, r.k_p_low);
-        visit.number({"k_p_to", Quantity::stiffness, positive, Need::optional, "largest k_p"}, r.k_p_high);
-        visit.number({"k_v_from", Quantity::damping, not_negative, Need::optional, "least k_v"}, r.k_v_low);
-        visit.number({"k_v_to", Quantity::damping, positive, Need::optional, "largest k_v"}, r.k_v_high);
+        visit.number({"k_p_from", Quantity::position_gain, positive, Need::optional, "least k_p"}, r.k_p_low);
+        visit.number({"k_p_to", Quantity::position_gain, positive, Need::optional, "largest k_p"}, r.k_p_high);
+        visit.number({"k_v_from", Quantity::velocity_gain, not_negative, Need::optional, "least k_v"}, r.k_v_low);
+        visit.number({"k_v_to", Quantity::velocity_gain, positive, Need::optional, "largest k_v"}, r.k_v_high);
         visit.number({"front_points", Quantity::number, counts, Need::optional, "points of the Pareto front"},
                      r.front_points);
     }
@@ -136,7 +136,8 @@ Requirements read_requirements(const std::filesystem::path& file, const Joint& j
     const toml::table root = files::parse_toml(files::read_text(file), file.string());
     files::Complaints complaints(file.string());
     if (const auto* given = files::table_at(root, "requirements", "", complaints)) {
-        files::StructReader reader(complaints, joint.mechanism.motion, files::Mode::change, explain);
+        files::StructReader reader(
+            complaints, [&] { return units_of(joint); }, files::Mode::change, explain);
         reader.read(*given, "requirements", table, files::names_of(files::spec_keys, "requirements"));
         if (const auto* uncertain = files::table_at(*given, "uncertain", "requirements", complaints))
             for (const auto& [path, node] : files::in_file_order(*uncertain)) {
@@ -160,7 +161,8 @@ Requirements read_requirements(const std::filesystem::path& file, const Joint& j
             one.insert(key, number);
         else
             one.insert(key, value);
-        files::StructReader reader(about, joint.mechanism.motion, files::Mode::change, explain);
+        files::StructReader reader(
+            about, [&] { return units_of(joint); }, files::Mode::change, explain);
         reader.read(one, "", table);
         about.throw_if_any();
     }

@@ -104,7 +104,7 @@ class SpecReader {
             for (const auto& named : dotted_values(*table, {})) {
                 const auto leaf = find_leaf(spec_.joint, named.path, named.place, "design", complaints_);
                 if (!leaf) continue;
-                const auto value = read_value(*named.node, *leaf, spec_.joint.mechanism.motion, named.place,
+                const auto value = read_value(*named.node, *leaf, units_of(spec_.joint), named.place,
                                               "design." + named.path, complaints_);
                 if (!value) continue;
                 given.emplace_back(leaf->value, *value);
@@ -215,7 +215,8 @@ class SpecReader {
         };
         const auto* table = table_at(root_, key, "", complaints_);
         if (!table) return;
-        StructReader reader(complaints_, spec_.joint.mechanism.motion, Mode::whole, explain);
+        StructReader reader(
+            complaints_, [this] { return units_of(spec_.joint); }, Mode::whole, explain);
         reader.read(*table, key, s, also_allowed);
     }
 

@@ -10,31 +10,31 @@
 
 namespace stickslip::files {
 
-std::string allowed_text(const Field& field, Motion motion)
+std::string allowed_text(const Field& field, Units units)
 {
-    const std::string unit(unit_of(field.quantity, motion));
+    const std::string unit(unit_of(field.quantity, units));
     const std::string range = stickslip::describe(field.range);
     return (unit == "1" ? "a number, " : "a number in " + unit + ", ") + range;
 }
 
-std::string read_number(const toml::node& node, const Field& f, Motion motion, double& value)
+std::string read_number(const toml::node& node, const Field& f, Units units, double& value)
 {
     double given = 0;
     std::string written = describe(node);
     if (const auto number = node.value<double>(); number && node.is_number()) {
         given = *number;
     } else if (const auto* text = node.as_string()) {
-        const auto reading = parse_number_with_unit(text->get(), f.quantity, motion);
+        const auto reading = parse_number_with_unit(text->get(), f.quantity, units);
         if (!reading.error.empty()) return reading.error;
         given = reading.value;
-        written += " (" + number_text(given) + " " + std::string(unit_of(f.quantity, motion)) + ")";
+        written += " (" + number_text(given) + " " + std::string(unit_of(f.quantity, units)) + ")";
     } else {
-        return "is " + written + ", expected " + allowed_text(f, motion);
+        return "is " + written + ", expected " + allowed_text(f, units);
     }
     const bool unlimited = given == infinity && value == infinity;
     if (!unlimited && !f.range.holds(given))
         return "is " + written + (std::isfinite(given) ? "" : ", which is no finite number") + ", expected " +
-               allowed_text(f, motion);
+               allowed_text(f, units);
     value = given;
     return "";
 }
@@ -86,7 +86,7 @@ int StructReader::index_of(const toml::node& node, std::string_view key, const s
 
 bool StructReader::take_number(const toml::node& node, std::string_view key, const Field& f, double& value)
 {
-    const std::string problem = read_number(node, f, motion_, value);
+    const std::string problem = read_number(node, f, units_(), value);
     if (!problem.empty()) complain(node, key, problem);
     return problem.empty();
 }
@@ -100,7 +100,7 @@ void StructReader::number(const Field& f, double& value)
     } else if (node) {
         take_number(*node, f.key, f, value);
     } else if (f.need == Need::required && mode_ == Mode::whole && !frame_.uncertain) {
-        complain_missing(f.key, "expected " + allowed_text(f, motion_) + ": " + std::string(f.help));
+        complain_missing(f.key, "expected " + allowed_text(f, units_()) + ": " + std::string(f.help));
     }
 }
 
@@ -110,7 +110,7 @@ void StructReader::numbers(const Field& f, NumberList& list)
     if (!node) {
         if (f.need == Need::required && mode_ == Mode::whole && !frame_.uncertain)
             complain_missing(f.key,
-                             "expected " + allowed_text(f, motion_) + ", or a list of them: " + std::string(f.help));
+                             "expected " + allowed_text(f, units_()) + ", or a list of them: " + std::string(f.help));
         return;
     }
     if (const auto* indexed = indexed_table(*node)) {
@@ -171,7 +171,7 @@ void StructReader::samples(std::string_view key, std::string_view help, std::str
     if (!node || !node->is_string()) return;
     try {
         table =
-            name.empty() ? nullptr : std::make_shared<const KernelTable>(read_kernel_table(folder_ / name, motion_));
+            name.empty() ? nullptr : std::make_shared<const KernelTable>(read_kernel_table(folder_ / name, units_()));
     } catch (const BadInput& bad) {
         for (const auto& message : bad.messages()) complain(*node, key, "is \"" + name + "\": " + message);
     }

@@ -25,12 +25,13 @@ class StructReader {
     /// Says why a key is unknown and which was meant, given its full path and its known siblings.
     using Explain = std::function<std::string(const std::string& path, const std::vector<std::string>& siblings)>;
 
-    /// `motion` is read whenever a unit is needed, so it may be part of what is being read (its table comes first).
-    /// Files that a value names are looked up from `folder`.
-    StructReader(Complaints& complaints, const Motion& motion, Mode mode, Explain explain,
-                 std::filesystem::path folder = {})
+    using UnitsNow = std::function<Units()>;
+
+    /// `units` is asked whenever a unit is needed, so that it may depend on what is being read. Files that a value
+    /// names are looked up from `folder`.
+    StructReader(Complaints& complaints, UnitsNow units, Mode mode, Explain explain, std::filesystem::path folder = {})
         : complaints_(complaints),
-          motion_(motion),
+          units_(std::move(units)),
           mode_(mode),
           explain_(std::move(explain)),
           folder_(std::move(folder))
@@ -222,7 +223,7 @@ class StructReader {
     std::vector<const toml::table*> tables_of(const toml::node& node, std::string_view key, int capacity);
 
     Complaints& complaints_;
-    const Motion& motion_;
+    UnitsNow units_;
     Mode mode_;
     Explain explain_;
     std::filesystem::path folder_;
@@ -235,10 +236,10 @@ class StructReader {
 };
 
 /// "a number in N/m, > 0": what a numeric leaf takes.
-std::string allowed_text(const Field& field, Motion motion);
+std::string allowed_text(const Field& field, Units units);
 
 /// Reads a number, plain (SI) or as text with a unit, and checks its range. Returns what is wrong, or nothing; `value`
 /// is changed only then. Where it is infinite before (a limit that is absent by default), infinity is allowed.
-std::string read_number(const toml::node& node, const Field& field, Motion motion, double& value);
+std::string read_number(const toml::node& node, const Field& field, Units units, double& value);
 
 }  // namespace stickslip::files

@@ -33,7 +33,7 @@ void answer_one(BoundaryAnswer& answer, BoundaryRequest request, const std::vect
 {
     request.parallel = until_interrupted(invocation.interrupted, request.parallel);
     if (request.kind == BoundaryKind::outcome)
-        answer.outcome_means = disturbance_text(request.disturbance, answer.design.mechanism.motion);
+        answer.outcome_means = disturbance_text(request.disturbance, units_of(answer.design));
     if (axes.size() == 2) {
         answer.curves.push_back(follow_boundaries(answer.design, axes[0], axes[1], request));
         return;
@@ -93,13 +93,13 @@ struct Tally {
     }
 };
 
-void print_ray(const LocatedRay& ray, Motion motion)
+void print_ray(const LocatedRay& ray, Units units)
 {
     fmt::print("{} along {}: {} points, {} evaluations\n", name_of(ray.kind), ray.axis.path, ray.points.size(),
                ray.evaluations);
     for (const auto& p : ray.points)
         fmt::print("  {:<14} {:<18.12g} {:<8} bracket {:.1e}  {}  {}, {} evaluations\n", name_of(ray.kind), p.value,
-                   unit_of(ray.axis.quantity, motion), p.precision(), p.converged ? "located" : "coarse ",
+                   unit_of(ray.axis.quantity, units), p.precision(), p.converged ? "located" : "coarse ",
                    name_of(p.method), p.evaluations);
     fmt::print("  not excluded by this search: {}\n", could_be_missed(ray));
 }
@@ -144,7 +144,7 @@ int locate(const BoundaryOptions& options, const Invocation& invocation)
     fmt::print("{}\n", options.json ? json.dump(2) : plain_text(report.verdict));
     const Tally tally(answer, options.max_undecided);
     if (!options.json) {
-        for (const auto& ray : answer.rays) print_ray(ray, answer.design.mechanism.motion);
+        for (const auto& ray : answer.rays) print_ray(ray, units_of(answer.design));
         for (const auto& curve : answer.curves) print_curve(curve);
     }
     if (!options.directory.empty()) {

@@ -130,7 +130,7 @@ std::vector<BoundaryQuestion> boundary_questions(const Asked& asked, const Bound
     return rays;
 }
 
-std::string disturbance_text(const Disturbance& d, Motion motion)
+std::string disturbance_text(const Disturbance& d, Units units)
 {
     for (const auto& k : DisturbanceSpec::kinds) {
         if (k.value != d.kind) continue;
@@ -139,16 +139,16 @@ std::string disturbance_text(const Disturbance& d, Motion motion)
         switch (d.kind) {
             case DisturbanceKind::position:
             case DisturbanceKind::offset:
-                unit = unit_of(Quantity::position, motion);
+                unit = unit_of(Quantity::position, units);
                 break;
             case DisturbanceKind::velocity:
-                unit = unit_of(Quantity::velocity, motion);
+                unit = unit_of(Quantity::velocity, units);
                 break;
             case DisturbanceKind::impulse:
-                unit = unit_of(Quantity::impulse, motion);
+                unit = unit_of(Quantity::impulse, units);
                 break;
             case DisturbanceKind::state:
-                unit = unit_of(Quantity::effort, motion);
+                unit = unit_of(Quantity::effort, units);
                 break;
             case DisturbanceKind::start:
                 return d.size > 0 ? fmt::format("start from {:g} V_{{0}}", d.size) : "start from rest";

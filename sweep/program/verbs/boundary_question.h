@@ -29,6 +29,6 @@ struct BoundaryQuestion {
 std::vector<BoundaryQuestion> boundary_questions(const Asked& asked, const BoundaryOptions& options);
 
 /// "position of 0.0001 m", mark-up: what an outcome follows.
-std::string disturbance_text(const Disturbance& disturbance, Motion motion);
+std::string disturbance_text(const Disturbance& disturbance, Units units);
 
 }  // namespace stickslip

@@ -60,8 +60,8 @@ int design_set_point_answer(const SetPointOptions& options, Invocation& invocati
     if (options.json) {
         fmt::print("{}\n", json.dump(2));
     } else {
-        fmt::print("{}\n", plain_text(set_point_design_text(design, joint.mechanism.motion)));
-        for (const auto& table : set_point_design_tables(design, joint.mechanism.motion)) print_table(table);
+        fmt::print("{}\n", plain_text(set_point_design_text(design, units_of(joint))));
+        for (const auto& table : set_point_design_tables(design, units_of(joint))) print_table(table);
     }
     const auto* best = design.best < 0 ? nullptr : &design.choices[static_cast<std::size_t>(design.best)];
     if (!options.directory.empty()) {

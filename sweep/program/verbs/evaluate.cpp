@@ -113,7 +113,7 @@ struct Evaluated {
     bool open() const { return decided() && is_open(nonlinear); }
     bool answered() const { return only_rest() ? rest->hunting != Hunting::undecided : decided() && !open(); }
     bool only_rest() const { return rest && (joint.control.V0 == 0 || (!is_set(joint.control.V0) && !decided())); }
-    Motion units() const { return joint.mechanism.motion; }
+    Units units() const { return units_of(joint); }
 };
 
 Evaluated evaluated(const Options& options, StageLine& line)

@@ -136,7 +136,7 @@ Json parameter_list(const std::string& file, const std::string& law)
     Json json = Json::array();
     for (const auto& p : parameters(joint))
         json.push_back({{"path", p.path},
-                        {"unit", unit_of(p.quantity, joint.mechanism.motion)},
+                        {"unit", unit_of(p.quantity, units_of(joint))},
                         {"range", describe(p.range)},
                         {"required", p.need == Need::required},
                         {"help", p.help}});
@@ -155,10 +155,10 @@ Json key_list(const std::string& file, const std::string& model, const std::stri
         Json entry{{"path", key.path}};
         if (with_values) {
             entry["value"] = key.value;
-            entry["unit"] = unit_of(key.quantity, joint.mechanism.motion);
+            entry["unit"] = unit_of(key.quantity, units_of(joint));
         }
         entry["default"] = key.need == Need::required ? "required" : key.standard.empty() ? "-" : key.standard;
-        entry["allowed"] = allowed_values(key, joint.mechanism.motion);
+        entry["allowed"] = allowed_values(key, units_of(joint));
         entry["help"] = key.help;
         json.push_back(std::move(entry));
     }

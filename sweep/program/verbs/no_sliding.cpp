@@ -15,7 +15,7 @@ void say_no_sliding(const std::filesystem::path& file, const std::vector<std::st
     const auto low = low_limit(joint, commanded_velocity(joint));
     if (!low) return;
     say("{}: {}: {}\n", stated_place(file, settings, low->path), low->path,
-        plain_text(low_limit_words(*low, joint.mechanism.motion)));
+        plain_text(low_limit_words(*low, units_of(joint))));
 }
 
 }  // namespace stickslip

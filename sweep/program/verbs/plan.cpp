@@ -59,8 +59,8 @@ void print(const gap::Power& power)
 int run(const Options& options)
 {
     const Joint joint = read_joint(options.joint);
-    const Series reference = read_series(options.trajectory, "reference_position",
-                                         SeriesQuantity{Quantity::position, joint.mechanism.motion});
+    const Series reference =
+        read_series(options.trajectory, "reference_position", SeriesQuantity{Quantity::position, units_of(joint)});
     const ThreadLimit limit(options.threads);
     const PlanAnswer answer = [&] {
         try {

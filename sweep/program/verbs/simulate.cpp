@@ -70,12 +70,12 @@ std::filesystem::path write_trajectory(const Joint& joint, const Trajectory& t, 
                                        const std::filesystem::path& directory)
 {
     const auto file = directory / "trajectory.csv";
-    const auto motion = joint.mechanism.motion;
+    const Units units = units_of(joint);
     const bool forces = !force.empty();
     auto text = fmt::format("time [s],excess_position [{}],velocity [{}],friction [{}],stuck",
-                            unit_of(Quantity::position, motion), unit_of(Quantity::velocity, motion),
-                            unit_of(Quantity::effort, motion));
-    text += forces ? fmt::format(",control_force [{}]\n", unit_of(Quantity::effort, motion)) : "\n";
+                            unit_of(Quantity::position, units), unit_of(Quantity::velocity, units),
+                            unit_of(Quantity::effort, units));
+    text += forces ? fmt::format(",control_force [{}]\n", unit_of(Quantity::effort, units)) : "\n";
     for (std::size_t i = 0; i < t.time.size(); ++i) {
         fmt::format_to(std::back_inserter(text), "{},{},{},{},{}", t.time[i], t.position[i], t.velocity[i],
                        t.friction[i], static_cast<int>(t.stuck[i]));
@@ -86,11 +86,11 @@ std::filesystem::path write_trajectory(const Joint& joint, const Trajectory& t, 
 }
 
 /// Overshoot, settling time and stairs, on the terminal and as motion.json beside the motion.
-void tell_measures(const MotionMeasures& m, Motion motion, const std::filesystem::path& directory)
+void tell_measures(const MotionMeasures& m, Units units, const std::filesystem::path& directory)
 {
     write_whole(directory / "motion.json", motion_json(m).dump(2) + "\n");
     const auto tell = [&](const char* name, double value, Quantity quantity) {
-        if (is_set(value)) fmt::print("{:<11} {}\n", name, with_unit(value, quantity, motion, 4));
+        if (is_set(value)) fmt::print("{:<11} {}\n", name, with_unit(value, quantity, units, 4));
     };
     tell("overshoot:", m.overshoot, Quantity::position);
     tell("settles in:", m.settling_time, Quantity::time);
@@ -114,12 +114,12 @@ int record_joint(const Options& options, const Invocation& invocation)
 {
     const Joint joint = read_spec_or_joint(options.joint, options.settings).design;
     say_no_sliding(options.joint, options.settings, joint);
-    const auto reference = read_reference(options.reference, joint.mechanism.motion);
+    const auto reference = read_reference(options.reference, units_of(joint));
     const auto record = record_along(joint, reference, options.surroundings.force.seed, options.tolerance);
     if (record.time.empty()) throw BadInput(options.joint + ": cannot follow a reference: " + detail_text(record.why));
     fmt::print("record:     {}\n", write_record(record, options.directory).string());
     if (const auto side = side_text(joint, true); !side.empty()) fmt::print("{}\n", plain_text(side));
-    tell_measures(measure_motion(record.time, record.reference_position, record.position), joint.mechanism.motion,
+    tell_measures(measure_motion(record.time, record.reference_position, record.position), units_of(joint),
                   options.directory);
     auto report = record_report(joint, {record.time, record.reference_position, record.position, record.effort_command,
                                         record.effort_measured, detail_text(record.why)});
@@ -152,7 +152,7 @@ int simulate_joint(const Options& options, const Invocation& invocation)
     fmt::print("{}\n", plain_text(report.verdict));
     if (trajectory.time.empty()) return exit_undecided;
     fmt::print("trajectory: {}\n", write_trajectory(joint, trajectory, force, options.directory).string());
-    tell_measures(measured(trajectory, commanded_velocity(joint)), joint.mechanism.motion, options.directory);
+    tell_measures(measured(trajectory, commanded_velocity(joint)), units_of(joint), options.directory);
     fmt::print("report:     {}\n", write_report(report, options.directory).string());
     return trajectory.reason == Reason::none ? exit_done : exit_undecided;
 }

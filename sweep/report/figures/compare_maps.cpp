@@ -25,8 +25,8 @@ bool sticks(Region region)
 FieldMap field_over(const Joint& before, const Slice& a, const Joint& after, const Slice& b)
 {
     FieldMap map;
-    map.motion = after.mechanism.motion;
-    const auto held = held_text(a.held, map.motion), holds = held_text(b.held, map.motion);
+    map.units = units_of(after);
+    const auto held = held_text(a.held, map.units), holds = held_text(b.held, map.units);
     map.fixed = held == holds ? holds : held + " before, " + holds + " after";
     map.x = b.x;
     map.y = b.y;
@@ -84,7 +84,7 @@ Figure difference_figure(FieldMap map, const Slice& a, const Slice& b)
         low = std::min(low, map.values.back());
         high = std::max(high, map.values.back());
     }
-    map.statement = "Changes lie " + span_text(low, high, Quantity::rate, map.motion) + ".";
+    map.statement = "Changes lie " + span_text(low, high, Quantity::rate, map.units) + ".";
     Figure figure;
     figure.id = chart_id("difference", b.x, b.y);
     figure.finding =

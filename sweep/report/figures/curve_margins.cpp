@@ -54,7 +54,7 @@ std::string met(const Meeting& m)
 
 }  // namespace
 
-std::vector<Headline> meeting_headlines(const std::vector<Meeting>& meetings, Motion motion)
+std::vector<Headline> meeting_headlines(const std::vector<Meeting>& meetings, Units units)
 {
     constexpr std::size_t most = 5;
     std::vector<Headline> list;
@@ -65,30 +65,30 @@ std::vector<Headline> meeting_headlines(const std::vector<Meeting>& meetings, Mo
         list.push_back({no_cure ? Headline::Tone::bad : Headline::Tone::neutral,
                         m.axis.symbol + (change < 0 ? " −" : " +") + plain_number(100 * std::abs(change)) + " %",
                         "from the design to " + met(m) + ": " +
-                            range_text(m.own, m.at, m.axis.quantity, motion, {"", " to ", ""}, 4)});
+                            range_text(m.own, m.at, m.axis.quantity, units, {"", " to ", ""}, 4)});
     }
     return list;
 }
 
-std::string meeting_text(const std::vector<Meeting>& meetings, Motion motion)
+std::string meeting_text(const std::vector<Meeting>& meetings, Units units)
 {
     std::string text, path;
     for (const auto& m : meetings) {
         if (!m.on_chart || (!path.empty() && m.axis.path != path)) continue;
         text += (path.empty() ? "Through the design along " + m.axis.symbol + ": " : ", ") +
                 (m.beyond ? hunting_boundary(*m.beyond) : kind_words(m.kind)) + " at " +
-                with_unit(m.at, m.axis.quantity, motion, 4);
+                with_unit(m.at, m.axis.quantity, units, 4);
         path = m.axis.path;
     }
     return text.empty() ? "No followed curve meets the design's own lines through the chart." : text + ".";
 }
 
-Figure precision_figure(const std::vector<FollowedBoundary>& curves, Motion motion)
+Figure precision_figure(const std::vector<FollowedBoundary>& curves, Units units)
 {
     const auto& x = curves.front().x;
     LineChart chart;
     chart.title = "How sharply each point is located";
-    chart.x_label = {x.name + " " + x.symbol, std::string(unit_of(x.quantity, motion))};
+    chart.x_label = {x.name + " " + x.symbol, std::string(unit_of(x.quantity, units))};
     chart.y_label = {"relative width of the bracket", "1"};
     chart.x_log = x.log, chart.y_log = true;
     for (const auto& curve : curves) {

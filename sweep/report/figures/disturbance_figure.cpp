@@ -26,12 +26,12 @@ double shown_duration(const std::vector<std::complex<double>>& roots)
     return longest;
 }
 
-Series force_record(const AskedDisturbance& asked, Motion motion)
+Series force_record(const AskedDisturbance& asked, Units units)
 {
-    return read_series(asked.kind, "force", SeriesQuantity{Quantity::effort, motion});
+    return read_series(asked.kind, "force", SeriesQuantity{Quantity::effort, units});
 }
 
-SampledForce force_of(const AskedDisturbance& asked, double duration, double omega, Motion motion)
+SampledForce force_of(const AskedDisturbance& asked, double duration, double omega, Units units)
 {
     constexpr std::pair<const char*, ForceKind> kinds[] = {{"impulse", ForceKind::impulse},
                                                            {"step", ForceKind::step},
@@ -40,7 +40,7 @@ SampledForce force_of(const AskedDisturbance& asked, double duration, double ome
     for (const auto& [name, kind] : kinds)
         if (asked.kind == name) return sampled_force(kind, asked.size, duration, duration / samples, omega, asked.seed);
     SampledForce force = sampled_force(ForceKind::step, 0, duration, duration / samples);
-    force.value = force_record(asked, motion).sampled(force.step, samples);
+    force.value = force_record(asked, units).sampled(force.step, samples);
     for (double& d : force.value) d *= asked.size;
     return force;
 }
@@ -60,13 +60,13 @@ std::optional<DisturbedMotion> disturbed_motion(const Joint& joint, const AskedD
     const auto simple = LoopResponse::of(joint, Theory::velocity_only);
     if (!memory || !simple) return std::nullopt;
     double duration = is_set(asked.duration) ? asked.duration
-                      : is_force_file(asked) ? force_record(asked, joint.mechanism.motion).duration()
+                      : is_force_file(asked) ? force_record(asked, units_of(joint)).duration()
                                              : shown_duration(memory->roots());
     const auto peak = memory->peak();
     const double omega = is_set(asked.omega) ? asked.omega : peak.omega > 0 ? peak.omega : 20 / duration;
     if (!is_set(asked.duration) && asked.kind == "sine") duration = std::max(duration, 12 * std::numbers::pi / omega);
     DisturbedMotion motion;
-    motion.force = force_of(asked, duration, omega, joint.mechanism.motion);
+    motion.force = force_of(asked, duration, omega, units_of(joint));
     motion.memory = memory->forced(motion.force);
     motion.velocity_only = simple->forced(motion.force);
     const auto& x = motion.memory.position;
@@ -79,7 +79,7 @@ std::optional<DisturbedMotion> disturbed_motion(const Joint& joint, const AskedD
 
 Figure disturbance_figure(const Joint& joint, const AskedDisturbance& asked, const DisturbedMotion& motion)
 {
-    const auto unit = joint.mechanism.motion;
+    const Units unit = units_of(joint);
     LineChart chart;
     chart.title = "Answer to a disturbing force: " + asked.kind;
     chart.fixed =

@@ -23,10 +23,10 @@ Kind kind_of(const SetPoint& s)
     return s.diverges() ? diverges : rests;
 }
 
-FieldMap map_over(const HuntingField& field, const std::vector<FollowedBoundary>& curves, Motion motion)
+FieldMap map_over(const HuntingField& field, const std::vector<FollowedBoundary>& curves, Units units)
 {
     FieldMap map;
-    map.motion = motion;
+    map.units = units;
     map.x = field.x, map.y = field.y;
     for (const auto& c : curves) {
         if (c.pieces.empty()) continue;
@@ -76,7 +76,7 @@ Figure amplitude_figure(const HuntingField& field, FieldMap map)
     }
     constexpr double decades_worth = 30;  // beyond this ratio equal steps of colour hide the small values
     map.scale = high > decades_worth * low ? FieldMap::Scale::log : FieldMap::Scale::linear;
-    const std::string range = span_text(low, high, Quantity::position, map.motion, from_to);
+    const std::string range = span_text(low, high, Quantity::position, map.units, from_to);
     Figure figure;
     figure.id = chart_id("hunting-amplitude", field.x, field.y);
     figure.finding = "Where the joint hunts, its stops are " + range + " from the set point.";
@@ -104,10 +104,9 @@ std::string hunting_shares_text(const HuntingField& field)
     return "On this chart " + text + ".";
 }
 
-std::vector<Figure> hunting_figures(const HuntingField& field, const std::vector<FollowedBoundary>& curves,
-                                    Motion motion)
+std::vector<Figure> hunting_figures(const HuntingField& field, const std::vector<FollowedBoundary>& curves, Units units)
 {
-    const auto map = map_over(field, curves, motion);
+    const auto map = map_over(field, curves, units);
     std::vector<Figure> figures{kinds_figure(field, map)};
     if (std::any_of(field.places.begin(), field.places.end(),
                     [](const SetPoint& s) { return s.hunting == Hunting::yes && s.amplitude > 0; }))

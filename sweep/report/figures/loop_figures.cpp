@@ -12,9 +12,9 @@ namespace {
 
 constexpr double leap = 0.1;  ///< what no root goes at once, per |s| of what is drawn
 
-std::string stiffness(double k, Motion motion)
+std::string stiffness(double k, Units units)
 {
-    return with_unit(k, Quantity::stiffness, motion);
+    return with_unit(k, Quantity::position_gain, units);
 }
 
 /// All branches in two lines: the roots of the gains at which the joint is stable, and of those at which it is not.
@@ -65,7 +65,7 @@ class LocusLines {
 };
 
 /// A mark at each root of the design's own gain that lies within what is drawn.
-void add_own_roots(DetailedChart& chart, const RootLocus& locus, Motion motion)
+void add_own_roots(DetailedChart& chart, const RootLocus& locus, Units units)
 {
     double left = infinity, right = -infinity, low = infinity, high = -infinity;
     for (const auto& line : chart.lines)
@@ -74,7 +74,7 @@ void add_own_roots(DetailedChart& chart, const RootLocus& locus, Motion motion)
             left = std::min(left, line.x[i]), right = std::max(right, line.x[i]);
             low = std::min(low, line.y[i]), high = std::max(high, line.y[i]);
         }
-    DetailedChart::Line own{"the design, k_{p} = " + stiffness(locus.own_gain, motion), {}, {}};
+    DetailedChart::Line own{"the design, k_{p} = " + stiffness(locus.own_gain, units), {}, {}};
     own.look = DetailedChart::Line::Look::points;
     for (const auto s : locus.own) {
         if (s.real() < left || s.real() > right || s.imag() < low || s.imag() > high) continue;
@@ -83,22 +83,22 @@ void add_own_roots(DetailedChart& chart, const RootLocus& locus, Motion motion)
     if (!own.x.empty()) chart.lines.push_back(std::move(own));
 }
 
-Figure root_locus_figure(const RootLocus& locus, Motion motion)
+Figure root_locus_figure(const RootLocus& locus, Units units)
 {
     const double low = locus.gains.front(), high = locus.gains.back(), limit = locus.limit;
     DetailedChart chart;
     chart.title = "Root locus over k_{p}";
-    chart.fixed = "k_{p} " + range_text(low, high, Quantity::stiffness, motion) + ", roots with |s| < " +
-                  with_unit(limit, Quantity::rate, motion);
+    chart.fixed = "k_{p} " + range_text(low, high, Quantity::position_gain, units) + ", roots with |s| < " +
+                  with_unit(limit, Quantity::rate, units);
     chart.x_label = {"Re s", "1/s"};
     chart.y_label = {"Im s", "rad/s"};
-    chart.along_label = axis_label("k_{p}", Quantity::stiffness, motion);
+    chart.along_label = axis_label("k_{p}", Quantity::position_gain, units);
     chart.lines = LocusLines(locus).drawn();
-    if (!chart.lines.empty()) add_own_roots(chart, locus, motion);
+    if (!chart.lines.empty()) add_own_roots(chart, locus, units);
     chart.x_marks.emplace_back("boundary Re s = 0", 0);
     std::string crossing;
     for (const auto& p : locus.crossings)
-        crossing += (crossing.empty() ? "" : ", ") + with_unit(p.value, Quantity::stiffness, motion, 4);
+        crossing += (crossing.empty() ? "" : ", ") + with_unit(p.value, Quantity::position_gain, units, 4);
     Figure figure;
     figure.id = "root-locus";
     figure.finding =
@@ -117,10 +117,10 @@ Figure root_locus_figure(const RootLocus& locus, Motion motion)
 
 }  // namespace
 
-std::vector<Figure> loop_figures(const std::optional<RootLocus>& locus, Motion motion)
+std::vector<Figure> loop_figures(const std::optional<RootLocus>& locus, Units units)
 {
     if (!locus) return {};
-    Figure figure = root_locus_figure(*locus, motion);
+    Figure figure = root_locus_figure(*locus, units);
     if (std::get<DetailedChart>(figure.picture).lines.empty()) return {};
     return {std::move(figure)};
 }

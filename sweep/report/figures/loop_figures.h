@@ -8,6 +8,6 @@
 namespace stickslip {
 
 /// The roots over a range of k_p. Empty where there is no locus or nothing of it to see.
-std::vector<Figure> loop_figures(const std::optional<RootLocus>& locus, Motion motion);
+std::vector<Figure> loop_figures(const std::optional<RootLocus>& locus, Units units);
 
 }  // namespace stickslip

@@ -12,9 +12,9 @@
 namespace stickslip {
 namespace {
 
-std::string stiffness(double k, Motion motion)
+std::string stiffness(double k, Units units)
 {
-    return with_unit(k, Quantity::stiffness, motion);
+    return with_unit(k, Quantity::position_gain, units);
 }
 
 /// "10^{−12}" of 1e-12.
@@ -43,18 +43,18 @@ std::string design_words(const DesignPoint& design)
     return design.spectral_abscissa < 0 ? "The design slides smoothly." : "The design sticks and slips.";
 }
 
-std::string held_words(const Slice& slice, Motion motion)
+std::string held_words(const Slice& slice, Units units)
 {
-    return slice.held.empty() ? "" : " Held: " + held_text(slice.held, motion) + ".";
+    return slice.held.empty() ? "" : " Held: " + held_text(slice.held, units) + ".";
 }
 
-Figure outcome_figure(Motion motion, const Slice& slice, const MapAnswer& answer, const MapReading& reading,
+Figure outcome_figure(Units units, const Slice& slice, const MapAnswer& answer, const MapReading& reading,
                       const char* id, std::string title, std::string how_to_read)
 {
     FieldMap map;
     map.title = std::move(title);
-    map.fixed = held_text(slice.held, motion);
-    map.motion = motion;
+    map.fixed = held_text(slice.held, units);
+    map.units = units;
     map.x = slice.x;
     map.y = slice.y;
     map.name = reading.name;
@@ -67,7 +67,7 @@ Figure outcome_figure(Motion motion, const Slice& slice, const MapAnswer& answer
         if (std::isfinite(v)) low = std::min(low, v), high = std::max(high, v), ++cycles;
     map.scale = low > 0 && high > 30 * low ? FieldMap::Scale::log : FieldMap::Scale::linear;
     const auto share = percent(static_cast<double>(cycles) / static_cast<double>(reading.values.size()));
-    const auto range = cycles ? span_text(low, high, reading.quantity, motion) : std::string("nowhere");
+    const auto range = cycles ? span_text(low, high, reading.quantity, units) : std::string("nowhere");
     map.statement = share + " of the points end in a limit cycle.";
     for (const auto& curve : answer.curves)
         if (curve.kind == Curve::Kind::state_variable) map.lines.push_back({"", curve.x, curve.y, false, curve.kind});
@@ -81,7 +81,7 @@ Figure outcome_figure(Motion motion, const Slice& slice, const MapAnswer& answer
     figure.finding = plain_text(reading.name) + " over " + slice.x.name + " and " + slice.y.name + ": " + range +
                      " on " + share + " of the points.";
     figure.caption = how_to_read + " Values lie " + range + ". " + followed_text(slice.readings) +
-                     "; grey: " + map.none + "." + held_words(slice, motion);
+                     "; grey: " + map.none + "." + held_words(slice, units);
     figure.picture = std::move(map);
     return figure;
 }
@@ -115,12 +115,12 @@ std::string reproducing_command(const Slice& slice, const std::string& depth, co
     return command + " -o motion";
 }
 
-StabilityMap stability_map(Motion motion, const Slice& slice, const MapAnswer& answer)
+StabilityMap stability_map(Units units, const Slice& slice, const MapAnswer& answer)
 {
     StabilityMap map;
-    map.motion = motion;
+    map.units = units;
     map.title = "Stability of sliding over (" + slice.x.symbol + ", " + slice.y.symbol + ")";
-    map.fixed = held_text(slice.held, map.motion);
+    map.fixed = held_text(slice.held, map.units);
     map.x = slice.x;
     map.y = slice.y;
     map.abscissa = slice.abscissa;
@@ -142,10 +142,10 @@ StabilityMap stability_map(Motion motion, const Slice& slice, const MapAnswer& a
     return map;
 }
 
-Figure map_figure(Motion motion, const Slice& slice, const MapAnswer& answer)
+Figure map_figure(Units units, const Slice& slice, const MapAnswer& answer)
 {
     Figure figure;
-    auto map = stability_map(motion, slice, answer);
+    auto map = stability_map(units, slice, answer);
     const auto needless = percent(share_of(slice, {Region::memory_only}));
     const auto missed = percent(share_of(slice, {Region::velocity_only}));
     const auto bistable = share_of(slice, {Region::bistable});
@@ -162,19 +162,19 @@ Figure map_figure(Motion motion, const Slice& slice, const MapAnswer& answer)
         needless + " of the chart as drawn; the opposite error covers " + missed +
         ". Both curves are located to a relative bracket of " + power_of_ten(answer.precision) +
         ", not contoured from the grid; the search does not exclude a closed piece smaller than 1/" +
-        std::to_string(answer.mesh) + " of an axis." + held_words(slice, motion);
+        std::to_string(answer.mesh) + " of an axis." + held_words(slice, units);
     if (std::any_of(map.curves.begin(), map.curves.end(),
                     [](const Curve& c) { return c.kind == Curve::Kind::ideal_loop; }))
         figure.caption +=
             " Dotted: the boundary with memory under the paper's ideal loop, without sampling, dead time, "
             "lag, filter and integral.";
-    if (const auto text = large_disturbances_text(slice, answer.large, motion); !text.empty())
+    if (const auto text = large_disturbances_text(slice, answer.large, units); !text.empty())
         figure.caption += " " + text;
     figure.picture = std::move(map);
     return figure;
 }
 
-std::vector<Figure> outcome_figures(Motion motion, const Slice& slice, const MapAnswer& answer)
+std::vector<Figure> outcome_figures(Units units, const Slice& slice, const MapAnswer& answer)
 {
     std::vector<Figure> figures;
     for (const auto& reading : slice.readings) {
@@ -186,13 +186,13 @@ std::vector<Figure> outcome_figures(Motion motion, const Slice& slice, const Map
             continue;
         }
         if (reading.column == "amplitude")
-            figures.push_back(outcome_figure(motion, slice, answer, reading, "amplitude",
-                                             "Amplitude of the limit cycle", "Half the peak-to-peak position."));
+            figures.push_back(outcome_figure(units, slice, answer, reading, "amplitude", "Amplitude of the limit cycle",
+                                             "Half the peak-to-peak position."));
         else if (reading.column == "period")
-            figures.push_back(outcome_figure(motion, slice, answer, reading, "period", "Period of the limit cycle",
+            figures.push_back(outcome_figure(units, slice, answer, reading, "period", "Period of the limit cycle",
                                              "Duration of one limit cycle."));
         else if (reading.column == "stick_fraction")
-            figures.push_back(outcome_figure(motion, slice, answer, reading, "rest",
+            figures.push_back(outcome_figure(units, slice, answer, reading, "rest",
                                              "Share of the period spent sticking",
                                              "Share of each cycle at rest or below a hundredth of V_{0}."));
     }
@@ -213,11 +213,11 @@ std::string where_no_critical_gain(const GainSurface& surface)
 
 }  // namespace
 
-Figure surface_figure(const GainSurface& found, Motion motion)
+Figure surface_figure(const GainSurface& found, Units units)
 {
     CriticalGainSurface surface;
     surface.title = "Critical position gain k_{cr}(" + found.x.symbol + ", " + found.y.symbol + ")";
-    surface.motion = motion;
+    surface.units = units;
     surface.x = found.x;
     surface.y = found.y;
     surface.z_name = "critical position gain";
@@ -226,8 +226,8 @@ Figure surface_figure(const GainSurface& found, Motion motion)
     double low = infinity, high = -infinity;
     for (const double z : surface.z)
         if (std::isfinite(z)) low = std::min(low, z), high = std::max(high, z);
-    const std::string range =
-        low <= high ? span_text(low, high, Quantity::stiffness, motion, from_to) : std::string("nowhere on this range");
+    const std::string range = low <= high ? span_text(low, high, Quantity::position_gain, units, from_to)
+                                          : std::string("nowhere on this range");
     Figure figure;
     figure.id = chart_id("surface", found.x, found.y);
     figure.finding =

@@ -9,16 +9,16 @@ namespace stickslip {
 
 /// The chart of a slice: the field as swept, the located boundaries, the design point, and the share of the chart's
 /// area (axes as drawn) in which the theories differ.
-StabilityMap stability_map(Motion motion, const Slice& slice, const MapAnswer& answer);
+StabilityMap stability_map(Units units, const Slice& slice, const MapAnswer& answer);
 
 /// The stability map of a slice: regions, both boundaries, layers of a third axis, motions at a few nodes.
-Figure map_figure(Motion motion, const Slice& slice, const MapAnswer& answer);
+Figure map_figure(Units units, const Slice& slice, const MapAnswer& answer);
 
 /// Amplitude, period and time at rest of the limit cycles, where the sweep simulated its points.
-std::vector<Figure> outcome_figures(Motion motion, const Slice& slice, const MapAnswer& answer);
+std::vector<Figure> outcome_figures(Units units, const Slice& slice, const MapAnswer& answer);
 
 /// The critical position gain over two axes.
-Figure surface_figure(const GainSurface& surface, Motion motion);
+Figure surface_figure(const GainSurface& surface, Units units);
 
 /// "map-k-p-k-v": an id made of the last parts of two paths.
 std::string chart_id(const char* kind, const Axis& x, const Axis& y);

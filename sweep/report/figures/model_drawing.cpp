@@ -38,19 +38,19 @@ double beyond_link(Sketch& d, const Joint& joint, double x)
 std::string loop_note(const Joint& joint)
 {
     const auto& c = joint.control;
-    const auto motion = joint.mechanism.motion;
-    const std::string speed = labelled("V_{0}", commanded_velocity(joint), Quantity::velocity, motion);
+    const Units units = units_of(joint);
+    const std::string speed = labelled("V_{0}", commanded_velocity(joint), Quantity::velocity, units);
     if (c.kind == ControlKind::force)
         return "F_{m} ramps so that the link slides at " + speed +
-               (is_set(c.force_rate) ? ": the force rises by " + with_unit(c.force_rate, Quantity::effort_rate, motion)
+               (is_set(c.force_rate) ? ": the force rises by " + with_unit(c.force_rate, Quantity::effort_rate, units)
                                      : "") +
                (c.force_gain > 0 ? "; " + plain_number(c.force_gain) + " of the contact force is fed back to the motor"
                                  : "");
     if (joint.mechanism.model == Model::single_mass) return "the motor moves at " + speed;
     return "F_{m} = k_{p}, k_{v} times the error of the " +
            std::string(c.feedback == Feedback::link ? "link" : "motor") + ": " +
-           labelled("k_{p}", c.k_p, Quantity::stiffness, motion) + ", " +
-           labelled("k_{v}", c.k_v, Quantity::damping, motion) + ", " + speed;
+           labelled("k_{p}", c.k_p, Quantity::position_gain, units) + ", " +
+           labelled("k_{v}", c.k_v, Quantity::velocity_gain, units) + ", " + speed;
 }
 
 /// "f_{l}: rate-and-state, f_{0} = 60 N, A = 1 N, …", a line a body: every number of the law, and of the further terms
@@ -81,9 +81,9 @@ std::vector<std::string> friction_notes(Joint joint)
             if (!p.path.starts_with(place.table) || !is_set(*p.value)) continue;
             const bool of_law = p.need == Need::required;
             if (!of_law && *p.value == *at_rest[i].value) continue;
-            const std::string name = of_law ? symbol_of(p.path, joint.mechanism.motion)
-                                            : p.path.substr(std::string_view(place.table).size());
-            text += ", " + name + " = " + with_unit(*p.value, p.quantity, joint.mechanism.motion);
+            const std::string name =
+                of_law ? symbol_of(p.path, units_of(joint)) : p.path.substr(std::string_view(place.table).size());
+            text += ", " + name + " = " + with_unit(*p.value, p.quantity, units_of(joint));
         }
         notes.push_back(std::move(text));
     }
@@ -115,7 +115,7 @@ void draw_body(Sketch& d, double x, const BodyDrawing& b)
 
 LineDrawing single_mass(const Joint& joint)
 {
-    Sketch d(joint.mechanism.motion);
+    Sketch d(units_of(joint));
     const auto& c = joint.control;
     const double wall = margin, x = wall + gap;
     draw_body(d, x, {"link", "m", "f", joint.mechanism.inertia, Quantity::inertia, &joint.friction});
@@ -133,7 +133,7 @@ LineDrawing single_mass(const Joint& joint)
 
 LineDrawing chain(const Joint& joint)
 {
-    Sketch d(joint.mechanism.motion);
+    Sketch d(units_of(joint));
     const auto& m = joint.mechanism;
     const bool three = m.model == Model::three_mass;
     double x = margin + 60;
@@ -163,7 +163,7 @@ LineDrawing chain(const Joint& joint)
 /// The lever's motor pulls at N times the arm of the link; both springs are drawn at their own height.
 LineDrawing lever(const Joint& joint)
 {
-    Sketch d(joint.mechanism.motion);
+    Sketch d(units_of(joint));
     const auto& m = joint.mechanism;
     double x = margin + 60;
     d.arrow(margin, x, middle_y, "F_{m}");

@@ -39,10 +39,10 @@ Guarded verdict_at(const Joint& joint, double velocity)
     return g;
 }
 
-std::string gain_text(const Guarded& g, Motion motion)
+std::string gain_text(const Guarded& g, Units units)
 {
     if (!g.known()) return "no verdict: " + g.reason;
-    return g.gains.empty() ? "none" : intervals_text(g.gains, Quantity::stiffness, motion);
+    return g.gains.empty() ? "none" : intervals_text(g.gains, Quantity::position_gain, units);
 }
 
 /// Both ends of the window that holds the joint's own gain, or else of the first.
@@ -78,23 +78,23 @@ bool any(const LineChart::Line& line)
 
 MovedBoundary moved_boundary(const Joint& before, const Joint& after, double speed, const std::string& with)
 {
-    const Motion motion = before.mechanism.motion;
+    const Units units = units_of(before);
     MovedBoundary moved;
     if (!(speed > 0) || !std::isfinite(speed)) {
         moved.sentence = "These data show no motion at whose velocity a boundary could be computed.";
         return moved;
     }
     const auto one = verdict_at(before, speed), two = verdict_at(after, speed);
-    moved.table = {"At V_{0} = " + with_unit(speed, Quantity::velocity, motion), {"", "nominal joint", with}, {}};
-    moved.table.rows.push_back({"stable position gains k_{p}", gain_text(one, motion), gain_text(two, motion)});
+    moved.table = {"At V_{0} = " + with_unit(speed, Quantity::velocity, units), {"", "nominal joint", with}, {}};
+    moved.table.rows.push_back({"stable position gains k_{p}", gain_text(one, units), gain_text(two, units)});
     const auto row = [&](const char* name, auto number) {
         moved.table.rows.push_back({name, one.known() ? number(one.verdict) : std::string("–"),
                                     two.known() ? number(two.verdict) : std::string("–")});
     };
     row("least velocity gain by velocity-only theory",
-        [&](const LinearVerdict& v) { return with_unit(v.velocity_only.k_v_min, Quantity::damping, motion); });
+        [&](const LinearVerdict& v) { return with_unit(v.velocity_only.k_v_min, Quantity::velocity_gain, units); });
     row("slowest decay (+: growth)",
-        [&](const LinearVerdict& v) { return with_unit(v.state_variable.spectral_abscissa, Quantity::rate, motion); });
+        [&](const LinearVerdict& v) { return with_unit(v.state_variable.spectral_abscissa, Quantity::rate, units); });
     row("with the joint's own gains",
         [](const LinearVerdict& v) { return std::string(v.state_variable.stable ? "slides" : "sticks and slips"); });
 
@@ -115,17 +115,17 @@ MovedBoundary moved_boundary(const Joint& before, const Joint& after, double spe
                          std::string(one.known() ? "the joint " + with : "the nominal joint") + ".";
     else if (alike())
         moved.sentence =
-            "The cause does not act in this theory: the stable gains are unchanged, " + gain_text(one, motion) + ".";
+            "The cause does not act in this theory: the stable gains are unchanged, " + gain_text(one, units) + ".";
     else
-        moved.sentence = "The stable position gains are " + gain_text(one, motion) + " in the nominal joint and " +
-                         gain_text(two, motion) + " " + with + "; the joint's own, " +
-                         with_unit(gains_of(before.control).k_p, Quantity::stiffness, motion) + ", " +
+        moved.sentence = "The stable position gains are " + gain_text(one, units) + " in the nominal joint and " +
+                         gain_text(two, units) + " " + with + "; the joint's own, " +
+                         with_unit(gains_of(before.control).k_p, Quantity::position_gain, units) + ", " +
                          (two.verdict.state_variable.stable ? "slides" : "sticks and slips") + " " + with + ".";
     if (!drawn) return moved;
     LineChart chart;
     chart.title = "The boundary moves";
-    chart.x_label = axis_label("commanded velocity V_{0}", Quantity::velocity, motion);
-    chart.y_label = axis_label("position gain k_{p}", Quantity::stiffness, motion);
+    chart.x_label = axis_label("commanded velocity V_{0}", Quantity::velocity, units);
+    chart.y_label = axis_label("position gain k_{p}", Quantity::position_gain, units);
     chart.x_log = chart.y_log = true;
     for (const auto* line : lines)
         if (any(*line)) chart.lines.push_back({line->name, line->x, line->y, line->dashed});

@@ -21,24 +21,24 @@ std::string finding(const StabilityPanels& panels)
     const std::size_t columns = panels.across.values.size(), row = panels.own / columns * columns;
     const auto words = [&](const StabilityPanel& panel) {
         return percent(smooth_share(panels, panel)) + " of the map at " + panels.across.symbol + " = " +
-               with_unit(panel.across, panels.across.quantity, panels.motion);
+               with_unit(panel.across, panels.across.quantity, panels.units);
     };
     return "Smooth sliding covers " + words(panels.panels[row]) + " and " + words(panels.panels[row + columns - 1]) +
            (panels.up.name.empty() ? std::string()
                                    : ", both at " + panels.up.symbol + " = " +
-                                         with_unit(panels.panels[row].up, panels.up.quantity, panels.motion)) +
+                                         with_unit(panels.panels[row].up, panels.up.quantity, panels.units)) +
            ".";
 }
 
 }  // namespace
 
-Figure multiples_figure(const Multiples& multiples, const PanelsAnswer& answer, Motion motion)
+Figure multiples_figure(const Multiples& multiples, const PanelsAnswer& answer, Units units)
 {
     StabilityPanels panels = multiples.panels;
-    panels.motion = motion;
+    panels.units = units;
     panels.title =
         "The same map along " + panels.across.symbol + (panels.up.name.empty() ? "" : " and " + panels.up.symbol);
-    panels.fixed = held_text(multiples.held, panels.motion);
+    panels.fixed = held_text(multiples.held, panels.units);
     for (std::size_t i = 0; i < panels.panels.size(); ++i) panels.panels[i].curves = answer.curves[i];
     const Slice slice{panels.x, panels.y, held_in_panel(multiples, panels.panels[panels.own]), {}, {}};
     panels.design = answer.design;

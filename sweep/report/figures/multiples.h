@@ -6,6 +6,6 @@
 
 namespace stickslip {
 
-Figure multiples_figure(const Multiples& multiples, const PanelsAnswer& answer, Motion motion);
+Figure multiples_figure(const Multiples& multiples, const PanelsAnswer& answer, Units units);
 
 }  // namespace stickslip

@@ -8,32 +8,32 @@
 namespace stickslip {
 namespace {
 
-std::string extent_text(const Axis& axis, const Extent& extent, Motion motion)
+std::string extent_text(const Axis& axis, const Extent& extent, Units units)
 {
-    return axis.symbol + " = " + range_text(extent.low, extent.high, axis.quantity, motion, low_to_high);
+    return axis.symbol + " = " + range_text(extent.low, extent.high, axis.quantity, units, low_to_high);
 }
 
-std::string reach_text(const Slice& slice, const FoldReach& reach, Motion motion)
+std::string reach_text(const Slice& slice, const FoldReach& reach, Units units)
 {
     if (std::isnan(reach.ratio)) return "";
     const Axis& other = slice.x.path == gain_path ? slice.y : slice.x;
     return " The fold of limit cycles, beyond which none is left, lies up to " + plain_number(reach.ratio) +
-           " times the critical gain away: at " + other.symbol + " = " + with_unit(reach.at, other.quantity, motion) +
-           " the linear theory asks for k_{p} > " + with_unit(reach.k_cr, Quantity::stiffness, motion) +
-           ", freedom from stick-slip for " + with_unit(reach.k_p, Quantity::stiffness, motion) + ".";
+           " times the critical gain away: at " + other.symbol + " = " + with_unit(reach.at, other.quantity, units) +
+           " the linear theory asks for k_{p} > " + with_unit(reach.k_cr, Quantity::position_gain, units) +
+           ", freedom from stick-slip for " + with_unit(reach.k_p, Quantity::position_gain, units) + ".";
 }
 
 }  // namespace
 
-std::string large_disturbances_text(const Slice& slice, const LargeDisturbances& found, Motion motion)
+std::string large_disturbances_text(const Slice& slice, const LargeDisturbances& found, Units units)
 {
     if (found.bistable == 0) return "";
     return "Errors of the linear chart: on " + percent(found.bistable) + " of the chart, " +
            percent(found.of_linearly_stable) +
            " of what it calls stable, small disturbances decay while a start from near rest ends in a limit cycle "
            "(bistable). These points lie within " +
-           extent_text(slice.x, found.x, motion) + " and " + extent_text(slice.y, found.y, motion) + "." +
-           reach_text(slice, found.reach, motion) +
+           extent_text(slice.x, found.x, units) + " and " + extent_text(slice.y, found.y, units) + "." +
+           reach_text(slice, found.reach, units) +
            (found.without_boundary ? " Some of them lie where the linear theory sees no boundary along k_{p} at all."
                                    : "");
 }

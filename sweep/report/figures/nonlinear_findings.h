@@ -8,7 +8,7 @@
 namespace stickslip {
 
 /// Mark-up: one paragraph; empty without a bistable point.
-std::string large_disturbances_text(const Slice& slice, const LargeDisturbances& found, Motion motion);
+std::string large_disturbances_text(const Slice& slice, const LargeDisturbances& found, Units units);
 
 /// Mark-up: how the numbers of limit cycles at the points of a chart came about, followed or interpolated. No full
 /// stop.

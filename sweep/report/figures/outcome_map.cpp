@@ -91,7 +91,7 @@ Marks marks_of(const gap::Outcomes& o, double k_v, const FieldMap& map)
 
 Figure outcome_map(const OutcomeAnswer& a, const Joint& nominal, double k_v, int number)
 {
-    const auto motion = nominal.mechanism.motion;
+    const Units units = units_of(nominal);
     const auto& o = a.outcomes;
     double low_V = infinity, high_V = 0, low_k = infinity, high_k = 0;
     for (const auto& j : o.joints) {
@@ -102,16 +102,20 @@ Figure outcome_map(const OutcomeAnswer& a, const Joint& nominal, double k_v, int
     constexpr int nodes = 41;
     FieldMap map;
     map.title = "Measured rows and the boundary of each law";
-    map.fixed = "k_{v} = " + with_unit(k_v, Quantity::damping, motion);
-    map.motion = motion;
+    map.fixed = "k_{v} = " + with_unit(k_v, Quantity::velocity_gain, units);
+    map.units = units;
     map.x = {v0_path,
              "V_{0}",
              "commanded velocity",
              Quantity::velocity,
              true,
              log_steps(low_V / room, high_V * room, nodes)};
-    map.y = {
-        k_p_path, "k_{p}", "position gain", Quantity::stiffness, true, log_steps(low_k / room, high_k * room, nodes)};
+    map.y = {k_p_path,
+             "k_{p}",
+             "position gain",
+             Quantity::position_gain,
+             true,
+             log_steps(low_k / room, high_k * room, nodes)};
     const LawFit& best = a.laws.front();
     Joint at = nominal;
     at.control.k_v = k_v;

@@ -26,11 +26,11 @@ constexpr OutcomeKind outcome_kinds[] = {
 
 Figure profile_figure(const Joint& joint, const Profile& profile, const ProfileAnswer& answer)
 {
-    const auto motion = joint.mechanism.motion;
+    const Units units = units_of(joint);
     const auto& axis = profile.axis;
     LineChart chart;
     chart.title = "Decay and growth over " + axis.symbol;
-    chart.x_label = {axis.name + " " + axis.symbol, std::string(unit_of(axis.quantity, motion))};
+    chart.x_label = {axis.name + " " + axis.symbol, std::string(unit_of(axis.quantity, units))};
     chart.y_label = {"max Re s", "1/s"};
     chart.x_log = axis.log;
     chart.lines.push_back({"with memory", axis.values, profile.abscissa});
@@ -40,11 +40,11 @@ Figure profile_figure(const Joint& joint, const Profile& profile, const ProfileA
         chart.x_marks.emplace_back("design", own);
     std::string crossings, simple;
     for (const auto& point : answer.memory) {
-        chart.x_marks.emplace_back(with_unit(point.value, axis.quantity, motion, 4), point.value);
-        crossings += (crossings.empty() ? "" : ", ") + with_unit(point.value, axis.quantity, motion, 6);
+        chart.x_marks.emplace_back(with_unit(point.value, axis.quantity, units, 4), point.value);
+        crossings += (crossings.empty() ? "" : ", ") + with_unit(point.value, axis.quantity, units, 6);
     }
     for (const auto& point : answer.velocity_only)
-        simple += (simple.empty() ? "" : ", ") + with_unit(point.value, axis.quantity, motion, 6);
+        simple += (simple.empty() ? "" : ", ") + with_unit(point.value, axis.quantity, units, 6);
     Figure figure;
     figure.id = chart_id("profile", axis, axis);
     figure.finding = (crossings.empty() ? "With memory no change of stability along " + axis.name
@@ -54,14 +54,14 @@ Figure profile_figure(const Joint& joint, const Profile& profile, const ProfileA
                      " with memory and with friction that depends on velocity alone; below zero small disturbances "
                      "decay. " +
                      figure.finding + "." +
-                     (profile.held.empty() ? "" : " Held: " + held_text(profile.held, motion) + ".");
+                     (profile.held.empty() ? "" : " Held: " + held_text(profile.held, units) + ".");
     figure.picture = std::move(chart);
     return figure;
 }
 
 std::vector<Figure> outcome_profiles(const Joint& joint, const Profile& profile)
 {
-    const auto motion = joint.mechanism.motion;
+    const Units units = units_of(joint);
     const auto& axis = profile.axis;
     std::vector<Figure> figures;
     for (const auto& kind : outcome_kinds)
@@ -71,9 +71,9 @@ std::vector<Figure> outcome_profiles(const Joint& joint, const Profile& profile)
             if (reading.column != kind.column || cycles == 0) continue;
             LineChart chart;
             chart.title = std::string(kind.title) + " over " + axis.symbol;
-            chart.x_label = axis_label(axis.name + " " + axis.symbol, axis.quantity, motion);
+            chart.x_label = axis_label(axis.name + " " + axis.symbol, axis.quantity, units);
             chart.y_label = reading.quantity == Quantity::number ? AxisName{reading.name}
-                                                                 : axis_label(reading.name, reading.quantity, motion);
+                                                                 : axis_label(reading.name, reading.quantity, units);
             chart.x_log = axis.log;
             chart.lines.push_back({reading.name, axis.values, values});
             Joint design = joint;
@@ -85,7 +85,7 @@ std::vector<Figure> outcome_profiles(const Joint& joint, const Profile& profile)
                 if (!std::isnan(v)) low = std::min(low, v), high = std::max(high, v);
             if (high == 0) continue;  // cycles that never rest: nothing to see
             const auto finding =
-                std::string(kind.title) + ": " + span_text(low, high, reading.quantity, motion, from_to) + " on " +
+                std::string(kind.title) + ": " + span_text(low, high, reading.quantity, units, from_to) + " on " +
                 std::to_string(cycles) + " of " + std::to_string(values.size()) + " points; none elsewhere.";
             figures.push_back(line_figure(chart_id(kind.id, axis, axis), std::move(chart), finding,
                                           std::string(kind.meaning) + " " + followed_text(profile.readings) +

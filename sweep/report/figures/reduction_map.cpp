@@ -8,13 +8,13 @@
 
 namespace stickslip {
 
-Figure reduction_map(const Slice& slice, const ReducedMap& map, Motion motion)
+Figure reduction_map(const Slice& slice, const ReducedMap& map, Units units)
 {
     LineChart chart;
     chart.title = "Boundary of the full joint and of its reductions";
-    chart.fixed = held_text(slice.held, motion);
-    chart.x_label = axis_label(slice.x.name + " " + slice.x.symbol, slice.x.quantity, motion);
-    chart.y_label = axis_label(slice.y.name + " " + slice.y.symbol, slice.y.quantity, motion);
+    chart.fixed = held_text(slice.held, units);
+    chart.x_label = axis_label(slice.x.name + " " + slice.x.symbol, slice.x.quantity, units);
+    chart.y_label = axis_label(slice.y.name + " " + slice.y.symbol, slice.y.quantity, units);
     chart.x_log = slice.x.log, chart.y_log = slice.y.log;
     chart.lines.push_back({"full joint", map.full.x, map.full.y, false});
     std::string errors;

@@ -5,6 +5,6 @@
 
 namespace stickslip {
 
-Figure reduction_map(const Slice& slice, const ReducedMap& map, Motion motion);
+Figure reduction_map(const Slice& slice, const ReducedMap& map, Units units);
 
 }  // namespace stickslip

@@ -15,15 +15,15 @@ inline constexpr double spring_y = box_top + 18, damper_y = box_top + 46, middle
 inline constexpr double wall_height = 100, margin = 60, height = 216;
 
 /// "k_{p} = 2 kN/m", or the symbol alone where there is no number.
-inline std::string labelled(const std::string& symbol, double value, Quantity quantity, Motion motion)
+inline std::string labelled(const std::string& symbol, double value, Quantity quantity, Units units)
 {
-    return is_set(value) ? symbol + " = " + with_unit(value, quantity, motion) : symbol;
+    return is_set(value) ? symbol + " = " + with_unit(value, quantity, units) : symbol;
 }
 
 /// A drawing under way, from left to right.
 class Sketch {
   public:
-    explicit Sketch(Motion motion) : motion_(motion) {}
+    explicit Sketch(Units units) : units_(units) {}
 
     void line(std::vector<std::pair<double, double>> points) { drawing_.lines.push_back(std::move(points)); }
     void text(double x, double y, std::string markup, LineDrawing::Anchor anchor = LineDrawing::Anchor::middle)
@@ -88,10 +88,10 @@ class Sketch {
         return std::move(drawing_);
     }
 
-    Motion motion() const { return motion_; }
+    Units units() const { return units_; }
 
   private:
-    Motion motion_;
+    Units units_;
     LineDrawing drawing_;
 };
 

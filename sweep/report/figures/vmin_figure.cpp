@@ -10,20 +10,20 @@ namespace stickslip {
 
 Figure vmin_figure(const Joint& joint, const LinearDetails& details)
 {
-    const auto motion = joint.mechanism.motion;
+    const Units units = units_of(joint);
     const auto [low, high] = details.study.velocities;
     LineChart chart;
     chart.title = "Minimum stable velocity V_{min}";
-    chart.x_label = axis_label("position gain k_{p}", Quantity::stiffness, motion);
-    chart.y_label = axis_label("V_{min}", Quantity::velocity, motion);
+    chart.x_label = axis_label("position gain k_{p}", Quantity::position_gain, units);
+    chart.y_label = axis_label("V_{min}", Quantity::velocity, units);
     chart.x_log = chart.y_log = true;
     std::string slowest, said;
     for (const auto& line : details.least_velocities) {
-        const auto gain = with_unit(line.k_v, Quantity::damping, motion);
+        const auto gain = with_unit(line.k_v, Quantity::velocity_gain, units);
         const std::string from = std::isnan(line.here) ? "no velocity is stable up to the highest searched"
                                  : line.here == low    ? "all searched velocities are stable"
                                                        : "sliding is stable from " +
-                                                          with_unit(line.here, Quantity::velocity, motion) + " upwards";
+                                                          with_unit(line.here, Quantity::velocity, units) + " upwards";
         slowest += (from == said ? ", " : (slowest.empty() ? "" : "; ") + from + " with k_{v} = ") + gain;
         said = from;
         const auto& y = line.over_k_p.y;
@@ -33,7 +33,7 @@ Figure vmin_figure(const Joint& joint, const LinearDetails& details)
     chart.x_marks.emplace_back("here", joint.control.k_p);
     return line_figure("v-min", std::move(chart), "At this position gain " + slowest + ".",
                        "From V_{min} upwards every velocity slides smoothly, with memory, searched " +
-                           range_text(low, high, Quantity::velocity, motion) +
+                           range_text(low, high, Quantity::velocity, units) +
                            ": the limit of position resolution and, times the stiffness of the contact, of force "
                            "resolution (§6). A line at the lower edge: all searched velocities are stable; no line: "
                            "stick-slip up to the highest.");

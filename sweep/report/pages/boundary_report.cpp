@@ -28,13 +28,13 @@ std::string scientific(double value)
 
 Table ray_table(const Joint& design, const LocatedRay& ray)
 {
-    const auto motion = design.mechanism.motion;
+    const Units units = units_of(design);
     Table table;
     table.title = std::string(name_of(ray.kind)) + " boundaries along " + ray.axis.symbol;
     table.columns = {
         ray.axis.name + " " + ray.axis.symbol, "side", "relative bracket", "status", "method", "evaluations"};
     for (const auto& p : ray.points)
-        table.rows.push_back({with_unit(p.value, ray.axis.quantity, motion, 10), direction_text(p.direction),
+        table.rows.push_back({with_unit(p.value, ray.axis.quantity, units, 10), direction_text(p.direction),
                               scientific(p.precision()), p.converged ? "located" : "coarse",
                               std::string(name_of(p.method)), std::to_string(p.evaluations)});
     return table;
@@ -107,16 +107,16 @@ bool is_hunting(BoundaryKind kind)
 
 void add_figures(Section& section, const BoundaryAnswer& answer, const BoundaryChart& chart)
 {
-    const auto motion = answer.design.mechanism.motion;
+    const Units units = units_of(answer.design);
     if (chart.sliding) section.figures.push_back(curve_figure(marked_map(chart), chart.curves, answer.outcome_means));
     if (chart.at_rest) {
         std::vector<FollowedBoundary> hunting;
         for (const auto& c : chart.curves)
             if (is_hunting(c.kind)) hunting.push_back(c);
-        for (auto& figure : hunting_figures(*chart.at_rest, hunting, motion))
+        for (auto& figure : hunting_figures(*chart.at_rest, hunting, units))
             section.figures.push_back(std::move(figure));
     }
-    if (auto sharp = precision_figure(chart.curves, motion); !std::get<LineChart>(sharp.picture).lines.empty())
+    if (auto sharp = precision_figure(chart.curves, units); !std::get<LineChart>(sharp.picture).lines.empty())
         section.figures.push_back(std::move(sharp));
 }
 
@@ -148,7 +148,7 @@ void warn_of_lost_pieces(Report& report, const FollowedBoundary& c)
 Report boundary_report(const BoundaryAnswer& answer)
 {
     const auto& design = answer.design;
-    const auto motion = design.mechanism.motion;
+    const Units units = units_of(design);
     const bool set_points_only = asks_of_set_points_only(answer);
     Report report;
     report.title = page_title(set_points_only ? "Hunting at a set point" : "Boundaries of sliding", answer.title);
@@ -160,13 +160,13 @@ Report boundary_report(const BoundaryAnswer& answer)
     if (!set_points_only) report.tone = design_tone(answer.region), report.verdict = design_words(answer.region);
     if (answer.set_point) {
         if (set_points_only) report.tone = set_point_tone(*answer.set_point);
-        report.verdict += (set_points_only ? "" : " ") + set_point_text(*answer.set_point, motion);
+        report.verdict += (set_points_only ? "" : " ") + set_point_text(*answer.set_point, units);
     }
     for (const auto& ray : answer.rays) report.verdict += " " + ray_text(design, ray);
-    if (!answer.curves.empty() && !set_points_only) report.verdict += " " + meeting_text(answer.meetings, motion);
+    if (!answer.curves.empty() && !set_points_only) report.verdict += " " + meeting_text(answer.meetings, units);
     for (const auto& chart : answer.charts)
         if (chart.at_rest) report.verdict += " " + hunting_shares_text(*chart.at_rest);
-    report.headlines = meeting_headlines(answer.meetings, motion);
+    report.headlines = meeting_headlines(answer.meetings, units);
     if (!answer.curves.empty()) {
         curves.tables.push_back(guard_table(answer.curves));
         report.sections.push_back(std::move(curves));

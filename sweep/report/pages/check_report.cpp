@@ -19,9 +19,9 @@ struct Line {
     LineChart::Line old_line, new_line;
 };
 
-AxisName label(const Axis& axis, Motion motion)
+AxisName label(const Axis& axis, Units units)
 {
-    return {axis.name + " " + axis.symbol, std::string(unit_of(axis.quantity, motion))};
+    return {axis.name + " " + axis.symbol, std::string(unit_of(axis.quantity, units))};
 }
 
 std::string verdict_of(Deviation::Kind kind)
@@ -69,8 +69,8 @@ Figure figure_of(const Spec& spec, const Axis& x, const Axis& y, const std::vect
     }
     LineChart chart;
     chart.title = "Boundaries before (dashed) and now, over (" + x.symbol + ", " + y.symbol + ")";
-    const auto motion = spec.joint.mechanism.motion;
-    chart.x_label = label(x, motion), chart.y_label = label(y, motion);
+    const Units units = units_of(spec.joint);
+    chart.x_label = label(x, units), chart.y_label = label(y, units);
     chart.x_log = x.log, chart.y_log = y.log;
     for (auto& [key, line] : lines) {
         const std::string name = kind_words(key.first) + (key.second > 0 ? " " + std::to_string(key.second + 1) : "");
@@ -98,13 +98,13 @@ Figure figure_of(const Spec& spec, const Axis& x, const Axis& y, const std::vect
 /// A watched boundary as a reader names it: "boundary with memory along k_{p}, at k_{v} = 10 N·s/m".
 std::string watched_words(const Spec& spec, const WatchedBoundary& w)
 {
-    const auto motion = spec.joint.mechanism.motion;
+    const Units units = units_of(spec.joint);
     const auto* along = axis_of(spec, w.axis);
     std::string text = kind_words(w.theory) + " along " + (along ? along->symbol : w.axis);
     if (w.number > 0) text += ", number " + std::to_string(w.number + 1);
     for (const auto& [path, value] : w.at) {
         const auto* axis = axis_of(spec, path);
-        text += ", at " + (axis ? axis->symbol + " = " + with_unit(value, axis->quantity, motion)
+        text += ", at " + (axis ? axis->symbol + " = " + with_unit(value, axis->quantity, units)
                                 : path + " = " + plain_number(value));
     }
     return text;
@@ -116,8 +116,8 @@ std::vector<std::string> row_of(const Spec& spec, const Deviation& d)
     const auto* along = axis_of(spec, shown.axis);
     const auto value = [&](bool known, const WatchedBoundary& w) -> std::string {
         if (!known) return "none";
-        const auto motion = spec.joint.mechanism.motion;
-        return along ? with_unit(w.point.value, along->quantity, motion, 8)
+        const Units units = units_of(spec.joint);
+        return along ? with_unit(w.point.value, along->quantity, units, 8)
                      : plain_number(w.point.value, 8) + " " + w.unit;
     };
     const bool both = d.kind != Deviation::Kind::appeared && d.kind != Deviation::Kind::vanished;
@@ -174,7 +174,7 @@ std::string changed_text(const Spec& spec, const ChangedNumber& c)
     for (const auto& p : parameters(joint))
         if (p.path == c.path) quantity = p.quantity;
     const auto text = [&](double value) {
-        return is_set(value) ? with_unit(value, quantity, joint.mechanism.motion, 6) : std::string("none");
+        return is_set(value) ? with_unit(value, quantity, units_of(joint), 6) : std::string("none");
     };
     return c.path + " " + text(c.before) + " → " + text(c.after);
 }

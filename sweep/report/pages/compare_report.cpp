@@ -35,31 +35,32 @@ struct ComparedNumber {
 };
 
 /// A rate may change its sign, and a share of it would mislead: its difference is said.
-std::string change_words(const ComparedNumber& n, Motion motion)
+std::string change_words(const ComparedNumber& n, Units units)
 {
     if (n.quantity != Quantity::rate || n.before == n.after) return relative_change(n.before, n.after);
-    return std::string(n.after > n.before ? "+" : "") + with_unit(n.after - n.before, n.quantity, motion);
+    return std::string(n.after > n.before ? "+" : "") + with_unit(n.after - n.before, n.quantity, units);
 }
 
-Table table_of(std::string title, const std::vector<ComparedNumber>& numbers, Motion motion)
+Table table_of(std::string title, const std::vector<ComparedNumber>& numbers, Units units)
 {
     Table table;
     table.title = std::move(title);
     table.columns = {"quantity", "before", "after", "change"};
     for (const auto& n : numbers)
-        table.rows.push_back({n.name, with_unit(n.before, n.quantity, motion, 6),
-                              with_unit(n.after, n.quantity, motion, 6), change_words(n, motion)});
+        table.rows.push_back({n.name, with_unit(n.before, n.quantity, units, 6),
+                              with_unit(n.after, n.quantity, units, 6), change_words(n, units)});
     return table;
 }
 
 std::vector<ComparedNumber> design_numbers(const LinearVerdict& a, const LinearVerdict& b)
 {
-    return {{"commanded velocity V_{0}", a.steady.velocity, b.steady.velocity, Quantity::velocity},
-            {"friction of steady sliding f_{ss}(V_{0})", a.steady.friction, b.steady.friction, Quantity::effort},
-            {"least k_{v} by velocity alone", a.velocity_only.k_v_min, b.velocity_only.k_v_min, Quantity::damping},
-            {"critical position gain k_{cr}", a.state_variable.k_cr, b.state_variable.k_cr, Quantity::stiffness},
-            {"spectral abscissa max Re s", a.state_variable.spectral_abscissa, b.state_variable.spectral_abscissa,
-             Quantity::rate}};
+    return {
+        {"commanded velocity V_{0}", a.steady.velocity, b.steady.velocity, Quantity::velocity},
+        {"friction of steady sliding f_{ss}(V_{0})", a.steady.friction, b.steady.friction, Quantity::effort},
+        {"least k_{v} by velocity alone", a.velocity_only.k_v_min, b.velocity_only.k_v_min, Quantity::velocity_gain},
+        {"critical position gain k_{cr}", a.state_variable.k_cr, b.state_variable.k_cr, Quantity::position_gain},
+        {"spectral abscissa max Re s", a.state_variable.spectral_abscissa, b.state_variable.spectral_abscissa,
+         Quantity::rate}};
 }
 
 /// Numbers of the joints that differ, by path.
@@ -173,11 +174,11 @@ bool same_grid(const ComparedRun& before, const ComparedRun& after)
 Report compare_report(const ComparedRun& before, const ComparedRun& after)
 {
     const Joint a = design_joint(before.spec), b = design_joint(after.spec);
-    const auto motion = b.mechanism.motion;
+    const Units units = units_of(b);
     const auto then = linear_verdict(a), now = linear_verdict(b);
     const auto boundaries = boundary_numbers(before, a, b);
     const auto numbers = design_numbers(then, now);
-    const bool comparable = same_grid(before, after) && a.mechanism.motion == motion;
+    const bool comparable = same_grid(before, after) && units_of(a) == units;
 
     Report report;
     report.title = "What changed";
@@ -206,10 +207,10 @@ Report compare_report(const ComparedRun& before, const ComparedRun& after)
                                                     : Tone::warning;
     if (const auto* moved = largest_move(boundaries); moved && moved->before != moved->after) {
         report.verdict += " The " + moved->name + " moved by " + relative_change(moved->before, moved->after) +
-                          ", to " + with_unit(moved->after, moved->quantity, motion, 4) + ".";
+                          ", to " + with_unit(moved->after, moved->quantity, units, 4) + ".";
         report.headlines.push_back({Tone::neutral, relative_change(moved->before, moved->after),
                                     "largest move of a boundary: " + moved->name + ", " +
-                                        range_text(moved->before, moved->after, moved->quantity, motion, from_to, 4)});
+                                        range_text(moved->before, moved->after, moved->quantity, units, from_to, 4)});
     }
     if (comparable && !before.summary.slices.empty()) {
         const auto share = [&](Change c) { return shares[static_cast<std::size_t>(c)]; };
@@ -224,10 +225,10 @@ Report compare_report(const ComparedRun& before, const ComparedRun& after)
     if (!maps.figures.empty()) report.sections.push_back(std::move(maps));
 
     Section tables{"numbers", "Values of the design", "", {}, {}};
-    tables.tables.push_back(table_of("Linear theory at the design point", numbers, motion));
-    if (!boundaries.empty()) tables.tables.push_back(table_of("Nearest boundaries", boundaries, motion));
+    tables.tables.push_back(table_of("Linear theory at the design point", numbers, units));
+    if (!boundaries.empty()) tables.tables.push_back(table_of("Nearest boundaries", boundaries, units));
     if (const auto changed = changed_parameters(a, b); !changed.empty())
-        tables.tables.push_back(table_of("What differs between the two joints", changed, motion));
+        tables.tables.push_back(table_of("What differs between the two joints", changed, units));
     report.sections.push_back(std::move(tables));
     report.not_checked = {"Whether a change matters: set a tolerance with stickslip check.",
                           "Changes between the points of the grid that no located boundary shows."};

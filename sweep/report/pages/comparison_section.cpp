@@ -13,21 +13,21 @@ namespace stickslip {
 namespace {
 
 struct Words {
-    Motion motion;
-    std::string damping(double v) const { return with_unit(v, Quantity::damping, motion, 4); }
-    std::string stiffness(double v) const { return with_unit(v, Quantity::stiffness, motion, 4); }
-    std::string velocity(double v) const { return with_unit(v, Quantity::velocity, motion, 4); }
+    Units units;
+    std::string damping(double v) const { return with_unit(v, Quantity::velocity_gain, units, 4); }
+    std::string stiffness(double v) const { return with_unit(v, Quantity::position_gain, units, 4); }
+    std::string velocity(double v) const { return with_unit(v, Quantity::velocity, units, 4); }
     /// Both ways: engineers read data sheets in Hz.
     std::string frequency(double omega) const
     {
-        const auto text = with_unit(omega, Quantity::angular_frequency, motion, 4);
+        const auto text = with_unit(omega, Quantity::angular_frequency, units, 4);
         return std::isnan(omega) ? text : text + " (" + plain_number(omega / (2 * std::numbers::pi), 3) + "\u00a0Hz)";
     }
-    std::string gains(const std::vector<Interval>& set, Quantity q) const { return intervals_text(set, q, motion); }
+    std::string gains(const std::vector<Interval>& set, Quantity q) const { return intervals_text(set, q, units); }
     /// Where the theories differ: a sliver between edges that read the same is no difference to a reader.
     std::vector<Interval> differing(const std::vector<Interval>& k_p) const
     {
-        return that_read_apart(k_p, Quantity::stiffness, motion);
+        return that_read_apart(k_p, Quantity::position_gain, units);
     }
 };
 
@@ -39,12 +39,12 @@ std::string degrees(double angle)
 /// The least k_v at the joint's own k_p over its searched velocities, by both theories.
 Figure demand_figure(const Joint& joint, const LinearDetails& d)
 {
-    const Words words{joint.mechanism.motion};
+    const Words words{units_of(joint)};
     LineChart chart;
     chart.title = "Velocity gain that each theory requires";
     chart.fixed = "k_{p} = " + words.stiffness(joint.control.k_p);
-    chart.x_label = axis_label("commanded velocity V_{0}", Quantity::velocity, words.motion);
-    chart.y_label = axis_label("least k_{v}", Quantity::damping, words.motion);
+    chart.x_label = axis_label("commanded velocity V_{0}", Quantity::velocity, words.units);
+    chart.y_label = axis_label("least k_{v}", Quantity::velocity_gain, words.units);
     chart.x_log = true;
     // demands span decades; none, which is zero, lies on the lower edge
     for (const auto* line : {&d.demanded_memory, &d.demanded_simple})
@@ -56,8 +56,8 @@ Figure demand_figure(const Joint& joint, const LinearDetails& d)
     return line_figure(
         "k-v-demanded", std::move(chart),
         "At the joint's own velocity, the velocity-only model requires: " +
-            demanded_text(here.k_v_velocity_only, words.motion) +
-            "; with memory: " + demanded_text(here.k_v_memory, words.motion) + ".",
+            demanded_text(here.k_v_velocity_only, words.units) +
+            "; with memory: " + demanded_text(here.k_v_memory, words.units) + ".",
         "Least velocity gain for stable sliding at the joint's own position gain, over the velocity. For a Stribeck "
         "curve the required gain falls as velocity goes to zero, for the logarithmic curve of state-variable friction "
         "it "
@@ -66,21 +66,21 @@ Figure demand_figure(const Joint& joint, const LinearDetails& d)
 
 Table comparison_table(const Joint& joint, const LinearStudy& study)
 {
-    const Words words{joint.mechanism.motion};
+    const Words words{units_of(joint)};
     const auto& c = study.comparison;
     Table table;
     table.title = "What each theory requires of this joint";
     table.columns = {"", "velocity alone", "with memory"};
     if (c.known)
-        table.rows = {
-            {"velocity gain required at this k_{p}", demanded_text(c.k_v_velocity_only, words.motion),
-             demanded_text(c.k_v_memory, words.motion)},
-            {"stable k_{v} at this k_{p}", words.gains(c.k_v_velocity_only, Quantity::damping),
-             words.gains(c.k_v_memory, Quantity::damping)},
-            {"stable k_{p} at this k_{v}", words.gains(c.k_p_velocity_only, Quantity::stiffness),
-             words.gains(c.k_p_memory, Quantity::stiffness)},
-            {"k_{p} stable in this theory only", words.gains(words.differing(c.allowed_wrongly), Quantity::stiffness),
-             words.gains(words.differing(c.forbidden_needlessly), Quantity::stiffness)}};
+        table.rows = {{"velocity gain required at this k_{p}", demanded_text(c.k_v_velocity_only, words.units),
+                       demanded_text(c.k_v_memory, words.units)},
+                      {"stable k_{v} at this k_{p}", words.gains(c.k_v_velocity_only, Quantity::velocity_gain),
+                       words.gains(c.k_v_memory, Quantity::velocity_gain)},
+                      {"stable k_{p} at this k_{v}", words.gains(c.k_p_velocity_only, Quantity::position_gain),
+                       words.gains(c.k_p_memory, Quantity::position_gain)},
+                      {"k_{p} stable in this theory only",
+                       words.gains(words.differing(c.allowed_wrongly), Quantity::position_gain),
+                       words.gains(words.differing(c.forbidden_needlessly), Quantity::position_gain)}};
     if (!std::isnan(study.velocities.low)) {
         table.rows.push_back({"least stable velocity", words.velocity(study.velocity_only.least),
                               words.velocity(study.state_variable.least)});
@@ -88,13 +88,12 @@ Table comparison_table(const Joint& joint, const LinearStudy& study)
                               words.velocity(study.state_variable.all_above)});
     }
     if (!std::isnan(study.velocity_only.least_force_rate) || !std::isnan(study.state_variable.least_force_rate))
-        table.rows.push_back(
-            {"least stable rate of force",
-             with_unit(study.velocity_only.least_force_rate, Quantity::effort_rate, words.motion, 4),
-             with_unit(study.state_variable.least_force_rate, Quantity::effort_rate, words.motion, 4)});
+        table.rows.push_back({"least stable rate of force",
+                              with_unit(study.velocity_only.least_force_rate, Quantity::effort_rate, words.units, 4),
+                              with_unit(study.state_variable.least_force_rate, Quantity::effort_rate, words.units, 4)});
     if (study.range_gain)
         table.rows.push_back({"k_{v} for every velocity up to " + words.velocity(study.velocities.high),
-                              demanded_text(study.range_gain->stable_k_v, words.motion) +
+                              demanded_text(study.range_gain->stable_k_v, words.units) +
                                   " (hardest: " + words.velocity(study.range_gain->velocity) + ")",
                               "–"});
     if (!std::isnan(study.mix.noise))
@@ -111,11 +110,11 @@ std::string comparison_words(const Comparison& c, const Words& words)
         "is also stable where a stiff position loop moves the slip faster than the memory responds, (34)-(37).";
     if (const auto differ = words.differing(c.forbidden_needlessly); !differ.empty())
         text += " Here the velocity-only model predicts stick-slip for k_{p} " +
-                words.gains(differ, Quantity::stiffness) +
+                words.gains(differ, Quantity::position_gain) +
                 " although sliding is stable with memory, as Armstrong observed with his stiffest springs (§5).";
     if (const auto differ = words.differing(c.allowed_wrongly); !differ.empty())
         text += " Here the velocity-only model predicts stability for k_{p} " +
-                words.gains(differ, Quantity::stiffness) +
+                words.gains(differ, Quantity::position_gain) +
                 " although sliding is unstable there: for one mass this takes a lag or a negative direct effect, for "
                 "several masses the springs between them suffice.";
     return text +
@@ -144,9 +143,10 @@ std::string stable_everywhere_text(const LineChart& chart, const Interval& veloc
     for (const auto& line : chart.lines) gains += (gains.empty() ? "" : ", ") + line.name;
     const auto& k_p = chart.lines.front().x;
     return "With memory, every velocity " +
-           range_text(velocities.low, velocities.high, Quantity::velocity, words.motion) +
+           range_text(velocities.low, velocities.high, Quantity::velocity, words.units) +
            " slides smoothly, for k_{p} " +
-           range_text(k_p.front(), k_p.back(), Quantity::stiffness, words.motion, from_to, 4) + " and " + gains + ".";
+           range_text(k_p.front(), k_p.back(), Quantity::position_gain, words.units, from_to, 4) + " and " + gains +
+           ".";
 }
 
 }  // namespace
@@ -154,7 +154,7 @@ std::string stable_everywhere_text(const LineChart& chart, const Interval& veloc
 Section comparison_section(const Joint& joint, const LinearDetails& details)
 {
     const auto& study = details.study;
-    const Words words{joint.mechanism.motion};
+    const Words words{units_of(joint)};
     Section section{"comparison", "Velocity-only model and memory", comparison_words(study.comparison, words), {}, {}};
     if (!study.comparison.known) section.text += " This loop has no independent gains k_{p} and k_{v}.";
     if (!std::isnan(study.velocities.low)) {
@@ -177,23 +177,23 @@ Section comparison_section(const Joint& joint, const LinearDetails& details)
 Section response_section(const Joint& joint, const LinearDetails& details)
 {
     const auto& study = details.study;
-    const Words words{joint.mechanism.motion};
+    const Words words{units_of(joint)};
     const auto compliance = [&](double x_per_d) {
         const bool none = std::isnan(x_per_d);
-        return none ? std::string("–") : with_unit(1 / x_per_d, Quantity::stiffness, words.motion, 4);
+        return none ? std::string("–") : with_unit(1 / x_per_d, Quantity::stiffness, words.units, 4);
     };
     Section section{"response", "Disturbances and margins", "", {}, {}};
 
     LineChart chart;
     chart.title = "Displacement per disturbing force";
-    chart.x_label = axis_label("frequency ω", Quantity::angular_frequency, words.motion);
-    chart.y_label = words.motion == Motion::prismatic ? AxisName{"|X/D|", "m/N"} : AxisName{"|X/D|", "rad/(N·m)"};
+    chart.x_label = axis_label("frequency ω", Quantity::angular_frequency, words.units);
+    chart.y_label = words.units.motion == Motion::prismatic ? AxisName{"|X/D|", "m/N"} : AxisName{"|X/D|", "rad/(N·m)"};
     chart.x_log = chart.y_log = true;
     chart.lines = {{"with memory", details.response_memory.x, details.response_memory.y},
                    {"velocity alone", details.response_simple.x, details.response_simple.y, true}};
     const bool stable = !std::isnan(study.peak.magnitude);
     if (stable && study.peak.omega > 0)
-        chart.x_marks.emplace_back("peak at " + with_unit(study.peak.omega, Quantity::angular_frequency, words.motion),
+        chart.x_marks.emplace_back("peak at " + with_unit(study.peak.omega, Quantity::angular_frequency, words.units),
                                    study.peak.omega);
     const std::string finding =
         stable ? "The joint yields most at " + words.frequency(study.peak.omega) +
@@ -219,7 +219,7 @@ Section response_section(const Joint& joint, const LinearDetails& details)
 
 Section ramp_section(const Joint& joint, const LinearDetails& details)
 {
-    const Words words{joint.mechanism.motion};
+    const Words words{units_of(joint)};
     Section section{"ramps",
                     "Force ramps through a spring",
                     "Armstrong's experiment (§5): the force ramps at a constant rate r through a spring, so that the "
@@ -231,8 +231,8 @@ Section ramp_section(const Joint& joint, const LinearDetails& details)
     LineChart chart;
     chart.title = "Stiffness that a ramp needs";
     chart.fixed = "k_{v} = " + words.damping(joint.control.k_v);
-    chart.x_label = axis_label("rate of force r", Quantity::effort_rate, words.motion);
-    chart.y_label = axis_label("k_{p} at the boundary", Quantity::stiffness, words.motion);
+    chart.x_label = axis_label("rate of force r", Quantity::effort_rate, words.units);
+    chart.y_label = axis_label("k_{p} at the boundary", Quantity::position_gain, words.units);
     chart.x_log = chart.y_log = true;
     std::string finding;
     for (const bool memory : {true, false}) {
@@ -246,10 +246,10 @@ Section ramp_section(const Joint& joint, const LinearDetails& details)
         };
         for (auto* line : {&lower, &upper})
             if (drawn(*line)) chart.lines.push_back(std::move(*line));
-        finding += (finding.empty() ? "At this ramp of " + with_unit(rate, Quantity::effort_rate, words.motion) +
+        finding += (finding.empty() ? "At this ramp of " + with_unit(rate, Quantity::effort_rate, words.units) +
                                           ", springs slide smoothly with memory for k_{p} "
                                     : "; by velocity alone ") +
-                   words.gains(springs.here, Quantity::stiffness);
+                   words.gains(springs.here, Quantity::position_gain);
     }
     if (chart.lines.empty()) {
         section.text += " " + finding + ".";

@@ -18,8 +18,8 @@ using Tone = Headline::Tone;
 /// How the joint slides after the same disturbance, with the gains as given and with the best ones.
 Section map_section(const DesignAnswer& a)
 {
-    const DesignUnits u{a.joint.mechanism.motion};
-    Figure figure = map_figure(a.joint.mechanism.motion, a.map->slice, a.map->answer);
+    const DesignUnits u{units_of(a.joint)};
+    Figure figure = map_figure(units_of(a.joint), a.map->slice, a.map->answer);
     figure.caption +=
         " The cross is the best choice; the joint's own gains are k_{p} = " + u.stiffness(a.joint.control.k_p) +
         ", k_{v} = " + u.damping(a.joint.control.k_v) + ".";
@@ -28,7 +28,7 @@ Section map_section(const DesignAnswer& a)
 
 Section motion_section(const DesignAnswer& a)
 {
-    const Motion motion = a.joint.mechanism.motion;
+    const Units units = units_of(a.joint);
     const auto off = [](const Trajectory& t) {
         std::vector<double> excess;
         for (const double v : t.velocity) excess.push_back(v - t.commanded_velocity);
@@ -36,9 +36,9 @@ Section motion_section(const DesignAnswer& a)
     };
     LineChart chart;
     chart.title = "Velocity after a small disturbance at V_{0} = " +
-                  with_unit(a.motion.commanded_velocity, Quantity::velocity, motion);
+                  with_unit(a.motion.commanded_velocity, Quantity::velocity, units);
     chart.x_label = {"time t", "s"};
-    chart.y_label = {"velocity off V_{0}", std::string(unit_of(Quantity::velocity, motion))};
+    chart.y_label = {"velocity off V_{0}", std::string(unit_of(Quantity::velocity, units))};
     if (!a.motion_before.time.empty())
         chart.lines.push_back({"gains as in the joint", a.motion_before.time, off(a.motion_before), true});
     chart.lines.push_back({"best gains", a.motion.time, off(a.motion)});
@@ -55,12 +55,12 @@ Section motion_section(const DesignAnswer& a)
 // In one piece: a page from top to bottom: its sections in their order.
 Report design_report(const DesignAnswer& a, std::vector<Snippet> snippets)
 {
-    const DesignUnits u{a.joint.mechanism.motion};
+    const DesignUnits u{units_of(a.joint)};
     const auto& d = a.design;
     Report report;
     report.title = page_title("Design of gains", a.title);
     report.verdict = design_verdict(a);
-    if (a.design.decided && a.design.feasible) name_symbols(report, a.nearest, a.joint.mechanism.motion);
+    if (a.design.decided && a.design.feasible) name_symbols(report, a.nearest, units_of(a.joint));
     report.tone = d.feasible ? Tone::good : Tone::bad;
     report.snippets = std::move(snippets);
     if (d.feasible) {
@@ -71,7 +71,7 @@ Report design_report(const DesignAnswer& a, std::vector<Snippet> snippets)
             report.headlines.push_back(
                 {r.met ? Tone::good : Tone::bad, demand_value(r, r.reached, a, u),
                  (r.name == "margin"
-                      ? "margin: " + uncertain_numbers(a.nearest, a.joint.mechanism.motion) + " may be off by " +
+                      ? "margin: " + uncertain_numbers(a.nearest, units_of(a.joint)) + " may be off by " +
                             all_at_once(r.reached, scales_of(a)) + " at once; required: at least "
                       : demand_name(r.name) + "; required: at most ") +
                      demand_value(r, r.demanded, a, u)});
@@ -84,8 +84,8 @@ Report design_report(const DesignAnswer& a, std::vector<Snippet> snippets)
         LineChart chart;
         chart.title = std::string("Least ") + (motion ? "motion" : "effort") + " noise for each margin";
         chart.x_label = {"margin to the nearest boundary", "1"};
-        chart.y_label = motion ? AxisName{"rms motion", std::string(unit_of(Quantity::position, u.motion))}
-                               : AxisName{"rms effort", std::string(unit_of(Quantity::effort, u.motion))};
+        chart.y_label = motion ? AxisName{"rms motion", std::string(unit_of(Quantity::position, u.units))}
+                               : AxisName{"rms effort", std::string(unit_of(Quantity::effort, u.units))};
         const auto noise = [&](const GainChoice& c) { return motion ? c.motion_noise : c.effort_noise; };
         LineChart::Line line{"least noise", {}, {}};
         for (const auto& c : d.front) line.x.push_back(c.margin), line.y.push_back(noise(c));

@@ -22,7 +22,7 @@ namespace {
 using Tone = Headline::Tone;
 
 /// What a machine must bear to follow the motion.
-std::string reach_text(const NextExperiment& e, Motion motion)
+std::string reach_text(const NextExperiment& e, Units units)
 {
     const auto [low, high] = std::minmax_element(e.reference.begin(), e.reference.end());
     double fastest = 0, hardest = 0;
@@ -35,10 +35,10 @@ std::string reach_text(const NextExperiment& e, Motion motion)
     return fmt::format(
         "It moves between {} and {}, with at most {} and {}, and takes {}. Before running it, check that the machine "
         "is free over that stroke and may move that fast; the program knows only the records.",
-        with_unit(*low, Quantity::position, motion), with_unit(*high, Quantity::position, motion),
-        with_unit(fastest, Quantity::velocity, motion),
-        with_error(hardest, 0, motion == Motion::revolute ? "rad/s²" : "m/s²"),
-        with_unit(e.time.back() - e.time.front(), Quantity::time, motion));
+        with_unit(*low, Quantity::position, units), with_unit(*high, Quantity::position, units),
+        with_unit(fastest, Quantity::velocity, units),
+        with_error(hardest, 0, units.motion == Motion::revolute ? "rad/s²" : "m/s²"),
+        with_unit(e.time.back() - e.time.front(), Quantity::time, units));
 }
 
 Section next_section(const Diagnosis& d)

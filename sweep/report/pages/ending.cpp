@@ -59,22 +59,22 @@ Headline::Tone ending_tone(const NonlinearVerdict& v)
 
 std::vector<Headline> ending_headlines(const Joint& joint, const NonlinearVerdict& v)
 {
-    const auto motion = joint.mechanism.motion;
+    const Units units = units_of(joint);
     std::vector<Headline> list;
     const auto add = [&](double value, Quantity quantity, std::string meaning) {
-        if (is_set(value)) list.push_back({Tone::neutral, with_unit(value, quantity, motion), std::move(meaning)});
+        if (is_set(value)) list.push_back({Tone::neutral, with_unit(value, quantity, units), std::move(meaning)});
     };
     if (oscillates(v.outcome)) {
         add(v.amplitude, Quantity::position, "position amplitude of the limit cycle (half peak to peak)");
         add(v.period, Quantity::time, "period of the cycle");
         add(v.velocity_max, Quantity::velocity,
-            "peak velocity of the cycle; commanded are " + with_unit(joint.control.V0, Quantity::velocity, motion));
+            "peak velocity of the cycle; commanded are " + with_unit(joint.control.V0, Quantity::velocity, units));
         if (is_set(v.stick_fraction))
             list.push_back({Tone::neutral, percent(v.stick_fraction),
                             "of each cycle at rest or below a hundredth of the commanded velocity"});
     }
     if (is_set(v.growth_rate))
-        list.push_back({v.growth_rate < 0 ? Tone::good : Tone::bad, with_unit(v.growth_rate, Quantity::rate, motion),
+        list.push_back({v.growth_rate < 0 ? Tone::good : Tone::bad, with_unit(v.growth_rate, Quantity::rate, units),
                         v.growth_rate < 0 ? "rate at which a small disturbance decays; stable below 0"
                                           : "rate at which a small disturbance grows; stable below 0"});
     return list;

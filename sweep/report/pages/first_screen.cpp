@@ -14,9 +14,9 @@ using Tone = Headline::Tone;
 
 constexpr double near_factor = 1.2;  // a factor: closer than this, an alert
 
-std::string number_with_unit(double value, const Axis& axis, Motion motion, int digits = 3)
+std::string number_with_unit(double value, const Axis& axis, Units units, int digits = 3)
 {
-    return with_unit(value, axis.quantity, motion, digits);
+    return with_unit(value, axis.quantity, units, digits);
 }
 
 /// How far the boundary is as a factor ≥ 1; infinite where a sign or zero lies between.
@@ -57,7 +57,7 @@ bool near_boundary(const std::vector<Margin>& margins)
     return std::any_of(margins.begin(), margins.end(), [](const Margin& m) { return factor(m) < near_factor; });
 }
 
-Headline nearest_boundary(const std::vector<Margin>& margins, bool stable, Motion motion)
+Headline nearest_boundary(const std::vector<Margin>& margins, bool stable, Units units)
 {
     const auto nearest = std::min_element(margins.begin(), margins.end(),
                                           [](const Margin& a, const Margin& b) { return factor(a) < factor(b); });
@@ -71,8 +71,8 @@ Headline nearest_boundary(const std::vector<Margin>& margins, bool stable, Motio
     h.value = change_words(m);
     const bool below = m.boundary < m.value;
     h.meaning = m.axis.symbol + ": " + (stable ? "stick-slip " : "smooth sliding ") + (below ? "below " : "above ") +
-                number_with_unit(m.boundary, m.axis, motion, 4) +
-                " (design: " + number_with_unit(m.value, m.axis, motion) +
+                number_with_unit(m.boundary, m.axis, units, 4) +
+                " (design: " + number_with_unit(m.value, m.axis, units) +
                 "); nearest change of one swept parameter alone, " + m.axis.name;
     h.tone = !stable ? Tone::bad : factor(m) < near_factor ? Tone::warning : Tone::good;
     return h;
@@ -88,7 +88,7 @@ double next_window(const StableVelocities& stable, double velocity)
 }
 
 /// The intervals of smooth velocities below V_min: "from 1 µm/s (or slower) to 776 µm/s".
-std::string windows_text(const VelocitySearch& search, Motion motion)
+std::string windows_text(const VelocitySearch& search, Units units)
 {
     const auto& found = search.found;
     const bool back = search.velocity < 0;
@@ -99,17 +99,17 @@ std::string windows_text(const VelocitySearch& search, Motion motion)
         if (slow == found.all_above) continue;
         const bool open = std::abs(slow) <= slowest * (1 + 1e-9);
         text += (text.empty() ? " from " : ", from ") +
-                range_text(slow, fast, Quantity::velocity, motion, {"", open ? " or slower to " : " to ", ""});
+                range_text(slow, fast, Quantity::velocity, units, {"", open ? " or slower to " : " to ", ""});
     }
     return text;
 }
 
-std::vector<Headline> velocity_headlines(const VelocitySearch& search, bool stable, Motion motion)
+std::vector<Headline> velocity_headlines(const VelocitySearch& search, bool stable, Units units)
 {
-    const auto text = [&](double v) { return with_unit(v, Quantity::velocity, motion); };
+    const auto text = [&](double v) { return with_unit(v, Quantity::velocity, units); };
     const double V = search.velocity, low = search.low, high = search.high;
     const auto& stable_set = search.found;
-    const std::string searched = ", with these gains; searched " + range_text(low, high, Quantity::velocity, motion);
+    const std::string searched = ", with these gains; searched " + range_text(low, high, Quantity::velocity, units);
     if (stable_set.intervals.empty()) return {{Tone::bad, "none", "velocity slides smoothly" + searched}};
     std::vector<Headline> headlines;
     // one V_min everywhere: from here upwards every velocity slides, as in the figure over the gains
@@ -120,7 +120,7 @@ std::vector<Headline> velocity_headlines(const VelocitySearch& search, bool stab
          std::isnan(from) ? "no V_{min}" : (from <= low * (1 + 1e-9) ? "V_{min} ≤ " : "V_{min} = ") + text(from),
          (std::isnan(from) ? std::string("the highest velocity shows stick-slip")
                            : "every faster velocity slides smoothly") +
-             searched + (windows ? "; smooth" + windows_text(search, motion) : "")});
+             searched + (windows ? "; smooth" + windows_text(search, units) : "")});
     for (const auto& i : stable_set.intervals) {
         if (!stable || V < i.low || V > i.high || (i.low <= low * (1 + 1e-9) && i.high >= high * (1 - 1e-9))) continue;
         const bool open = i.high >= high * (1 - 1e-9);
@@ -133,17 +133,17 @@ std::vector<Headline> velocity_headlines(const VelocitySearch& search, bool stab
     return headlines;
 }
 
-Table margin_table(const std::vector<Margin>& margins, Motion motion)
+Table margin_table(const std::vector<Margin>& margins, Units units)
 {
     Table table;
     table.title = "Margins of the design point, one parameter at a time";
     table.columns = {"parameter", "design value", "nearest boundary", "change to it", "searched"};
     for (const auto& m : margins)
         table.rows.push_back(
-            {m.axis.name + " " + m.axis.symbol, number_with_unit(m.value, m.axis, motion, 4),
-             m.found ? number_with_unit(m.boundary, m.axis, motion, 6) : "none found",
+            {m.axis.name + " " + m.axis.symbol, number_with_unit(m.value, m.axis, units, 4),
+             m.found ? number_with_unit(m.boundary, m.axis, units, 6) : "none found",
              std::isfinite(factor(m)) ? change_words(m) : "–",
-             number_with_unit(m.low, m.axis, motion) + " … " + number_with_unit(m.high, m.axis, motion)});
+             number_with_unit(m.low, m.axis, units) + " … " + number_with_unit(m.high, m.axis, units)});
     return table;
 }
 

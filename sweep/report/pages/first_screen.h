@@ -22,12 +22,12 @@ DesignVerdict design_verdict(const Joint& joint, const LinearVerdict& linear, Re
 bool near_boundary(const std::vector<Margin>& margins);
 
 /// The nearest boundary of all parameters, by factor.
-Headline nearest_boundary(const std::vector<Margin>& margins, bool stable, Motion motion);
+Headline nearest_boundary(const std::vector<Margin>& margins, bool stable, Units units);
 
 /// The stable velocities around the design, and the least stable one.
-std::vector<Headline> velocity_headlines(const VelocitySearch& search, bool stable, Motion motion);
+std::vector<Headline> velocity_headlines(const VelocitySearch& search, bool stable, Units units);
 
 /// Every margin as a row.
-Table margin_table(const std::vector<Margin>& margins, Motion motion);
+Table margin_table(const std::vector<Margin>& margins, Units units);
 
 }  // namespace stickslip

@@ -27,7 +27,7 @@ std::string model_name(Model model)
     return "";
 }
 
-Headline demand(const char* theory, const std::vector<Interval>& stable, double own, Motion motion)
+Headline demand(const char* theory, const std::vector<Interval>& stable, double own, Units units)
 {
     if (stable.empty()) return {Tone::bad, "no k_{v}", std::string("is enough for smooth sliding, ") + theory};
     const bool within = std::any_of(stable.begin(), stable.end(), [&](const Interval& i) {
@@ -38,9 +38,9 @@ Headline demand(const char* theory, const std::vector<Interval>& stable, double 
     if (low == 0 && high == infinity)
         return {tone, "any k_{v}", std::string("is enough for smooth sliding, ") + theory};
     if (high == infinity)
-        return {tone, with_unit(low, Quantity::damping, motion),
+        return {tone, with_unit(low, Quantity::velocity_gain, units),
                 std::string("velocity gain k_{v} to exceed for smooth sliding, ") + theory};
-    return {tone, demanded_text(stable, motion), std::string("window of velocity gains for smooth sliding, ") + theory};
+    return {tone, demanded_text(stable, units), std::string("window of velocity gains for smooth sliding, ") + theory};
 }
 
 /// The worst reduction that still has the right number of boundaries, and how many have not.
@@ -72,25 +72,25 @@ std::vector<Section> linear_sections(const Joint& joint, const LinearDetails& de
 
 namespace {
 
-Headline gains_headline(const std::vector<Interval>& stable, const std::string& loop, Motion motion)
+Headline gains_headline(const std::vector<Interval>& stable, const std::string& loop, Units units)
 {
-    return {Tone::neutral, intervals_text(stable, Quantity::stiffness, motion), "stable k_{p} " + loop};
+    return {Tone::neutral, intervals_text(stable, Quantity::position_gain, units), "stable k_{p} " + loop};
 }
 
 }  // namespace
 
-Section gains_section(Motion motion, const BothLoops& stable, const GainChart& chart)
+Section gains_section(Units units, const BothLoops& stable, const GainChart& chart)
 {
     Section section{
         "gains",
         "Safe gains: this loop and the paper's",
         "The paper's ideal loop acts at once and without limit. Stable k_{p} at this k_{v}: in the paper's loop " +
-            intervals_text(stable.ideal, Quantity::stiffness, motion) + ", in the loop as it is " +
-            intervals_text(stable.real, Quantity::stiffness, motion) +
+            intervals_text(stable.ideal, Quantity::position_gain, units) + ", in the loop as it is " +
+            intervals_text(stable.real, Quantity::position_gain, units) +
             ". Colours and regions are those of the loop as it is.",
         {},
         {}};
-    section.figures.push_back(map_figure(motion, chart.slice, chart.answer));
+    section.figures.push_back(map_figure(units, chart.slice, chart.answer));
     return section;
 }
 
@@ -98,12 +98,12 @@ Report linear_report(const Joint& joint, const JointAnswer& answer)
 {
     const auto& linear = answer.linear;
     const auto& study = answer.details.study;
-    const auto motion = joint.mechanism.motion;
+    const Units units = units_of(joint);
     const bool decided = answer.slides;
     Report report;
     report.title = "One joint, both theories";
     report.subtitle = std::string(joint.control.kind == ControlKind::position ? "position control" : "force control") +
-                      " · " + (motion == Motion::prismatic ? "prismatic" : "revolute") + " joint · " +
+                      " · " + (units.motion == Motion::prismatic ? "prismatic" : "revolute") + " joint · " +
                       model_name(joint.mechanism.model);
     const auto verdict = design_verdict(joint, linear, answer.region);
     report.verdict = verdict.text;
@@ -111,27 +111,27 @@ Report linear_report(const Joint& joint, const JointAnswer& answer)
     if (decided) {
         const auto& c = study.comparison;
         const bool stable = linear.state_variable.stable;
-        report.headlines = {nearest_headline(*answer.nearest, motion)};
-        name_symbols(report, *answer.nearest, motion);
+        report.headlines = {nearest_headline(*answer.nearest, units)};
+        name_symbols(report, *answer.nearest, units);
         if (linear.loop.kind == LoopKind::ideal) {
-            report.headlines.push_back(demand("by velocity alone", c.k_v_velocity_only, joint.control.k_v, motion));
-            report.headlines.push_back(demand("with memory", c.k_v_memory, joint.control.k_v, motion));
+            report.headlines.push_back(demand("by velocity alone", c.k_v_velocity_only, joint.control.k_v, units));
+            report.headlines.push_back(demand("with memory", c.k_v_memory, joint.control.k_v, units));
         } else if (joint.control.kind == ControlKind::position) {
             report.headlines.push_back(
-                gains_headline(linear.state_variable.stable_intervals, "in the loop as it is", motion));
-            report.headlines.push_back(gains_headline(answer.ideal_gains, "under the paper's ideal loop", motion));
+                gains_headline(linear.state_variable.stable_intervals, "in the loop as it is", units));
+            report.headlines.push_back(gains_headline(answer.ideal_gains, "under the paper's ideal loop", units));
         }
         if (std::isfinite(linear.state_variable.k_cr))
             report.headlines.push_back({Tone::neutral,
-                                        with_unit(linear.state_variable.k_cr, Quantity::stiffness, motion),
+                                        with_unit(linear.state_variable.k_cr, Quantity::position_gain, units),
                                         "critical position gain k_{cr}, at this k_{v} and velocity"});
         if (answer.velocities)
-            report.headlines.push_back(velocity_headlines(*answer.velocities, stable, motion).front());
+            report.headlines.push_back(velocity_headlines(*answer.velocities, stable, units).front());
         reduction_alerts(report, study.reductions);
         report.sections = linear_sections(joint, answer.details);
         for (auto& section : report.sections)
             if (section.id == "response")
-                for (auto& figure : loop_figures(answer.locus, motion)) section.figures.push_back(std::move(figure));
+                for (auto& figure : loop_figures(answer.locus, units)) section.figures.push_back(std::move(figure));
     }
     Section design{"numbers", "Numbers", "", {}, {}};
     if (decided) design.tables.push_back(linear_table(joint, linear));

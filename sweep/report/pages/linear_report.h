@@ -19,7 +19,7 @@ struct BothLoops {
 };
 
 /// What the paper's loop allows beside what the joint's own does: the first chart of a joint with a real loop.
-Section gains_section(Motion motion, const BothLoops& stable, const GainChart& chart);
+Section gains_section(Units units, const BothLoops& stable, const GainChart& chart);
 
 /// Verdict, sections and tables of one joint.
 Report linear_report(const Joint& joint, const JointAnswer& answer);

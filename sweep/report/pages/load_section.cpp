@@ -16,10 +16,10 @@ LineChart over_load(const char* title)
     return chart;
 }
 
-Figure growth_figure(const LoadStudy& study, Motion motion)
+Figure growth_figure(const LoadStudy& study, Units units)
 {
     auto chart = over_load("Growth rate over the normal load");
-    chart.y_label = axis_label("max Re s", Quantity::rate, motion);
+    chart.y_label = axis_label("max Re s", Quantity::rate, units);
     LineChart::Line memory{"with memory", {}, {}}, simple{"velocity alone", {}, {}, true}, zero{"no growth", {}, {}};
     for (const auto& v : study.at) {
         for (auto* line : {&memory, &simple, &zero}) line->x.push_back(v.load);
@@ -36,10 +36,10 @@ Figure growth_figure(const LoadStudy& study, Motion motion)
         "as held long enough for sliding to become steady.");
 }
 
-Figure gain_figure(const Joint& joint, const LoadStudy& study, Motion motion)
+Figure gain_figure(const Joint& joint, const LoadStudy& study, Units units)
 {
     auto chart = over_load("Critical position gain over the normal load");
-    chart.y_label = axis_label("position gain k_{p}", Quantity::stiffness, motion);
+    chart.y_label = axis_label("position gain k_{p}", Quantity::position_gain, units);
     LineChart::Line critical{"k_{cr} with memory", {}, {}}, own{"the joint's k_{p}", {}, {}, true};
     for (const auto& v : study.at) {
         critical.x.push_back(v.load), own.x.push_back(v.load);
@@ -49,7 +49,7 @@ Figure gain_figure(const Joint& joint, const LoadStudy& study, Motion motion)
     chart.lines = {std::move(critical), std::move(own)};
     return line_figure("load-gain", std::move(chart),
                        "The record asks for the largest gain at a load of " + plain_number(study.hardest_load, 4) +
-                           ": " + with_unit(study.hardest_k_cr, Quantity::stiffness, motion, 4) + ".",
+                           ": " + with_unit(study.hardest_k_cr, Quantity::position_gain, units, 4) + ".",
                        "A position gain above the curve keeps sliding stable at that load.");
 }
 
@@ -57,7 +57,7 @@ Figure gain_figure(const Joint& joint, const LoadStudy& study, Motion motion)
 
 Table load_table(const Joint& joint, const LoadStudy& study)
 {
-    const auto motion = joint.mechanism.motion;
+    const Units units = units_of(joint);
     double k_v = 0;
     for (const auto& v : study.at) k_v = std::max(k_v, v.k_v_min);
     const std::string where =
@@ -66,24 +66,25 @@ Table load_table(const Joint& joint, const LoadStudy& study)
     table.title = "Over the normal loads of the record";
     table.columns = {"quantity", "value"};
     table.rows = {
-        {"normal loads", span_text(study.low, study.high, Quantity::number, motion, low_to_high, 4)},
+        {"normal loads", span_text(study.low, study.high, Quantity::number, units, low_to_high, 4)},
         {"stable share of the record, with memory", percent(study.stable_state_variable)},
         {"stable share of the record, velocity alone", percent(study.stable_velocity_only)},
         {"largest critical position gain k_{cr}",
          std::isnan(study.hardest_k_cr) ? "none"
-                                        : with_unit(study.hardest_k_cr, Quantity::stiffness, motion, 4) + where},
-        {"largest velocity gain required by the velocity-only model", with_unit(k_v, Quantity::damping, motion, 4)}};
+                                        : with_unit(study.hardest_k_cr, Quantity::position_gain, units, 4) + where},
+        {"largest velocity gain required by the velocity-only model",
+         with_unit(k_v, Quantity::velocity_gain, units, 4)}};
     return table;
 }
 
 Section load_section(const Joint& joint, const LoadStudy& study)
 {
-    const auto motion = joint.mechanism.motion;
+    const Units units = units_of(joint);
     Section section{"normal-load", "Normal load", "", {}, {}};
     section.tables.push_back(load_table(joint, study));
     if (study.at.size() < 2) return section;
-    section.figures.push_back(growth_figure(study, motion));
-    if (!std::isnan(study.hardest_k_cr)) section.figures.push_back(gain_figure(joint, study, motion));
+    section.figures.push_back(growth_figure(study, units));
+    if (!std::isnan(study.hardest_k_cr)) section.figures.push_back(gain_figure(joint, study, units));
     return section;
 }
 

@@ -15,7 +15,7 @@ namespace {
 /// How decay turns into growth along each parameter that has a boundary.
 Figure growth_figure(const MarginsAnswer& a)
 {
-    const auto motion = a.joint.mechanism.motion;
+    const Units units = units_of(a.joint);
     DetailedChart chart;
     chart.title = "Decay and growth while one parameter moves";
     chart.x_label = {"parameter, as a multiple of its value"};
@@ -25,7 +25,7 @@ Figure growth_figure(const MarginsAnswer& a)
     for (std::size_t i = 0; i < a.alone.size(); ++i) {
         if (!a.alone[i].found) continue;
         const auto& move = a.alone[i].moves[0];
-        const auto name = coordinate_text(a.alone_of[i], motion);
+        const auto name = coordinate_text(a.alone_of[i], units);
         chart.lines.push_back({name, a.growth->lines[i].x, a.growth->lines[i].y});
         crossings += (crossings.empty() ? "" : ", ") + name + " at " + plain_number(move.to / move.from) + " times";
     }
@@ -59,25 +59,25 @@ const NearestMove* shortest_alone(const MarginsAnswer& a)
 void add_headlines(Report& report, const MarginsAnswer& a)
 {
     using Tone = Headline::Tone;
-    const auto motion = a.joint.mechanism.motion;
-    report.headlines.push_back(nearest_headline(a.nearest, motion));
-    name_symbols(report, a.nearest, motion);
+    const Units units = units_of(a.joint);
+    report.headlines.push_back(nearest_headline(a.nearest, units));
+    name_symbols(report, a.nearest, units);
     if (const auto* move = shortest_alone(a)) {
         const auto quantity = quantity_of(a.joint, move->path);
         report.headlines.push_back(
             {Tone::neutral,
-             coordinate_text({move->path, move->less}, motion) + " " + signed_percent(move->to / move->from - 1),
+             coordinate_text({move->path, move->less}, units) + " " + signed_percent(move->to / move->from - 1),
              "is the nearest boundary for one parameter alone: " +
-                 range_text(move->from, move->to, quantity, motion, from_to, 4)});
+                 range_text(move->from, move->to, quantity, units, from_to, 4)});
     }
     if (a.nearest.found)
         report.headlines.push_back({Tone::neutral, all_at_once(a.nearest.distance, scales_of(a)),
-                                    "in " + uncertain_numbers(a.nearest, motion) +
+                                    "in " + uncertain_numbers(a.nearest, units) +
                                         " at once cannot reach the boundary (distance " +
                                         plain_number(a.nearest.distance) + ")"});
     if (a.worst) {
         const double growth = a.worst->instability;
-        report.headlines.push_back({growth < 0 ? Tone::good : Tone::bad, with_unit(growth, Quantity::rate, motion),
+        report.headlines.push_back({growth < 0 ? Tone::good : Tone::bad, with_unit(growth, Quantity::rate, units),
                                     "max Re s of the worst joint within the stated uncertainty; stable below 0"});
     }
 }
@@ -88,8 +88,8 @@ Report margins_report(const MarginsAnswer& a)
 {
     Report report;
     report.title = page_title("Margins", a.title);
-    report.subtitle = gains_text(a.joint) +
-                      " · V_{0} = " + with_unit(a.joint.control.V0, Quantity::velocity, a.joint.mechanism.motion);
+    report.subtitle =
+        gains_text(a.joint) + " · V_{0} = " + with_unit(a.joint.control.V0, Quantity::velocity, units_of(a.joint));
     report.verdict = margins_text(a);
     const bool doubtful = a.worst && a.worst->instability >= 0;
     report.tone = !a.nearest.decided              ? Headline::Tone::warning

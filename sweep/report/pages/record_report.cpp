@@ -26,18 +26,18 @@ double largest(const std::vector<double>& values)
     return size;
 }
 
-Figure position_figure(const FollowedReference& r, const std::vector<double>& error, Motion motion)
+Figure position_figure(const FollowedReference& r, const std::vector<double>& error, Units units)
 {
     DetailedChart chart;
     chart.title = "Reference and position";
-    chart.x_label = axis_label("time t", Quantity::time, motion);
-    chart.y_label = axis_label("position", Quantity::position, motion);
+    chart.x_label = axis_label("time t", Quantity::time, units);
+    chart.y_label = axis_label("position", Quantity::position, units);
     chart.lines = {{"position", r.time, r.position}, {"reference", r.time, r.reference_position, true}};
     chart.lines[0].wide = true;
-    chart.below_label = axis_label("reference minus position", Quantity::position, motion);
+    chart.below_label = axis_label("reference minus position", Quantity::position, units);
     chart.below = {{"tracking error", r.time, error}};
     return line_figure("reference", std::move(chart),
-                       "The largest tracking error is " + with_unit(largest(error), Quantity::position, motion) + ".",
+                       "The largest tracking error is " + with_unit(largest(error), Quantity::position, units) + ".",
                        "Position as the encoder reads it; below, how far it lies behind the reference.");
 }
 
@@ -53,18 +53,18 @@ std::vector<double> commanded_effort(const FollowedReference& r, const Actuator&
 
 Figure effort_figure(const FollowedReference& r, const Joint& joint)
 {
-    const Motion motion = joint.mechanism.motion;
+    const Units units = units_of(joint);
     const bool effort = joint.actuator.kind == ActuatorKind::effort;
     const auto command = commanded_effort(r, joint.actuator);
     DetailedChart chart;
     chart.title = "Effort";
-    chart.x_label = axis_label("time t", Quantity::time, motion);
+    chart.x_label = axis_label("time t", Quantity::time, units);
     chart.y_label =
-        effort ? axis_label("effort", Quantity::effort, motion) : AxisName{"command", "unit of the drive signal"};
+        effort ? axis_label("effort", Quantity::effort, units) : AxisName{"command", "unit of the drive signal"};
     chart.lines = {{"command", r.time, command, true}};
     if (!effort) {
         chart.title = "Command and effort";
-        chart.below_label = axis_label("effort", Quantity::effort, motion);
+        chart.below_label = axis_label("effort", Quantity::effort, units);
         if (!r.effort_measured.empty()) chart.below = {{"measured", r.time, r.effort_measured}};
         return line_figure(
             "effort", std::move(chart), "The command reaches " + plain_number(largest(command)) + ".",
@@ -73,8 +73,7 @@ Figure effort_figure(const FollowedReference& r, const Joint& joint)
     }
     if (!r.effort_measured.empty()) chart.lines.push_back({"measured", r.time, r.effort_measured});
     return line_figure(
-        "effort", std::move(chart),
-        "The command reaches " + with_unit(largest(command), Quantity::effort, motion) + ".",
+        "effort", std::move(chart), "The command reaches " + with_unit(largest(command), Quantity::effort, units) + ".",
         "What the controller commands, times the effort per unit of the drive signal, and what the drive "
         "reports.");
 }
@@ -83,16 +82,16 @@ Figure effort_figure(const FollowedReference& r, const Joint& joint)
 
 Report record_report(const Joint& joint, const FollowedReference& r)
 {
-    const Motion motion = joint.mechanism.motion;
+    const Units units = units_of(joint);
     const auto error = error_of(r);
     Report report;
     report.title = "The joint along a reference";
     report.subtitle = gains_text(joint);
-    report.verdict = "The position stays within " + with_unit(largest(error), Quantity::position, motion) +
-                     " of the reference over " + with_unit(r.time.back(), Quantity::time, motion) + ".";
+    report.verdict = "The position stays within " + with_unit(largest(error), Quantity::position, units) +
+                     " of the reference over " + with_unit(r.time.back(), Quantity::time, units) + ".";
     if (!r.ends_early.empty())
         report.alerts.push_back({Headline::Tone::warning, "The simulation ends early: " + r.ends_early + "."});
-    Section section{"motion", "Motion", "", {position_figure(r, error, motion)}, {}};
+    Section section{"motion", "Motion", "", {position_figure(r, error, units)}, {}};
     if (!r.effort_command.empty()) section.figures.push_back(effort_figure(r, joint));
     report.sections.push_back(std::move(section));
     report.not_checked = {"Other references, loads and noise: one motion is one example."};

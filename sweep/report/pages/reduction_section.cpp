@@ -31,10 +31,10 @@ Named named(Joint joint, const std::string& path)
     return {path};
 }
 
-std::string boundaries_text(const std::vector<double>& values, Quantity quantity, Motion motion)
+std::string boundaries_text(const std::vector<double>& values, Quantity quantity, Units units)
 {
     std::string text;
-    for (const double v : values) text += (text.empty() ? "" : ", ") + with_unit(v, quantity, motion, 4);
+    for (const double v : values) text += (text.empty() ? "" : ", ") + with_unit(v, quantity, units, 4);
     return text.empty() ? "none" : text;
 }
 
@@ -53,23 +53,23 @@ std::vector<double> boundary_line(const ReductionStudy& study, std::vector<doubl
     return line;
 }
 
-std::string good_text(const ReductionStudy& study, const Named& number, Motion motion)
+std::string good_text(const ReductionStudy& study, const Named& number, Units units)
 {
     const auto from = [&](double v) {
-        return std::isnan(v) ? std::string("nowhere") : number.symbol + " ≥ " + with_unit(v, number.quantity, motion);
+        return std::isnan(v) ? std::string("nowhere") : number.symbol + " ≥ " + with_unit(v, number.quantity, units);
     };
     return "within 1 %: " + from(study.good_from) + "; within 10 %: " + from(study.fair_from);
 }
 
 Figure boundary_figure(const Joint& joint, const ReductionStudy& study, const std::string& id)
 {
-    const auto motion = joint.mechanism.motion;
+    const Units units = units_of(joint);
     const auto moved = named(joint, study.assumption_path), boundary = named(joint, study.boundary_path);
     LineChart chart;
     chart.title = "Boundary of the full joint and of " + study.model;
     chart.fixed = "assumed: " + study.assumption;
-    chart.x_label = axis_label(moved.symbol, moved.quantity, motion);
-    chart.y_label = axis_label(boundary.symbol + " at the boundary", boundary.quantity, motion);
+    chart.x_label = axis_label(moved.symbol, moved.quantity, units);
+    chart.y_label = axis_label(boundary.symbol + " at the boundary", boundary.quantity, units);
     chart.x_log = chart.y_log = true;
     std::size_t most_full = 0, most_reduced = 0;
     for (const auto& at : study.at) {
@@ -91,17 +91,17 @@ Figure boundary_figure(const Joint& joint, const ReductionStudy& study, const st
             : "The reduction to " + study.model + " at this joint's own values: " + error_text(study.own.error) + ".",
         "Solid: the full joint. Dashed: the reduced one. A boundary is where stability changes along " +
             boundary.symbol + "; a line ends where there is none " +
-            range_text(study.searched_low, study.searched_high, boundary.quantity, motion) + ".");
+            range_text(study.searched_low, study.searched_high, boundary.quantity, units) + ".");
 }
 
 Figure error_figure(const Joint& joint, const ReductionStudy& study, const std::string& id)
 {
-    const auto motion = joint.mechanism.motion;
+    const Units units = units_of(joint);
     const auto moved = named(joint, study.assumption_path);
     LineChart chart;
     chart.title = "Error of the boundary of " + study.model;
     chart.fixed = "assumed: " + study.assumption;
-    chart.x_label = axis_label(moved.symbol, moved.quantity, motion);
+    chart.x_label = axis_label(moved.symbol, moved.quantity, units);
     chart.y_label = {"relative error of the boundary", "1"};
     chart.x_log = chart.y_log = true;
     constexpr double least = 1e-12;  // what the located boundaries themselves are good for
@@ -112,7 +112,7 @@ Figure error_figure(const Joint& joint, const ReductionStudy& study, const std::
                    {"10 %", {study.values.front(), study.values.back()}, {0.1, 0.1}, true}};
     chart.x_marks.emplace_back("here", moved.value);
     return line_figure(
-        id, std::move(chart), "Good " + good_text(study, moved, motion) + ".",
+        id, std::move(chart), "Good " + good_text(study, moved, units) + ".",
         "Largest relative distance between corresponding boundaries. No line: the full and the reduced "
         "joint have different numbers of boundaries, the reduction is wrong in kind, or neither has any.");
 }
@@ -121,7 +121,7 @@ Figure error_figure(const Joint& joint, const ReductionStudy& study, const std::
 
 Section reduction_section(const Joint& joint, const std::vector<ReductionStudy>& studies)
 {
-    const auto motion = joint.mechanism.motion;
+    const Units units = units_of(joint);
     Section section{"reductions",
                     "Accuracy of the paper's reductions",
                     "Each step from the full joint to a single mass (Figs. 4 to 7) neglects something. For each, the "
@@ -151,10 +151,10 @@ Section reduction_section(const Joint& joint, const std::vector<ReductionStudy>&
             if (neglects.find(text) == std::string::npos) neglects += (neglects.empty() ? " Neglected: " : "; ") + text;
         table.rows.push_back(
             {study.name, study.assumption,
-             boundary.symbol + " = " + boundaries_text(study.own.full, boundary.quantity, motion),
-             boundary.symbol + " = " + boundaries_text(study.own.reduced, boundary.quantity, motion),
+             boundary.symbol + " = " + boundaries_text(study.own.full, boundary.quantity, units),
+             boundary.symbol + " = " + boundaries_text(study.own.reduced, boundary.quantity, units),
              error_text(study.own.error),
-             study.values.empty() ? "exact" : good_text(study, named(joint, study.assumption_path), motion)});
+             study.values.empty() ? "exact" : good_text(study, named(joint, study.assumption_path), units)});
         const bool drawn = std::any_of(study.at.begin(), study.at.end(),
                                        [](const auto& at) { return !at.full.empty() || !at.reduced.empty(); });
         if (!drawn) continue;

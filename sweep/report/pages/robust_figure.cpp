@@ -70,7 +70,7 @@ void classify(FieldMap& map, const MarginsAnswer& a)
 Figure robust_figure(const MarginsAnswer& a)
 {
     FieldMap map;
-    map.motion = a.joint.mechanism.motion;
+    map.units = units_of(a.joint);
     map.x = a.robust->x, map.y = a.robust->y;
     map.x.values = spaced(map.x.values.front(), map.x.values.back(), chart_columns, map.x.log);
     map.y.values = spaced(map.y.values.front(), map.y.values.back(), chart_rows, map.y.log);

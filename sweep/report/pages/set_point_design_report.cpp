@@ -25,51 +25,51 @@ const SetPointChoice* best_of(const SetPointDesign& design)
 
 void add_headlines(const SetPointDesignAnswer& a, Report& report)
 {
-    const Motion motion = a.joint.mechanism.motion;
+    const Units units = units_of(a.joint);
     const auto* best = best_of(a.design);
     if (!best) return;
     const auto add = [&](Tone tone, double value, Quantity quantity, std::string meaning) {
-        report.headlines.push_back({tone, with_unit(value, quantity, motion), std::move(meaning)});
+        report.headlines.push_back({tone, with_unit(value, quantity, units), std::move(meaning)});
     };
     const bool near = best->rest_error <= a.rest_error;
     add(near ? Tone::good : Tone::bad, best->rest_error, Quantity::position,
         "largest error at rest" + (a.rest_error < infinity
-                                       ? "; allowed: " + with_unit(a.rest_error, Quantity::position, motion)
+                                       ? "; allowed: " + with_unit(a.rest_error, Quantity::position, units)
                                        : std::string()));
     add(Tone::neutral, best->k_i, Quantity::integral_gain, "integral gain k_{i}");
     // what the ends of the window are ends of depends on the way: with a push and a dead zone it is the dead zone
     const bool push_alone = !(best->dead_zone > 0);
     if (best->dead_zone > 0)
         add(Tone::neutral, best->dead_zone, Quantity::position,
-            "dead zone of the error; at least " + with_unit(best->low, Quantity::position, motion));
+            "dead zone of the error; at least " + with_unit(best->low, Quantity::position, units));
     if (best->push != 0)
-        add(Tone::neutral, best->push, Quantity::effort,
+        add(Tone::neutral, best->push, Quantity::command,
             push_alone
-                ? "push towards the set point; may lie " + range_text(best->low, best->high, Quantity::effort, motion)
+                ? "push towards the set point; may lie " + range_text(best->low, best->high, Quantity::command, units)
                 : "push towards the set point");
     if (best->dither > 0)
-        add(Tone::neutral, best->dither, Quantity::effort,
-            "amplitude of the dither; below " + with_unit(best->high, Quantity::effort, motion));
+        add(Tone::neutral, best->dither, Quantity::command,
+            "amplitude of the dither; below " + with_unit(best->high, Quantity::command, units));
 }
 
 /// Where hunting ends, and where a push alone would move the joint.
 Section push_section(const SetPointDesignAnswer& a)
 {
-    const Motion motion = a.joint.mechanism.motion;
+    const Units units = units_of(a.joint);
     LineChart chart;
     chart.title = "Where the joint stops, against the push towards the set point";
-    chart.x_label = {"push", std::string(unit_of(Quantity::effort, motion))};
-    chart.y_label = {"distance from the set point", std::string(unit_of(Quantity::position, motion))};
+    chart.x_label = {"push", std::string(unit_of(Quantity::command, units))};
+    chart.y_label = {"distance from the set point", std::string(unit_of(Quantity::position, units))};
     chart.lines.push_back({"friction as described", a.scan.push, a.scan.amplitude});
     std::string reading = "Distance at which hunting stops, 0 where the joint settles; k_{i} = " +
-                          with_unit(a.design.k_i_used, Quantity::integral_gain, motion) + ".";
+                          with_unit(a.design.k_i_used, Quantity::integral_gain, units) + ".";
     if (const auto* push = choice_of(a.design, SetPointWay::push); push && is_set(push->low)) {
-        const auto effort = [&](double value) { return with_unit(value, Quantity::effort, motion); };
+        const auto effort = [&](double value) { return with_unit(value, Quantity::command, units); };
         chart.x_marks.emplace_back("end of hunting", push->low);
         chart.x_marks.emplace_back("over-compensation", push->high);
         reading += push->low < push->high
                        ? " For every friction within the margin it settles " +
-                             range_text(push->low, push->high, Quantity::effort, motion) + "."
+                             range_text(push->low, push->high, Quantity::command, units) + "."
                        : " No push works for every friction within the margin: it must exceed " + effort(push->low) +
                              " to end hunting, and stay below " + effort(push->high) + " so as not to move the joint.";
     }
@@ -82,11 +82,11 @@ Section push_section(const SetPointDesignAnswer& a)
 
 Section margin_section(const SetPointDesignAnswer& a)
 {
-    const Motion motion = a.joint.mechanism.motion;
+    const Units units = units_of(a.joint);
     LineChart chart;
     chart.title = "Largest error at rest, against the uncertainty of friction";
     chart.x_label = {"uncertainty of static and kinetic friction (share)", "1"};
-    chart.y_label = {"largest error at rest", std::string(unit_of(Quantity::position, motion))};
+    chart.y_label = {"largest error at rest", std::string(unit_of(Quantity::position, units))};
     for (const auto way : {SetPointWay::no_integral, SetPointWay::push, SetPointWay::push_without_integral,
                            SetPointWay::dither_without_integral}) {
         LineChart::Line line{way_text(way), {}, {}};
@@ -111,17 +111,17 @@ Section margin_section(const SetPointDesignAnswer& a)
 
 Section motion_section(const SetPointDesignAnswer& a)
 {
-    const Motion motion = a.joint.mechanism.motion;
+    const Units units = units_of(a.joint);
     LineChart chart;
     chart.title = "Released near the set point";
     chart.x_label = {"time t", "s"};
-    chart.y_label = {"error", std::string(unit_of(Quantity::position, motion))};
+    chart.y_label = {"error", std::string(unit_of(Quantity::position, units))};
     chart.lines.push_back({"integral alone", a.scan.before.time, a.scan.before.error, true});
     chart.lines.push_back({"best choice", a.scan.after.time, a.scan.after.error});
     auto figure = line_figure("motion", std::move(chart), "The error after the joint is released near its set point.",
                               "Simulated with the complete loop and the described friction, one motion each; k_{i} of "
                               "the dashed line: " +
-                                  with_unit(a.design.k_i_used, Quantity::integral_gain, motion) + ".");
+                                  with_unit(a.design.k_i_used, Quantity::integral_gain, units) + ".");
     return {"motion-section", "How it moves", "", {std::move(figure)}, {}};
 }
 
@@ -129,19 +129,19 @@ Section motion_section(const SetPointDesignAnswer& a)
 
 Report set_point_design_report(const SetPointDesignAnswer& a, std::vector<Snippet> snippets)
 {
-    const Motion motion = a.joint.mechanism.motion;
+    const Units units = units_of(a.joint);
     const auto* best = best_of(a.design);
     Report report;
     report.title = "A set point held without hunting";
     report.subtitle = "design of k_{i}, dead zone, push against dry friction and dither";
-    report.verdict = set_point_design_text(a.design, motion);
+    report.verdict = set_point_design_text(a.design, units);
     report.tone = best && best->rest_error <= a.rest_error ? Tone::good : Tone::bad;
     report.snippets = std::move(snippets);
     add_headlines(a, report);
     if (!a.scan.push.empty()) report.sections.push_back(push_section(a));
     if (!a.scan.designs.empty()) report.sections.push_back(margin_section(a));
     if (!a.scan.after.time.empty()) report.sections.push_back(motion_section(a));
-    report.sections.push_back({"choices", "Every way", "", {}, set_point_design_tables(a.design, motion)});
+    report.sections.push_back({"choices", "Every way", "", {}, set_point_design_tables(a.design, units)});
     report.not_checked = {
         "Proofs hold for the loop without sampling, dead time, lag, filter and encoder; set-point-design.json lists "
         "what each leaves out. The motions are simulated with all of it.",

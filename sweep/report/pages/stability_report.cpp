@@ -97,7 +97,7 @@ std::vector<std::string> not_checked(const Spec& spec)
 Report stability_report(const Spec& spec, const SweepSummary& summary, const SweepAnswer& answer)
 {
     const Joint joint = design_joint(spec);
-    const auto motion = joint.mechanism.motion;
+    const Units units = units_of(joint);
     const JointAnswer& own = answer.design;
     const auto& linear = own.linear;
     const bool stable = linear.state_variable.stable, slides = own.slides;
@@ -114,16 +114,16 @@ Report stability_report(const Spec& spec, const SweepSummary& summary, const Swe
     const auto& margins = answer.margins;
     Section maps{"maps", "Stability maps", "", {}, {}};
     for (std::size_t i = 0; i < summary.slices.size(); ++i)
-        maps.figures.push_back(map_figure(motion, summary.slices[i], answer.maps[i]));
+        maps.figures.push_back(map_figure(units, summary.slices[i], answer.maps[i]));
     std::vector<const StabilityMap*> drawn;
     for (const auto& figure : maps.figures) drawn.push_back(&std::get<StabilityMap>(figure.picture));
 
     if (slides) {
-        report.headlines.push_back(nearest_headline(*own.nearest, motion));
-        name_symbols(report, *own.nearest, motion);
-        report.headlines.push_back(nearest_boundary(margins, stable, motion));
+        report.headlines.push_back(nearest_headline(*own.nearest, units));
+        name_symbols(report, *own.nearest, units);
+        report.headlines.push_back(nearest_boundary(margins, stable, units));
         if (own.velocities)
-            for (auto& headline : velocity_headlines(*own.velocities, stable, motion))
+            for (auto& headline : velocity_headlines(*own.velocities, stable, units))
                 report.headlines.push_back(std::move(headline));
     }
     if (!drawn.empty()) report.headlines.push_back(disagreement_headline(*drawn.front()));
@@ -136,29 +136,29 @@ Report stability_report(const Spec& spec, const SweepSummary& summary, const Swe
              "whole dotted region of the map."});
     add_alerts(report, summary, drawn, slides && stable && near_boundary(margins));
 
-    if (summary.multiples) maps.figures.push_back(multiples_figure(*summary.multiples, *answer.panels, motion));
+    if (summary.multiples) maps.figures.push_back(multiples_figure(*summary.multiples, *answer.panels, units));
     for (std::size_t i = 0; i < summary.slices.size(); ++i)
         if (const auto& reduced = answer.maps[i].reduced)
-            maps.figures.push_back(reduction_map(summary.slices[i], *reduced, motion));
+            maps.figures.push_back(reduction_map(summary.slices[i], *reduced, units));
     for (std::size_t i = 0; i < summary.profiles.size(); ++i)
         maps.figures.push_back(profile_figure(joint, summary.profiles[i], answer.profiles[i]));
     if (!maps.figures.empty()) report.sections.push_back(std::move(maps));
 
     Section outcomes{"outcomes", "Limit cycles", "", {}, {}};
     for (std::size_t i = 0; i < summary.slices.size(); ++i)
-        for (auto& figure : outcome_figures(motion, summary.slices[i], answer.maps[i]))
+        for (auto& figure : outcome_figures(units, summary.slices[i], answer.maps[i]))
             outcomes.figures.push_back(std::move(figure));
     for (const auto& profile : summary.profiles)
         for (auto& figure : outcome_profiles(joint, profile)) outcomes.figures.push_back(std::move(figure));
     if (!outcomes.figures.empty()) report.sections.push_back(std::move(outcomes));
 
     Section gains{"critical-gain", "Critical position gain", "", {}, {}};
-    for (const auto& surface : answer.surfaces) gains.figures.push_back(surface_figure(surface, motion));
-    for (auto& figure : loop_figures(own.locus, motion)) gains.figures.push_back(std::move(figure));
+    for (const auto& surface : answer.surfaces) gains.figures.push_back(surface_figure(surface, units));
+    for (auto& figure : loop_figures(own.locus, units)) gains.figures.push_back(std::move(figure));
     if (!gains.figures.empty()) report.sections.push_back(std::move(gains));
 
     Section design{"design", "The design point", "", {model_drawing_figure(joint, "lumped-model")}, {}};
-    if (!margins.empty()) design.tables.push_back(margin_table(margins, motion));
+    if (!margins.empty()) design.tables.push_back(margin_table(margins, units));
     if (slides) design.tables.push_back(linear_table(joint, linear));
     if (spec.nonlinear.enabled) design.tables.push_back(nonlinear_table(joint, own.nonlinear));
     report.sections.push_back(std::move(design));

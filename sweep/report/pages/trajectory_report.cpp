@@ -22,10 +22,10 @@ std::vector<double> settled(const Trajectory& t, const std::vector<double>& valu
 }
 
 /// "between −1 µm and 3 µm": what a chart's last line spans.
-std::string range(const std::vector<double>& values, Quantity quantity, Motion motion)
+std::string range(const std::vector<double>& values, Quantity quantity, Units units)
 {
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    return span_text(*low, *high, quantity, motion);
+    return span_text(*low, *high, quantity, units);
 }
 
 /// The friction on the link, which the loop of friction over velocity shows.
@@ -104,7 +104,7 @@ LineChart::Line linear_line(const ForcedResponse& linear, const Trajectory& t)
 }
 
 /// Reference and position themselves; the control force below where it is known.
-Figure path_figure(const Trajectory& t, const std::vector<double>& force, Motion motion)
+Figure path_figure(const Trajectory& t, const std::vector<double>& force, Units units)
 {
     std::vector<double> reference, position;
     for (std::size_t i = 0; i < t.time.size(); ++i) {
@@ -112,12 +112,12 @@ Figure path_figure(const Trajectory& t, const std::vector<double>& force, Motion
         position.push_back(reference.back() + t.position[i]);
     }
     auto chart = detailed(
-        chart_of("Position and reference in time", axis_label("time t", Quantity::time, motion),
-                 axis_label("position", Quantity::position, motion),
+        chart_of("Position and reference in time", axis_label("time t", Quantity::time, units),
+                 axis_label("position", Quantity::position, units),
                  {{"position", t.time, std::move(position)}, {"steady path", t.time, std::move(reference), true}}));
     std::string caption = "Position of the link, and the path of steady sliding at the commanded velocity.";
     if (!force.empty()) {
-        chart.below_label = axis_label("control force u", Quantity::effort, motion);
+        chart.below_label = axis_label("control force u", Quantity::effort, units);
         chart.below = {{"control force", t.time, force}};
         caption += " Below, the force of the loop: u = f_{ss}(V_{0}) − k_{p} x − k_{v} (V − V_{0}).";
     }
@@ -125,25 +125,25 @@ Figure path_figure(const Trajectory& t, const std::vector<double>& force, Motion
     figure.id = "path";
     figure.caption = std::move(caption);
     figure.finding = chart.title + ".";
-    if (!force.empty()) figure.finding += " The control force stays " + range(force, Quantity::effort, motion) + ".";
+    if (!force.empty()) figure.finding += " The control force stays " + range(force, Quantity::effort, units) + ".";
     figure.picture = std::move(chart);
     return figure;
 }
 
-Section surroundings_section(const SimulatedSurroundings& surroundings, const AxisName& time, Motion motion)
+Section surroundings_section(const SimulatedSurroundings& surroundings, const AxisName& time, Units units)
 {
     Section section{"surroundings", "External forces", "", {}, {}};
     if (surroundings.linear && !surroundings.linear->force.value.empty()) {
         const auto& d = surroundings.linear->force;
         std::string caption =
-            "d(t) of (9) on the link, held over each sample of " + with_unit(d.step, Quantity::time, motion) + ".";
+            "d(t) of (9) on the link, held over each sample of " + with_unit(d.step, Quantity::time, units) + ".";
         if (d.impulse != 0)
-            caption += " An impulse of " + with_unit(d.impulse, Quantity::impulse, motion) + " stands before it.";
+            caption += " An impulse of " + with_unit(d.impulse, Quantity::impulse, units) + " stands before it.";
         section.figures.push_back(
             line_figure("force",
-                        chart_of("Disturbing force in time", time, axis_label("force d", Quantity::effort, motion),
+                        chart_of("Disturbing force in time", time, axis_label("force d", Quantity::effort, units),
                                  {staircase("d", d.step, d.value)}),
-                        std::move(caption), "It stays " + range(d.value, Quantity::effort, motion) + "."));
+                        std::move(caption), "It stays " + range(d.value, Quantity::effort, units) + "."));
     }
     const auto& load = surroundings.normal_load;
     if (!load.value.empty())
@@ -153,7 +153,7 @@ Section surroundings_section(const SimulatedSurroundings& surroundings, const Ax
                      {staircase("σ_{n}", load.step, load.value)}),
             "σ_{n}(t) of (1) multiplies the friction of the link. The states of the law are those of the contacts and "
             "do not jump with it. Before the start the joint slides steadily under the first load.",
-            "It stays " + range(load.value, Quantity::number, motion) + "."));
+            "It stays " + range(load.value, Quantity::number, units) + "."));
     return section;
 }
 
@@ -162,15 +162,15 @@ Section surroundings_section(const SimulatedSurroundings& surroundings, const Ax
 Report trajectory_report(const Joint& joint, const Trajectory& t, const NonlinearVerdict& verdict,
                          const SimulatedSurroundings& surroundings, const std::vector<double>& control_force)
 {
-    const auto motion = joint.mechanism.motion;
-    const auto time = axis_label("time t", Quantity::time, motion),
-               position = axis_label("excess position x", Quantity::position, motion),
-               velocity = axis_label("velocity V", Quantity::velocity, motion),
-               friction = axis_label("friction f", Quantity::effort, motion);
+    const Units units = units_of(joint);
+    const auto time = axis_label("time t", Quantity::time, units),
+               position = axis_label("excess position x", Quantity::position, units),
+               velocity = axis_label("velocity V", Quantity::velocity, units),
+               friction = axis_label("friction f", Quantity::effort, units);
     Report report;
     report.title = "One motion of the joint";
     report.subtitle = std::string(info(shown_friction(joint).law).name) +
-                      " friction · V_{0} = " + with_unit(t.commanded_velocity, Quantity::velocity, motion) + " · " +
+                      " friction · V_{0} = " + with_unit(t.commanded_velocity, Quantity::velocity, units) + " · " +
                       gains_text(joint);
     if (t.time.empty()) {
         report.verdict = no_motion_text(joint, t.reason);
@@ -178,9 +178,9 @@ Report trajectory_report(const Joint& joint, const Trajectory& t, const Nonlinea
         return report;
     }
     const bool forced = surroundings.linear || !surroundings.normal_load.value.empty();
-    const auto last_third = range(settled(t, t.velocity), Quantity::velocity, motion);
+    const auto last_third = range(settled(t, t.velocity), Quantity::velocity, units);
     report.verdict = (forced ? "" : ending_words(verdict) + " ") + "In the last third of " +
-                     with_unit(t.time.back(), Quantity::time, motion) + " the velocity stays " + last_third + ".";
+                     with_unit(t.time.back(), Quantity::time, units) + " the velocity stays " + last_third + ".";
     if (!forced) {
         report.tone = ending_tone(verdict);
         report.headlines = ending_headlines(joint, verdict);
@@ -198,8 +198,8 @@ Report trajectory_report(const Joint& joint, const Trajectory& t, const Nonlinea
         in_time.lines.push_back(linear_line(surroundings.linear->memory, t));
     section.figures.push_back(
         line_figure("position", std::move(in_time), "Position of the link beyond its steady path.",
-                    "In the last third it stays " + range(settled(t, t.position), Quantity::position, motion) + "."));
-    section.figures.push_back(path_figure(t, control_force, motion));
+                    "In the last third it stays " + range(settled(t, t.position), Quantity::position, units) + "."));
+    section.figures.push_back(path_figure(t, control_force, units));
     section.figures.push_back(
         line_figure("phase",
                     chart_of("Phase portrait", position, velocity,
@@ -211,9 +211,9 @@ Report trajectory_report(const Joint& joint, const Trajectory& t, const Nonlinea
         "loop", chart_of("Friction over velocity", velocity, friction, friction_loop(joint, t)),
         "Friction against velocity. Where the motion leaves the dashed curve of steady sliding, friction remembers or "
         "holds the joint at rest.",
-        "In the last third friction stays " + range(settled(t, t.friction), Quantity::effort, motion) + "."));
+        "In the last third friction stays " + range(settled(t, t.friction), Quantity::effort, units) + "."));
     report.sections.push_back(std::move(section));
-    if (forced) report.sections.push_back(surroundings_section(surroundings, time, motion));
+    if (forced) report.sections.push_back(surroundings_section(surroundings, time, units));
     Section outcome{"outcome", "Where this disturbance ends", "", {}, {nonlinear_table(joint, verdict)}};
     if (forced) outcome.title = "Where the stated disturbance alone ends";
     report.sections.push_back(std::move(outcome));

@@ -62,7 +62,7 @@ std::vector<WatchedBoundary> watch(const Spec& spec, const Watch& ray)
         WatchedBoundary w;
         w.theory = theory_of(ray.kind);
         w.axis = ray.along->path;
-        w.unit = unit_of(ray.along->quantity, spec.joint.mechanism.motion);
+        w.unit = unit_of(ray.along->quantity, units_of(spec.joint));
         for (const auto& h : ray.held) w.at.emplace_back(h.axis.path, h.value);
         w.number = static_cast<int>(watched.size());
         w.point = point;

@@ -104,7 +104,12 @@ struct Table {
 constexpr Table joint_tables[] = {
     {"joint", "Bodies and what connects them."},
     {"load", "External forces on the link."},
-    {"control", "The loop: continuous without `control.period`, sampled with one."},
+    {"control",
+     "The loop: continuous without `control.period`, sampled with one. What it puts out is an effort; before a DC "
+     "motor "
+     "it is the drive's signal, and gains are V/m, V·s/m, V/(m·s) (V/rad, V·s/rad, V/(rad·s)) on voltage, and 1/m, "
+     "s/m, "
+     "1/(m·s) (1/rad, s/rad, 1/(rad·s)) on duty."},
     {"friction",
      "Joints with several bodies have these keys under `[friction.motor]`, `[friction.transmission]` and "
      "`[friction.link]`; `law = \"time-lag\"` has those of its law under `[friction.curve]`. The laws' own keys follow "

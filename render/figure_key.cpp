@@ -31,6 +31,7 @@ class Key {
         else
             std::apply([this](const auto&... member) { (add(member), ...); }, drawing::members(value));
     }
+    void add(const Units& units) { add(units.motion), add(units.command); }
     void add(const std::string& text)
     {
         add(text.size());

@@ -14,7 +14,7 @@
 namespace stickslip {
 
 /// Friction of a body that answers late: `answer`(s) times the speed that it reads pushes the mechanism, which is that
-/// of its `delays`, and of a table.
+/// of its `delays`, and of a table. A delay of 0 takes off what the mechanism already has.
 struct LateFriction {
     struct Delay {
         double weight, time;

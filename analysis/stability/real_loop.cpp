@@ -2,6 +2,7 @@
 #include "analysis/stability/real_loop.h"
 
 #include <algorithm>
+#include <array>
 
 #include "analysis/joint/gains.h"
 #include "analysis/stability/effort_limits.h"
@@ -203,19 +204,36 @@ bool remembers_little(const Joint& joint)
 
 namespace {
 
+/// Only what answers late.
+LinearFriction late_part(LinearFriction friction)
+{
+    friction.states = 0;
+    return friction;
+}
+
 /// Friction that answers late beside the states of the mechanism, and a count of the roots that they have together.
+/// The mechanism has the friction of slow motion, and what answers late is what differs from that: without any
+/// resistance of its own it would be two integrators, of which late friction had to take one away near 0, where no
+/// digit of the difference is left.
 LatePlant late_plant(const Joint& joint, const LinearJoint& linear, double velocity)
 {
-    LatePlant late{loop_plant(joint, linear, velocity), {}, {}};
+    LinearJoint slow = linear;
+    std::array<double, max_bodies> at_rest{};
+    for (int i = 0; i < linear.bodies; ++i) {
+        if (linear.friction[i].rational()) continue;
+        at_rest[i] = transfer(late_part(linear.friction[i]), 0).real();
+        slow.friction[i].f_v -= at_rest[i];
+    }
+    LatePlant late{loop_plant(joint, slow, velocity), {}, {}};
     if (linear.rational()) return late;
     const auto states = late.prompt.A.rows();
     LinearJoint open = opened(joint, linear);
     for (int i = 0; i < open.bodies; ++i) {
-        LinearFriction only = open.friction[i];
-        if (only.rational()) continue;
-        only.states = 0;
+        if (open.friction[i].rational()) continue;
+        const LinearFriction only = late_part(open.friction[i]);
+        const double slow_part = at_rest[i];
         double memory = only.table ? only.table->duration() : 0;
-        std::vector<LateFriction::Delay> delays;
+        std::vector<LateFriction::Delay> delays{{-slow_part, 0}};
         for (const auto& d : only.delays) {
             memory = std::max(memory, d.time);
             delays.push_back({d.weight, d.time});
@@ -223,7 +241,8 @@ LatePlant late_plant(const Joint& joint, const LinearJoint& linear, double veloc
         Eigen::VectorXd push = Eigen::VectorXd::Zero(states);
         push.head(open.states()) = rates_per_force(open, i);
         late.friction.push_back({push, Eigen::RowVectorXd::Unit(states, open.bodies + i),
-                                 [only](Complex s) { return transfer(only, s); }, delays, memory});
+                                 [only, slow_part](Complex s) { return transfer(only, s) - slow_part; }, delays,
+                                 memory});
     }
     open.friction[0].f_v += actuation(joint, velocity, steady_effort(joint, velocity)).drag;
     late.roots_right_of = [open](double sigma) { return roots_right_of(open, sigma); };

@@ -34,6 +34,16 @@ Effect effort_gain()
         f.seeds = {{1.03}, {1.7}, {0.6}};
         f.applies = [](const Joint& j) { return j.actuator.kind == ActuatorKind::dc_motor; };
         e.forms.push_back(f);
+        // a motor of another speed constant: it resists motion more or less than documented, as viscous friction that
+        // its own current shows
+        f.name = "back-emf";
+        f.parameters = {
+            {"factor", Quantity::number, Scale::one, true, 0.2, 5, 0.2, "true back-EMF constant per nominal"},
+        };
+        f.apply = [](Joint& j, const double* p) { j.actuator.k_e *= p[0]; };
+        f.seeds = {{1.1}, {0.9}};
+        f.applies = [](const Joint& j) { return j.actuator.kind == ActuatorKind::dc_motor && j.actuator.k_e > 0; };
+        e.forms.push_back(f);
     }
     return e;
 }

@@ -90,9 +90,11 @@ bool document_suffices(LadderSearch& search, const Prepared& p, const ParallelFo
 
 /// Judges the ladder in place of the one before, whose causes count as what a free force is held against.
 void judge_in_place(Ladder ladder, const LadderSearch& search, const Prepared& p, const ParallelFor& parallel,
-                    bool small_term, JudgedLadder& j)
+                    bool small_term, JudgedLadder& j, const Effect* dropped = nullptr)
 {
     JudgedLadder next;
+    next.dropped = j.dropped;
+    if (dropped) next.dropped.push_back(dropped);
     next.noise_below = j.noise_left || j.noise_below;
     next.with_small_terms = j.with_small_terms;
     if (small_term) next.with_small_terms = std::min(j.with_small_terms, mean_log_misfit(j.winner.evaluation));
@@ -113,7 +115,7 @@ void shorten_to_likely(LadderSearch& search, const Prepared& p, const ParallelFo
         return j.why_not && !j.ladder.rungs.empty() && corrections_take_most(j.shares);
     };
     while (const Effect* small = small_term_between(j))
-        judge_in_place(search.without(j.ladder, *small), search, p, parallel, true, j);
+        judge_in_place(search.without(j.ladder, *small), search, p, parallel, true, j, small);
     while (small_against_corrections(j) || unlikely() || corrections_alone()) {
         Ladder shorter = std::move(j.ladder);
         search.shorten(shorter);

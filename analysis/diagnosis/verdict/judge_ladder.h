@@ -33,11 +33,14 @@ struct JudgedLadder {
     bool noise_left = false;      ///< all that the winner leaves is noise
     bool noise_below = false;     ///< or was, with rungs below the last that were taken away
     double with_small_terms = infinity;  ///< mean log misfit with small terms of machines that were taken away
-    bool usual = false;                  ///< the last cause is a small term that every machine has
-    bool named = false;                  ///< causes are named
-    bool only_corrections = false;       ///< only documented parameters are wrong, by no more than such errors
-    std::optional<Note> why_not;         ///< where nothing is named
-    std::vector<double> chances;         ///< of every rung
+    /// Small terms of machines that were taken away from between its rungs. They are small beside any cause, so none of
+    /// them speaks against one.
+    std::vector<const Effect*> dropped;
+    bool usual = false;             ///< the last cause is a small term that every machine has
+    bool named = false;             ///< causes are named
+    bool only_corrections = false;  ///< only documented parameters are wrong, by no more than such errors
+    std::optional<Note> why_not;    ///< where nothing is named
+    std::vector<double> chances;    ///< of every rung
     /// Numbers of the document that are causes beside the rungs, and what they take. In the winner they stand behind
     /// the causes, no longer among the corrections. Where there are no rungs: those of the corrections that take most.
     std::vector<std::pair<const Effect*, SharesWithInterval>> numbers;

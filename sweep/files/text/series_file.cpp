@@ -63,7 +63,7 @@ Unit unit_of_column(std::string_view cell, const std::optional<SeriesQuantity>& 
 {
     const auto text = unit_text_of(cell);
     if (text.empty() || !quantity) return {};
-    const auto reading = unit_for(text, quantity->quantity, quantity->motion);
+    const auto reading = unit_for(text, quantity->quantity, quantity->units);
     if (!reading.error.empty()) throw BadInput(place + ": column " + std::string(cell) + ": " + reading.error);
     return reading.unit;
 }

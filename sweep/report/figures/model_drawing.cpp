@@ -13,8 +13,8 @@ using namespace sketch;
 /// Spring above, damper below, between two x.
 void coupling(Sketch& d, double x1, double x2, const char* k, double stiffness, const char* c, double damping)
 {
-    d.spring(x1, x2, spring_y, labelled(k, stiffness, Quantity::stiffness, d.motion()));
-    if (damping != 0) d.damper(x1, x2, damper_y, labelled(c, damping, Quantity::damping, d.motion()));
+    d.spring(x1, x2, spring_y, labelled(k, stiffness, Quantity::stiffness, d.units()));
+    if (damping != 0) d.damper(x1, x2, damper_y, labelled(c, damping, Quantity::damping, d.units()));
 }
 
 /// What lies beyond the link: the finger on a fixed surface in force control, or the contact alone.
@@ -26,10 +26,10 @@ double beyond_link(Sketch& d, const Joint& joint, double x)
     if (force)
         coupling(d, x, x + gap, "k_{p}", c.k_p, "k_{v}", c.k_v);
     else
-        d.spring(x, x + gap, middle_y, labelled("k_{c}", c.contact_stiffness, Quantity::stiffness, d.motion()));
+        d.spring(x, x + gap, middle_y, labelled("k_{c}", c.contact_stiffness, Quantity::stiffness, d.units()));
     if (force && c.contact_stiffness > 0)
         d.text(x + gap / 2, box_top - 18,
-               "beside it " + labelled("k_{c}", c.contact_stiffness, Quantity::stiffness, d.motion()));
+               "beside it " + labelled("k_{c}", c.contact_stiffness, Quantity::stiffness, d.units()));
     d.wall(x + gap, 1);
     return x + gap + margin;
 }
@@ -108,8 +108,8 @@ struct BodyDrawing {
 void draw_body(Sketch& d, double x, const BodyDrawing& b)
 {
     std::string symbol = b.inertia_symbol;
-    if (d.motion() == Motion::revolute) symbol.front() = 'J';
-    d.box(x, b.name, labelled(symbol, b.inertia, b.quantity, d.motion()));
+    if (d.units().motion == Motion::revolute) symbol.front() = 'J';
+    d.box(x, b.name, labelled(symbol, b.inertia, b.quantity, d.units()));
     d.friction(x, b.friction_symbol, *b.friction);
 }
 
@@ -170,20 +170,20 @@ LineDrawing lever(const Joint& joint)
     draw_body(d, x, {"motor", "M_{m}", "f_{m}", m.motor_inertia, Quantity::inertia, &joint.frictions.motor});
     const double at = x + box_width + gap, top = spring_y - 6, arm = middle_y + 26, pivot = floor_y + 34;
     d.spring(x + box_width, at, spring_y,
-             labelled("k_{m-tr}", m.motor_transmission.stiffness, Quantity::stiffness, d.motion()));
+             labelled("k_{m-tr}", m.motor_transmission.stiffness, Quantity::stiffness, d.units()));
     d.line({{at, top}, {at, pivot}});
     d.ring(at, spring_y, 4);
     d.ring(at, arm, 4);
     d.ring(at, pivot, 7);
-    d.text(at - 14, pivot + 5, labelled("J_{tr}", m.transmission_inertia, Quantity::rotary_inertia, d.motion()),
+    d.text(at - 14, pivot + 5, labelled("J_{tr}", m.transmission_inertia, Quantity::rotary_inertia, d.units()),
            LineDrawing::Anchor::right);
-    const std::string arms = labelled("d", m.lever_arm, Quantity::length, d.motion());
+    const std::string arms = labelled("d", m.lever_arm, Quantity::length, d.units());
     d.text(at, pivot + 26, arms + " below, N d above, N = " + plain_number(m.motor_transmission.ratio));
     d.text(at + 14, pivot + 5, "f_{tr}: " + std::string(info(joint.frictions.transmission.law).name),
            LineDrawing::Anchor::left);
-    d.spring(at, at + gap, arm, labelled("k_{tr-l}", m.transmission_link.stiffness, Quantity::stiffness, d.motion()));
+    d.spring(at, at + gap, arm, labelled("k_{tr-l}", m.transmission_link.stiffness, Quantity::stiffness, d.units()));
     const auto damping = [&](double x1, double y, const char* symbol, double value) {
-        if (value != 0) d.text(x1 + gap / 2, y + 22, labelled(symbol, value, Quantity::damping, d.motion()));
+        if (value != 0) d.text(x1 + gap / 2, y + 22, labelled(symbol, value, Quantity::damping, d.units()));
     };
     damping(x + box_width, spring_y, "c_{m-tr}", m.motor_transmission.damping);
     damping(at, arm, "c_{tr-l}", m.transmission_link.damping);

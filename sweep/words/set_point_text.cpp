@@ -52,9 +52,9 @@ std::string set_point_reason(SetPointReason reason)
         case SetPointReason::law_without_motion:
             return "this friction law is not simulated at rest";
         case SetPointReason::friction_term:
-            return "friction has a term beside its law (bristle, memory, load, ripple or viscous asymmetry) that is "
-                   "not "
-                   "simulated at rest";
+            return "friction has a term beside its law (bristle, memory, load, gear, ripple, drift or viscous "
+                   "asymmetry) "
+                   "that is not simulated at rest";
         case SetPointReason::not_converged:
             return "the motion was not simulated to its end within the limit of work";
     }

@@ -218,3 +218,19 @@ TEST_CASE("what is not judged at a set point says why", "[set-point]")
     joint.friction.law = RateAndState{};
     CHECK(set_point(joint).hunting == Hunting::undecided);
 }
+
+TEST_CASE("a level of friction that moves by itself has no set point", "[set-point]")
+{
+    const auto joint = joint_of({1, 2, 18, 30}, KineticStatic{0.327, 0.981});
+    REQUIRE(set_point(joint).hunting == Hunting::yes);
+    const auto refused = [&](auto&& change) {
+        Joint changed = joint;
+        change(changed.friction);
+        const auto s = set_point(changed);
+        return s.hunting == Hunting::undecided && s.reason == SetPointReason::friction_term;
+    };
+    CHECK(refused([](Friction& f) { f.drift.change = 0.1; }));
+    CHECK(refused([](Friction& f) { f.load_coefficient = 0.1; }));
+    CHECK(refused([](Friction& f) { f.ripple.amplitude = 0.1; }));
+    CHECK(refused([](Friction& f) { f.gear.backward = 0.5; }));
+}

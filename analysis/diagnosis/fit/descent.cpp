@@ -1,0 +1,202 @@
+// Levenberg-Marquardt over a block of parameters, as named steps.
+#include "analysis/diagnosis/fit/block.h"
+#include "analysis/diagnosis/fit/candidate_numbers.h"
+#include "analysis/diagnosis/fit/residuals.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip::gap {
+namespace {
+
+constexpr double slope_step = 1e-4;  // of what is usual, or of a logarithm
+constexpr double least_usual = 0.1;  // in units of the parameter's scale
+constexpr int most_halvings = 10;
+/// Parameters with a prior hardly move: their slopes are found anew every few steps, and where a step fails.
+constexpr int worn_after = 3;
+/// The damping, as a part of the diagonal: where it starts and starts again, its least value, and what a step that
+/// fails and one that succeeds make of it.
+constexpr double usual_damping = 1e-3, least_damping = 1e-7, harder = 8, easier = 0.2;
+constexpr double ridge = 1e-12;  // of the largest diagonal entry: what no record shows stays where it is
+constexpr double longest_in_logarithm = 1.5;
+/// The first trial mostly succeeds; where it fails the more damped ones go side by side.
+constexpr int first_trials = 1, other_trials = 4;
+constexpr double least_fall = 2e-4;  // of the objective in one step: less is its end
+
+class Descent {
+  public:
+    Descent(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales, Eigen::VectorXd x,
+            double omega, const Kept& kept)
+        : cases_(cases), candidate_(candidate), scales_(scales), omega_(omega), kept_(kept)
+    {
+        at_.x = bounded(candidate, std::move(x));
+        at_.information = Eigen::MatrixXd::Zero(size(), size());
+        at_.evaluation = evaluated();
+        jacobian_ = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(residuals_.size()), size());
+        came_from_ = at_.x;
+        for (Eigen::Index i = 0; i < size(); ++i)
+            if (parameter(i).vanishes) came_from_[i] = 0;
+        best_ = at_;
+    }
+
+    LevelFit run(int iterations)
+    {
+        for (int iteration = 0; iteration < iterations && size() > 0; ++iteration) {
+            find_slopes();
+            set_up_equations();
+            const double before = at_.evaluation.objective;
+            const bool better = try_steps(first_trials) || try_steps(other_trials);
+            keep_best();
+            const bool done = !better || before - at_.evaluation.objective < least_fall * before;
+            if (done && age_ == 0) break;
+            if (!better) damping_ = usual_damping;  // worn slopes failed, not the step
+            const bool renew = done || age_ + 1 == worn_after || !(candidate_.prior_weight > 0);
+            age_ = renew ? 0 : age_ + 1;
+        }
+        best_.evaluations = at_.evaluations;
+        return best_;
+    }
+
+  private:
+    Eigen::Index size() const { return static_cast<Eigen::Index>(candidate_.parameter_count()); }
+    const EffectParameter& parameter(Eigen::Index i) const { return candidate_.parameter(static_cast<std::size_t>(i)); }
+    Eigen::Map<const Eigen::VectorXd> residuals() const
+    {
+        return {residuals_.data(), static_cast<Eigen::Index>(residuals_.size())};
+    }
+
+    Evaluation evaluated()
+    {
+        auto found = evaluate(cases_, candidate_, in_si(candidate_, at_.x, scales_), omega_, &residuals_);
+        found.objective += prior_cost(candidate_, at_.x);
+        ++at_.evaluations;
+        return found;
+    }
+
+    void find_slopes()
+    {
+        for (Eigen::Index lost; (lost = slopes_here()) < size() && halvings_ < most_halvings; ++halvings_) {
+            // friction that has been taken away altogether has no slope that leads back: half way, and all slopes anew
+            at_.x[lost] = 0.5 * (at_.x[lost] + came_from_[lost]);
+            at_.evaluation = evaluated();
+        }
+    }
+
+    /// Finds the slopes that are due by differences; gives the first parameter that has lost all of its effect on the
+    /// way here, or their number.
+    Eigen::Index slopes_here()
+    {
+        std::vector<Place> places;
+        std::vector<double> steps;
+        for (Eigen::Index i = 0; i < size(); ++i) {
+            const auto number = static_cast<std::size_t>(i);
+            if (!kept_.empty() && kept_[number]) continue;
+            if (age_ > 0 && candidate_.sd_of(number) > 0) continue;
+            double step = slope_step;
+            if (!parameter(i).logarithmic) step *= std::max(least_usual, std::abs(parameter(i).prior));
+            Eigen::VectorXd shifted = at_.x;
+            shifted[i] += step;
+            if (bounded(candidate_, shifted)[i] != shifted[i]) shifted[i] -= 2 * step, step = -step;
+            places.push_back({in_si(candidate_, shifted, scales_), omega_, number});
+            steps.push_back(step);
+        }
+        const auto r = residuals();
+        const auto moved = residuals_at(cases_, candidate_, places, &residuals_);
+        Eigen::Index lost = size();
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            const auto i = static_cast<Eigen::Index>(places[k].moved);
+            jacobian_.col(i) = (Eigen::Map<const Eigen::VectorXd>(moved[k].data(), r.size()) - r) / steps[k];
+            if (lost == size() && parameter(i).vanishes && came_from_[i] != at_.x[i] && jacobian_.col(i).isZero(0))
+                lost = i;
+        }
+        at_.evaluations += static_cast<int>(places.size());
+        return lost;
+    }
+
+    void set_up_equations()
+    {
+        const auto r = residuals();
+        block_weights(cases_, residuals_, weights_);
+        const Eigen::Map<const Eigen::VectorXd> w(weights_.data(), r.size());
+        const Eigen::MatrixXd weighted = w.asDiagonal() * jacobian_;
+        normal_ = jacobian_.transpose() * weighted;
+        gradient_ = weighted.transpose() * r;
+        for (Eigen::Index i = 0; i < size() && candidate_.prior_weight > 0; ++i)
+            if (const double sd = candidate_.sd_of(static_cast<std::size_t>(i)); sd > 0) {
+                const double row = candidate_.prior_weight * static_cast<double>(cases_.size()) / (sd * sd);
+                normal_(i, i) += row;
+                gradient_[i] += row * (at_.x[i] - prior_mean(candidate_, static_cast<std::size_t>(i)));
+            }
+        at_.information = normal_;
+    }
+
+    Eigen::VectorXd damped_step(double by) const
+    {
+        Eigen::MatrixXd damped = normal_;
+        damped.diagonal() += by * normal_.diagonal();
+        damped.diagonal().array() += ridge * std::max(ridge, normal_.diagonal().maxCoeff());
+        Eigen::VectorXd step = damped.ldlt().solve(-gradient_);
+        for (Eigen::Index i = 0; i < size(); ++i) {
+            const double longest = parameter(i).logarithmic ? longest_in_logarithm : std::max(1.0, std::abs(at_.x[i]));
+            step[i] = std::isfinite(step[i]) ? std::clamp(step[i], -longest, longest) : 0;
+        }
+        return bounded(candidate_, at_.x + step);
+    }
+
+    /// Takes the first of `count` steps, each damped more, that lowers the objective.
+    bool try_steps(int count)
+    {
+        std::vector<Place> places;
+        std::vector<Eigen::VectorXd> next;
+        for (double by = damping_; static_cast<int>(next.size()) < count; by = std::max(usual_damping, by) * harder) {
+            next.push_back(damped_step(by));
+            places.push_back({in_si(candidate_, next.back(), scales_), omega_});
+        }
+        auto there = residuals_at(cases_, candidate_, places);
+        for (std::size_t k = 0; k < next.size(); ++k) {
+            ++at_.evaluations;
+            auto trial = judged(cases_, there[k]);
+            trial.objective += prior_cost(candidate_, next[k]);
+            if (!(trial.objective < at_.evaluation.objective)) {
+                damping_ = std::max(usual_damping, damping_) * harder;
+                continue;
+            }
+            came_from_ = at_.x;
+            at_.x = next[k];
+            at_.evaluation = std::move(trial);
+            residuals_.swap(there[k]);
+            damping_ = std::max(least_damping, damping_ * easier);
+            return true;
+        }
+        return false;
+    }
+
+    void keep_best()
+    {
+        if (at_.evaluation.objective <= best_.evaluation.objective) best_ = at_;
+    }
+
+    const std::vector<Case>& cases_;
+    const Candidate& candidate_;
+    const Scales& scales_;
+    const double omega_;
+    const Kept& kept_;
+    LevelFit at_, best_;
+    std::vector<double> residuals_, weights_;
+    Eigen::VectorXd came_from_;  ///< where the last step came from; at first, where the effect is absent
+    Eigen::MatrixXd jacobian_, normal_;
+    Eigen::VectorXd gradient_;
+    double damping_ = usual_damping;
+    int halvings_ = 0;
+    int age_ = 0;  ///< steps since all slopes were found
+};
+
+}  // namespace
+
+LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales,
+                       Eigen::VectorXd x, double omega, int iterations, const Kept& kept)
+{
+    return Descent(cases, candidate, scales, std::move(x), omega, kept).run(iterations);
+}
+
+}  // namespace stickslip::gap

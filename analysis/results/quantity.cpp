@@ -42,6 +42,7 @@ Command command_named(std::string_view name)
     return Command::effort;
 }
 
+// In one piece: a table.
 std::string_view unit_of(Quantity quantity, Units units)
 {
     const bool turns = units.motion == Motion::revolute;

@@ -34,4 +34,8 @@ Effect quantisation();
 Effect sensor_offset();
 Effect periodic_disturbance();
 
+/// Whether a form moves the joint as an effect that is likelier does, and only a measured effort tells them apart: a
+/// motor's back-EMF is viscous friction, whose number is the less certain one.
+bool shows_in_effort_alone(const EffectForm& form);
+
 }  // namespace stickslip::gap

@@ -1,6 +1,16 @@
 #include "analysis/diagnosis/effects/catalogue.h"
 
 namespace stickslip::gap {
+namespace {
+
+constexpr std::string_view back_emf = "back-emf";
+
+}  // namespace
+
+bool shows_in_effort_alone(const EffectForm& form)
+{
+    return form.name == back_emf;
+}
 
 Effect effort_gain()
 {
@@ -36,7 +46,7 @@ Effect effort_gain()
         e.forms.push_back(f);
         // a motor of another speed constant: it resists motion more or less than documented, as viscous friction that
         // its own current shows
-        f.name = "back-emf";
+        f.name = back_emf;
         f.parameters = {
             {"factor", Quantity::number, Scale::one, true, 0.2, 5, 0.2, "true back-EMF constant per nominal"},
         };

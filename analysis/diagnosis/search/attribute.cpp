@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/search/attribute.h"
 
+#include "analysis/diagnosis/effects/catalogue.h"
 #include "analysis/diagnosis/policy/policy.h"
 
 #include <algorithm>
@@ -71,6 +72,7 @@ std::vector<Candidate> single_candidates(const std::vector<Case>& cases, const A
     std::vector<Candidate> all;
     const bool logged = cases[0].ticks.source == CommandSource::logged;
     const bool behind_effort = cases[0].ticks.source == CommandSource::measured;
+    const bool effort = std::ranges::any_of(cases, [](const Case& c) { return c.ticks.has_effort; });
     for (const auto& e : effects()) {
         if (e.name == "quantisation") continue;  // the audit reads it off the grid
         const bool of_controller = e.name.starts_with("gain-k_") || e.name == "velocity-filter" ||
@@ -80,6 +82,7 @@ std::vector<Candidate> single_candidates(const std::vector<Case>& cases, const A
         if (e.name == "velocity-filter" && audit.filter_seen) continue;
         for (const auto& f : e.forms) {
             if (f.own > 0 && cases.size() < 2) continue;
+            if (!effort && shows_in_effort_alone(f)) continue;
             Candidate c{{&e}, {&f}, cases.size()};
             if (c.applies(cases[0].joint)) all.push_back(c);
         }

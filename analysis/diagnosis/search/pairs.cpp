@@ -1,4 +1,5 @@
 // In one file: one search for pairs, from first looks to finalists.
+#include "analysis/diagnosis/effects/catalogue.h"
 #include "analysis/diagnosis/fit/block.h"
 #include "analysis/diagnosis/fit/excerpt.h"
 #include "analysis/diagnosis/fit/seeds.h"
@@ -100,6 +101,7 @@ std::vector<Attribution> other_forms(const std::vector<Attribution>& singles, st
             Attribution other;
             other.candidate = {best.effects, {&form}, records};
             const bool own = form.own > 0 && records < 2;
+            if (shows_in_effort_alone(form) && !brief[0].ticks.has_effort) continue;
             if (&form != best.forms[0] && !own && other.candidate.applies(brief[0].joint)) others.push_back(other);
         }
     }

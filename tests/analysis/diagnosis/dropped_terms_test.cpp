@@ -31,7 +31,8 @@ TEST_CASE("a small term that was dropped does not speak against the causes that 
     j.ladder.rungs = {set_of({"stribeck"}, 0.5), set_of({"stribeck", "delay"}, 0.2)};
     const double margin = margin_of(j.ladder.rungs[1], policy::ladder);
     j.ladder.rivals.resize(2);
-    j.ladder.rivals[1] = {set_of({"stribeck", "cogging"}, 0.2 - margin), set_of({"stribeck", "backlash"}, 0.2 + margin)};
+    j.ladder.rivals[1] = {set_of({"stribeck", "cogging"}, 0.2 - margin),
+                          set_of({"stribeck", "backlash"}, 0.2 + margin)};
     j.noise_left = true;
     j.shares.documented = j.shares.base = 1;
     j.shares.rungs = {0.4, 0};

@@ -10,11 +10,18 @@ namespace {
 
 using namespace sketch;
 
+/// What a spring and a damper stand for: themselves, or gains.
+struct CoupledBy {
+    Quantity spring = Quantity::stiffness, damper = Quantity::damping;
+};
+constexpr CoupledBy by_gains{Quantity::position_gain, Quantity::velocity_gain};
+
 /// Spring above, damper below, between two x.
-void coupling(Sketch& d, double x1, double x2, const char* k, double stiffness, const char* c, double damping)
+void coupling(Sketch& d, double x1, double x2, const char* k, double stiffness, const char* c, double damping,
+              CoupledBy by = {})
 {
-    d.spring(x1, x2, spring_y, labelled(k, stiffness, Quantity::stiffness, d.units()));
-    if (damping != 0) d.damper(x1, x2, damper_y, labelled(c, damping, Quantity::damping, d.units()));
+    d.spring(x1, x2, spring_y, labelled(k, stiffness, by.spring, d.units()));
+    if (damping != 0) d.damper(x1, x2, damper_y, labelled(c, damping, by.damper, d.units()));
 }
 
 /// What lies beyond the link: the finger on a fixed surface in force control, or the contact alone.
@@ -24,7 +31,7 @@ double beyond_link(Sketch& d, const Joint& joint, double x)
     const bool force = c.kind == ControlKind::force;
     if (!force && c.contact_stiffness == 0) return x + margin;
     if (force)
-        coupling(d, x, x + gap, "k_{p}", c.k_p, "k_{v}", c.k_v);
+        coupling(d, x, x + gap, "k_{p}", c.k_p, "k_{v}", c.k_v, by_gains);
     else
         d.spring(x, x + gap, middle_y, labelled("k_{c}", c.contact_stiffness, Quantity::stiffness, d.units()));
     if (force && c.contact_stiffness > 0)
@@ -122,7 +129,7 @@ LineDrawing single_mass(const Joint& joint)
     if (c.kind == ControlKind::position) {
         d.wall(wall, -1);
         d.arrow(wall - 30, wall + 30, box_top - 46, "x_{m}");
-        coupling(d, wall, x, "k_{p}", c.k_p, "k_{v}", c.k_v);
+        coupling(d, wall, x, "k_{p}", c.k_p, "k_{v}", c.k_v, by_gains);
     } else {
         d.arrow(wall + 50, x, middle_y, "F_{m}");
     }

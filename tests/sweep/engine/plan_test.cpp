@@ -73,7 +73,8 @@ TEST_CASE("the id changes with everything that changes a result, down to one bit
         [](Plan& q) { q.options = "another tolerance"; },
         [](Plan& q) { q.joint += "o", q.options = ""; },  // the same bytes in a row, cut elsewhere
         [](Plan& q) { q.nonlinear = true; },
-        [](Plan& q) { q.motion = Motion::revolute; },
+        [](Plan& q) { q.units = Motion::revolute; },
+        [](Plan& q) { q.units.command = Command::duty; },
         [](Plan& q) { q.build += "x"; },
         [](Plan& q) { q.chunk_size = 32; },
         [](Plan& q) { q.axes[0].symbol = "another symbol"; },

@@ -91,6 +91,13 @@ std::string rewritten_law_text(std::string_view law)
            "memory): the same equations under other names, also in the corrected joint file.";
 }
 
+std::string left_out_text(const std::vector<std::string>& keys)
+{
+    std::string list;
+    for (const auto& key : keys) list += (list.empty() ? "" : ", ") + key;
+    return "Records are simulated without " + list + ": what it does to the machine is part of the gap.";
+}
+
 bool leaves_out_what_matters(const LoopUse& loop)
 {
     return std::any_of(loop.not_used.begin(), loop.not_used.end(), [](const UnusedTerm& t) { return t.matters; });

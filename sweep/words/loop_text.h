@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace stickslip {
 
@@ -24,6 +25,8 @@ std::string side_text(const Joint& joint, bool of_record);
 
 /// How a diagnosis writes a law that records are not simulated in as it stands.
 std::string rewritten_law_text(std::string_view law);
+/// What the file says and records are simulated without.
+std::string left_out_text(const std::vector<std::string>& keys);
 
 /// Whether something that matters was left out: such a verdict is no clean yes.
 bool leaves_out_what_matters(const LoopUse& loop);

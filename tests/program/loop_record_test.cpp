@@ -149,3 +149,28 @@ TEST_CASE("a reference that cannot be followed says why")
     CHECK(second.exit_code == 2);
     CHECK_THAT(second.output, Catch::Contains("broken.csv:3"));
 }
+
+TEST_CASE("what records are simulated without is said")
+{
+    const Folder folder;
+    const auto said_of = [&](const std::string& more) {
+        return diagnosis_of(folder, "", machine + more)["notes"].dump();
+    };
+    CHECK(said_of("[normal]\nvelocity = 0.01\n[[neighbour]]\ninertia = 1.0\ncoupling = 0.001\n")
+              .find("without normal.velocity, neighbour") != std::string::npos);
+    CHECK(said_of("").find("are simulated without") == std::string::npos);
+}
+
+TEST_CASE("a motor of another back-EMF constant is told from viscous friction by its effort", "[slow]")
+{
+    const std::string motor = machine +
+                              "[actuator]\nkind = \"dc-motor\"\nk_t = 0.8\nk_e = 0.8\nresistance = 1.5\n"
+                              "supply_voltage = 48\nsignal = \"voltage\"\n";
+    for (const auto& [edit, name] :
+         {std::pair{" --set actuator.k_e=0.7", "effort-gain"}, std::pair{" --set friction.viscous=0.35", "viscous"}}) {
+        const Folder folder;
+        const auto found = diagnosis_of(folder, edit, motor);
+        INFO(found["effects"].dump());
+        CHECK(found["effects"][0]["names"] == nlohmann::json{name});
+    }
+}

@@ -88,4 +88,16 @@ std::string rewritten_law(const Joint& joint)
     return name;
 }
 
+std::vector<std::string> left_out_of_records(const Joint& joint)
+{
+    std::vector<std::string> keys;
+    const auto& n = joint.normal;
+    if (n.displacement != 0) keys.emplace_back("normal.displacement");
+    if (n.velocity != 0) keys.emplace_back("normal.velocity");
+    if (n.acceleration != 0) keys.emplace_back("normal.acceleration");
+    if (n.from_load != 0) keys.emplace_back("normal.from_load");
+    if (joint.neighbour.size > 0) keys.emplace_back("neighbour");
+    return keys;
+}
+
 }  // namespace stickslip::gap

@@ -2,6 +2,9 @@
 #pragma once
 #include "analysis/joint/joint.h"
 
+#include <string>
+#include <vector>
+
 namespace stickslip::gap {
 
 /// The same joint where its laws are written in those terms, equation by equation: LuGre is a Stribeck curve on
@@ -12,5 +15,8 @@ Joint record_form(const Joint& joint);
 
 /// "LuGre" and so on: the first law that record_form() writes otherwise; empty where none is.
 std::string rewritten_law(const Joint& joint);
+
+/// Keys of what the file says and no record is simulated with: normal forces that move with the joint, neighbours.
+std::vector<std::string> left_out_of_records(const Joint& joint);
 
 }  // namespace stickslip::gap

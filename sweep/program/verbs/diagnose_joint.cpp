@@ -147,6 +147,8 @@ JointDiagnosis diagnose_joint(const Joint& documented, const GatheredRecords& gi
     if (const auto side = side_text(joint, true); !side.empty()) d.notes.push_back({.text = plain_text(side)});
     if (const auto law = of_rig ? "" : gap::rewritten_law(documented); !law.empty())
         d.notes.push_back({.text = rewritten_law_text(law)});
+    if (const auto keys = of_rig ? std::vector<std::string>{} : gap::left_out_of_records(documented); !keys.empty())
+        d.notes.push_back({.text = left_out_text(keys)});
     return found;
 }
 

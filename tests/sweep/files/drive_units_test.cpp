@@ -67,7 +67,7 @@ TEST_CASE("the text of such a joint says its units, and is read again", "[units]
 {
     for (const auto& [signal, k_p, k_v, k_i, limit] :
          {std::tuple{"voltage", "# V/rad", "# V·s/rad", "# V/(rad·s)", "# V\n"},
-          std::tuple{"duty", "# 1/rad", "# s/rad", "# 1/(rad·s)", "effort_limit = 12.0\n"}}) {
+          std::tuple{"duty", "# 1/rad", "# s/rad", "# 1/(rad·s)", "effort_limit = 12\n"}}) {
         const auto joint = read(motor_joint(signal, "350"));
         const std::string text = joint_text(joint);
         INFO(text);

@@ -210,7 +210,8 @@ TEST_CASE("lists")
 
 TEST_CASE("rules of a struct beyond ranges")
 {
-    CHECK(only_error(good + "[actuator]\nkind = \"dc-motor\"\nk_t = 1\nk_e = 1\nresistance = 1\nsignal = \"duty\"\n") ==
+    CHECK(only_error(with("k_p = \"20 kN/m\"", "k_p = 2e4") +
+                     "[actuator]\nkind = \"dc-motor\"\nk_t = 1\nk_e = 1\nresistance = 1\nsignal = \"duty\"\n") ==
           "joint.toml:17:1: actuator: signal = \"duty\" needs supply_voltage");
 }
 

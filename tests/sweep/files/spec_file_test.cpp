@@ -91,7 +91,7 @@ tolerance = "2 %"
     CHECK(spec.axes[0].path == "control.k_p");
     CHECK(spec.axes[0].symbol == "k_{p}");
     CHECK(spec.axes[0].name == "position gain");
-    CHECK(spec.axes[0].quantity == Quantity::stiffness);
+    CHECK(spec.axes[0].quantity == Quantity::position_gain);
     CHECK(spec.axes[0].log);
     REQUIRE(spec.axes[0].values.size() == 4);
     CHECK(spec.axes[0].values.front() == 1e3);

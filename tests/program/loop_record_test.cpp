@@ -153,12 +153,16 @@ TEST_CASE("a reference that cannot be followed says why")
 TEST_CASE("what records are simulated without is said")
 {
     const Folder folder;
-    const auto said_of = [&](const std::string& more) {
-        return diagnosis_of(folder, "", machine + more)["notes"].dump();
-    };
-    CHECK(said_of("[normal]\nvelocity = 0.01\n[[neighbour]]\ninertia = 1.0\ncoupling = 0.001\n")
-              .find("without normal.velocity, neighbour") != std::string::npos);
-    CHECK(said_of("").find("are simulated without") == std::string::npos);
+    const auto plain = diagnosis_of(folder, "");
+    CHECK(plain["notes"].dump().find("are simulated without") == std::string::npos);
+    const auto more = folder.write("more.toml", machine +
+                                                    "[normal]\nvelocity = 0.01\n[[neighbour]]\ninertia = 1.0\n"
+                                                    "coupling = 0.001\n");
+    const auto found = stickslip("diagnose " + more + " " + (folder / "record/record.csv") + " --no-report --json -o " +
+                                 (folder / "found"));
+    INFO(found.output);
+    REQUIRE(found.exit_code == 0);
+    CHECK(found.output.find("without normal.velocity, neighbour") != std::string::npos);
 }
 
 TEST_CASE("a motor of another back-EMF constant is told from viscous friction by its effort", "[slow]")

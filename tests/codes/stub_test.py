@@ -12,7 +12,7 @@ import sys
 # What is no sentence: each with the reason.
 NO_SENTENCE = {
     "plain_text(std::string const&)": "takes the mark-up off a sentence",
-    "symbol_of(std::string_view, stickslip::Motion)": "axes of charts: letters",
+    "symbol_of(std::string_view, stickslip::Units)": "axes of charts: letters",
     "name_of(std::string_view)": "axes of charts: the parameter at a path",
 }
 ANSWERS = ("files", "study", "engine")

@@ -178,3 +178,20 @@ TEST_CASE("a motor of another back-EMF constant is told from viscous friction by
         CHECK(found["effects"][0]["names"] == nlohmann::json{name});
     }
 }
+
+TEST_CASE("the lesser friction of two masses is named when its document is wrong", "[slow]")
+{
+    const std::string geared =
+        "[joint]\nmotion = \"revolute\"\nmodel = \"two-mass\"\nmotor_inertia = 0.5\nlink_inertia = 1.1\n"
+        "[joint.transmission]\nstiffness = 3e4\ndamping = 30\n"
+        "[control]\nk_p = 1.2e4\nk_v = 200\nperiod = 0.002\n"
+        "[control.velocity_estimate]\nform = \"backward-difference\"\ntau = 0.002\n"
+        "[friction.motor]\nlaw = \"coulomb-viscous\"\ncoulomb = 10\nviscous = 0.2\n"
+        "[friction.link]\nlaw = \"coulomb-viscous\"\ncoulomb = 0.8\nviscous = 0.5\n"
+        "[sensor]\nencoder_quantum = 1e-7\nposition_noise = 2e-7\n";
+    const Folder folder;
+    const auto found = diagnosis_of(folder, " --set friction.link.coulomb=3", geared);
+    INFO(found["effects"].dump());
+    CHECK(found["verdict"] == "gap");
+    CHECK(found["effects"][0]["names"] == nlohmann::json{"coulomb-level"});
+}

@@ -4,6 +4,17 @@
 
 namespace stickslip::gap {
 
+bool main_friction_on_motor(const Joint& joint)
+{
+    Joint j = joint;
+    return is_two_mass(j) && &main_friction(j) == &j.frictions.motor;
+}
+
+bool main_friction_on_link(const Joint& joint)
+{
+    return is_two_mass(joint) && !main_friction_on_motor(joint);
+}
+
 std::span<const Effect> effects()
 {
     static const std::array catalogue{

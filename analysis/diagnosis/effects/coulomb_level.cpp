@@ -20,6 +20,18 @@ Effect coulomb_level()
         f.apply = [](Joint& j, const double* p) { shift_coulomb(main_friction(j), p[0]); };
         f.seeds = {{0.1}, {-0.1}};
         e.forms.push_back(f);
+        f.name = "link";
+        f.parameters[0].scale = Scale::load_effort;
+        f.parameters[0].help = "change of the Coulomb level on the link";
+        f.apply = [](Joint& j, const double* p) { shift_coulomb(j.frictions.link, p[0]); };
+        f.applies = main_friction_on_motor;
+        e.forms.push_back(f);
+        f.name = "motor";
+        f.parameters[0].scale = Scale::effort;
+        f.parameters[0].help = "change of the Coulomb level on the motor";
+        f.apply = [](Joint& j, const double* p) { shift_coulomb(j.frictions.motor, p[0]); };
+        f.applies = main_friction_on_link;
+        e.forms.push_back(f);
     }
     return e;
 }

@@ -1,6 +1,14 @@
 #include "analysis/diagnosis/effects/catalogue.h"
 
 namespace stickslip::gap {
+namespace {
+
+void scale_viscous(Friction& friction, double factor)
+{
+    shift_viscous(friction, (factor - 1) * viscous_slope(friction));
+}
+
+}  // namespace
 
 Effect viscous()
 {
@@ -19,6 +27,22 @@ Effect viscous()
         f.parameters[0].vanishes = true;
         f.apply = [](Joint& j, const double* p) { shift_viscous(main_friction(j), p[0]); };
         f.seeds = {{0.1}, {-0.1}};
+        e.forms.push_back(f);
+    }
+    {
+        EffectForm f;
+        f.name = "link";
+        f.parameters = {
+            {"factor", Quantity::number, Scale::one, true, 0.05, 20, 0.3, "true viscous slope on the link per nominal"},
+        };
+        f.apply = [](Joint& j, const double* p) { scale_viscous(j.frictions.link, p[0]); };
+        f.applies = [](const Joint& j) { return main_friction_on_motor(j) && viscous_slope(j.frictions.link) > 0; };
+        f.seeds = {{1.5}, {0.7}};
+        e.forms.push_back(f);
+        f.name = "motor";
+        f.parameters[0].help = "true viscous slope on the motor per nominal";
+        f.apply = [](Joint& j, const double* p) { scale_viscous(j.frictions.motor, p[0]); };
+        f.applies = [](const Joint& j) { return main_friction_on_link(j) && viscous_slope(j.frictions.motor) > 0; };
         e.forms.push_back(f);
     }
     return e;

@@ -228,6 +228,7 @@ class Mechanics {
         f(a.motor_position, b.motor_position), f(a.motor_velocity, b.motor_velocity);
         f(a.link_position, b.link_position), f(a.link_velocity, b.link_velocity);
         f(a.acceleration, b.acceleration), f(a.lagged, b.lagged), f(a.followed, b.followed);
+        f(a.driven_apart, b.driven_apart);
         f(a.motor.bristle, b.motor.bristle), f(a.motor.theta, b.motor.theta);
         f(a.motor.speed, b.motor.speed), f(a.motor.force, b.motor.force);
         f(a.link.bristle, b.link.bristle), f(a.link.theta, b.link.theta);
@@ -269,6 +270,8 @@ void Mechanics<P>::start(int lane, double velocity, Rest rest, double beyond)
         fresh.motor_velocity = p.feedback_link ? p.ratio * v : v;
         fresh.link_velocity = p.feedback_link ? v : v / p.ratio;
         fresh.followed = fresh.link_position;
+        // the load holds the spring
+        fresh.driven_apart = p.stiffness * stretch * (1 / p.link_inertia + 1 / (p.ratio * p.ratio * p.motor_inertia));
     }
     each_number(state_, fresh, [lane](P& now, const P& then) { now.set(lane, then[lane]); });
 }

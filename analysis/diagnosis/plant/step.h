@@ -11,6 +11,7 @@ struct State {
     P link_position = 0, link_velocity = 0;  ///< two masses only
     RubState<P> motor, link;
     P acceleration = 0;  ///< of the last step, predicts the mid-step speed
+    P driven_apart = 0;  ///< two masses: relative acceleration by all but spring and damper, of the last step
     P lagged = 0;        ///< command behind the actuator's lag
     P followed = 0;      ///< where the follower of an unmodelled force is
 };
@@ -21,7 +22,9 @@ struct StepLength {
     P h, per_h;
     P motor_mobility, link_mobility;  ///< step over inertia
     P per_ratio;
-    P stiff = 0, implicit = 0;  ///< two masses: of spring and damper, at the end of the step
+    /// Two masses: how far ahead the damper is taken, what of spring and damper is left by what they do until there,
+    /// and the relative acceleration per force of the spring.
+    P ahead = 0, left = 0, apart_per_force = 0;
     Glide<P> motor, link;
     StepLength() {}
     StepLength(const Joints<P>& p, const P& step)
@@ -32,10 +35,11 @@ struct StepLength {
         per_ratio = P(1.0) / p.ratio;
         motor = {p.motor.coulomb, p.motor.viscous, motor_mobility};
         link = {p.link.coulomb, p.link.viscous, link_mobility};
-        // inertia of the one against the other
-        const P reduced = P(1.0) / (P(1.0) / p.link_inertia + P(1.0) / (p.ratio * p.ratio * p.motor_inertia));
-        implicit = p.damping / (1.0 + h * p.damping / reduced);
-        stiff = p.stiffness * (1.0 - h * implicit / reduced);
+        apart_per_force = P(1.0) / p.link_inertia + P(1.0) / (p.ratio * p.ratio * p.motor_inertia);
+        // in the middle of the step, which is of second order, unless it is long for the damper: then at its end
+        const P damped = h * p.damping * apart_per_force;
+        ahead = select(damped < P(1.0), 0.5 * h, h);
+        left = P(1.0) / (1.0 + ahead * p.damping * apart_per_force);
     }
 };
 
@@ -103,7 +107,8 @@ P beyond_backlash(const P& deflection, const P& backlash)
     return deflection - max(-half, min(deflection, half));
 }
 
-/// Two masses and a spring. The damper is implicit, so that a stiff one stays stable.
+/// Two masses and a spring. The damper is implicit, so that a stiff one stays stable; what else drives the masses apart
+/// is taken from the last step, without which a resting spring would hold less than its deflection says.
 template <class P>
 void step_two_mass(const Joints<P>& p, State<P>& s, const PushOf<P>& drive, const P& t, const StepLength<P>& length)
 {
@@ -112,14 +117,15 @@ void step_two_mass(const Joints<P>& p, State<P>& s, const PushOf<P>& drive, cons
     const P link_middle = s.link_position + 0.5 * h * s.link_velocity;
     const P apart = motor_middle * per_ratio - link_middle;
     const P rate = s.motor_velocity * per_ratio - s.link_velocity;
+    const P soon = rate + length.ahead * s.driven_apart;
     P spring;
     if (p.kind.has_backlash) {
         const P stretch = beyond_backlash(apart, p.backlash);
-        spring = length.stiff * stretch + length.implicit * rate;
+        spring = length.left * (p.stiffness * stretch + p.damping * soon);
         spring = select(zero < spring * stretch, spring,
                         zero);  // contact cannot pull, and within the backlash there is none
     } else {
-        spring = length.stiff * apart + length.implicit * rate;
+        spring = length.left * (p.stiffness * apart + p.damping * soon);
     }
     const P on_motor = drive.at(s.motor_velocity) - spring * per_ratio;
     const P on_link = spring + outside_force(p, s, link_middle, s.link_velocity, t + 0.5 * h);
@@ -129,6 +135,8 @@ void step_two_mass(const Joints<P>& p, State<P>& s, const PushOf<P>& drive, cons
     s.link_velocity = p.link.has.glides ? length.link(s.link_velocity, on_link)
                                         : rub(p.link, s.link, s.link_velocity, on_link, length.link_mobility, h,
                                               {link_middle, spring});
+    s.driven_apart =
+        (s.motor_velocity * per_ratio - s.link_velocity - rate) * length.per_h + spring * length.apart_per_force;
     s.motor_position = motor_middle + 0.5 * h * s.motor_velocity;
     s.link_position = link_middle + 0.5 * h * s.link_velocity;
 }

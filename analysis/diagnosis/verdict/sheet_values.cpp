@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/verdict/sheet_values.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stickslip::gap {
@@ -9,6 +10,7 @@ struct SheetNumber {
     std::string_view effect, name;
     Quantity quantity;
     double (*of)(Joint& joint);  ///< one of its own, which stays as it is
+    std::string_view form = {};  ///< empty: every form without a line of its own
 };
 
 constexpr SheetNumber sheet[] = {
@@ -21,11 +23,19 @@ constexpr SheetNumber sheet[] = {
     {"asymmetric-friction", "viscous slope, negative direction", Quantity::damping,
      [](Joint& j) { return viscous_slope(main_friction(j)) - main_friction(j).asymmetry.viscous; }},
     {"coulomb-level", "Coulomb level", Quantity::effort, [](Joint& j) { return coulomb_level(main_friction(j)); }},
+    {"coulomb-level", "Coulomb level on the link", Quantity::effort,
+     [](Joint& j) { return coulomb_level(j.frictions.link); }, "link"},
+    {"coulomb-level", "Coulomb level on the motor", Quantity::effort,
+     [](Joint& j) { return coulomb_level(j.frictions.motor); }, "motor"},
     {"friction-drift", "Coulomb level at the start", Quantity::effort,
      [](Joint& j) { return coulomb_level(main_friction(j)); }},
     {"friction-drift", "Coulomb level in the end", Quantity::effort,
      [](Joint& j) { return coulomb_level(main_friction(j)) + main_friction(j).drift.change; }},
     {"viscous", "viscous slope", Quantity::damping, [](Joint& j) { return viscous_slope(main_friction(j)); }},
+    {"viscous", "viscous slope on the link", Quantity::damping,
+     [](Joint& j) { return viscous_slope(j.frictions.link); }, "link"},
+    {"viscous", "viscous slope on the motor", Quantity::damping,
+     [](Joint& j) { return viscous_slope(j.frictions.motor); }, "motor"},
     {"inertia", "inertia", Quantity::inertia,
      [](Joint& j) { return is_single_mass(j) ? j.mechanism.inertia : j.mechanism.motor_inertia; }},
     {"constant-load", "constant load", Quantity::effort, [](Joint& j) { return j.load.constant; }},
@@ -36,6 +46,14 @@ constexpr SheetNumber sheet[] = {
     {"position-dependent-friction", "amplitude over the position", Quantity::effort,
      [](Joint& j) { return main_friction(j).ripple.amplitude; }},
 };
+
+bool tells_of(const SheetNumber& number, const Effect& effect, const EffectForm& form)
+{
+    if (number.effect != effect.name) return false;
+    const bool has_line = std::ranges::any_of(
+        sheet, [&](const SheetNumber& n) { return n.effect == effect.name && !n.form.empty() && n.form == form.name; });
+    return has_line ? number.form == form.name : number.form.empty();
+}
 
 /// Mean over the records, which may differ in numbers of their own.
 double mean_of(const SheetNumber& number, const Prepared& p, const Candidate& candidate, const Eigen::VectorXd& x)
@@ -62,7 +80,7 @@ std::vector<SheetValue> sheet_values(const Prepared& p, const Attribution& a, co
     for (const auto& number : sheet) {
         bool changed = false, by_direction = false;
         for (std::size_t i = corrections; i < c.effects.size(); ++i) {
-            changed |= c.effects[i]->name == number.effect;
+            changed |= tells_of(number, *c.effects[i], *c.forms[i]);
             by_direction |= c.effects[i]->name == "asymmetric-friction";
         }
         const bool both_ways = number.effect == "coulomb-level" || number.effect == "viscous";

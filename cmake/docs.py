@@ -42,13 +42,15 @@ A number that does not exist is `null`. `[]` stands for the entries of a list, `
 METHOD = """# Thresholds of the diagnosis
 
 [How the diagnosis works](how-the-diagnosis-works.md) describes the method. This page lists every threshold that decides an answer, from
-`{policy}`, with its unit, its reason and its evidence. A threshold without evidence of its own was used with this value in all
-blind batches of the [validation](validation.md); other values were not tried.
+`{policy}`, with its unit, its reason and its evidence. What a threshold was compared with in blind cases is measured again by
+`tests/evidence`. A definition has no evidence and needs none: it says what a word of the answer means, and another number would give the word
+another meaning.
 """
 LIMITS_HEAD = """
 ## Limits of work
 
-Searches and simulations stop at these limits (`{limits}`) and are then reported as undecided. They decide no other answer.
+Searches and simulations stop at these limits (`{limits}`) and are then reported as undecided. They decide no other answer, so that a larger one
+changes only how long it takes until that is said.
 
 """
 
@@ -135,8 +137,13 @@ def constants(statement):
 def reasoned(comment):
     """What a threshold is, its reason and its evidence, apart."""
     what, _, why = comment.partition(" Reason: ")
-    reason, _, evidence = why.partition(" Evidence: ")
-    return what, reason[:1].upper() + reason[1:], (evidence[:1].upper() + evidence[1:]) or "–"
+    reason, mark, evidence = why.partition(" Evidence: ")
+    if not mark:
+        reason, mark, evidence = why.partition(" Definition: ")
+        evidence = mark and "**definition**: " + evidence
+    else:
+        evidence = evidence[:1].upper() + evidence[1:]
+    return what, reason[:1].upper() + reason[1:], evidence
 
 
 def shown(value):
@@ -161,13 +168,14 @@ def method():
             single.append((constants(statement), comment))
     text += "\n## Single thresholds\n\n" + table_of(single)
     limits = declarations((ROOT / LIMITS).read_text(encoding="utf-8"))
-    return text + LIMITS_HEAD.format(limits=LIMITS) + table_of((constants(s), comment) for comment, s in limits)
+    return text + LIMITS_HEAD.format(limits=LIMITS) + table_of(((constants(s), comment) for comment, s in limits), "decides no answer")
 
 
-def table_of(constants_with_comments):
+def table_of(constants_with_comments, without="–"):
     text = row("Name", "Value", "What it is", "Reason", "Evidence") + row(*["---"] * 5)
     for values, comment in constants_with_comments:
-        text += row("<br>".join(f"`{n}`" for n, _ in values), "<br>".join(v.strip() for _, v in values), *reasoned(comment))
+        text += row("<br>".join(f"`{n}`" for n, _ in values), "<br>".join(v.strip() for _, v in values),
+                    *(cell or without for cell in reasoned(comment)))
     return text
 
 

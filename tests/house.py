@@ -171,7 +171,7 @@ VERDICT = "analysis/diagnosis/verdict"
 
 def policy_complaints():
     """In the diagnosis no decimal number is compared with but by a name; the room of the verdict defines none of its own;
-    every threshold of the policy says its reason."""
+    every threshold of the policy says its reason, and its evidence or that it is a definition."""
     for path in (p for p in files() if p.is_relative_to("analysis/diagnosis") and p.as_posix() != POLICY):
         for number, line in enumerate((SOURCE / path).read_text(encoding="utf-8").splitlines(), 1):
             code = re.sub(r'"[^"]*"', "", line.split("//")[0])
@@ -187,8 +187,10 @@ def policy_complaints():
             comment += line[3:]
         elif line.startswith("inline constexpr"):
             single = line.startswith("inline constexpr double")
-            if single and "Reason:" not in comment and "Evidence:" not in comment:
+            if single and "Reason:" not in comment:
                 yield f"{POLICY}:{number}: a threshold without a reason"
+            elif single and "Evidence:" not in comment and "Definition:" not in comment:
+                yield f"{POLICY}:{number}: a threshold with neither evidence nor the word that it is a definition"
             comment = ""
         elif not line.strip():
             comment = ""

@@ -1,5 +1,7 @@
 #include "analysis/diagnosis/ladder/plausible.h"
 
+#include "analysis/diagnosis/policy/policy.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,11 +11,10 @@ namespace {
 
 bool at_bound(const EffectParameter& p, double scaled)
 {
-    constexpr double next_to = 1e-3;  // of the bound
     // an additive number may well be nothing; a factor or a size at its least is not what the name means
-    const bool above = scaled > p.high * (p.high > 0 ? 1 - next_to : 1 + next_to);
-    return above || (p.logarithmic && scaled < p.low * (1 + next_to)) ||
-           (!p.logarithmic && p.low < 0 && scaled < p.low * (1 - next_to));
+    const bool above = scaled > p.high * (p.high > 0 ? 1 - policy::beside_bound : 1 + policy::beside_bound);
+    return above || (p.logarithmic && scaled < p.low * (1 + policy::beside_bound)) ||
+           (!p.logarithmic && p.low < 0 && scaled < p.low * (1 - policy::beside_bound));
 }
 
 /// Whether the effect has a form that lacks just this number: at its least the number is absent, and the form is that

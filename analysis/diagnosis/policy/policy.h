@@ -1,6 +1,7 @@
 // The policy of the diagnosis: every threshold that decides an answer, with its unit, its reason and its evidence.
-// Numerical limits stand with their algorithms. A threshold without evidence of its own was used in all blind batches
-// (docs/validation.md) with this value; other values were not tried.
+// Numerical limits stand with their algorithms. A definition needs no evidence: it says what a word of the answer
+// means. What numbers are compared with is measured by tests/evidence; "other cases" are 22 of the fifty made by others
+// (docs/validation.md).
 // In one file: the policy, so that its page can be made from it.
 #pragma once
 #include "analysis/diagnosis/policy/rules.h"
@@ -68,7 +69,7 @@ inline constexpr LadderRules ladder{
 /// other two folds, and hid the load-dependent friction, which took twice as much of the squares.
 inline constexpr double least_square_of_window = 0.1;
 /// Part of the explainable gap beyond the corrections that the first rung must take. Reason: a cause that takes less is
-/// not the main cause.
+/// not the main cause. Evidence: in other cases, of eight values none lies between 0.3 and 0.64.
 inline constexpr double least_of_explainable = 0.5;
 /// Part of the whole gap that the corrections must take to be the answer on their own. Reason: if most of the gap
 /// remains, wrong parameters are not its cause, even if they are slightly wrong. Evidence: an encoder that drops
@@ -76,7 +77,8 @@ inline constexpr double least_of_explainable = 0.5;
 /// nothing else leaves less than a fiftieth.
 inline constexpr double least_of_gap = 0.5;
 /// The same as `least_of_explainable`, for several causes together where the first alone takes less. Reason: two
-/// effects can explain more together than the sum of both alone.
+/// effects can explain more together than the sum of both alone. Definition: causes without a main one are an answer
+/// where they take four fifths.
 inline constexpr double least_of_explainable_together = 0.8;
 /// `nearest_in_shape`: part of the gap beyond the corrections that a ladder may leave. `taken_by_free_force`: part of
 /// that remainder. If the ladder leaves more than the first and an unmodelled force of the same signal as the first
@@ -86,9 +88,12 @@ inline constexpr double least_of_explainable_together = 0.8;
 inline constexpr double nearest_in_shape = 0.12, taken_by_free_force = 0.5;
 /// Part of the gap beyond the corrections. If one cause leaves more of the explainable gap, pairs are searched. Reason:
 /// two effects can explain more together than the sum of both alone; below this part the next rung finds the second.
+/// Evidence: in other cases, of four values none lies between 0.07 and 0.19.
 inline constexpr double worth_a_search_of_pairs = 0.1;
 /// Probability that a rung is wrong although the ladder leaves only noise. Reason: twice that of a cause that needs no
-/// corrections (`doubt_of_accepted`), because corrections may have absorbed a part of another cause.
+/// corrections (`doubt_of_accepted`), because corrections may have absorbed a part of another cause. Evidence: the nine
+/// rungs with 0.97 in docs/validation.md and in other cases are right (seven machines of an arm, a cogging, an
+/// asymmetry).
 inline constexpr double doubt_of_noise = 0.03;
 /// Added to `doubt_of_noise` in proportion to the remainder, in full at `nearest_in_shape` of the gap beyond the
 /// corrections; the explainable part of the remainder is added in full. Reason: another cause could be as near as the
@@ -123,16 +128,21 @@ inline constexpr double as_much_as_causes = 0.5;
 inline constexpr double odds_of_indistinguishable = 0.368;  // 1/e
 /// Probability that a finding of the controller's audit is wrong. Reason: it follows from command, reading and
 /// reference alone, without a model of the mechanism, and has to exceed what the audited controller leaves of the
-/// command; only another term of the same controller can imitate it.
+/// command; only another term of the same controller can imitate it. Evidence: the four findings with this probability
+/// in other cases (k_p, k_v, a grid, a filter) are right.
 inline constexpr double doubt_of_finding = 0.02;
 /// Probability that such a finding is the only cause, where more than noise remains and no effect was found for it.
-/// Reason: the finding is certain, and as likely as not alone.
+/// Reason: the finding is certain, and as likely as not alone. Definition: a half says that nothing is known of other
+/// causes.
 inline constexpr double finding_and_more = 0.5;
 /// Probabilities that wrong documented parameters are the only cause: where only noise remains, and where more does.
-/// Reason: several parameters together can imitate many causes.
+/// Reason: several parameters together can imitate many causes. Evidence: of the answers in docs/validation.md with 0.6
+/// seven are joints whose file is off and nothing else, and three have another cause (an effort gain, a compliance, a
+/// changing inertia); the two with 0.9 are right.
 inline constexpr double numbers_to_noise = 0.9, numbers_and_more = 0.6;
 /// Part of the squares that all corrections take. A correction is reported as a wrong parameter if its removal costs
-/// that much. Reason: a parameter that only follows the others costs less.
+/// that much. Reason: a parameter that only follows the others costs less. Definition: a wrong parameter of the file is
+/// one that brings a twentieth of what all corrections bring.
 inline constexpr double worth_correcting = 0.05;
 /// Squares of what the corrections are off by, in standard deviations of their priors, by which corrections without the
 /// causes exceed those with them, from which on they stand in for the causes: these are then compared with the
@@ -151,124 +161,111 @@ inline constexpr double worth_a_small_term = 0.01;
 // Deciding between causes (verdict/, search/, heldout/) and the audit of the controller (audit/).
 
 /// Difference of score. Among causes closer than this the likelihood decides. Reason: scores of causes that explain to
-/// within noise differ only by noise.
+/// within noise differ only by noise. Evidence: in other cases, of 29 values none lies between 0.007 and 0.032.
 inline constexpr double margin_of_score = 0.02;
-
 /// `rows_per_reading`: rows that count as one independent reading in the likelihood. `relative_temperature`: width of
 /// the odds as a part of the best score. Reason: the innovations of a true joint would be white and every row a reading
 /// of its own; far above the floor margins are model error and grow with the best score. Evidence: the nine nearest
 /// ties of two blind batches.
 inline constexpr double rows_per_reading = 15, relative_temperature = 0.007;
-
 /// Odds against a rival with one more parameter that gains nothing by it. Reason: the rival contains the winner as a
 /// special case, and a true rival would have used its parameter; Schwarz's √n for a thousand independent readings.
+/// Evidence: with 10 or 100 eight other cases keep their names; the largest change of a probability is from 0.95 to
+/// 0.89.
 inline constexpr double needless_parameter = 30;
-
 /// Probability that a named cause is wrong: where only noise remains, where more does, and the largest value. Reason:
 /// the catalogue is finite, and real causes may lie outside it. Evidence: the calibration of the blind batches in
 /// docs/validation.md.
 inline constexpr double doubt_of_accepted = 0.015, doubt = 0.15, most_doubt = 0.95;
-
 /// Part of the misfit beyond the noise that a cause must explain to be accepted although a remainder exists: one cause,
-/// two, backlash, and a single whose best partner hardly helps. Reason: stick-slip amplifies the differences of two
-/// integrators; simulated contact differs slightly from real backlash; a remainder of a single that no partner takes is
-/// no second effect.
-inline constexpr double explained_single = 0.97, explained_pair = 0.985, explained_by_backlash = 0.99,
-                        explained_alone = 0.9;
-
+/// two, backlash. Reason: stick-slip amplifies the differences of two integrators; simulated contact differs slightly
+/// from real backlash. Evidence: in other cases, `explained_single`: of nine values none lies between 0.82 and 0.977;
+/// `explained_pair`: of three none between 0.89 and 0.993; the one of `explained_by_backlash` is 0.9935.
+inline constexpr double explained_single = 0.97, explained_pair = 0.985, explained_by_backlash = 0.99;
+/// Difference of score by which a pair must be better than its best single: where it explains to within noise, and
+/// where a remainder exists or backlash alone leaves hardly any. Reason: a second effect has to earn its place.
+/// Evidence: in other cases a pair that is there is better by 3.06, a partner of backlash by 0.0018.
+inline constexpr double worth_a_partner = 0.06, worth_a_doubted_partner = 0.15;
 /// Part of the misfit beyond the noise. A cause that explains less is not named. Reason: it is one cause among others.
 /// Evidence: in 12 blind cases (seed 4122), of 27 values that were compared with it none lies between 0.62 and 0.82.
 inline constexpr double nameable = 0.75;
-
 /// `completed`: part that a pair with backlash or a spring must explain. `taken_by_partner`: part of the remainder of
 /// backlash or spring alone that its partner must take. Reason: real backlash has a contact that cannot be simulated
-/// exactly, so that a remainder exists in any case.
+/// exactly, so that a remainder exists in any case. Definition: a partner completes a spring or backlash where it takes
+/// three quarters of the remainder and hardly any is left.
 inline constexpr double completed = 0.94, taken_by_partner = 0.75;
-
-/// Part explained above which closed-loop simulations may accept a cause, and above which a cause that acts nowhere by
-/// itself has its signature. Reason: simulations of the whole loop are noisy and would accept causes that predictions
-/// show to be wrong.
+/// Part explained above which closed-loop simulations may accept a cause, above which a single is named whose best
+/// partner hardly helps, and above which a cause that acts nowhere by itself has its signature. Reason: simulations of
+/// the whole loop are noisy and would accept causes that predictions show to be wrong; a remainder of a single that no
+/// partner takes is no second effect. Evidence: in other cases, of 71 values none lies between 0.89 and 0.96.
 inline constexpr double mostly_explained = 0.9;
-
 /// `slack_of_floor`: part of the mean square above the noise floor; `deviations_of_floor`: standard deviations of
 /// repeated simulations. Both still count as noise. Reason: two integrators differ, and a documented noise is slightly
 /// off. Evidence: none of 300 joints without an effect raised an alarm (docs/validation.md).
 inline constexpr double slack_of_floor = 0.06, deviations_of_floor = 4;
-
 /// Misfit in multiples of the noise floor, at the fastest observer, above which a cause is rejected whatever the noise.
 /// Reason: no joint's own noise reaches this within a few rows. Evidence: in 12 blind cases (seed 4122), of 44 values
 /// that were compared with it none lies between 2.7 and 4.2.
 inline constexpr double hopeless = 3;
-
 /// Periods of a wave that a record must contain. Reason: a shorter piece is a bend that other shapes describe as well.
+/// Definition: a wave that is worth the word has turned back once.
 inline constexpr double turned_back = 2.0 / 3;
-
 /// `beside_bound`: distance to the end of a range, as a part of it, within which a parameter is at its bound.
 /// `implausible_size`: multiple of the usual size that is implausible. `least_prior`: least usual size. Reason: a
 /// parameter at a bound comes from the search, not from the joint. Evidence: in 12 blind cases (seed 4122),
 /// `beside_bound`: of 308 values that were compared with it none lies between 0 and 0.0025.
 inline constexpr double beside_bound = 0.001, implausible_size = 10, least_prior = 0.1;
-
 /// Part of the largest deviation that a correction may have (`widest`) within which it is at its bound. Reason: a
 /// descent may end just inside. Evidence: of 65 corrections that the tests of the ladder look at, those at their bound
 /// stand at it to the last digit, and the nearest other at 0.90 of it.
 inline constexpr double inside_bound = 0.01;
-
 /// `signature_correlation`: correlation, second by second, of the residual and what an effect takes out of it.
 /// `acting_square`: mean square in multiples of the noise floor above which the effect acts there. Reason: half of the
-/// squares of a second are then due to the effect.
+/// squares of a second are then due to the effect. Definition: a signature is half of the squares (0.7² = 0.49) where
+/// the effect makes at least twice the noise.
 inline constexpr double signature_correlation = 0.7, acting_square = 4;
-
-/// Noise standard deviations that an effect of usual size must reach to be detectable. Reason: definition of
-/// `insufficient-data`: five times the noise.
+/// Noise standard deviations that an effect of usual size must reach to be detectable. Reason: what hardly exceeds the
+/// noise would be found in one record and not in the next. Definition: `insufficient-data` means that no effect of
+/// usual size makes five times the noise.
 inline constexpr double shown = 5;
-
-/// Largest probability of a nearest cause that is not named. Reason: it is listed only as a hint.
+/// Largest probability of a nearest cause that is not named. Reason: it is listed only as a hint. Definition: a hint
+/// has a tenth at most.
 inline constexpr double believed_unnamed = 0.1;
-
 /// Part of the mean square beyond the noise. A cause that leaves more on held-out data is rejected. Reason: it is not
-/// the cause of the gap.
+/// the cause of the gap. Definition: the cause of a gap takes at least half of it.
 inline constexpr double mostly_left = 0.5;
-
 /// Multiple of an estimated (undocumented) noise floor. A cause that leaves more and is not explained to within noise
 /// is rejected. Reason: an estimated floor is less wrong than this. Evidence: of such causes in ten blind batches the
 /// one that left less than two was right; the two that left more than seven were an inertia that changed with time.
 inline constexpr double many_floors = 3;
-
 /// `more_than_noise`: multiple of a documented noise floor. A cause that leaves more and is not explained to within
 /// noise has at most the probability `believed_doubted`. Reason: there is a second effect, or another one. Evidence: of
 /// ten such causes in two blind batches the six that left less were right; the four that left more were wrong or lacked
 /// a second effect.
 inline constexpr double more_than_noise = 1.5, believed_doubted = 0.2;
-
 /// Multiple of the noise floor that a simulation of whole records may reach without a gap. Reason: noise may hide from
 /// row to row what adds up over a record. Evidence: none of 470 blind joints without an effect exceeded 1.25.
 inline constexpr double far_from_noise = 1.5;
-
 /// Ratio of mean squares by which closed-loop simulations may exceed their own spread. Reason: the spread of so few
-/// runs (4) is not known better.
+/// runs (4) is not known better. Evidence: in other cases, of 243 ratios none lies between 1.24 and 1.28.
 inline constexpr double slack_of_runs = 1.25;
-
 /// Part of the span, and standard deviations of a reading, up to which the spread of simulations of one joint counts as
 /// noise. Reason: an unstable or chaotic simulation differs from itself by a large part of the motion, and any record
 /// would be within its spread. Evidence: in 12 blind cases (seed 4122), `own_part`: all 64 values that were compared
 /// with it are at most 0.00066.
 inline constexpr double own_part = 0.02, own_readings = 20;
-
 /// Mean square in multiples of the noise floor, at the fastest and the middle observer, and the part of the misfit
 /// beyond the noise, at which a cause explains to within noise. Reason: as `slack_of_floor`, with room for parameters
 /// that are not fitted exactly; simulations of the joint's own noise confirm it afterwards. Evidence: in 12 blind cases
 /// (seed 4122), `accepted_part`: of 15 values that were compared with it none lies between -0.049 and 0.91.
 inline constexpr double accepted_fast = 1.12, accepted_middle = 1.15, accepted_part = 0.8;
-
 /// Penalty of score for each parameter. Reason: a parameter that fits only noise gains less in thousands of rows.
+/// Evidence: with half of it and with twice of it eight other cases keep verdict and names.
 inline constexpr double price_of_parameter = 0.003;
-
 /// Part of the mean square above the floor. The fastest observer that shows so much screens the causes. Reason: at an
 /// observer that shows less, noise decides the ranking. Evidence: in 12 blind cases (seed 4122), of 31 values that were
 /// compared with it none lies between 0.24 and 0.6.
 inline constexpr double visible_excess = 0.3;
-
 /// Part of the squares of a measured effort. Where the documented controller leaves more of them at any gains, another
 /// controller ran, and the measured effort drives the simulated joint. Reason: below that a gain, a delay or a lag that
 /// differs is found as such; simulated with a controller that did not run, the joint moves otherwise than the machine,
@@ -280,90 +277,82 @@ inline constexpr double made_by_controller = 0.1;
 /// noise of the effort hides less than that; one controller ran in all records. Evidence: that PID leaves less than
 /// 0.005 in its three records, with integral gains that differ by 0.1 %.
 inline constexpr double made_by_pid = 0.02, one_integral = 0.1;
-/// Rows by which such an effort may follow what made it. Reason: a bus and a filter take a row or two each; a loop that
-/// answers later than that is named by its delay.
+/// Rows by which such an effort may follow what made it. Reason: a bus and a filter take a row or two each. Definition:
+/// a loop that answers later than that is late, and named by its delay.
 inline constexpr std::size_t most_rows_late = 3;
 /// Standard deviations of an effort's noise below its largest reading, from which on it may be at a limit. Reason: of
 /// 16,000 readings of one effort the largest and the least are so far apart (plus and minus four standard deviations).
 /// Evidence: without it, rows at a noisy limit count as the controller's own and another controller is found.
 inline constexpr double scatter_at_limit = 8;
-
-/// Part of the limit. A command below it is not limited. Reason: logs are rounded.
+/// Part of the limit. A command below it is not limited. Reason: logs are rounded. Evidence: in other cases, of 31
+/// million values none lies between 0.9989 and 0.9998; of 24,000 of measured efforts in tests, none between 0.9987 and
+/// 0.9996.
 inline constexpr double below_limit = 0.999;
-
 /// Parts of the usual speed below which the joint counts as stuck, and as slow. Reason: these regimes are for the
-/// reader; the words "stuck" and "low speed" of the page mean this.
+/// reader. Definition: the words "stuck" and "low speed" of the page.
 inline constexpr double standing = 0.005, slow = 0.2;
-
 /// Relative error of a gain, or part of the command of an added term, that is a finding. Reason: documents state three
-/// digits.
+/// digits. Evidence: of 68 values in the tests of the audit none lies between 0.001 and 0.024, of 14 in other cases
+/// none between 0 and 0.8.
 inline constexpr double flagged_gain = 0.004;
-
 /// Misfit of the command over its rms: `digits` is that of a rounded file, below `understood` the controller is
 /// understood. Reason: logs with five digits leave the first; a controller whose terms are all known leaves hardly more
 /// than the second. Evidence: in 12 blind cases (seed 4122), `digits`: of 15 values that were compared with it none
 /// lies between 0 and 5.2e-05.
 inline constexpr double digits = 2e-5, understood = 2e-3;
-
 /// `rough_command`: misfit over rms up to which a controller is judged at all. `rough_multiple`, `rough_gain`: multiple
 /// of that misfit, and least relative error, of a gain that is then a finding. Reason: a controller between the samples
-/// of a slow log, or with a coarse output, can be reproduced only roughly.
+/// of a slow log, or with a coarse output, can be reproduced only roughly. Evidence: of 20 misfits in the tests of the
+/// audit none lies between 0.027 and 0.073; gains of efforts that drive are off by 0.0001 or 0.5.
 inline constexpr double rough_command = 0.05, rough_multiple = 5, rough_gain = 0.03;
-
 /// In a log slower than its loop: multiple of the noise that the controller makes of the encoder's, up to which the
 /// logged commands are its own, and its commands from the positions alone drive the simulated joint. Reason: noise of
 /// every fifth command, without that of the four between that cancels it, pushes the joint about. Evidence: 8 s of an
 /// arm at 1 kHz, logged at 200 Hz with command and velocity: twice the noise remained with the true model, and it was
 /// within noise as soon as both columns were removed.
 inline constexpr double noise_of_commands = 2;
-
 /// Parts of the misfit without a term: what an undocumented filter, dead zone or derivative term may leave at most
 /// (`much_less`), and the same of any undocumented term compared with free gains (`much_better`). Reason: a term that
-/// exists takes nearly all of what its absence leaves. Evidence: in 12 blind cases (seed 4122), `much_less`: all 30
-/// values that were compared with it are at least 0.6.
+/// exists takes nearly all of what its absence leaves. Evidence: `much_less` has values on both sides (0.499, 0.5002);
+/// with 0.4 and with 0.6 eight other cases keep their answers. `much_better`: of 22 values in other cases and in the
+/// tests of the audit none lies between 0 and 0.76.
 inline constexpr double much_less = 0.5, much_better = 0.25;
-
 /// Where the joint file gives no period: part of the way from held to straight commands above which the motion says
 /// that they are straight, and by how many standard errors. Reason: halfway is nearer to neither. Evidence: simulated
 /// records of continuous loops lie at 1.0, of sampled ones at 0.0, while nothing else is wrong.
 inline constexpr double straight = 0.5, straight_errors = 2;
-
 /// Multiple of what all terms together leave, or of rounding, below which no further term is needed. Reason: terms
-/// share a little of what rounding leaves.
+/// share a little of what rounding leaves. Evidence: of 27 values in the tests of the audit none lies between 1.15 and
+/// 1.2, of 75 in other cases none between 1.1 and 1.47.
 inline constexpr double enough = 1.2;
-
 /// Ratio within which an undocumented gain must agree between records. Reason: the controller has the same gain in all
-/// of them.
+/// of them. Definition: estimates of one gain agree within a factor of two.
 inline constexpr double agreeing = 2;
-
 /// Multiple of a plateau of the command that the unlimited controller must exceed for the plateau to be a limit.
-/// Reason: a reference at rest makes plateaus, too.
+/// Reason: a reference at rest makes plateaus, too. Evidence: in the tests of the audit the plateaus that are no limits
+/// reach 0.9942.
 inline constexpr double wanted_more = 1.01;
-
 /// Part of the rows. A regression that leaves out more of them as outliers is rejected. Reason: the majority is the
-/// rule.
+/// rule. Evidence: in the tests of the audit all 1236 regressions use at least 0.988 of their rows.
 inline constexpr double most_rows = 0.5;
-
 /// `felt_grid`: part of the known reading error below which a grid has no influence. `coarser_grid`, `grid_over_noise`:
 /// multiples of the documented step, and of the noise, above which a grid is coarser than documented. Reason: a step
 /// larger by a third is another converter; below half the noise no grid is visible. Evidence: in 12 blind cases (seed
 /// 4122), `coarser_grid`: all 35 values that were compared with it are at most 1.
 inline constexpr double felt_grid = 0.1, coarser_grid = 1.3, grid_over_noise = 0.5;
-
 /// Part of the squares of a logged supply's drop that follows the current, and part of the supply that the drop makes
-/// up. Reason: the source then has a resistance, and one that matters; two parts in a thousand are the digits of a
-/// voltmeter.
+/// up. Reason: two parts in a thousand are the digits of a voltmeter. Definition: a source has a resistance that
+/// matters where the current explains four fifths of the drop's squares.
 inline constexpr double supply_follows = 0.8, supply_matters = 0.002;
-
 /// Difference of score, and part of what the cause leaves. An unmodelled force that is better by the larger of both
 /// rejects the cause. Reason: a free shape has more parameters, which gain a little from noise. Evidence: in 12 blind
 /// cases (seed 4122), `least_of_free_force`: of 6 values that were compared with it none lies between 0.0007 and 0.017;
 /// `better_than_cause`: of 5 values that were compared with it none lies between 0.033 and 0.33.
 inline constexpr double least_of_free_force = 0.004, better_than_cause = 0.25;
-
 /// Parts of the rows of a table of outcomes: what a named law may misjudge beyond contradicting rows, and how many
 /// contradicting rows a table may have. Reason: stick-slip noted by ear is sometimes wrong; a law that misses every
-/// eighth row is not the joint's.
+/// eighth row is not the joint's. Evidence: in the tests of tables, of five laws none misjudges between 0.056 and 0.55,
+/// and no table of one joint contradicts itself.
 inline constexpr double most_misjudged = 0.12, most_contradicting = 0.15;
 
 // Deciding between laws of a friction rig (rig/).
@@ -377,13 +366,15 @@ inline constexpr double worth_a_rig_law = 0.1;
 /// in the tests, laws that one step cannot distinguish are 0.003 to 0.03 apart, those that it can 0.09 and more.
 inline constexpr double rig_margin = 0.05;
 /// Penalty for each parameter of a law, as a logarithm of the RMS. Reason: a law contains simpler ones as limits, so
-/// that its parameters have to earn their place.
+/// that its parameters have to earn their place. Evidence: in the tests' rigs laws are at most 0.03 or at least 0.09
+/// apart (`rig_margin`), so that it decides only among those that are reported together.
 inline constexpr double price_of_rig_parameter = 0.005;
-/// RMS of a rig about its level, in multiples of the noise, up to which there is no gap. Reason: as `slack_of_floor`
-/// of the mean square, twice that for the RMS. Evidence: in the tests a constant friction reaches 0.97, and rigs with
+/// RMS of a rig about its level, in multiples of the noise, up to which there is no gap. Reason: as `slack_of_floor` of
+/// the mean square, twice that for the RMS. Evidence: in the tests a constant friction reaches 0.97, and rigs with
 /// memory, Stribeck or viscous friction 2.0 to 5.7.
 inline constexpr double quiet_rig = 1.06;
-/// Probability of all laws of a rig together. Reason: the catalogue is finite.
+/// Probability of all laws of a rig together. Reason: the catalogue is finite. Definition: a twentieth is left for laws
+/// outside it.
 inline constexpr double any_law_of_rig = 0.95;
 
 }  // namespace stickslip::gap::policy

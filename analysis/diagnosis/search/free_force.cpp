@@ -233,7 +233,7 @@ std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scale
     });
     // a follower with next to no width is the position
     const auto misfit = [](const FreeFit& f) {
-        return mean_log_misfit(f.fit.evaluation) + (f.of == of_follower().name ? policy::least_of_free_force : 0);
+        return mean_log_misfit(f.fit.evaluation) + (f.of == of_follower().name ? policy::least_of_free_force : 0.0);
     };
     std::stable_sort(fits.begin(), fits.end(), [&](const auto& a, const auto& b) { return misfit(a) < misfit(b); });
     return fits;

@@ -52,7 +52,7 @@ std::vector<double> chances_of(const JudgedLadder& j)
     const double left = std::clamp((j.shares.rungs.back() - j.shares.explainable_to) / whole, 0.0, 1.0);
     const double rest = j.shares.rungs.back() / std::max(1e-300, j.shares.base) / policy::nearest_in_shape;
     const double doubt =
-        policy::doubt_of_noise + (j.noise_left ? 0 : policy::doubt_of_rest * std::clamp(rest, 0.0, 1.0) + left);
+        policy::doubt_of_noise + (j.noise_left ? 0.0 : policy::doubt_of_rest * std::clamp(rest, 0.0, 1.0) + left);
     for (std::size_t i = 0; i < j.ladder.rungs.size(); ++i) {
         const auto odds = odds_of_rivals(j, i);
         const double sum = std::accumulate(odds.begin(), odds.end(), 1.0);

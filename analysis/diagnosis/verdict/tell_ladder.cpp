@@ -198,7 +198,7 @@ std::vector<Cause> causes_of(const Prepared& p, const JudgedLadder& j)
         c.plausible = rival.plausible;
         c.heldout_gain = gain(rival);
         c.misfit = misfit(rival.all_left());
-        c.probability = (j.named ? 1 : policy::believed_unnamed) * probability;
+        c.probability = (j.named ? 1.0 : policy::believed_unnamed) * probability;
         std::size_t i = 0;
         const auto si = in_si(rival.causes, rival.of_causes(rival.fit.x), p.scales);
         for (std::size_t n = 0; n < rival.causes.effects.size(); ++n)

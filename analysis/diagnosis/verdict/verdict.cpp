@@ -178,10 +178,10 @@ Decision decide(const std::vector<Attribution>& singles, const std::vector<Attri
         // a second effect must earn its place: else the first alone is the answer with a rest
         const bool all_but = best_single && two_mass_edit(best_single->candidate) &&
                              best_single->explained > policy::explained_by_backlash;
-        const double worth = best_pair->accepted && !all_but ? 0.06 : 0.15;
+        const auto worth = best_pair->accepted && !all_but ? policy::worth_a_partner : policy::worth_a_doubted_partner;
         const bool alone =
             best_single &&
-            best_single->explained > (best_pair->accepted ? policy::explained_single : policy::explained_alone) &&
+            best_single->explained > (best_pair->accepted ? policy::explained_single : policy::mostly_explained) &&
             best_single->score < best_pair->score + worth;
         d.winner = alone ? best_single : best_pair;
         from = alone ? &singles : &pairs;

@@ -97,7 +97,7 @@ JudgedLadder ladder_of_one(std::initializer_list<double> behind, double square, 
 
 TEST_CASE("a rung is believed by the odds against its rivals, one margin a factor of e", "[gap][ladder]")
 {
-    constexpr double sure = 1 - policy::doubt_of_noise;
+    const double sure = 1 - policy::doubt_of_noise;
     CHECK(chances_of(ladder_of_one({}, 1, true))[0] == Approx(sure));
     CHECK(chances_of(ladder_of_one({0}, 1, true))[0] == Approx(sure / 2));
     CHECK(chances_of(ladder_of_one({1}, 1, true))[0] == Approx(sure / (1 + std::exp(-1))));

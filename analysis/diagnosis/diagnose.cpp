@@ -159,17 +159,15 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
         result.after = edited(result.after, winner.candidate, in_si(winner.candidate, winner.x[1], p.scales), 0);
 }
 
-using Progress = std::function<void(const char* stage, double done)>;
-
 /// All that is done with records of a joint, stage by stage; what each found stands in the result when the next begins.
 void find(const Joint& joint, const std::vector<Record>& records, const ParallelFor& parallel,
-          const DiagnosisOptions& options, const Progress& progress, DiagnosisResult& result)
+          const DiagnosisOptions& options, const StageProgress& progress, DiagnosisResult& result)
 {
     Diagnosis& d = result.diagnosis;
-    progress("reading", 0);
+    progress(Stage::reading, 0);
     const auto usable = usable_pieces(joint, records, d);
     if (usable.empty()) return;
-    progress("auditing the controller", 0.02);
+    progress(Stage::auditing_controller, 0.02);
     Prepared prepared = audited(joint, usable, d);
     if (auto suspicion = another_joint(prepared.audit)) {
         d.reasons.push_back(*suspicion);
@@ -185,7 +183,7 @@ void find(const Joint& joint, const std::vector<Record>& records, const Parallel
     try {
         find_causes(prepared, options.pair_partners, progress, parallel, findings);
         if (findings.why_not) d.reasons.push_back(*findings.why_not);
-        progress("predicting held-out data", 0.9);
+        progress(Stage::predicting_unseen, 0.9);
         conclude(prepared, findings, options.ensemble, parallel, result);
     } catch (const Interrupted&) {
         d.effects.clear();
@@ -195,21 +193,12 @@ void find(const Joint& joint, const std::vector<Record>& records, const Parallel
         list_effects(prepared, rank(findings.singles, findings.pairs, findings.decision, rows_of(prepared.cases)), d);
         throw;
     }
-    progress("done", 1);
+    progress(Stage::done, 1);
 }
 
 /// What was found before the interruption stays; a cause that was not held against other data is none.
-void tell_interrupted(const std::string& stage, const Joint& joint, DiagnosisResult& result)
+void tell_interrupted(Stage stage, const Joint& joint, DiagnosisResult& result)
 {
-    static constexpr const char* in_order[] = {"reading",
-                                               "auditing the controller",
-                                               "measuring the floor",
-                                               "fitting single effects",
-                                               "correcting the nuisance parameters of the joint",
-                                               "fitting pairs",
-                                               "climbing the ladder",
-                                               "fitting unmodelled forces",
-                                               "predicting held-out data"};
     Diagnosis& d = result.diagnosis;
     d.interrupted = true;
     d.verdict = Verdict::unknown;
@@ -218,9 +207,7 @@ void tell_interrupted(const std::string& stage, const Joint& joint, DiagnosisRes
     d.next_experiment = {};
     result.after = joint;
     Note note{.code = d.signals.empty() ? Note::Code::interrupted_early : Note::Code::interrupted_located,
-              .names = {stage}};
-    const auto now = std::ranges::find(in_order, stage);
-    if (now != std::end(in_order)) note.names.insert(note.names.end(), now + 1, std::end(in_order));
+              .names = stages_from(stage)};
     d.reasons = {note};
 }
 
@@ -232,10 +219,10 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
     DiagnosisResult result{{}, joint};
     result.diagnosis.motion = joint.mechanism.motion;
     if (records.empty()) throw std::invalid_argument("no record was given");
-    std::string stage;
-    const auto progress = [&](const char* name, double done) {
-        stage = name;
-        if (options.progress) options.progress(stage, done);
+    Stage stage = Stage::reading;
+    const auto progress = [&](Stage begins, double done) {
+        stage = begins;
+        if (options.progress) options.progress(std::string(name_of(stage)), done);
     };
     try {
         if (std::ranges::all_of(records, is_rig)) return diagnose_rig(joint, records, parallel);

@@ -61,9 +61,9 @@ struct Joint {
     /// Of the whole loop: what goes round it is late by all delays together, wherever they arise.
     double dead_time() const { return control.delay + sensor.delay; }
 
-    /// The dead time is one that a sampled loop can remember, a normal load follows the transmitted effort of a
-    /// transmission and without the state's own share (that has no form here), and the mass matrix of the link and its
-    /// neighbours is positive definite: Σ m_jk²/m_kk < m_jj.
+    /// The dead time is one that a sampled loop can remember, springs that harden carry a steady effort, a normal
+    /// load follows the transmitted effort of a transmission and without the state's own share (that has no form here),
+    /// and the mass matrix of the link and its neighbours is positive definite: Σ m_jk²/m_kk < m_jj.
     std::string problem() const
     {
         if (is_set(control.period) && sensor.delay > 0 && dead_time() > most_dead_ticks * control.period)
@@ -75,6 +75,10 @@ struct Joint {
         if (normal.from_load != 0 && normal.alpha != 0)
             return "normal.alpha and normal.from_load: a state that follows the transmitted effort is not computed, "
                    "expected one of them";
+        const bool stretched = control.kind == ControlKind::force || control.contact_stiffness > 0;
+        if (mechanism.hardens() && stretched)
+            return "cubic_stiffness: a spring to the surroundings stretches the transmission ever more, so that its "
+                   "stiffness is not steady; expected 0 with control.kind \"force\" or control.contact_stiffness";
         double carried = 0;
         for (const auto& n : neighbour) carried += n.coupling * n.coupling / n.inertia;
         return carried < (single ? mechanism.inertia : mechanism.link_inertia) || neighbour.size == 0

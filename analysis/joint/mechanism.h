@@ -11,9 +11,10 @@ inline constexpr Choice<Model> models[] = {{"single-mass", Model::single_mass},
                                            {"three-mass", Model::three_mass},
                                            {"lever", Model::lever}};
 
-/// A spring and damper between two bodies. `ratio` is N of Fig. 4: motor displacement per joint displacement.
+/// A spring and damper between two bodies. `ratio` is N of Fig. 4: motor displacement per joint displacement. The
+/// spring gives stiffness x + cubic_stiffness x³ (Kirćanski & Goldenberg 1997 of strain wave gears).
 struct Transmission {
-    double stiffness = not_set, damping = 0, ratio = 1, backlash = 0;
+    double stiffness = not_set, cubic_stiffness = 0, damping = 0, ratio = 1, backlash = 0;
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
@@ -22,6 +23,10 @@ struct Transmission {
                            "stiffness at the joint side (lever: motor_transmission at the motor side)", Role::stiffness}
                          .called("k_{#}", "# stiffness"),
                      self.stiffness);
+        visit.number(Field{"cubic_stiffness", Quantity::cubic_stiffness, not_negative, Need::optional,
+                           "of a spring that hardens: effort per cube of its deflection, beside the stiffness"}
+                         .called("k_{3,#}", "# cubic stiffness"),
+                     self.cubic_stiffness);
         visit.number(
             Field{"damping", Quantity::damping, not_negative, Need::optional, "damping, at the side of the stiffness"}
                 .called("c_{#}", "# damping"),
@@ -46,6 +51,14 @@ struct Mechanism {
     double lever_arm = not_set;                          ///< lever, Fig. 4: d of J_tr/d²
     Transmission transmission;                           ///< two-mass, Fig. 6
     Transmission motor_transmission, transmission_link;  ///< three-mass and lever, Figs. 5 and 4
+
+    /// Whether a spring of this model gives more than in proportion.
+    bool hardens() const
+    {
+        if (model == Model::single_mass) return false;
+        if (model == Model::two_mass) return transmission.cubic_stiffness > 0;
+        return motor_transmission.cubic_stiffness > 0 || transmission_link.cubic_stiffness > 0;
+    }
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)

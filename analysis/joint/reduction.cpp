@@ -116,6 +116,7 @@ Reduction lever_to_three_mass(const Joint& joint)
     m.transmission_inertia /= m.lever_arm * m.lever_arm;
     // a lever's first spring is at the motor's side; three masses have it at the joint side
     m.motor_transmission.stiffness *= N * N;
+    m.motor_transmission.cubic_stiffness *= N * N * N * N;
     m.motor_transmission.damping *= N * N;
     return r;
 }
@@ -165,6 +166,8 @@ Reduction two_mass_to_single_mass(const Joint& joint)
         r.model = "Fig. 7a, ideal motor";
         r.neglected = {"the motor's inertia and friction",
                        "the compliance of the motor's own loop, k_{p} against k_{tr}"};
+        if (joint.mechanism.transmission.cubic_stiffness > 0)
+            r.neglected.emplace_back("the hardening of the transmission: k_{tr} is that of small deflections");
         // the transmission is the loop now, which neither ticks nor comes late
         Control spring;
         spring.k_p = joint.mechanism.transmission.stiffness;

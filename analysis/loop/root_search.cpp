@@ -162,7 +162,7 @@ std::optional<Complex> RootSearch::edge_by_counting() const
             sigma = low + share * (high - low);
             if ((right = count(sigma))) break;
         }
-        if (!right) break;  // lines as near to the root as these turn beside it
+        if (!right) break;  // so near to the root the count of no line is certain
         (*right > 0 ? low : high) = sigma;
     }
     const bool narrow = high > low && high - low <= near * (std::abs(low) + std::abs(high));

@@ -111,6 +111,8 @@ std::string_view unit_of(Quantity quantity, Units units)
             return turns ? "V·s/rad" : "V·s/m";
         case Quantity::temperature:
             return "°C";
+        case Quantity::cubic_stiffness:
+            return turns ? "N·m/rad³" : "N/m³";
     }
     return "1";
 }

@@ -54,7 +54,8 @@ enum class Quantity {
     position_gain,      ///< command per position
     velocity_gain,      ///< command per velocity
     integral_gain,      ///< command per position and time
-    acceleration_gain   ///< command per acceleration: kg | kg·m² of efforts
+    acceleration_gain,  ///< command per acceleration: kg | kg·m² of efforts
+    cubic_stiffness     ///< N/m³ | N·m/rad³: effort per cube of a deflection
 };
 
 /// The unit as it is printed, e.g. unit_of(Quantity::stiffness, Motion::revolute) == "N·m/rad"; "1" for a plain number.

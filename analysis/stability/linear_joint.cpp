@@ -1,5 +1,7 @@
 #include "analysis/stability/linear_joint.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace stickslip {
@@ -33,6 +35,7 @@ Chain chain_of(const Joint& joint)
             body(m.motor_inertia, joint.frictions.motor, m.transmission.ratio);
             body(m.link_inertia, joint.frictions.link, 1);
             chain.stiffness[0] = m.transmission.stiffness;
+            chain.cubic[0] = m.transmission.cubic_stiffness;
             chain.damping[0] = m.transmission.damping;
             break;
         case Model::three_mass:
@@ -46,6 +49,8 @@ Chain chain_of(const Joint& joint)
                  joint.frictions.transmission, middle);
             body(m.link_inertia, joint.frictions.link, 1);
             chain.stiffness = {side * side * m.motor_transmission.stiffness, m.transmission_link.stiffness};
+            chain.cubic = {std::pow(side, 4) * m.motor_transmission.cubic_stiffness,
+                           m.transmission_link.cubic_stiffness};
             chain.damping = {side * side * m.motor_transmission.damping, m.transmission_link.damping};
             break;
         }
@@ -147,6 +152,17 @@ void load_by_effort(LinearJoint& linear, const Joint& joint, const Chain& chain,
     }
 }
 
+/// A spring that hardens counts with its slope at what it carries in steady sliding.
+void stretch_springs(LinearJoint& linear, const Joint& joint, const Chain& chain, double V)
+{
+    if (std::ranges::all_of(chain.cubic, [](double c) { return c == 0; })) return;
+    const auto effort = carried_efforts(joint, V, joint.load.constant);
+    for (int i = 0; i + 1 < chain.bodies; ++i) {
+        const Spring spring = chain.spring(i);
+        linear.stiffness[i] = spring.slope(spring.stretch(effort[i + 1]));
+    }
+}
+
 }  // namespace
 
 LinearJoint linear_joint(const Joint& joint, double V)
@@ -175,6 +191,7 @@ LinearJoint linear_joint(const Joint& joint, double V)
             linear.friction[i] = noticed(std::move(linear.friction[i]), linear.inertia[i]);
     linear.stiffness = chain.stiffness;
     linear.damping = chain.damping;
+    stretch_springs(linear, joint, chain, V);
     linear.k_p = c.k_p;
     linear.k_v = c.k_v;
     const int link = linear.link();

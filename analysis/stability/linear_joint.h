@@ -4,6 +4,7 @@
 #include <complex>
 
 #include "analysis/joint/joint.h"
+#include "analysis/joint/spring.h"
 #include "analysis/results/point.h"
 #include "analysis/stability/linear_friction.h"
 
@@ -86,7 +87,9 @@ struct Body {
 struct Chain {
     int bodies = 0;
     std::array<Body, max_bodies> body{};
-    std::array<double, max_bodies - 1> stiffness{}, damping{};
+    std::array<double, max_bodies - 1> stiffness{}, cubic{}, damping{};
+
+    Spring spring(int i) const { return {stiffness[i], cubic[i]}; }
 };
 
 /// Reflects every model to joint coordinates: Fig. 4 → Fig. 5 by the table of §3 (M'_m = N² M_m, M_tr = J_tr/d²,

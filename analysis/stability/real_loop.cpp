@@ -231,9 +231,8 @@ LatePlant late_plant(const Joint& joint, const LinearJoint& linear, double veloc
     for (int i = 0; i < open.bodies; ++i) {
         if (open.friction[i].rational()) continue;
         const LinearFriction only = late_part(open.friction[i]);
-        const double slow_part = at_rest[i];
         double memory = only.table ? only.table->duration() : 0;
-        std::vector<LateFriction::Delay> delays{{-slow_part, 0}};
+        std::vector<LateFriction::Delay> delays{{-at_rest[i], 0}};
         for (const auto& d : only.delays) {
             memory = std::max(memory, d.time);
             delays.push_back({d.weight, d.time});
@@ -241,7 +240,7 @@ LatePlant late_plant(const Joint& joint, const LinearJoint& linear, double veloc
         Eigen::VectorXd push = Eigen::VectorXd::Zero(states);
         push.head(open.states()) = rates_per_force(open, i);
         late.friction.push_back({push, Eigen::RowVectorXd::Unit(states, open.bodies + i),
-                                 [only, slow_part](Complex s) { return transfer(only, s) - slow_part; }, delays,
+                                 [only, still = at_rest[i]](Complex s) { return transfer(only, s) - still; }, delays,
                                  memory});
     }
     open.friction[0].f_v += actuation(joint, velocity, steady_effort(joint, velocity)).drag;

@@ -120,6 +120,8 @@ std::string lost_text(const ExportAnswer& answer, const NotExpressible& lost)
             return fmt::format(
                 "{} has no rotor inertia: N²·J is part of the link's here; on a moving arm it resists this axis only",
                 simulator_name(answer.to));
+        case Lost::hardening:
+            return "springs of " + simulator_name(answer.to) + " are linear";
         case Lost::rigid:
             return simulator_name(answer.to) + " has no spring between motor and link: both move as one";
         case Lost::three_bodies:

@@ -95,7 +95,8 @@ std::string left_out_text(const std::vector<std::string>& keys)
 {
     std::string list;
     for (const auto& key : keys) list += (list.empty() ? "" : ", ") + key;
-    return "Records are simulated without " + list + ": what it does to the machine is part of the gap.";
+    return "Records are simulated without " + list + ": what " + (keys.size() == 1 ? "it does" : "they do") +
+           " to the machine is part of the gap.";
 }
 
 bool leaves_out_what_matters(const LoopUse& loop)

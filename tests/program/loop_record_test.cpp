@@ -195,3 +195,36 @@ TEST_CASE("the lesser friction of two masses is named when its document is wrong
     CHECK(found["verdict"] == "gap");
     CHECK(found["effects"][0]["names"] == nlohmann::json{"coulomb-level"});
 }
+
+TEST_CASE("a spring that hardens is compliance, whether the file has a linear one or none", "[slow]")
+{
+    const std::string loop =
+        "[control]\nk_p = 1.2e4\nk_v = 200\nperiod = 0.002\n"
+        "[control.velocity_estimate]\nform = \"backward-difference\"\ntau = 0.002\n"
+        "[sensor]\nencoder_quantum = 1e-7\nposition_noise = 2e-7\n";
+    const std::string two_masses =
+        loop +
+        "[joint]\nmotion = \"revolute\"\nmodel = \"two-mass\"\nmotor_inertia = 0.5\nlink_inertia = 1.1\n"
+        "[joint.transmission]\nstiffness = 3000\ndamping = 5\n"
+        "[friction.motor]\nlaw = \"coulomb-viscous\"\ncoulomb = 8\nviscous = 0.2\n"
+        "[friction.link]\nlaw = \"coulomb-viscous\"\ncoulomb = 3\nviscous = 0.5\n";
+    const std::string one_mass = loop +
+                                 "[joint]\nmotion = \"revolute\"\nmodel = \"single-mass\"\ninertia = 1.6\n"
+                                 "[friction]\nlaw = \"coulomb-viscous\"\ncoulomb = 11\nviscous = 0.7\n";
+    // as much again where the linear part carries 8 N·m
+    const Folder folder;
+    const auto documented = diagnosis_of(folder, " --set joint.transmission.cubic_stiffness=4.2e8", two_masses);
+    INFO(documented["effects"].dump());
+    CHECK(documented["effects"][0]["names"] == nlohmann::json{"compliance"});
+    const auto& found = documented["effects"][0]["parameters"];
+    CHECK(found["compliance.hardening_effort"]["value"].get<double>() ==
+          Approx(std::sqrt(2.7e10 / 4.2e8)).epsilon(0.1));
+
+    const auto joint = folder.write("rigid.toml", one_mass);
+    const auto run =
+        stickslip("diagnose " + joint + " " + (folder / "record") + "/record.csv --no-report -o " + (folder / "rigid"));
+    INFO(run.output);
+    REQUIRE(run.exit_code == 0);
+    const auto rigid = nlohmann::json::parse(read(folder / "rigid/diagnosis.json"));
+    CHECK(rigid["effects"][0]["names"] == nlohmann::json{"compliance"});
+}

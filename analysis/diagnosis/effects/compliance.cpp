@@ -1,6 +1,17 @@
 #include "analysis/diagnosis/effects/catalogue.h"
 
+#include <cmath>
+
 namespace stickslip::gap {
+namespace {
+
+/// The cubic part is as large as the linear one where that gives this effort.
+void harden(Transmission& spring, double effort)
+{
+    spring.cubic_stiffness = std::pow(spring.stiffness, 3) / (effort * effort);
+}
+
+}  // namespace
 
 // In one piece: a declaration: the forms of one effect, each with its range.
 Effect compliance()
@@ -30,6 +41,21 @@ Effect compliance()
         f.apart = 1;
         f.applies = is_single_mass;
         e.forms.push_back(f);
+        // strain wave gears harden; a linear spring has then no stiffness that fits small and large deflections
+        EffectForm hardening = f;
+        hardening.name = "divided-mass-hardening";
+        hardening.parameters.push_back({"hardening_effort", Quantity::effort, Scale::effort, true, 0.02, 100, 1,
+                                        "effort of the linear part at which the cubic part is as large"});
+        hardening.apply = [](Joint& j, const double* p) {
+            divide_mass(j, p[0], p[1], p[3], p[2]);
+            harden(j.mechanism.transmission, p[4]);
+        };
+        hardening.seeds.clear();
+        for (double stiffness : {4.0, 20.0, 100.0, 1000.0})
+            for (double motor : {0.3, 0.65})
+                for (double link_friction : {0.05, 0.8})
+                    hardening.seeds.push_back({motor, stiffness, link_friction, 0.05, 1});
+        e.forms.push_back(hardening);
         // a peak comes from a seal or a gear, which may be all on the motor's side
         f.name = "divided-mass-peak-on-motor";
         f.apply = [](Joint& j, const double* p) {
@@ -62,6 +88,16 @@ Effect compliance()
         };
         f.seeds = {{0.7, 1}, {1.4, 1}, {0.3, 1}};
         f.applies = is_two_mass;
+        e.forms.push_back(f);
+        f.name = "two-mass-hardening";
+        f.parameters.push_back({"hardening_effort", Quantity::effort, Scale::load_effort, true, 0.02, 100, 1,
+                                "effort of the linear part at which the cubic part is as large"});
+        f.apply = [](Joint& j, const double* p) {
+            j.mechanism.transmission.stiffness *= p[0];
+            j.mechanism.transmission.damping *= p[1];
+            harden(j.mechanism.transmission, p[2]);
+        };
+        f.seeds = {{0.7, 1, 1}, {1, 1, 1}, {0.3, 1, 0.3}};
         e.forms.push_back(f);
     }
     return e;

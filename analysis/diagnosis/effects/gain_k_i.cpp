@@ -39,7 +39,7 @@ Effect gain_k_i()
         EffectForm f;
         f.name = "limit";
         f.parameters = {
-            {"integral_limit", Quantity::effort, Scale::peak_effort, true, 0.02, 2, 0.7,
+            {"integral_limit", Quantity::command, Scale::peak_effort, true, 0.02, 2, 0.7,
              "limit of the integral's share"},
         };
         f.apply = [](Joint& j, const double* p) { j.control.integral_limit = p[0]; };

@@ -111,9 +111,8 @@ bool within(const NoiseSpread& spread, const std::array<Evaluation, levels.size(
 
 CommandUnit command_unit(const Joint& joint)
 {
-    if (joint.actuator.kind == ActuatorKind::effort)
-        return {joint.actuator.effort_gain, std::string(unit_of(Quantity::effort, joint.mechanism.motion))};
-    return {1, joint.actuator.signal == DriveSignal::duty ? "1" : "V"};
+    const double gain = joint.actuator.kind == ActuatorKind::effort ? joint.actuator.effort_gain : 1;
+    return {gain, std::string(unit_of(Quantity::command, units_of(joint)))};
 }
 
 namespace {

@@ -7,7 +7,6 @@
 #include <numbers>
 
 namespace stickslip::gap {
-namespace {
 
 bool at_bound(const EffectParameter& p, double scaled)
 {
@@ -16,6 +15,8 @@ bool at_bound(const EffectParameter& p, double scaled)
     return above || (p.logarithmic && scaled < p.low * (1 + policy::beside_bound)) ||
            (!p.logarithmic && p.low < 0 && scaled < p.low * (1 - policy::beside_bound));
 }
+
+namespace {
 
 /// Whether the effect has a form that lacks just this number: at its least the number is absent, and the form is that
 /// other one (LuGre's bristles without damping are Dahl's).

@@ -5,6 +5,9 @@
 
 namespace stickslip::gap {
 
+/// Whether a number, in the unit of its scale, is at an end of its range (`beside_bound`).
+bool at_bound(const EffectParameter& parameter, double scaled);
+
 /// No number at a bound of its fit, none outside its physical range. `x` are numbers of these causes alone.
 bool plausible(const Candidate& causes, const Eigen::VectorXd& x, const Scales& scales, const Joint& joint,
                std::span<const PhysicalRange> ranges);

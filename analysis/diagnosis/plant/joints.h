@@ -10,7 +10,8 @@ namespace stickslip::gap {
 
 /// What the joints of a pack have in common: which way a time step takes is the same in every lane.
 struct Kind {
-    bool two_mass = false, feedback_link = false, has_backlash = false, free = false, dead_time = false, lag = false;
+    bool two_mass = false, feedback_link = false, has_backlash = false, hardens = false, free = false,
+         dead_time = false, lag = false;
     bool gravity = false, cogging = false, disturbance = false, sags = false, read_late = false;
     Terms motor, link;
     ActuatorKind actuator = ActuatorKind::effort;
@@ -26,6 +27,7 @@ inline Kind kind_of(const Plant& p)
 {
     Kind k;
     k.two_mass = p.two_mass, k.feedback_link = p.two_mass && p.feedback_link, k.has_backlash = p.backlash > 0;
+    k.hardens = p.two_mass && p.cubic_stiffness > 0;
     k.free = p.free.present, k.dead_time = p.dead_time != 0, k.lag = p.actuator.lag > 0;
     k.gravity = p.load.gravity_amplitude != 0, k.cogging = p.load.cogging.acts();
     k.disturbance = p.load.disturbance.amplitude != 0, k.sags = p.actuator.sag_effort < infinity;
@@ -65,7 +67,7 @@ struct ActuatorOf {
 template <class P>
 struct Joints {
     Kind kind;
-    P motor_inertia = 1, link_inertia = 1, stiffness = 1, damping = 0, ratio = 1, backlash = 0;
+    P motor_inertia = 1, link_inertia = 1, stiffness = 1, cubic_stiffness = 0, damping = 0, ratio = 1, backlash = 0;
     Rubs<P> motor, link;
     LoadOf<P> load;
     ActuatorOf<P> actuator;
@@ -99,7 +101,7 @@ template <class P>
 void Joints<P>::load_lane(int lane, const Plant& p)
 {
     motor_inertia.set(lane, p.motor_inertia), link_inertia.set(lane, p.link_inertia);
-    stiffness.set(lane, p.stiffness), damping.set(lane, p.damping);
+    stiffness.set(lane, p.stiffness), cubic_stiffness.set(lane, p.cubic_stiffness), damping.set(lane, p.damping);
     ratio.set(lane, p.ratio), backlash.set(lane, p.backlash);
     load_rubs(motor, lane, p.motor), load_rubs(link, lane, p.link);
     motor.has = kind.motor, link.has = kind.link;

@@ -3,6 +3,7 @@
 #pragma once
 #include "analysis/diagnosis/plant/held_command.h"
 #include "analysis/diagnosis/plant/step.h"
+#include "analysis/joint/spring.h"
 
 namespace stickslip::gap {
 
@@ -263,7 +264,7 @@ void Mechanics<P>::start(int lane, double velocity, Rest rest, double beyond)
         // a load that the link's own friction holds leaves open where in its backlash the link rests: the middle is
         // nearest
         const bool held = p.backlash > 0 && std::abs(load) <= p.link.coulomb;
-        const double stretch = held || rest == Rest::level ? 0 : -load / p.stiffness;
+        const double stretch = held || rest == Rest::level ? 0 : Spring{p.stiffness, p.cubic_stiffness}.stretch(-load);
         const double half = stretch == 0 ? 0 : std::copysign(0.5 * p.backlash, stretch);
         fresh.motor_position = p.feedback_link ? p.ratio * (q + stretch + half) : q;
         fresh.link_position = p.feedback_link ? q : q / p.ratio - stretch - half;
@@ -271,7 +272,8 @@ void Mechanics<P>::start(int lane, double velocity, Rest rest, double beyond)
         fresh.link_velocity = p.feedback_link ? v : v / p.ratio;
         fresh.followed = fresh.link_position;
         // the load holds the spring
-        fresh.driven_apart = p.stiffness * stretch * (1 / p.link_inertia + 1 / (p.ratio * p.ratio * p.motor_inertia));
+        fresh.driven_apart = Spring{p.stiffness, p.cubic_stiffness}.effort(stretch) *
+                             (1 / p.link_inertia + 1 / (p.ratio * p.ratio * p.motor_inertia));
     }
     each_number(state_, fresh, [lane](P& now, const P& then) { now.set(lane, then[lane]); });
 }

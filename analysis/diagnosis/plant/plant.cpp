@@ -109,6 +109,7 @@ Plant flatten(const Joint& joint)
             p.motor_inertia = m.motor_inertia;
             p.link_inertia = m.link_inertia;
             p.stiffness = m.transmission.stiffness;
+            p.cubic_stiffness = m.transmission.cubic_stiffness;
             p.damping = m.transmission.damping;
             p.ratio = m.transmission.ratio;
             p.backlash = m.transmission.backlash;
@@ -137,7 +138,9 @@ double longest_step(const Plant& p)
     if (p.motor.bristle_stiffness > 0 || p.link.bristle_stiffness > 0) step = bristle_step;
     if (p.two_mass) {
         const double reduced = 1 / (1 / p.link_inertia + 1 / (p.ratio * p.ratio * p.motor_inertia));
-        const double period_part = 0.25 / std::sqrt(p.stiffness / reduced);  // phase error of leapfrog (ωh)²/24 ≈ 0.3 %
+        // phase error of leapfrog (ωh)²/24 ≈ 0.3 %; a spring that hardens, where it is four times as steep
+        const double steepest = p.cubic_stiffness > 0 ? 4 * p.stiffness : p.stiffness;
+        const double period_part = 0.25 / std::sqrt(steepest / reduced);
         step = std::clamp(period_part, 15e-6, 0.125e-3);
         if (p.backlash > 0) step = std::min(step, 0.0625e-3);
     }

@@ -76,7 +76,7 @@ struct FreeForce {
 struct Plant {
     bool two_mass = false;
     double motor_inertia = 1, link_inertia = 1;  ///< single mass: motor_inertia is all
-    double stiffness = 0, damping = 0, ratio = 1, backlash = 0;
+    double stiffness = 0, cubic_stiffness = 0, damping = 0, ratio = 1, backlash = 0;
     Rubbing motor, link;  ///< single mass: motor
     Load load;
     FreeForce free;

@@ -107,6 +107,14 @@ P beyond_backlash(const P& deflection, const P& backlash)
     return deflection - max(-half, min(deflection, half));
 }
 
+/// What the spring gives, its damper apart.
+template <class P>
+P elastic(const Joints<P>& p, const P& stretch)
+{
+    if (!p.kind.hardens) return p.stiffness * stretch;
+    return (p.stiffness + p.cubic_stiffness * stretch * stretch) * stretch;
+}
+
 /// Two masses and a spring. The damper is implicit, so that a stiff one stays stable; what else drives the masses apart
 /// is taken from the last step, without which a resting spring would hold less than its deflection says.
 template <class P>
@@ -121,11 +129,11 @@ void step_two_mass(const Joints<P>& p, State<P>& s, const PushOf<P>& drive, cons
     P spring;
     if (p.kind.has_backlash) {
         const P stretch = beyond_backlash(apart, p.backlash);
-        spring = length.left * (p.stiffness * stretch + p.damping * soon);
+        spring = length.left * (elastic(p, stretch) + p.damping * soon);
         spring = select(zero < spring * stretch, spring,
                         zero);  // contact cannot pull, and within the backlash there is none
     } else {
-        spring = length.left * (p.stiffness * apart + p.damping * soon);
+        spring = length.left * (elastic(p, apart) + p.damping * soon);
     }
     const P on_motor = drive.at(s.motor_velocity) - spring * per_ratio;
     const P on_link = spring + outside_force(p, s, link_middle, s.link_velocity, t + 0.5 * h);

@@ -93,6 +93,7 @@ std::vector<Attribution> other_forms(const std::vector<Attribution>& singles, st
                                      double omega, const ParallelFor& parallel)
 {
     std::vector<Attribution> others;
+    const bool effort = std::ranges::any_of(brief, [](const Case& c) { return c.ticks.has_effort; });
     for (std::size_t i = 0; i < singles.size(); ++i) {
         const Candidate& best = singles[i].candidate;
         const bool beside_backlash = two_mass_edit(singles[0].candidate) && best.effects[0]->stage == "mechanism";
@@ -101,7 +102,7 @@ std::vector<Attribution> other_forms(const std::vector<Attribution>& singles, st
             Attribution other;
             other.candidate = {best.effects, {&form}, records};
             const bool own = form.own > 0 && records < 2;
-            if (shows_in_effort_alone(form) && !brief[0].ticks.has_effort) continue;
+            if (shows_in_effort_alone(form) && !effort) continue;
             if (&form != best.forms[0] && !own && other.candidate.applies(brief[0].joint)) others.push_back(other);
         }
     }

@@ -1,16 +1,14 @@
 // From prepared records to causes: singles, then pairs, then what predicts unseen data, then unmodelled forces.
 #pragma once
 #include "analysis/diagnosis/verdict/findings.h"
-
-#include <functional>
+#include "analysis/diagnosis/verdict/stage.h"
 
 namespace stickslip::gap {
 
 /// Looks for what explains the records; `pair_partners` of the best singles look for a partner. A jump of the reference
 /// that lies elsewhere once an effect is known is moved in the cases. What was found stays in the findings where the
 /// search is interrupted.
-void find_causes(Prepared& prepared, std::size_t pair_partners,
-                 const std::function<void(const char* stage, double done)>& progress, const ParallelFor& parallel,
-                 Findings& findings);
+void find_causes(Prepared& prepared, std::size_t pair_partners, const StageProgress& progress,
+                 const ParallelFor& parallel, Findings& findings);
 
 }  // namespace stickslip::gap

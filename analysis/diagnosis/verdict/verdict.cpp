@@ -2,6 +2,7 @@
 #include "analysis/diagnosis/verdict/verdict.h"
 
 #include "analysis/diagnosis/fit/moment.h"
+#include "analysis/diagnosis/ladder/plausible.h"
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/search/search.h"
 
@@ -259,10 +260,8 @@ Quality quality_of(const std::vector<Case>& cases, const Attribution& a, const S
     for (Eigen::Index i = 0; i < n; ++i) {
         const auto& p = a.candidate.parameter(static_cast<std::size_t>(i));
         const double value = p.logarithmic ? std::exp(a.x[1][i]) : a.x[1][i];
-        const bool at_bound = value > p.high * (p.high > 0 ? 1 - policy::beside_bound : 1 + policy::beside_bound) ||
-                              (p.logarithmic && value < p.low * (1 + policy::beside_bound));
-        if (at_bound || (!p.logarithmic && p.prior > 0 &&
-                         std::abs(value) > policy::implausible_size * std::max(p.prior, policy::least_prior)))
+        if (at_bound(p, value) || (!p.logarithmic && p.prior > 0 &&
+                                   std::abs(value) > policy::implausible_size * std::max(p.prior, policy::least_prior)))
             q.plausible = false;
     }
     // the pattern that the effect takes out of the residual, against the residual itself, second by second

@@ -125,9 +125,10 @@ double DrivenJoint::spring(const double* y, int i, double* by_stretch, double* b
     const double stretch = apart - std::clamp(apart, -half, half);
     *by_stretch = *by_rate = 0;
     if (half > 0 && std::abs(apart) < half) return 0;
-    const double force = chain_.stiffness[i] * stretch + chain_.damping[i] * (velocity(y, i) - velocity(y, i + 1));
+    const Spring s = chain_.spring(i);
+    const double force = s.effort(stretch) + chain_.damping[i] * (velocity(y, i) - velocity(y, i + 1));
     if (half > 0 && force * apart < 0) return 0;  // contact cannot pull
-    *by_stretch = chain_.stiffness[i], *by_rate = chain_.damping[i];
+    *by_stretch = s.slope(stretch), *by_rate = chain_.damping[i];
     return force;
 }
 

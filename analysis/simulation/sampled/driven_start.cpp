@@ -33,7 +33,7 @@ DrivenJoint::Steady DrivenJoint::steady(double velocity_asked) const
     for (int i = n - 1; i >= 0; --i) {
         const auto& b = body_[i];
         if (i < n - 1) {
-            const double stretch = carried / chain_.stiffness[i];
+            const double stretch = chain_.spring(i).stretch(carried);
             y[i] = y[i + 1] + stretch + (stretch == 0 ? 0 : std::copysign(0.5 * backlash_[i], stretch));
         }
         set_velocity(y.data(), i, velocity_asked);

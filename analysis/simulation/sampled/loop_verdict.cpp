@@ -102,9 +102,9 @@ bool has_real_loop(const Joint& joint)
     const auto& s = joint.sensor;
     const bool nonlinear =
         c.dead_zone > 0 || c.feed_forward.coulomb != 0 || c.feed_forward.velocity != 1 || c.dither.amplitude > 0;
-    return loop_kind(joint) != LoopKind::ideal || nonlinear || c.structure == Structure::cascade ||
-           c.effort_limit < infinity || a.limit < infinity || a.sag_effort < infinity || s.encoder_quantum > 0 ||
-           s.position_noise > 0;
+    return loop_kind(joint) != LoopKind::ideal || nonlinear || joint.mechanism.hardens() ||
+           c.structure == Structure::cascade || c.effort_limit < infinity || a.limit < infinity ||
+           a.sag_effort < infinity || s.encoder_quantum > 0 || s.position_noise > 0;
 }
 
 LoopInquiry::LoopInquiry(const Joint& asked, const LoopQuestion& question, GrowthBy by)

@@ -17,12 +17,13 @@ constexpr double short_lag = 0.01;
 
 double usual_tick(const Joint& joint)
 {
-    const auto& c = joint.control;
     const Chain chain = chain_of(joint);
-    double fastest = 0, before = 0;  // of each body against what holds it
-    for (int i = 0; i < chain.bodies; ++i) {
-        const double behind = i + 1 < chain.bodies ? chain.stiffness[i] : c.contact_stiffness;
-        const double held = before + behind + (i == 0 ? std::abs(c.k_p) : 0);
+    double fastest = 0, before = 0, friction = std::abs(joint.load.constant);
+    for (int i = 0; i < chain.bodies; ++i) friction += chain.body[i].ratio * static_force(*chain.body[i].friction);
+    for (int i = 0; i < chain.bodies; ++i) {  // a spring that hardens: stretched by twice what the joint carries
+        const Spring spring = i + 1 < chain.bodies ? chain.spring(i) : Spring{joint.control.contact_stiffness};
+        const double behind = spring.cubic > 0 ? spring.slope(spring.stretch(2 * friction)) : spring.stiffness;
+        const double held = before + behind + (i == 0 ? std::abs(joint.control.k_p) : 0);
         fastest = std::max(fastest, std::sqrt(held / chain.body[i].inertia));
         before = behind;
     }

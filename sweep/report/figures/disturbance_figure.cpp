@@ -79,15 +79,15 @@ std::optional<DisturbedMotion> disturbed_motion(const Joint& joint, const AskedD
 
 Figure disturbance_figure(const Joint& joint, const AskedDisturbance& asked, const DisturbedMotion& motion)
 {
-    const Units unit = units_of(joint);
+    const Units units = units_of(joint);
     LineChart chart;
     chart.title = "Answer to a disturbing force: " + asked.kind;
     chart.fixed =
         is_force_file(asked)
             ? "the file's force times " + plain_number(asked.size)
-            : "size " + with_unit(asked.size, asked.kind == "impulse" ? Quantity::impulse : Quantity::effort, unit);
-    chart.x_label = axis_label("time t", Quantity::time, unit);
-    chart.y_label = axis_label("excess position x", Quantity::position, unit);
+            : "size " + with_unit(asked.size, asked.kind == "impulse" ? Quantity::impulse : Quantity::effort, units);
+    chart.x_label = axis_label("time t", Quantity::time, units);
+    chart.y_label = axis_label("excess position x", Quantity::position, units);
     // an unstable answer would squeeze the other one into a line
     const auto shown = [&](const ForcedResponse& r) {
         LineChart::Line line{"", r.time, r.position};
@@ -101,12 +101,12 @@ Figure disturbance_figure(const Joint& joint, const AskedDisturbance& asked, con
     simple.dashed = true;
     chart.lines = {std::move(memory), std::move(simple)};
     return line_figure("forced", std::move(chart),
-                       "With memory the link moves by up to " + with_unit(motion.peak, Quantity::position, unit) +
-                           ", " + with_unit(motion.peak_time, Quantity::time, unit) + " after the start.",
+                       "With memory the link moves by up to " + with_unit(motion.peak, Quantity::position, units) +
+                           ", " + with_unit(motion.peak_time, Quantity::time, units) + " after the start.",
                        "d(t) of (9) acts on the link; position in excess of steady sliding by the linear theory, exact "
                        "for a force held over each of " +
                            std::to_string(motion.force.value.size()) + " samples of " +
-                           with_unit(motion.force.step, Quantity::time, unit) +
+                           with_unit(motion.force.step, Quantity::time, units) +
                            ". Where a theory calls the joint unstable its line grows until it leaves the picture.");
 }
 

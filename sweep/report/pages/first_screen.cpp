@@ -118,7 +118,7 @@ std::vector<Headline> velocity_headlines(const VelocitySearch& search, bool stab
     headlines.push_back(
         {Tone::neutral,
          std::isnan(from) ? "no V_{min}" : (from <= low * (1 + 1e-9) ? "V_{min} ≤ " : "V_{min} = ") + text(from),
-         (std::isnan(from) ? std::string("the highest velocity does not slide smoothly")
+         (std::isnan(from) ? std::string("at the highest velocity the joint does not slide smoothly")
                            : "every faster velocity slides smoothly") +
              searched + (windows ? "; smooth" + windows_text(search, units) : "")});
     for (const auto& i : stable_set.intervals) {

@@ -68,7 +68,7 @@ std::string next_outcome_text(const OutcomeAnswer& a)
         for (const auto& p : parameters(joint))
             if (p.path == path)
                 place += (place.empty() ? "" : ", ") + key_of(path) + " = " +
-                         with_unit(a.next.settings[k], p.quantity, a.diagnosis.motion);
+                         with_unit(a.next.settings[k], p.quantity, units_of(joint));
     }
     return fmt::format("start from rest at {}: {} expects stick-slip with probability {:.2f}, {} with {:.2f}", place,
                        one, a.next.one, two, a.next.two);

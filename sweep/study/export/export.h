@@ -22,6 +22,7 @@ enum class Lost {
     no_element,           ///< nothing in the target stands for it
     from_the_robot,       ///< the robot's own description has it
     joined_to_link,       ///< reflected inertia became part of the link's
+    hardening,            ///< a spring is linear
     rigid,                ///< compliance: motor and link move as one
     three_bodies,         ///< the middle body joined the motor
     backlash,             ///< no dead band
@@ -49,31 +50,19 @@ enum class Lost {
 /// As JSON calls it.
 constexpr std::string_view name_of(Lost why)
 {
-    constexpr std::string_view names[] = {"no-element",
-                                          "from-the-robot",
-                                          "joined-to-link",
-                                          "rigid",
-                                          "three-bodies",
-                                          "backlash",
-                                          "static-rise",
-                                          "memory",
-                                          "presliding",
-                                          "direction",
-                                          "position-dependent",
-                                          "time-dependent",
-                                          "load-dependent",
-                                          "gains-elsewhere",
-                                          "mechanism-elsewhere",
-                                          "delay-of-target",
-                                          "lag",
-                                          "sampling",
-                                          "estimate",
-                                          "sensor",
-                                          "feedback-side",
-                                          "supply",
-                                          "integral",
-                                          "feed-forward",
-                                          "not-position-control"};
+    constexpr std::string_view names[] = {"no-element",      "from-the-robot",
+                                          "joined-to-link",  "hardening",
+                                          "rigid",           "three-bodies",
+                                          "backlash",        "static-rise",
+                                          "memory",          "presliding",
+                                          "direction",       "position-dependent",
+                                          "time-dependent",  "load-dependent",
+                                          "gains-elsewhere", "mechanism-elsewhere",
+                                          "delay-of-target", "lag",
+                                          "sampling",        "estimate",
+                                          "sensor",          "feedback-side",
+                                          "supply",          "integral",
+                                          "feed-forward",    "not-position-control"};
     static_assert(std::size(names) == static_cast<std::size_t>(Lost::not_position_control) + 1);
     return names[static_cast<std::size_t>(why)];
 }

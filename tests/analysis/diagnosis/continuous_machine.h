@@ -144,7 +144,7 @@ class ContinuousMachine {
         const double rate = y[velocity(0)] / t.ratio - y[velocity(1)], half = t.backlash / 2;
         if (half > 0 && std::abs(stretch) <= half) return 0;
         stretch -= half > 0 ? std::copysign(half, stretch) : 0;
-        const double force = t.stiffness * stretch + t.damping * rate;
+        const double force = t.stiffness * stretch + t.cubic_stiffness * std::pow(stretch, 3) + t.damping * rate;
         return half > 0 && force * stretch < 0 ? 0 : force;
     }
 

@@ -148,5 +148,5 @@ TEST_CASE("the record simulator follows CVODE with a motor whose supply sags", "
 
 TEST_CASE("the record simulator follows CVODE with two masses, soft or with play", "[gap][cvode]")
 {
-    compare_all(two_masses(), [](const EffectForm& f) { return f.name == "two-mass"; });
+    compare_all(two_masses(), [](const EffectForm& f) { return f.name.starts_with("two-mass"); });
 }

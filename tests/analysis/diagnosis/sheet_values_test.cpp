@@ -78,3 +78,26 @@ TEST_CASE("errors of a number that hang together with those of a correction are 
     CHECK(v[0].interval.high - v[0].interval.low == Approx(0).margin(1e-6));
     CHECK(v[1].interval.high - v[1].value == Approx(1.96 * 2));
 }
+
+TEST_CASE("of two masses the sheet tells the inertia that was changed", "[gap]")
+{
+    Prepared p;
+    std::vector<Note> notes;
+    p.cases.push_back(prepare(test::record_of({}, 1, 2), test::nominal_joint(), notes));
+    auto& m = p.cases[0].joint.mechanism;
+    m.model = Model::two_mass;
+    m.motor_inertia = 0.5, m.link_inertia = 3, m.transmission.stiffness = 1e4;
+    p.documented.push_back(p.cases[0].joint);
+    const Effect* inertia = effect_named("inertia");
+    for (const auto& form : inertia->forms) {
+        if (!form.applies(p.documented[0])) continue;
+        CAPTURE(form.name);
+        Attribution a;
+        a.candidate = {{inertia}, {&form}, 1};
+        a.x.fill(to_fit(a.candidate, {1.5}));
+        const auto v = sheet_values(p, a, {}, 0);
+        REQUIRE(v.size() == 1);
+        CHECK(v[0].value == Approx(1.5 * (form.name == "link" ? 3 : 0.5)));
+        CHECK(v[0].name == std::string(form.name) + " inertia");
+    }
+}

@@ -137,6 +137,10 @@ TEST_CASE("both simulators: elements of the loop and bodies", "[gap][two-simulat
     joints["two masses"] = two_masses();
     joints["two masses behind a gear"] = two_masses(0, 5);
     joints["backlash"] = two_masses(1e-3);
+    joints["a spring that hardens"] = two_masses(0, 5);
+    joints["a spring that hardens"].mechanism.transmission.cubic_stiffness = 4e4 / std::pow(5e-4, 2);
+    joints["a spring that hardens behind backlash"] = two_masses(1e-3);
+    joints["a spring that hardens behind backlash"].mechanism.transmission.cubic_stiffness = 4e4 / std::pow(5e-4, 2);
     joints["bristles of the link"] = two_masses();
     joints["bristles of the link"].frictions.link.bristle = {3e4, 200};
     joints["load on the link's friction"] = two_masses();

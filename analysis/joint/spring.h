@@ -11,7 +11,8 @@ struct Spring {
 
     double effort(double stretch) const { return (stiffness + cubic * stretch * stretch) * stretch; }
     double slope(double stretch) const { return stiffness + 3 * cubic * stretch * stretch; }
-    /// The stretch at which the spring gives this effort: the real root of the depressed cubic, by hyperbolic functions.
+    /// The stretch at which the spring gives this effort: the real root of the depressed cubic, by hyperbolic
+    /// functions.
     double stretch(double effort) const
     {
         if (cubic == 0) return effort / stiffness;

@@ -86,7 +86,12 @@ Table parameters_table(const Diagnosis& d)
 std::string value_text(const SheetValue& v)
 {
     if (!v.pinned) return "not pinned by these records";
-    return fmt::format("{} ({} … {}) {}", number(v.value), number(v.interval.low), number(v.interval.high), v.unit);
+    // as many digits as show the interval
+    constexpr int least = 4, most = 9;
+    const double parts = std::min(std::abs(v.value) / (v.interval.high - v.interval.low), std::pow(10, most));
+    const int digits = parts > 1 ? std::clamp(static_cast<int>(std::log10(parts)) + 2, least, most) : least;
+    const auto text = [&](double value) { return plain_number(value, digits); };
+    return fmt::format("{} ({} … {}) {}", text(v.value), text(v.interval.low), text(v.interval.high), v.unit);
 }
 
 Table values_table(const Diagnosis& d)

@@ -4,8 +4,8 @@
 
 #include "analysis/joint/spring.h"
 #include "analysis/simulation/attractor/nonlinear.h"
-#include "analysis/stability/linear_joint.h"
 #include "analysis/stability/joint_spectrum.h"
+#include "analysis/stability/linear_joint.h"
 #include "analysis/stability/verdict.h"
 #include "tests/analysis/joint/sample_joints.h"
 

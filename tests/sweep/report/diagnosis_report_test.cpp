@@ -352,3 +352,14 @@ TEST_CASE("numbers that the records do not pin are said to be so, others stand w
         for (const auto& table : section.tables) on_page |= table.rows == rows;
     CHECK(on_page);
 }
+
+TEST_CASE("a value has as many digits as show its interval", "[report]")
+{
+    SheetValue v{"gravity amplitude", 14.00002, {13.9999, 14.0001}, "N·m"};
+    v.pinned = true;
+    CHECK(value_text(v) == "14 (13.9999 … 14.0001) N·m");
+    v.value = 0.09001, v.interval = {0.08996, 0.09005};
+    CHECK(value_text(v) == "0.09001 (0.08996 … 0.09005) N·m");
+    v.interval = {0.09001, 0.09001};
+    CHECK(value_text(v) == "0.09001 (0.09001 … 0.09001) N·m");
+}

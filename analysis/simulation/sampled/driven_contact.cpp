@@ -67,7 +67,8 @@ FrictionResponse DrivenJoint::respond_as(const BodyData& b, const Friction& fric
     if (b.logarithmic) return respond_logarithmic(friction, y[bodies() + i], b.ratio * b.speed, theta);
     const double V = b.ratio * y[bodies() + i];
     if (!b.rests) return respond(friction, V, theta);
-    return respond_on(friction, mode == Mode::reverse ? Branch::reverse : Branch::forward, V, b.ratio * b.speed, theta);
+    const auto branch = mode == Mode::reverse ? Branch::reverse : Branch::forward;
+    return respond_on(friction, branch, V, b.ratio * b.edge / rest_speed, theta);
 }
 
 /// What the friction of body i resists where its level is late, at its own side.
@@ -147,7 +148,7 @@ double DrivenJoint::limit(const double* y, int i, Branch branch) const
     }
     DrivenState still;
     std::copy_n(y, size_, still.begin());
-    const double edge = rest_speed * b.speed, V = branch == Branch::forward ? edge : -edge;
+    const double V = branch == Branch::forward ? b.release : -b.release;
     still[bodies() + i] = V;
     Friction raised = b.friction;
     if (b.bent) raise(raised.law, extra(y, i).level);
@@ -155,7 +156,7 @@ double DrivenJoint::limit(const double* y, int i, Branch branch) const
     const Mode mode = branch == Branch::forward ? Mode::forward : Mode::reverse;
     const double sliding = std::abs(respond_as(b, raised, mode, still.data(), i).force);
     // what a law resists at rest beyond the end of its curve: of kinetic and static friction
-    const double curve = raised.normal_load * std::abs(respond(raised.law, b.ratio * edge, {}).force);
+    const double curve = raised.normal_load * std::abs(respond(raised.law, b.ratio * b.edge, {}).force);
     return b.ratio * (sliding + std::max(0.0, static_force(raised) - curve));
 }
 

@@ -12,6 +12,20 @@ constexpr double least_share = 0.01;
 
 constexpr double slowest_clock = 1;  ///< rad/s, of the scale of positions where hardly a spring holds them
 
+/// A contact's sinh as steep as this (e to it) turns round at speeds that no motion has. Its body comes to rest below a
+/// share of V_0, a larger one beside an encoder or noise, and breaks away to ten times that speed: in between it would
+/// creep on, by so small a share of the way that the reference goes.
+constexpr double steep = 41, creep_share = 1e-6, disturbed_creep_share = 1e-5, break_away = 10;
+
+bool is_steep_contact(const Friction& f)
+{
+    if (f.has_bristle()) return false;
+    if (f.has_memory() && f.memory.A > 0)
+        return info(f.law).set_valued_at_rest && static_force(f.law) > steep * f.memory.A;
+    const auto* law = std::get_if<RateAndStateRegularised>(&f.law);
+    return law && law->A > 0 && law->f0 > steep * law->A;
+}
+
 /// Change of a drive signal, per itself, by which the slope of the push is taken.
 constexpr double small_change = 1e-6;
 
@@ -48,6 +62,7 @@ DrivenJoint::DrivenJoint(const Joint& joint, double frame, double speed, LoopSid
     size_ = 2 * n;
     bool timed = joint.load.gravity_amplitude != 0 || joint.load.cogging.acts();
     timed = (timed && frame != 0) || joint.load.disturbance.amplitude != 0;
+    const bool disturbed = joint.sensor.encoder_quantum > 0 || joint.sensor.position_noise > 0;
     bool rests = false;
     double inertia = 0;
     for (int i = 0; i < n; ++i) {
@@ -57,7 +72,10 @@ DrivenJoint::DrivenJoint(const Joint& joint, double frame, double speed, LoopSid
         b.ratio = chain_.body[i].ratio;
         b.speed = std::abs(speed);
         b.logarithmic = info(b.friction.law).needs_motion;
-        b.rests = stickslip::can_rest(b.friction);
+        const bool contact = is_steep_contact(b.friction);
+        b.rests = contact || stickslip::can_rest(b.friction);
+        b.edge = (!contact ? rest_speed : disturbed ? disturbed_creep_share : creep_share) * b.speed;
+        b.release = (contact ? break_away : 1) * b.edge;
         const auto& f = b.friction;
         b.bent = f.level_moves();
         b.late = std::holds_alternative<TimeLag>(f.law);

@@ -111,7 +111,9 @@ class DrivenJoint {
         Friction friction;
         double inertia, ratio, speed, extra_unit;
         bool logarithmic, rests, late;
-        bool bent;  ///< its level changes with place, time or load
+        double edge;     ///< speed below which a body that can rest comes to rest, joint coordinates
+        double release;  ///< speed to which it breaks away
+        bool bent;       ///< its level changes with place, time or load
         int states, first_state;
     };
     struct Drive {

@@ -9,7 +9,9 @@ namespace stickslip {
 /// One step of at most this length that the tolerance accepts.
 bool DrivenMotion::step_to(double left)
 {
-    constexpr int most_tries = 60;
+    // beside the kink of a level at rest errors do not fall with the step until it is shorter than the kink's layer
+    constexpr int most_tries = 60, patient_tries = 12;
+    constexpr double shrink = 0.9, shrink_faster = 0.1;
     step_.y0 = y;
     if (options_.fixed_step > 0) {
         step_.h = left / std::ceil(left / options_.fixed_step * (1 - 1e-12));
@@ -29,7 +31,7 @@ bool DrivenMotion::step_to(double left)
                 last && next < wish_ ? std::min(wish_, std::max(next, wish_ * 0.5)) : std::max(next, last ? wish_ : 0);
             return true;
         }
-        h = step_.h * std::min(factor, 0.9);
+        h = step_.h * std::min(factor, i < patient_tries ? shrink : shrink_faster);
         wish_ = h;
     }
     return false;

@@ -49,7 +49,8 @@ class DrivenMotion {
 
     MotionOptions options_;
     RosenbrockStep step_;
-    double wish_ = 0;  ///< length that error control would take next
+    double wish_ = 0;        ///< length that error control would take next
+    double first_wish_ = 0;  ///< the same of a first step: a command jumps with every tick
     std::array<double, 2 * max_bodies> before_{};
     int passed_ = -1;  ///< the backlash whose flank the last step ended on: its switch is zero but for rounding
 };
@@ -64,12 +65,14 @@ bool DrivenMotion::advance(double t, double duration, Observer&& observe)
     step_.implicit_only = options_.fixed_step > 0;
     int idle = 0;
     long taken = 0;
+    if (first_wish_ > 0) wish_ = std::min(wish_, first_wish_);
     while (done < duration) {
         if (joint.switches() > 0) joint.switch_values(y.data(), before_.data());
         const double left = joint.answers_late()
                                 ? std::min(duration - done, joint.step_limit(y.data()) - joint.clock(y.data()))
                                 : duration - done;
         if (!step_to(left)) return false;
+        if (taken == 0) first_wish_ = wish_;
         if (joint.switches() > 0 && !keep_launches(left)) return false;
         double fraction = 1;
         const int which = joint.switches() > 0 ? first_switch(fraction) : -1;

@@ -28,7 +28,15 @@ constexpr std::size_t longest_repeat = 8;  ///< turns
 constexpr double runaway = 1e9;            ///< of V_0
 constexpr double patience = 60;            ///< turns without a crossing of V_0
 constexpr int rounds_before_uneven = 12;   ///< blocks after which turns that are not alike are irregular
-constexpr int settling_turns = 40, measured_turns = 200;  ///< of a motion that no turn divides
+
+// of a motion that no turn divides
+constexpr int settling_turns = 40, measured_turns = 200;
+constexpr int turns_of_window = 6;        ///< of stretches that are compared
+constexpr std::size_t windows_alike = 3;  ///< that end it where they are alike
+constexpr double alike_windows = 0.1;     ///< spread of their amplitudes, of cycles
+constexpr double alike_noise = 0.3;       ///< the same where a small motion is all noise: its extrema differ as much
+/// Change of ln amplitude over a window of what is still on its way, at least: more than the spread.
+constexpr double would_show = 0.3, would_show_in_noise = 1;
 
 double speed_of(const LoopTurn& turn, double V0)
 {
@@ -91,7 +99,7 @@ LoopFollower::LoopFollower(SampledLoop& loop, const std::vector<double>& steady,
     const auto ticks = [&](int turns) {
         return std::clamp(std::lround(turns * unit / loop_.period()), 100L, work::ticks_of_motion / 4);
     };
-    settle_ = ticks(settling_turns), measure_ = ticks(measured_turns);
+    settle_ = ticks(settling_turns), measure_ = ticks(measured_turns), window_ = ticks(turns_of_window);
 }
 
 LoopEnd LoopFollower::ended(LoopEnd::Kind kind, Reason reason) const
@@ -275,37 +283,72 @@ std::optional<LoopEnd> LoopFollower::after_even_tick()
     return ended(LoopEnd::Kind::undecided, Reason::not_converged);
 }
 
+void LoopFollower::Stretch::add(const Stretch& more)
+{
+    const LoopTurn& m = more.outer;
+    outer.velocity_min = std::min(outer.velocity_min, m.velocity_min);
+    outer.velocity_max = std::max(outer.velocity_max, m.velocity_max);
+    outer.position_min = std::min(outer.position_min, m.position_min);
+    outer.position_max = std::max(outer.position_max, m.position_max);
+    outer.rest_time += m.rest_time;
+    outer.reversed |= m.reversed;
+    ticks += more.ticks, rests += more.rests;
+}
+
 /// A coarse encoder or noise: extrema over a long time, and how often the link comes to rest.
 std::optional<LoopEnd> LoopFollower::after_uneven_tick()
 {
-    const auto now = watch.present();
+    Stretch tick{watch.present(), 1, 0};
     watch.reset(loop_.time());
-    if (ticks_ == settle_) first_peak_ = now.position_max;
-    if (ticks_ <= settle_) return {};
-    outer_.velocity_min = std::min(outer_.velocity_min, now.velocity_min);
-    outer_.velocity_max = std::max(outer_.velocity_max, now.velocity_max);
-    outer_.position_min = std::min(outer_.position_min, now.position_min);
-    outer_.position_max = std::max(outer_.position_max, now.position_max);
-    outer_.rest_time += now.rest_time;
-    outer_.reversed |= now.reversed;
-    if (now.rest_time > 0 && !slow_) ++rests_;
-    slow_ = now.rest_time > 0;
+    const bool slow = tick.outer.rest_time > 0;
+    tick.rests = slow && !slow_;
+    slow_ = slow;
+    if (ticks_ % window_ == 1 || windows_.empty()) windows_.emplace_back();
+    windows_.back().add(tick);
+    if (ticks_ > settle_) whole_.add(tick);
+    if (ticks_ == window_) first_peak_ = windows_.back().outer.position_max;
+    if (ticks_ % window_ == 0 && go_on_alike()) {
+        Stretch last;
+        for (auto w = windows_.end() - windows_alike; w != windows_.end(); ++w) last.add(*w);
+        return measured_over(last);
+    }
     if (ticks_ < settle_ + measure_) return {};
-    return measured_unevenly();
+    return measured_over(whole_);
 }
 
-LoopEnd LoopFollower::measured_unevenly() const
+/// The newest windows differ as little as noise makes them, and what is still on its way would have shown.
+bool LoopFollower::go_on_alike() const
+{
+    const double window = static_cast<double>(window_) * loop_.period();
+    if (windows_.size() < windows_alike) return false;
+    const auto first = windows_.end() - windows_alike;
+    const bool noise = first->smooth() && options_.steady_attracts;
+    const double shown = noise ? would_show_in_noise : would_show;
+    if (!(std::abs(options_.decay) * window > shown)) return false;
+    if (options_.winds > 0 && !(options_.winds * window > shown)) return false;
+    const auto by_amplitude = [](const Stretch& a, const Stretch& b) {
+        return a.outer.amplitude() < b.outer.amplitude();
+    };
+    const auto [low, high] = std::minmax_element(first, windows_.end(), by_amplitude);
+    const auto like_first = [&](const Stretch& w) {
+        return w.smooth() == first->smooth() && w.outer.reversed == first->outer.reversed;
+    };
+    return std::all_of(first, windows_.end(), like_first) &&
+           high->outer.amplitude() < (1 + (noise ? alike_noise : alike_windows)) * low->outer.amplitude();
+}
+
+LoopEnd LoopFollower::measured_over(const Stretch& stretch) const
 {
     LoopEnd end;
-    const double time = static_cast<double>(measure_) * loop_.period();
-    end.reversed = outer_.reversed;
-    const bool smooth = outer_.rest_time == 0 && !end.reversed;
-    end.kind = smooth && options_.steady_attracts ? LoopEnd::Kind::steady : LoopEnd::Kind::cycle;
+    const double time = static_cast<double>(stretch.ticks) * loop_.period();
+    const LoopTurn& outer = stretch.outer;
+    end.reversed = outer.reversed;
+    end.kind = stretch.smooth() && options_.steady_attracts ? LoopEnd::Kind::steady : LoopEnd::Kind::cycle;
     end.first_peak = first_peak_;
-    end.amplitude = outer_.amplitude();
-    end.velocity_min = outer_.velocity_min, end.velocity_max = outer_.velocity_max;
-    end.stick_fraction = outer_.rest_time / time;
-    if (rests_ > 1) end.period = time / rests_;
+    end.amplitude = outer.amplitude();
+    end.velocity_min = outer.velocity_min, end.velocity_max = outer.velocity_max;
+    end.stick_fraction = outer.rest_time / time;
+    if (stretch.rests > 1) end.period = time / stretch.rests;
     return end;
 }
 

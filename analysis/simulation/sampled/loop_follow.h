@@ -83,7 +83,6 @@ class LoopFollower {
     void scale_motion(double by);
     LoopEnd measured(LoopEnd::Kind kind, std::size_t count) const;
     LoopEnd repeated(int turns) const;
-    LoopEnd measured_unevenly() const;
 
     SampledLoop& loop_;
     const std::vector<double> steady_;
@@ -96,10 +95,21 @@ class LoopFollower {
     double first_peak_ = missing, last_change_ = missing;
     std::size_t skip_ = 0;
 
-    long settle_ = 0, measure_ = 0;  ///< ticks of a motion that no turn divides
-    LoopTurn outer_;                 ///< its outermost extrema, and time at rest
+    /// A stretch of a motion that no turn divides: its outermost extrema, time at rest, times that it came to rest.
+    struct Stretch {
+        LoopTurn outer;
+        long ticks = 0;
+        int rests = 0;
+        bool smooth() const { return outer.rest_time == 0 && !outer.reversed; }
+        void add(const Stretch& more);
+    };
+    bool go_on_alike() const;
+    LoopEnd measured_over(const Stretch& stretch) const;
+
+    long window_ = 0, settle_ = 0, measure_ = 0;  ///< ticks
+    std::vector<Stretch> windows_;
+    Stretch whole_;  ///< since the motion settled
     bool slow_ = false;
-    int rests_ = 0;
 };
 
 }  // namespace stickslip

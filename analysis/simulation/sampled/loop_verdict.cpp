@@ -21,6 +21,7 @@ constexpr double lifted = 0.1;       ///< of V_0: size at which a small disturba
 constexpr double near_rest_share = 1e-4;
 constexpr double far_pull = 3;           ///< of the spring, in V_0/|s|
 constexpr double faded = 1e-9;           ///< of a push: no more than this is left of it
+constexpr double uneven_rtol = 1e-5;     ///< tolerance of motions that an encoder or noise disturbs
 constexpr double neutral_growth = 1e-9;  ///< of |s|: neither growth nor decay
 
 double total_backlash(const Joint& joint)
@@ -118,7 +119,8 @@ LoopInquiry::LoopInquiry(const Joint& asked, const LoopQuestion& question, Growt
     if (!find_mode(asked, frame, by)) return;
     const auto& sensor = joint_.sensor;
     LoopOptions real;
-    real.motion.rtol = question.rtol;
+    // an encoder or noise disturbs every tick by far more
+    real.motion.rtol = follow_.uneven ? std::max(question.rtol, uneven_rtol) : question.rtol;
     real.seed = sensor.position_noise > 0 ? question.seed : 0;
     real.readings = false;
     loop_.emplace(asked, frame, frame, LoopSide::joint, real);

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "analysis/simulation/attractor/nonlinear.h"
+#include "analysis/simulation/sampled/loop_record.h"
 #include "analysis/simulation/sampled/loop_verdict.h"
 #include "analysis/stability/real_loop.h"
 
@@ -200,4 +201,71 @@ TEST_CASE("sampled loop: a coarse encoder leaves a jitter of about its step", "[
     CHECK(verdict.outcome == Outcome::stable_sliding);
     CHECK(verdict.amplitude > 0.2e-7);
     CHECK(verdict.amplitude < 5e-7);
+}
+
+namespace {
+
+/// An elbow with a strain wave gear that creeps, its motor's friction under a contact that remembers, an encoder of 19
+/// bits behind a reduction of 100 and its noise.
+Joint creeping_elbow(double k_p, double k_v)
+{
+    Joint joint;
+    auto& m = joint.mechanism;
+    m.motion = Motion::revolute, m.model = Model::two_mass;
+    m.motor_inertia = 0.52, m.link_inertia = 1.1;
+    m.transmission.stiffness = 31000, m.transmission.damping = 30;
+    auto& c = joint.control;
+    c.k_p = k_p, c.k_v = k_v, c.V0 = 8.7e-5, c.period = 1e-3;
+    c.velocity_estimate.form = EstimateForm::backward_difference, c.velocity_estimate.tau = 1e-3;
+    joint.frictions.motor.law = CoulombViscous{10, 0.2};
+    joint.frictions.link.law = CoulombViscous{0.8, 0.5};
+    auto& memory = joint.frictions.motor.memory;
+    memory.A = 0.1, memory.B = 0.15, memory.L = 4e-6;
+    joint.sensor.encoder_quantum = 1.2e-7, joint.sensor.position_noise = 2e-7;
+    return joint;
+}
+
+}  // namespace
+
+TEST_CASE("sampled loop: a strain wave gear that creeps under an encoder and noise is decided", "[sampled][slow]")
+{
+    const auto soft = nonlinear_verdict(creeping_elbow(6e3, 200), {});
+    CHECK(soft.outcome == Outcome::limit_cycle);
+    CHECK(soft.region == NonlinearRegion::stick_slip);
+    // the cycle of the same joint without encoder and noise, which turns tell
+    Joint clean = creeping_elbow(6e3, 200);
+    clean.sensor = {};
+    NonlinearOptions longer;
+    longer.effort = 10;
+    CHECK(soft.amplitude == Approx(nonlinear_verdict(clean, longer).amplitude).epsilon(0.15));
+    // the boundary lies at 8.38 kN·m/rad; from rest the motor is held by its contact at first
+    for (const double k_p : {12e3, 30e3}) {
+        const auto stiff = nonlinear_verdict(creeping_elbow(k_p, k_p / 60), {});
+        CAPTURE(k_p, static_cast<int>(stiff.reason));
+        CHECK(stiff.outcome == Outcome::stable_sliding);
+        CHECK(stiff.region == NonlinearRegion::stable);
+    }
+}
+
+TEST_CASE("sampled loop: a contact with hardly a direct effect moves as dry friction does", "[sampled]")
+{
+    Joint dry = sampled_joint(4e3);
+    dry.control.k_v = 120;
+    dry.friction.law = CoulombViscous{5, 10};
+    Joint contact = dry;
+    auto& memory = contact.friction.memory;
+    memory.A = 1e-3, memory.L = 1e-5;  // ln of all velocities between rest and motion: 0.03 N of 5 N
+    ReferenceMotion reference;
+    for (int k = 0; k <= 2000; ++k) {
+        reference.time.push_back(1e-3 * k);
+        reference.position.push_back(0.01 * (1 - std::cos(6e-3 * k)));
+    }
+    for (Joint* joint : {&dry, &contact}) joint->sensor.position_noise = 1e-7;
+    const auto a = record_along(dry, reference, 3), b = record_along(contact, reference, 3);
+    REQUIRE(a.time.size() == reference.time.size());
+    REQUIRE(b.time.size() == reference.time.size());
+    double apart = 0;
+    for (std::size_t k = 0; k < a.position.size(); ++k)
+        apart = std::max(apart, std::abs(a.position[k] - b.position[k]));
+    CHECK(apart < 2 * 0.03 / 4e3);
 }

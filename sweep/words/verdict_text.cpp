@@ -189,11 +189,13 @@ Table nonlinear_table(const Joint& joint, const NonlinearVerdict& v)
         if (is_set(value)) table.rows.push_back({name, with_unit(value, q, units, 6)});
     };
     add("growth rate of a small disturbance", v.growth_rate, Quantity::rate);
-    add("limit-cycle amplitude in position", v.amplitude, Quantity::position);
-    add("least velocity of the cycle", v.velocity_min, Quantity::velocity);
-    add("peak velocity of the cycle", v.velocity_max, Quantity::velocity);
+    // of sliding that only the encoder or its noise disturbs the same numbers tell how far
+    const bool jitters = v.outcome == Outcome::stable_sliding && v.region != NonlinearRegion::bistable;
+    add(jitters ? "jitter of the position" : "limit-cycle amplitude in position", v.amplitude, Quantity::position);
+    add(jitters ? "least velocity" : "least velocity of the cycle", v.velocity_min, Quantity::velocity);
+    add(jitters ? "peak velocity" : "peak velocity of the cycle", v.velocity_max, Quantity::velocity);
     add("period", v.period, Quantity::time);
-    add("share of the period spent sticking", v.stick_fraction, Quantity::number);
+    if (!jitters) add("share of the period spent sticking", v.stick_fraction, Quantity::number);
     add("overshoot, per steady deflection", v.overshoot, Quantity::number);
     if (!v.multipliers.empty()) add("largest Floquet multiplier", std::abs(v.multipliers.front()), Quantity::number);
     if (v.criticality == Criticality::subcritical)

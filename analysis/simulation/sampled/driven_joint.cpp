@@ -12,19 +12,9 @@ constexpr double least_share = 0.01;
 
 constexpr double slowest_clock = 1;  ///< rad/s, of the scale of positions where hardly a spring holds them
 
-/// A contact's sinh as steep as this (e to it) turns round at speeds that no motion has. Its body comes to rest below a
-/// share of V_0, a larger one beside an encoder or noise, and breaks away to ten times that speed: in between it would
-/// creep on, by so small a share of the way that the reference goes.
-constexpr double steep = 41, creep_share = 1e-6, disturbed_creep_share = 1e-5, break_away = 10;
-
-bool is_steep_contact(const Friction& f)
-{
-    if (f.has_bristle()) return false;
-    if (f.has_memory() && f.memory.A > 0)
-        return info(f.law).set_valued_at_rest && static_force(f.law) > steep * f.memory.A;
-    const auto* law = std::get_if<RateAndStateRegularised>(&f.law);
-    return law && law->A > 0 && law->f0 > steep * law->A;
-}
+/// The body of a steep contact comes to rest below a share of V_0, a larger one beside an encoder or noise, and breaks
+/// away to ten times that speed: in between it would creep on, by so small a share of the way that the reference goes.
+constexpr double creep_share = 1e-6, disturbed_creep_share = 1e-5, break_away = 10;
 
 /// Change of a drive signal, per itself, by which the slope of the push is taken.
 constexpr double small_change = 1e-6;

@@ -1,3 +1,4 @@
+// In one file: one drawing and the parts that it is put together from.
 #include "sweep/report/figures/model_drawing.h"
 
 #include "analysis/joint/parameters.h"
@@ -97,9 +98,28 @@ std::vector<std::string> friction_notes(Joint joint)
     return notes;
 }
 
+/// Springs that are stiffer the more they carry.
+std::vector<std::string> hardening_notes(const Joint& joint)
+{
+    std::vector<std::string> notes;
+    const auto add = [&](const char* spring, const char* cubic, const Transmission& t) {
+        if (t.cubic_stiffness == 0) return;
+        const auto number = labelled(cubic, t.cubic_stiffness, Quantity::cubic_stiffness, units_of(joint));
+        notes.push_back(std::string(spring) + " hardens: " + number + " beside it");
+    };
+    const auto& m = joint.mechanism;
+    if (m.model == Model::two_mass) add("k_{tr}", "k_{3,tr}", m.transmission);
+    if (m.model != Model::three_mass && m.model != Model::lever) return notes;
+    add("k_{m-tr}", "k_{3,m-tr}", m.motor_transmission);
+    add("k_{tr-l}", "k_{3,tr-l}", m.transmission_link);
+    return notes;
+}
+
 std::vector<std::string> notes(const Joint& joint, const std::string& reduction)
 {
     auto all = friction_notes(joint);
+    const auto hardening = hardening_notes(joint);
+    all.insert(all.begin(), hardening.begin(), hardening.end());
     if (!reduction.empty()) all.insert(all.begin(), reduction);
     all.insert(all.begin(), loop_note(joint));
     return all;

@@ -23,9 +23,9 @@ Joint chain_joint(Model model)
     m.lever_arm = model == Model::lever ? 0.1 : not_set;
     m.link_inertia = 1;
     // seen from the joint, both springs of the lever and of three masses are the same
-    m.motor_transmission = {model == Model::lever ? 1e4 : 1e6, 0, 10, 0};
-    m.transmission_link = {2e6, 0, 1, 0};
-    m.transmission = {1e6, 0, 10, 0};
+    m.motor_transmission = {.stiffness = model == Model::lever ? 1e4 : 1e6, .ratio = 10};
+    m.transmission_link = {.stiffness = 2e6};
+    m.transmission = {.stiffness = 1e6, .ratio = 10};
     joint.frictions.motor.law = CoulombViscous{0.1, 0.02};
     joint.frictions.transmission.law = CoulombViscous{0.5, 0};
     joint.frictions.link = joint.friction;

@@ -22,7 +22,7 @@ Joint geared()
     m.motion = Motion::revolute;
     m.model = Model::two_mass;
     m.motor_inertia = J, m.link_inertia = link;
-    m.transmission = {stiffness, damping, N, 0};
+    m.transmission = {.stiffness = stiffness, .damping = damping, .ratio = N};
     joint.control.feedback = Feedback::motor;
     joint.control.k_p = k_p, joint.control.k_v = k_v;
     joint.control.V0 = 0.05;

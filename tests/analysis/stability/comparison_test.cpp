@@ -31,7 +31,7 @@ TEST_CASE("windows of k_v and k_p end where the spectrum of either theory turns,
     Joint joint = samples::two_mass();
     auto& m = joint.mechanism;
     m.motor_inertia = 10, m.link_inertia = 1;
-    m.transmission = {1e5, 0, 1, 0};
+    m.transmission = {.stiffness = 1e5};
     joint.frictions.motor.law = CoulombViscous{1, 10};
     RateAndState link;
     link.f0 = 60, link.A = 1, link.V_star = 1e-3;

@@ -245,8 +245,8 @@ TEST_CASE("a joint that is stable without any velocity gain has a least one", "[
     m.link_inertia = 0.4623478239456445;
     m.transmission_inertia = 9.272801729755332e-05;
     m.lever_arm = 0.24322156532462258;
-    m.motor_transmission = {1892.4862034031116, 0, 0.012093320826996419, 0};
-    m.transmission_link = {433176.62240385433, 0.7349398587776951, 0.9640616268916673, 0};
+    m.motor_transmission = {.stiffness = 1892.4862034031116, .ratio = 0.012093320826996419};
+    m.transmission_link = {.stiffness = 433176.62240385433, .damping = 0.7349398587776951, .ratio = 0.9640616268916673};
     joint.frictions.motor.law = CoulombViscous{1, 0};
     joint.frictions.transmission.law = CoulombViscous{1, 0};
     joint.frictions.link.law = CoulombViscous{1, 75017.37068326058};

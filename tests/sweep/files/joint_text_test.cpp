@@ -90,7 +90,7 @@ TEST_CASE("a joint that is written reads back equal", "[slow]")
     const unsigned seed = 20240817;
     std::mt19937_64 random(seed);
     int valid = 0;
-    for (int i = 0; i < 40000; ++i) {
+    for (int i = 0; i < 45000; ++i) {
         Joint joint;
         Shuffler shuffler{random};
         Joint::fields(joint, shuffler);

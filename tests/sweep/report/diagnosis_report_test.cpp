@@ -212,7 +212,7 @@ TEST_CASE("the page shows both ends of the window that ticks leave, in the gains
     Joint rigid = plain;
     rigid.mechanism.model = Model::two_mass;
     rigid.mechanism.motor_inertia = 0.3, rigid.mechanism.link_inertia = 1;
-    rigid.mechanism.transmission = {1e7, 100, 1, 0};
+    rigid.mechanism.transmission = {.stiffness = 1e7, .damping = 100};
     rigid.frictions.motor.law = CoulombViscous{1, 1};
     rigid.frictions.link = plain.friction;
     Joint geared = rigid;  // the same bodies behind a gear of 10, as their motor counts them

@@ -13,11 +13,14 @@ void write_nonlinear(const NonlinearVerdict& verdict, PointResult& point)
     point.outcome = verdict.outcome;
     point.path = verdict.path;
     point.growth_rate = verdict.growth_rate;
-    point.amplitude = verdict.amplitude;
-    point.velocity_min = verdict.velocity_min;
-    point.velocity_max = verdict.velocity_max;
-    point.period = verdict.period;
-    point.stick_fraction = verdict.stick_fraction;
+    // sliding that an encoder or its noise disturbs has extrema, but no cycle
+    if (verdict.outcome != Outcome::stable_sliding || verdict.region == NonlinearRegion::bistable) {
+        point.amplitude = verdict.amplitude;
+        point.velocity_min = verdict.velocity_min;
+        point.velocity_max = verdict.velocity_max;
+        point.period = verdict.period;
+        point.stick_fraction = verdict.stick_fraction;
+    }
     point.overshoot = verdict.overshoot;
     if (verdict.region == NonlinearRegion::bistable) point.region = Region::bistable;
     if (point.reason == Reason::none) point.reason = verdict.reason;

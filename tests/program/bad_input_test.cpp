@@ -26,7 +26,7 @@ std::string with(const std::string& from, const std::string& to)
 
 }  // namespace
 
-TEST_CASE("every kind of bad spec is refused at its place", "[program]")
+TEST_CASE("every kind of bad spec is refused at its place", "[program][slow]")
 {
     struct Bad {
         const char *what, *from, *to, *place, *says;
@@ -88,7 +88,7 @@ TEST_CASE("places that cannot be read or written are named", "[program]")
     CHECK(stickslip("evaluate").exit_code == 2);
 }
 
-TEST_CASE("a wrong command line is told what is allowed and the nearest name", "[program]")
+TEST_CASE("a wrong command line is told what is allowed and the nearest name", "[program][slow]")
 {
     struct Wrong {
         const char *arguments, *says;
@@ -201,7 +201,7 @@ TEST_CASE("a dead time that is refused is named with its number and its place", 
     }
 }
 
-TEST_CASE("a limit below the friction of steady sliding is said with its place by every verb", "[program]")
+TEST_CASE("a limit below the friction of steady sliding is said with its place by every verb", "[program][slow]")
 {
     Folder folder;
     const auto weak = folder.write("weak.toml", with("V0 = 1e-3\n", "V0 = 1e-3\neffort_limit = 50.0\n"));

@@ -15,7 +15,7 @@ const std::string spec = "design examples/04-design/spec.toml ";
 
 }  // namespace
 
-TEST_CASE("design finds gains, their front, and what velocity-only thinking costs", "[program][design]")
+TEST_CASE("design finds gains, their front, and what velocity-only thinking costs", "[program][design][slow]")
 {
     Folder folder;
     const auto run = stickslip(spec + "--require front_points=4 --json -o '" + (folder / "out") + "'");
@@ -38,7 +38,7 @@ TEST_CASE("design finds gains, their front, and what velocity-only thinking cost
     CHECK(Json::parse(program::read(folder / "out/design.json"))["best"] == json["best"]);
 }
 
-TEST_CASE("design says why nothing is feasible, and what would be", "[program][design]")
+TEST_CASE("design says why nothing is feasible, and what would be", "[program][design][slow]")
 {
     const auto run = stickslip(spec + "--require effort_limit=60.001 --require front_points=2");
     INFO(run.output);

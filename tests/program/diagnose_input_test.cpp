@@ -77,7 +77,7 @@ program::Run diagnose(const Folder& folder, const std::string& text)
 
 }  // namespace
 
-TEST_CASE("a record in a foreign unit is suspected and not explained by a cause", "[program][diagnose]")
+TEST_CASE("a record in a foreign unit is suspected and not explained by a cause", "[program][diagnose][slow]")
 {
     const std::pair<std::string, std::string> cases[] = {
         {record([](Row& r) { r.position *= degrees; }), "suspected degrees: position moves"},
@@ -150,7 +150,7 @@ TEST_CASE("a row that a logger held is left away and said to be", "[program][dia
     CHECK_THAT(program::read(folder / "out/diagnosis.json"), Contains("1 rows repeat the row before"));
 }
 
-TEST_CASE("gains that held in one record are no sign of another joint", "[program][diagnose]")
+TEST_CASE("gains that held in one record are no sign of another joint", "[program][diagnose][slow]")
 {
     Folder folder;
     const std::string fed_harder = record([](Row& r) { r.command *= 7; });
@@ -164,7 +164,7 @@ TEST_CASE("gains that held in one record are no sign of another joint", "[progra
 }
 
 TEST_CASE("long travel is suspected where nothing confirms the unit, and believed where it is named",
-          "[program][diagnose]")
+          "[program][diagnose][slow]")
 {
     // 100 rad and no reference to compare the command with: a wheel, or degrees
     std::string text = "time,position,effort_command\n";
@@ -240,7 +240,7 @@ TEST_CASE("line ends, separators, marks and remarks do not change the answer", "
     }
 }
 
-TEST_CASE("the answer does not depend on the number of threads", "[program][diagnose]")
+TEST_CASE("the answer does not depend on the number of threads", "[program][diagnose][slow]")
 {
     Folder folder;
     const auto spec = folder.write("joint.toml", joint), file = folder.write("run.csv", record());
@@ -257,7 +257,7 @@ TEST_CASE("the answer does not depend on the number of threads", "[program][diag
     }
 }
 
-TEST_CASE("records that say nothing, and files that are none", "[program][diagnose]")
+TEST_CASE("records that say nothing, and files that are none", "[program][diagnose][slow]")
 {
     struct Case {
         std::string text;

@@ -55,7 +55,7 @@ TEST_CASE("the pipeline step passes, and fails where a boundary has moved", "[pr
     CHECK(std::filesystem::exists(folder / "stability/report.html"));
 }
 
-TEST_CASE("shards by GNU parallel give the summary of one sweep", "[program][examples]")
+TEST_CASE("shards by GNU parallel give the summary of one sweep", "[program][examples][slow]")
 {
     if (program::shell("command -v parallel >/dev/null").exit_code != 0) {
         WARN("skipped: GNU parallel is not installed here");

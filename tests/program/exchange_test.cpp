@@ -37,7 +37,7 @@ TEST_CASE("list keys shows words as well as numbers without a file")
     CHECK(json.at(0).at("value") == "prismatic");
 }
 
-TEST_CASE("export writes text for each simulator, and what is lost to standard error")
+TEST_CASE("export writes text for each simulator, and what is lost to standard error", "[slow]")
 {
     const std::string joint = "examples/02-ball-screw/joint-with-memory.toml";
     for (const std::string to : {"mjcf", "urdf", "sdf", "isaaclab", "ros2_control"}) {

@@ -10,7 +10,7 @@
 
 using program::stickslip;
 
-TEST_CASE("figures writes the page, the charts and the drawings, and meets every number", "[program]")
+TEST_CASE("figures writes the page, the charts and the drawings, and meets every number", "[program][slow]")
 {
     program::Folder folder;
     const auto run = stickslip("figures --json -o '" + (folder / "paper") + "'");

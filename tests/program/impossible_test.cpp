@@ -27,7 +27,8 @@ TEST_CASE("a disturbance of negative size is refused before anything is simulate
     }
 }
 
-TEST_CASE("a range without boundaries is answered with the nearest one outside, of every kind", "[program][impossible]")
+TEST_CASE("a range without boundaries is answered with the nearest one outside, of every kind",
+          "[program][impossible][slow]")
 {
     struct Case {
         const char *arguments, *says;
@@ -51,7 +52,7 @@ TEST_CASE("a range without boundaries is answered with the nearest one outside, 
     CHECK(json["lines"][0]["outside"]["nearest"]["value"].get<double>() == Approx(24849).epsilon(1e-4));
 }
 
-TEST_CASE("points without a verdict are not counted to either side", "[program][impossible]")
+TEST_CASE("points without a verdict are not counted to either side", "[program][impossible][slow]")
 {
     // a metre of offset: the joint is thrown back, and part of the motions end undecided
     const auto run = stickslip(strip + "--kind outcome --along control.k_p --disturbance position --size 1");
@@ -89,7 +90,7 @@ TEST_CASE("demands that no gains meet are answered with what could be", "[progra
     CHECK_THAT(stiff.output, Contains("k_p_to is 6e+07"));
 }
 
-TEST_CASE("an objective that is no finite number is said to be none", "[program][impossible]")
+TEST_CASE("an objective that is no finite number is said to be none", "[program][impossible][slow]")
 {
     const auto run = stickslip(
         "design examples/01-reference-joint/spec.toml --require sample_time=1e-3 --require "

@@ -65,7 +65,7 @@ TEST_CASE("a record of an edited joint names the edit", "[slow]")
     CHECK(found["effects"][0]["names"][0] == "delay");
 }
 
-TEST_CASE("a record of a continuous loop has no gap, and names the edit of its joint")
+TEST_CASE("a record of a continuous loop has no gap, and names the edit of its joint", "[slow]")
 {
     const Folder folder;
     const auto sampled = machine.find("period"), friction = machine.find("[friction]");
@@ -99,7 +99,7 @@ TEST_CASE("what records are not simulated with is refused")
     CHECK_THAT(run.output, Catch::Contains("pressed.toml: control.contact_stiffness"));
 }
 
-TEST_CASE("a gear that loses more when the load drives it is friction that depends on the load")
+TEST_CASE("a gear that loses more when the load drives it is friction that depends on the load", "[slow]")
 {
     const Folder folder;
     const auto arm = "[load]\ngravity_amplitude = 3\n" + machine;
@@ -150,7 +150,7 @@ TEST_CASE("a reference that cannot be followed says why")
     CHECK_THAT(second.output, Catch::Contains("broken.csv:3"));
 }
 
-TEST_CASE("what records are simulated without is said")
+TEST_CASE("what records are simulated without is said", "[slow]")
 {
     const Folder folder;
     const auto plain = diagnosis_of(folder, "");

@@ -68,7 +68,7 @@ TEST_CASE("evaluate and simulate take a spec as its design point, with its distu
     CHECK_THAT(motion.output, Contains("limit cycle"));
 }
 
-TEST_CASE("the shipped baseline holds, and a changed joint is caught", "[program]")
+TEST_CASE("the shipped baseline holds, and a changed joint is caught", "[program][slow]")
 {
     const std::string folder_of = "examples/02-ball-screw/";
     const auto held = stickslip("check " + folder_of + "spec-with-memory.toml " + folder_of + "baseline.json");

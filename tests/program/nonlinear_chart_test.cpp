@@ -30,7 +30,7 @@ enabled = true
     CHECK(page.find("fold of limit cycles") != std::string::npos);
 }
 
-TEST_CASE("a report without bistable points finds no fault with its linear chart")
+TEST_CASE("a report without bistable points finds no fault with its linear chart", "[slow]")
 {
     const Folder folder;
     const auto spec = folder.write("spec.toml", example_joint_text(1, 6e4, 0, 1e-3) + R"([axes]

@@ -38,7 +38,7 @@ void check_first_screen(const std::string& page)
 
 }  // namespace
 
-TEST_CASE("the page of a motion names its end and its cycle", "[program][pages]")
+TEST_CASE("the page of a motion names its end and its cycle", "[program][pages][slow]")
 {
     Folder folder;
     const auto page = page_of(folder, "simulate '" + folder.write("joint.toml", joint) + "' --set control.k_p=2e4");

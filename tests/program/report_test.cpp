@@ -33,7 +33,7 @@ void sweep(const Folder& folder, const std::string& name, const char* slip_dista
 
 }  // namespace
 
-TEST_CASE("two sweeps are compared: boundaries, regions, numbers", "[program]")
+TEST_CASE("two sweeps are compared: boundaries, regions, numbers", "[program][slow]")
 {
     Folder folder;
     sweep(folder, "a", "1e-5");
@@ -91,7 +91,7 @@ TEST_CASE("a sweep without a title of its own has a page with one, and its locus
     CHECK_THAT(page, Contains("Stability changes at k<sub>p</sub> = 55 kN/m"));
 }
 
-TEST_CASE("a page carries a date only when asked, and is the same every time", "[program]")
+TEST_CASE("a page carries a date only when asked, and is the same every time", "[program][slow]")
 {
     Folder folder;
     sweep(folder, "a", "1e-5");
@@ -114,7 +114,8 @@ TEST_CASE("a page carries a date only when asked, and is the same every time", "
     CHECK(stickslip(again + " --timestamp yesterday").exit_code == 2);
 }
 
-TEST_CASE("a finished sweep is drawn from its stored answers, byte for byte, and nothing is computed", "[program]")
+TEST_CASE("a finished sweep is drawn from its stored answers, byte for byte, and nothing is computed",
+          "[program][slow]")
 {
     Folder folder;
     sweep(folder, "a", "1e-5");
@@ -150,7 +151,7 @@ TEST_CASE("a finished sweep is drawn from its stored answers, byte for byte, and
     CHECK_THAT(foreign.output, Contains("answer.json: is no answer of a sweep"));
 }
 
-TEST_CASE("piped output has no colours and no progress", "[program]")
+TEST_CASE("piped output has no colours and no progress", "[program][slow]")
 {
     Folder folder;
     const auto run = stickslip("sweep '" + folder.write("spec.toml", spec("1e-5")) + "' -o '" + (folder / "out") + "'");

@@ -136,7 +136,7 @@ TEST_CASE("two joints of one log: each planted cause under its joint, and a page
 }
 
 TEST_CASE("a joint that the log lacks, and one whose file is broken, are said and do not stop the third",
-          "[program][robot]")
+          "[program][robot][slow]")
 {
     const Folder folder;
     for (const char* name : {"base", "elbow"}) folder.write(std::string(name) + ".toml", joint_file(0.3));

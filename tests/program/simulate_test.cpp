@@ -33,7 +33,7 @@ std::vector<double> column(const std::string& csv, int number)
 
 }  // namespace
 
-TEST_CASE("a motion settles on the cycle that is known, and its page says so")
+TEST_CASE("a motion settles on the cycle that is known, and its page says so", "[slow]")
 {
     const Folder folder;
     const auto joint = folder.write("joint.toml", known_cycle);

@@ -68,7 +68,7 @@ TEST_CASE("numbers stay with their units, minus signs are minus signs, exponents
     for (const auto& [given, set] : said) CHECK(drawing::typeset(given) == set);
 }
 
-TEST_CASE("bars of a table are drawn, one for each row", "[page]")
+TEST_CASE("bars of a table are drawn, one for each row", "[page][slow]")
 {
     Report report = example::report();
     Table table{"shares", {"where", "share"}, {{"motion", "90 %"}, {"command", "10 %"}}};
@@ -83,7 +83,7 @@ TEST_CASE("bars of a table are drawn, one for each row", "[page]")
     CHECK_THROWS_AS(page(report, render(report)), std::invalid_argument);
 }
 
-TEST_CASE("text to take along is shown as it is, and a whole file is folded away", "[page]")
+TEST_CASE("text to take along is shown as it is, and a whole file is folded away", "[page][slow]")
 {
     Report report = example::report();
     report.snippets = {{"To paste", "viscous = -3   # <N>", ""}, {"The file", "[joint]\n", "joint.toml"}};

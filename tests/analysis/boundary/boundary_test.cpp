@@ -26,7 +26,7 @@ double closed_form(double k_v, double V0)
 
 }  // namespace
 
-TEST_CASE("the linear boundary over V_0 = 1e-6 … 1e-2 is the closed form to 1e-9", "[boundary]")
+TEST_CASE("the linear boundary over V_0 = 1e-6 … 1e-2 is the closed form to 1e-9", "[boundary][slow]")
 {
     // 200 values, among them those around M = m V_0²/(L A) = 1e-4
     for (int i = 0; i <= 200; ++i) {
@@ -279,7 +279,7 @@ TEST_CASE("the least velocity over a chart is that along each of its columns", "
         }
 }
 
-TEST_CASE("a boundary is found in a range of six hundred decades, along an axis and over a chart", "[boundary]")
+TEST_CASE("a boundary is found in a range of six hundred decades, along an axis and over a chart", "[boundary][slow]")
 {
     const auto memory = of(BoundaryKind::state_variable);
     const double k_cr = closed_form(0, 1e-3);

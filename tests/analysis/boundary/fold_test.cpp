@@ -163,7 +163,8 @@ Joint kinetic_static_joint(double k_p, double V0)
 
 }  // namespace
 
-TEST_CASE("the last cycle of kinetic and static friction grazes rest where its closed form does", "[boundary][fold]")
+TEST_CASE("the last cycle of kinetic and static friction grazes rest where its closed form does",
+          "[boundary][fold][slow]")
 {
     const auto along_V0 = locate_boundaries(kinetic_static_joint(1000, 0.02), axis("control.V0", 1e-3, 1), folds());
     REQUIRE(along_V0.points.size() == 1);

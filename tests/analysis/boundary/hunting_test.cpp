@@ -35,7 +35,7 @@ TEST_CASE("hunting with static friction ends where the loop is unstable", "[boun
     CHECK(ray.undecided == 0);
 }
 
-TEST_CASE("with LuGre hunting ends at a fold in the gain, on both sides as simulated", "[boundary][set-point]")
+TEST_CASE("with LuGre hunting ends at a fold in the gain, on both sides as simulated", "[boundary][set-point][slow]")
 {
     BoundaryRequest request;
     request.kind = BoundaryKind::hunting;

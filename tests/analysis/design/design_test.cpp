@@ -101,7 +101,7 @@ TEST_CASE("a quiet velocity and a noisy position choose velocity feedback, and t
     CHECK(by_position.velocity_only.cost > 100 * by_position.best.cost);
 }
 
-TEST_CASE("with position feedback alone the optimum stands on the demanded margin", "[design]")
+TEST_CASE("with position feedback alone the optimum stands on the demanded margin", "[design][slow]")
 {
     // almost no inertia: margin = ln(k_p L/(B − A))/√2, effort noise σ_x k_p is least on the constraint
     Joint joint = example_joint(6e4, 0, 1e-3);
@@ -194,7 +194,7 @@ TEST_CASE("a design under a sampled loop holds in that loop, and no gains of a g
     CHECK_THROWS_AS(design_gains(joint, r, one_by_one), std::invalid_argument);
 }
 
-TEST_CASE("a margin beyond a factor of ten is looked for as far as it is demanded", "[design]")
+TEST_CASE("a margin beyond a factor of ten is looked for as far as it is demanded", "[design][slow]")
 {
     // almost no inertia: margin = ln(k_p L/(B − A))/√2, and k_p may grow by e^{√2·4} = 286
     Joint joint = example_joint(6e4, 0, 1e-3);

@@ -65,7 +65,7 @@ TEST_CASE("a design of a set point: windows in closed form, no friction within t
     for (const auto& p : push.proofs) CHECK(p.answer.largest_ratio < 1);
 }
 
-TEST_CASE("the least dead zone of a design lies where hunting begins", "[design][set-point]")
+TEST_CASE("the least dead zone of a design lies where hunting begins", "[design][set-point][slow]")
 {
     const auto design = designed(arm(), 0, true, false);
     const auto& zone = of(design, SetPointWay::dead_zone);

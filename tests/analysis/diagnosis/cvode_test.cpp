@@ -136,7 +136,7 @@ void compare_all(const Joint& nominal, const std::function<bool(const EffectForm
 
 }  // namespace
 
-TEST_CASE("the record simulator follows CVODE with every effect of a single mass", "[gap][cvode]")
+TEST_CASE("the record simulator follows CVODE with every effect of a single mass", "[gap][cvode][slow]")
 {
     compare_all(pushed_mass(), [](const EffectForm&) { return true; });
 }

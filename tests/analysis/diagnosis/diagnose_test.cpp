@@ -305,7 +305,8 @@ TEST_CASE("a number of the document that takes as much as the cause beside it is
     CHECK(sum(near) == Approx(1).margin(0.05));
 }
 
-TEST_CASE("a document that is usually off needs no cause, even where one explains to within noise", "[gap][ladder]")
+TEST_CASE("a document that is usually off needs no cause, even where one explains to within noise",
+          "[gap][ladder][slow]")
 {
     Machine m;
     m.inertia = 1.2 * 0.98, m.coulomb = 2 * 0.98, m.viscous = 1.5 * 0.98;  // what a scale of 1.02 explains, too

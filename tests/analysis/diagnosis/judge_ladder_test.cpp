@@ -262,7 +262,8 @@ TEST_CASE("a ladder without its last rung is that of the corrections alone", "[g
     CHECK(j.shares.corrected == Approx(j.shares.base));
 }
 
-TEST_CASE("corrections that leave most of the gap are not the answer, those that leave noise are", "[gap][ladder]")
+TEST_CASE("corrections that leave most of the gap are not the answer, those that leave noise are",
+          "[gap][ladder][slow]")
 {
     Machine m;
     m.inertia = 1.2 * 1.06, m.coulomb = 2 * 0.93;
@@ -284,7 +285,7 @@ TEST_CASE("corrections that leave most of the gap are not the answer, those that
     CHECK(dropped.why_not->code == Note::Code::nothing_earns);
 }
 
-TEST_CASE("the climb ends where only noise is left", "[gap][ladder]")
+TEST_CASE("the climb ends where only noise is left", "[gap][ladder][slow]")
 {
     Machine m;
     m.viscous = 3, m.one_way = 0.4;
@@ -300,7 +301,7 @@ TEST_CASE("the climb ends where only noise is left", "[gap][ladder]")
     CHECK(ended.rungs.size() == 1);
 }
 
-TEST_CASE("a limit that single steps reach has a rung beside a cause that acts everywhere", "[gap][ladder]")
+TEST_CASE("a limit that single steps reach has a rung beside a cause that acts everywhere", "[gap][ladder][slow]")
 {
     Machine m;
     m.one_way = 0.4, m.step = 0.03, m.limit = 12;
@@ -312,7 +313,8 @@ TEST_CASE("a limit that single steps reach has a rung beside a cause that acts e
     CHECK(beyond_noise(ladder.last().all_left()) < 1e-3 * beyond_noise(ladder.corrected.all_left()));
 }
 
-TEST_CASE("a stand-in that came with a pair is exchanged for the cause that belongs beside the other", "[gap][ladder]")
+TEST_CASE("a stand-in that came with a pair is exchanged for the cause that belongs beside the other",
+          "[gap][ladder][slow]")
 {
     Machine m;
     m.viscous = 10, m.load = 0.4;
@@ -333,7 +335,7 @@ TEST_CASE("a stand-in that came with a pair is exchanged for the cause that belo
     }));
 }
 
-TEST_CASE("small terms that every machine has are not named beside a cause", "[gap][ladder]")
+TEST_CASE("small terms that every machine has are not named beside a cause", "[gap][ladder][slow]")
 {
     Machine m;
     m.inertia = 1.2 * 1.5, m.one_way = 0.06 * m.viscous;
@@ -349,7 +351,7 @@ TEST_CASE("small terms that every machine has are not named beside a cause", "[g
     CHECK_FALSE(of(m));
 }
 
-TEST_CASE("a small term goes from between two rungs, too", "[gap][ladder]")
+TEST_CASE("a small term goes from between two rungs, too", "[gap][ladder][slow]")
 {
     Machine m;
     m.inertia = 1.2 * 1.5, m.one_way = 0.06 * m.viscous, m.coulomb = 2 * 0.83;
@@ -362,7 +364,7 @@ TEST_CASE("a small term goes from between two rungs, too", "[gap][ladder]")
     CHECK(small_term_between(shorter) == nullptr);
 }
 
-TEST_CASE("what could not be told from a rung is fitted anew before it is", "[gap][ladder]")
+TEST_CASE("what could not be told from a rung is fitted anew before it is", "[gap][ladder][slow]")
 {
     Machine m;
     m.load = 1.2, m.inertia = 1.2 * 1.08, m.coulomb = 2 * 0.9;

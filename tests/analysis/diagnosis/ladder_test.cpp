@@ -88,7 +88,7 @@ TEST_CASE("numbers of the document that are a few per cent off are corrected to 
 }
 
 TEST_CASE("a documented gravity that is a few per cent off is corrected, one that is far off is a cause",
-          "[gap][ladder]")
+          "[gap][ladder][slow]")
 {
     Joint document = test::nominal_joint();
     document.load.gravity_amplitude = 10;
@@ -103,7 +103,7 @@ TEST_CASE("a documented gravity that is a few per cent off is corrected, one tha
     CHECK(far.ladder.rungs[0].causes.effects[0]->name == "gravity");
 }
 
-TEST_CASE("a number that is far off against its prior is a cause", "[gap][ladder]")
+TEST_CASE("a number that is far off against its prior is a cause", "[gap][ladder][slow]")
 {
     Machine m;
     m.viscous = 3;  // documented: 1.5
@@ -157,7 +157,7 @@ TEST_CASE("what has implausible numbers is no rival of a rung", "[gap][ladder]")
 }
 
 TEST_CASE("a bend over the travel is no wave of friction: it stays in the remainder and out of the cause's numbers",
-          "[gap][ladder]")
+          "[gap][ladder][slow]")
 {
     Machine m;
     m.viscous = 3;  // documented: 1.5

@@ -112,7 +112,7 @@ TEST_CASE("the distance to stick-slip is the relative change of settings that re
 }
 
 TEST_CASE("rows of a boundary by the closed form are explained by memory, and the law of its state stays open",
-          "[gap][outcomes]")
+          "[gap][outcomes][slow]")
 {
     const auto nominal = sliding(CoulombViscous{60, 5}, 2e4, 0, 1e-3);
     const auto answer = answer_of(nominal, memory_table());
@@ -131,7 +131,7 @@ TEST_CASE("rows of a boundary by the closed form are explained by memory, and th
     CHECK((v[1] - v[0]) / v[2] == Approx(5e4).epsilon(0.25));
 }
 
-TEST_CASE("a joint that already explains the rows has no gap", "[gap][outcomes]")
+TEST_CASE("a joint that already explains the rows has no gap", "[gap][outcomes][slow]")
 {
     auto table = memory_table();
     for (std::size_t i = 0; i < table.rows.size(); ++i) table.rows.erase(table.rows.begin() + static_cast<long>(i));

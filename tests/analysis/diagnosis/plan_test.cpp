@@ -55,7 +55,7 @@ bool inseparable(const Power& power, const std::string& one, const std::string& 
 }  // namespace
 
 TEST_CASE("the least constant load that shows is the one whose surprise the diagnosis sees beside the noise",
-          "[gap][plan]")
+          "[gap][plan][slow]")
 {
     const auto power = power_of(servo(0, 0), motion_of(8, [](double t) { return 0.05 * std::sin(t); }), in_order);
     // a force F on a free mass m keeps the observer at e = F/(m ω²): largest beside the noise at the slowest ω, 20

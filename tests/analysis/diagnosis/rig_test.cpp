@@ -75,7 +75,8 @@ double number(const Cause& cause, const std::string& name)
 
 }  // namespace
 
-TEST_CASE("a velocity step of a rig with memory is named, with its numbers, and its law is called ambiguous", "[gap]")
+TEST_CASE("a velocity step of a rig with memory is named, with its numbers, and its law is called ambiguous",
+          "[gap][slow]")
 {
     const auto d = diagnose_rig({}, {velocity_step(SlipLaw{}, 8e-4)}, in_order).diagnosis;
     REQUIRE(d.verdict == Verdict::gap);
@@ -115,7 +116,7 @@ TEST_CASE("a rig with a constant friction has no gap", "[gap][slow]")
 }
 
 TEST_CASE("a gouge that strengthens with memory is named with a negative B and a slip distance within its travel",
-          "[gap]")
+          "[gap][slow]")
 {
     const double strengthening = -0.007, distance = 20e-6;
     const auto d = diagnose_rig({}, {velocity_step(SlipLaw{strengthening, distance}, 3e-4)}, in_order).diagnosis;
@@ -134,7 +135,7 @@ TEST_CASE("a friction that rises with the logarithm of speed at once is viscous,
     CHECK(d.effects.at(0).names == std::vector<std::string>{"viscous"});
 }
 
-TEST_CASE("a few rows behind a turn of the load point are not judged", "[gap]")
+TEST_CASE("a few rows behind a turn of the load point are not judged", "[gap][slow]")
 {
     Record r = velocity_step(SlipLaw{}, 8e-4);
     const double end = r.time.back(), place = r.reference_position.back();

@@ -225,7 +225,7 @@ TEST_CASE("Real loops around late friction and with long dead time answer forces
     }
 }
 
-TEST_CASE("The motion of a loop with many ticks of dead time grows as its roots say")
+TEST_CASE("The motion of a loop with many ticks of dead time grows as its roots say", "[slow]")
 {
     for (const double ticks : {70.0, 250.4}) {
         Joint joint = example_joint(60e3, 10, 1e-3);

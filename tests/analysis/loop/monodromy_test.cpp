@@ -187,7 +187,7 @@ TickByTick written_out(const Joint& j)
 
 }  // namespace
 
-TEST_CASE("The monodromy of random sampled joints is that of a controller written out tick by tick")
+TEST_CASE("The monodromy of random sampled joints is that of a controller written out tick by tick", "[slow]")
 {
     std::mt19937_64 random(20231);
     int compared = 0, wrong = 0, apart = 0;

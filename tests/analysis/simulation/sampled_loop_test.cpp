@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "analysis/simulation/attractor/nonlinear.h"
+#include "analysis/simulation/points.h"
 #include "analysis/simulation/sampled/loop_record.h"
 #include "analysis/simulation/sampled/loop_verdict.h"
 #include "analysis/stability/real_loop.h"
@@ -201,6 +202,11 @@ TEST_CASE("sampled loop: a coarse encoder leaves a jitter of about its step", "[
     CHECK(verdict.outcome == Outcome::stable_sliding);
     CHECK(verdict.amplitude > 0.2e-7);
     CHECK(verdict.amplitude < 5e-7);
+    // which is no limit cycle: a map has none there
+    PointResult point;
+    write_nonlinear(verdict, point);
+    CHECK(point.outcome == Outcome::stable_sliding);
+    CHECK(std::isnan(point.amplitude));
 }
 
 namespace {

@@ -57,7 +57,7 @@ TEST_CASE("the linear theory has the slope of a hardening spring where friction 
     }
 }
 
-TEST_CASE("a motion beside steady sliding grows as the slope of the spring says", "[hardening]")
+TEST_CASE("a motion beside steady sliding grows as the slope of the spring says", "[hardening][slow]")
 {
     Joint joint = samples::two_mass();
     joint.mechanism.transmission.stiffness = 3e4;

@@ -122,7 +122,7 @@ TEST_CASE("a vanishing slip distance leaves the velocity-only theory", "[stabili
     }
 }
 
-TEST_CASE("a kernel sampled from rate-and-state friction has its critical gain", "[stability]")
+TEST_CASE("a kernel sampled from rate-and-state friction has its critical gain", "[stability][slow]")
 {
     // g(t) = (B/L) e^{−V_0 t/L}, f_v = A/V_0; k_cr = 55000 N/m
     KernelTable table;

@@ -84,7 +84,7 @@ double stepped_growth(const Joint& j)
 }  // namespace
 
 TEST_CASE("the growth of slow roots beside late damping is found at every gain, and its side by counts agrees",
-          "[stability][late]")
+          "[stability][late][slow]")
 {
     const auto loop = loop_of(mass_with_late_damping());
     const auto& late = std::get<LateLoop>(loop.loop);

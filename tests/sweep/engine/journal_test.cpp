@@ -70,7 +70,7 @@ struct Finished {
 
 }  // namespace
 
-TEST_CASE("a journal cut anywhere keeps every whole record, and a resumed run ends with the same bytes")
+TEST_CASE("a journal cut anywhere keeps every whole record, and a resumed run ends with the same bytes", "[slow]")
 {
     Finished sweep;
     const std::size_t record = record_bytes(RowFormat(false), 8), last = record_bytes(RowFormat(false), 3);
@@ -95,7 +95,7 @@ TEST_CASE("a journal cut anywhere keeps every whole record, and a resumed run en
     }
 }
 
-TEST_CASE("a flipped bit costs one chunk at most and never changes a result")
+TEST_CASE("a flipped bit costs one chunk at most and never changes a result", "[slow]")
 {
     Finished sweep;
     constexpr unsigned seed = 42;
@@ -119,7 +119,7 @@ TEST_CASE("a flipped bit costs one chunk at most and never changes a result")
     }
 }
 
-TEST_CASE("blocks that a power cut left empty, and garbage, are skipped")
+TEST_CASE("blocks that a power cut left empty, and garbage, are skipped", "[slow]")
 {
     Finished sweep;
     std::mt19937 random(7);

@@ -100,7 +100,7 @@ TEST_CASE("a file that is no results file is refused")
     CHECK_THROWS_WITH(results.numbers("amplitude"), Catch::Contains("amplitude"));
 }
 
-TEST_CASE("results.nc opens in xarray with names, units and flags in place")
+TEST_CASE("results.nc opens in xarray with names, units and flags in place", "[slow]")
 {
     constexpr char python[] = "/usr/bin/python3";
     if (std::system((std::string(python) + " -c 'import xarray, netCDF4' 2>/dev/null").c_str()) != 0) {

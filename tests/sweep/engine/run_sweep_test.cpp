@@ -8,7 +8,7 @@
 
 using namespace sample;
 
-TEST_CASE("results.nc has the same bytes for any number of threads, at any time")
+TEST_CASE("results.nc has the same bytes for any number of threads, at any time", "[slow]")
 {
     const Plan p = plan({13, 7, 11}, 64);
     TemporaryDirectory directory;

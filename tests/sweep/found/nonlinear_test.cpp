@@ -86,7 +86,7 @@ TEST_CASE("W11: undamped kinetic and static friction answers for the disturbance
     CHECK(nonlinear_verdict(found("w11"), options).reason == Reason::neutral);
 }
 
-TEST_CASE("W9: every turn of a motion counts among those after which it repeats, however small")
+TEST_CASE("W9: every turn of a motion counts among those after which it repeats, however small", "[slow]")
 {
     const auto verdict = nonlinear_verdict(found("w9"), {});
     CHECK(verdict.outcome == Outcome::period_n);

@@ -100,7 +100,7 @@ TEST_CASE("each lumped model is drawn with its own parts and numbers", "[figures
     CHECK(drawing.notes[1].find("normal_load = 2") != std::string::npos);
 }
 
-TEST_CASE("the page of a joint has the sections that the joint has", "[figures]")
+TEST_CASE("the page of a joint has the sections that the joint has", "[figures][slow]")
 {
     for (const auto& model : paper_models()) {
         const auto report = linear_report(

@@ -85,7 +85,7 @@ TEST_CASE("a boundary behind which the loop diverges is not shown as the end of 
     CHECK(report.verdict.find("The joint comes to rest nowhere on this chart") != std::string::npos);
 }
 
-TEST_CASE("where a dead zone ends hunting, the card says that it ends there", "[report][set-point]")
+TEST_CASE("where a dead zone ends hunting, the card says that it ends there", "[report][set-point][slow]")
 {
     Joint joint = hunting_answer().design;
     number_at(joint, "control.dead_zone") = 1;

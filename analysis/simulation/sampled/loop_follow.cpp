@@ -37,6 +37,8 @@ constexpr double alike_windows = 0.1;     ///< spread of their amplitudes, of cy
 constexpr double alike_noise = 0.3;       ///< the same where a small motion is all noise: its extrema differ as much
 /// Change of ln amplitude over a window of what is still on its way, at least: more than the spread.
 constexpr double would_show = 0.3, would_show_in_noise = 1;
+/// Growth of ln amplitude that lifts a disturbance from far below the noise to what it leads to.
+constexpr double out_of_noise = 7;
 
 double speed_of(const LoopTurn& turn, double V0)
 {
@@ -326,6 +328,8 @@ bool LoopFollower::go_on_alike() const
     const double shown = noise ? would_show_in_noise : would_show;
     if (!(std::abs(options_.decay) * window > shown)) return false;
     if (options_.winds > 0 && !(options_.winds * window > shown)) return false;
+    const double time = static_cast<double>(ticks_) * loop_.period();
+    if (!options_.steady_attracts && !(options_.decay * time > out_of_noise)) return false;
     const auto by_amplitude = [](const Stretch& a, const Stretch& b) {
         return a.outer.amplitude() < b.outer.amplitude();
     };

@@ -244,6 +244,9 @@ TEST_CASE("sampled loop: a strain wave gear that creeps under an encoder and noi
     NonlinearOptions longer;
     longer.effort = 10;
     CHECK(soft.amplitude == Approx(nonlinear_verdict(clean, longer).amplitude).epsilon(0.15));
+    // beside the boundary a motion grows slowly out of the noise: 3.3e-6 rad over two minutes, 0.6e-6 in the first ten
+    // seconds
+    CHECK(nonlinear_verdict(creeping_elbow(10e3, 111.7), {}).amplitude == Approx(3.3e-6).epsilon(0.3));
     // the boundary lies at 8.38 kN·m/rad; from rest the motor is held by its contact at first
     for (const double k_p : {12e3, 30e3}) {
         const auto stiff = nonlinear_verdict(creeping_elbow(k_p, k_p / 60), {});

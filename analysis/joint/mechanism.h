@@ -14,7 +14,7 @@ inline constexpr Choice<Model> models[] = {{"single-mass", Model::single_mass},
 /// A spring and damper between two bodies. `ratio` is N of Fig. 4: motor displacement per joint displacement. The
 /// spring gives stiffness x + cubic_stiffness x³ (Kirćanski & Goldenberg 1997 of strain wave gears).
 struct Transmission {
-    double stiffness = not_set, cubic_stiffness = 0, damping = 0, ratio = 1, backlash = 0;
+    double stiffness = not_set, damping = 0, ratio = 1, backlash = 0, cubic_stiffness = 0;
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)

@@ -262,8 +262,19 @@ TEST_CASE("sampled loop: a contact with hardly a direct effect moves as dry fric
     dry.control.k_v = 120;
     dry.friction.law = CoulombViscous{5, 10};
     Joint contact = dry;
-    auto& memory = contact.friction.memory;
-    memory.A = 1e-3, memory.L = 1e-5;  // ln of all velocities between rest and motion: 0.03 N of 5 N
+    constexpr double direct_effect = 1e-3;  // times ln of all velocities between rest and motion: 0.03 N of 5 N
+    SECTION("beside a law of its own")
+    {
+        auto& memory = contact.friction.memory;
+        memory.A = direct_effect, memory.L = 1e-5;
+    }
+    SECTION("as the regularised law alone")
+    {
+        dry.friction.law = CoulombViscous{5, 0};
+        RateAndStateRegularised law;
+        law.f0 = 5, law.A = direct_effect, law.V_star = 1e-3;
+        contact.friction.law = law;
+    }
     ReferenceMotion reference;
     for (int k = 0; k <= 2000; ++k) {
         reference.time.push_back(1e-3 * k);

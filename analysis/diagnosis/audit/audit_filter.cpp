@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/audit/audit_filter.h"
 
+#include "analysis/diagnosis/audit/half_rate_filter.h"
 #include "analysis/diagnosis/audit/regression.h"
 #include "analysis/diagnosis/plant/controller.h"
 #include "analysis/diagnosis/policy/policy.h"
@@ -155,6 +156,39 @@ void correct(std::vector<Case>& cases, double tau, Audit& result)
     }
 }
 
+/// Of logs of every second tick whose readings between the rows were rebuilt.
+void audit_halves(std::vector<Case>& cases, Audit& result)
+{
+    const auto all = [&](auto&& holds) { return std::all_of(cases.begin(), cases.end(), holds); };
+    const double tau = cases[0].joint.control.velocity_estimate.tau, tick = cases[0].joint.control.period;
+    if (all([](const Case& c) { return c.joint.sensor.encoder_quantum > 0; })) {
+        // without a grid any reading between the rows could be one
+        constexpr double on_grid = 0.05;
+        double off = 0, n = 0;
+        for (const auto& c : cases)
+            for (std::size_t k = 0; k < c.ticks.size(); k += 2)
+                off += distance_to_grid(c.ticks.position[k], c.joint.sensor.encoder_quantum), n += 1;
+        const double as_documented = off_grid(cases, tau);
+        if (off > on_grid * n || !is_set(as_documented)) return;
+        const double found = as_documented < on_grid ? tau : tau_of_halves(cases, tick);
+        result.filter_seen = off_grid(cases, found) < on_grid;
+        if (!result.filter_seen)
+            for (auto& c : cases) interpolate_halves(c.ticks);
+        else if (filters_differently(tau, found, tick))
+            correct(cases, found, result);
+    } else if (all([](const Case& c) {
+                   return c.ticks.source != CommandSource::logged || velocities_make_the_command(c);
+               })) {
+        const double share = tick / (tau + tick);
+        const auto seen = filter_shares_of_halves(cases);
+        if (!seen) return;
+        const bool slower = seen->by_noise < (1 - policy::rough_gain) * share;
+        const bool faster = seen->by_motion > (1 + policy::rough_gain) * share;
+        result.filter_seen = slower || faster;
+        if (result.filter_seen) correct(cases, tick * (1 / seen->by_motion - 1), result);
+    }
+}
+
 }  // namespace
 
 bool velocities_follow_a_filter(const std::vector<const Case*>& cases)
@@ -195,24 +229,9 @@ void audit_filter(std::vector<Case>& cases, Audit& result)
         if (differs && seen.gain > 1 - exact_velocity) return;
         result.filter_seen = true;
         if (differs) correct(cases, found, result);
-    } else if (all([](const Case& c) {
-                   return c.ticks.regular && c.ticks.rebuilt && c.joint.sensor.encoder_quantum > 0;
-               })) {
-        // without a grid any reading between the rows could be one
-        constexpr double on_grid = 0.05;
-        double off = 0, n = 0;
-        for (const auto& c : cases)
-            for (std::size_t k = 0; k < c.ticks.size(); k += 2)
-                off += distance_to_grid(c.ticks.position[k], c.joint.sensor.encoder_quantum), n += 1;
-        const double as_documented = off_grid(cases, tau);
-        if (off > on_grid * n || !is_set(as_documented)) return;
-        const double found = as_documented < on_grid ? tau : tau_of_halves(cases, documented.period);
-        result.filter_seen = off_grid(cases, found) < on_grid;
-        if (!result.filter_seen)
-            for (auto& c : cases) interpolate_halves(c.ticks);
-        else if (filters_differently(tau, found, documented.period))
-            correct(cases, found, result);
+        return;
     }
+    if (all([](const Case& c) { return c.ticks.regular && c.ticks.rebuilt; })) audit_halves(cases, result);
 }
 
 }  // namespace stickslip::gap

@@ -7,8 +7,9 @@ namespace stickslip::gap {
 /// Where velocities were logged at every tick, and no command, v_k − v_{k−1} = g (d_k − v_{k−1}) gives g = T/(τ + T) by
 /// least squares, exactly; plain differences (g = 1) say nothing against a documented filter. At every second tick the
 /// time constant is right that puts the readings between the rows onto the grid of the encoder; where none does, these
-/// readings are interpolated. Corrects the joints (and the readings between the rows), adds what it finds, and says in
-/// `filter_seen` whether the velocities follow a filter exactly. Records that document different filters are left.
+/// readings are interpolated. Without a grid they say it roughly (half_rate_filter.h): then only a filter that is none
+/// of those is a finding. Corrects the joints (and the readings between the rows), adds what it finds, and says in
+/// `filter_seen` whether the velocities follow a filter. Records that document different filters are left.
 void audit_filter(std::vector<Case>& cases, Audit& result);
 
 /// Whether the logged velocities are filtered differences of the readings, with a filter of any time constant.

@@ -70,7 +70,8 @@ void judge(Attribution& a, const Nominal& nominal)
 std::vector<Candidate> single_candidates(const std::vector<Case>& cases, const Audit& audit)
 {
     std::vector<Candidate> all;
-    const bool logged = cases[0].ticks.source == CommandSource::logged;
+    // the commands of noisy rows are computed: then the controller shows in the motion alone
+    const bool logged = cases[0].ticks.source == CommandSource::logged && !cases[0].ticks.noisy_rows;
     const bool behind_effort = cases[0].ticks.source == CommandSource::measured;
     const bool effort = std::ranges::any_of(cases, [](const Case& c) { return c.ticks.has_effort; });
     for (const auto& e : effects()) {

@@ -181,7 +181,7 @@ void find(const Joint& joint, const std::vector<Record>& records, const Parallel
     d.regimes = locate_regimes(prepared.cases);
     Findings findings;
     try {
-        find_causes(prepared, options.pair_partners, progress, parallel, findings);
+        find_causes(prepared, options.pair_partners, options.ensemble, progress, parallel, findings);
         if (findings.why_not) d.reasons.push_back(*findings.why_not);
         progress(Stage::predicting_unseen, 0.9);
         conclude(prepared, findings, options.ensemble, parallel, result);

@@ -11,9 +11,6 @@ namespace stickslip::gap {
 namespace {
 
 constexpr std::size_t known_pairs = 3;  // of a search of their own, that are tried as two rungs
-}  // namespace
-
-namespace {
 
 std::vector<Start> known_sets(const std::vector<Attribution>& pairs, const SetFitter& fitter, const FittedSet& below)
 {
@@ -27,20 +24,6 @@ std::vector<Start> known_sets(const std::vector<Attribution>& pairs, const SetFi
                              0,
                              fitter.start(pairs[i].candidate, below, pairs[i].x[ladder_level])});
     return known;
-}
-
-/// Of the causes of a set the one without which least is lost goes last, and so on down.
-std::vector<FittedSet> in_order(Climber& climber, FittedSet set, const ParallelFor& parallel)
-{
-    std::vector<FittedSet> order{std::move(set)};
-    while (order.back().causes.effects.size() > 1) {
-        std::vector<FittedSet> less(order.back().causes.effects.size());
-        parallel(less.size(), [&](std::size_t i) { less[i] = climber.without(order.back(), i); });
-        order.push_back(*std::min_element(less.begin(), less.end(),
-                                          [](const auto& a, const auto& b) { return a.misfit < b.misfit; }));
-    }
-    std::reverse(order.begin(), order.end());
-    return order;
 }
 
 }  // namespace
@@ -190,10 +173,11 @@ Ladder LadderSearch::finished(FittedSet set)
         ladder.rivals.push_back(first_);
         return ladder;
     }
-    ladder.rungs = in_order(*climber_, std::move(set), parallel_);
-    for (std::size_t i = 0; i < ladder.rungs.size(); ++i)
-        ladder.rivals.push_back(
-            climber_->in_place_of(ladder.rungs[i], i > 0 ? ladder.rungs[i - 1].causes : Candidate{}));
+    ladder.rungs = climber_->in_order(std::move(set));
+    for (std::size_t i = 0; i < ladder.rungs.size(); ++i) {
+        const Candidate below = i > 0 ? ladder.rungs[i - 1].causes : Candidate{};
+        ladder.rivals.push_back(climber_->in_place_of(ladder.rungs[i], below));
+    }
     correct_alone(ladder);
     return ladder;
 }

@@ -25,6 +25,47 @@ bool earns(const FittedSet& without, const FittedSet& with, const LadderRules& r
            left - now > rules.of_the_rest * left;
 }
 
+std::vector<FittedSet> Climber::fitted(const std::vector<Start>& starts)
+{
+    std::vector<FittedSet> sets(starts.size());
+    parallel_(starts.size(), [&](std::size_t i) { sets[i] = fitter_.fit(starts[i].causes, starts[i].x0); });
+    return sets;
+}
+
+std::vector<FittedSet> Climber::judged(const std::vector<Start>& starts)
+{
+    auto sets = fitted(starts);
+    // a form whose numbers stand at their bounds says with more of them what a simpler one says
+    std::vector<Start> others;
+    for (std::size_t i = 0; i < starts.size(); ++i)
+        if (starts[i].effect && !sets[i].plausible)
+            for (auto& other : in_other_forms(sets[i], *starts[i].effect)) others.push_back(std::move(other));
+    for (auto& set : fitted(others)) sets.push_back(std::move(set));
+    std::stable_sort(sets.begin(), sets.end(), [](const auto& a, const auto& b) { return a.misfit < b.misfit; });
+    pool_.insert(pool_.end(), sets.begin(), sets.end());
+    return sets;
+}
+
+/// Not of divided masses, which cost ten times as much, and not where a form has numbers of its own in every record.
+std::vector<Start> Climber::in_other_forms(const FittedSet& set, const Effect& effect) const
+{
+    const auto& effects = set.causes.effects;
+    const auto member = static_cast<std::size_t>(std::ranges::find(effects, &effect) - effects.begin());
+    const FittedSet below = unfitted_without(set, member);
+    std::vector<Start> starts;
+    for (const auto& form : effect.forms) {
+        const Candidate alone{{&effect}, {&form}, set.causes.records};
+        if (&form == set.causes.forms[member] || form.own > 0 || two_mass_edit(alone) ||
+            !alone.applies(fitter_.joint()))
+            continue;
+        Start start{below.causes, &effect, &form};
+        start.causes.records = set.causes.records;
+        fitter_.look(start, below);
+        if (start.x0.size() > 0) starts.push_back(std::move(start));
+    }
+    return starts;
+}
+
 FittedSet Climber::flexed(FittedSet set)
 {
     for (std::size_t i = 0; i < set.causes.effects.size(); ++i) {
@@ -60,6 +101,55 @@ std::vector<Start> Climber::with_flexible_member(const FittedSet& set, std::size
     longer[sizes] -= std::log(2.0);
     add(longer);
     return starts;
+}
+
+double Climber::misfit_as_documented(const FittedSet& set, const Effect& effect) const
+{
+    for (std::size_t i = 0; i < set.model.corrections; ++i)
+        if (set.model.candidate.effects[i]->name == effect.name && set.model.candidate.forms[i]->own == 0)
+            return fitter_.fit_without(set, i).misfit;
+    return set.misfit;
+}
+
+std::vector<FittedSet> Climber::in_order(FittedSet set) const
+{
+    std::vector<FittedSet> order{std::move(set)};
+    while (order.back().causes.effects.size() > 1) {
+        const std::size_t count = order.back().causes.effects.size();
+        std::vector<FittedSet> less(count);
+        std::vector<double> lost(count);
+        parallel_(count, [&](std::size_t i) {
+            less[i] = without(order.back(), i);
+            lost[i] = misfit_as_documented(less[i], *order.back().causes.effects[i]);
+        });
+        order.push_back(less[static_cast<std::size_t>(std::ranges::min_element(lost) - lost.begin())]);
+    }
+    std::reverse(order.begin(), order.end());
+    return order;
+}
+
+std::vector<FittedSet> Climber::in_place_of(const FittedSet& set, const Candidate& below) const
+{
+    constexpr double out_of_question = 4;  // margins, at which odds are 0.02
+    std::vector<FittedSet> others;
+    for (const auto& other : pool_) {
+        const auto& in = other.causes.effects;
+        if (!may_stand_for(other, set, below)) continue;
+        const auto again = std::ranges::find_if(others, [&](const auto& o) { return o.causes.effects == in; });
+        if (again == others.end())
+            others.push_back(other);
+        else if (other.misfit < again->misfit)
+            *again = other;
+    }
+    parallel_(others.size(), [&](std::size_t i) {
+        FittedSet& other = others[i];
+        if (other.misfit > set.misfit + out_of_question * margin_of(set, rules_)) return;
+        for (const Effect* cause : set.causes.effects)
+            if (std::ranges::count(below.effects, cause) + std::ranges::count(other.causes.effects, cause) == 0)
+                other.misfit = std::max(other.misfit, misfit_as_documented(other, *cause));
+    });
+    std::ranges::stable_sort(others, {}, &FittedSet::misfit);
+    return others;
 }
 
 bool may_stand_for(const FittedSet& other, const FittedSet& set, const Candidate& below)

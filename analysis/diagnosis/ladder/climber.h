@@ -56,14 +56,9 @@ class Climber {
         return looks;
     }
 
-    std::vector<FittedSet> judged(const std::vector<Start>& starts)
-    {
-        std::vector<FittedSet> sets(starts.size());
-        parallel_(starts.size(), [&](std::size_t i) { sets[i] = fitter_.fit(starts[i].causes, starts[i].x0); });
-        std::stable_sort(sets.begin(), sets.end(), [](const auto& a, const auto& b) { return a.misfit < b.misfit; });
-        pool_.insert(pool_.end(), sets.begin(), sets.end());
-        return sets;
-    }
+    /// Fitted to all rows and every fold, best first. Of a cause whose numbers came to their bounds the other forms,
+    /// too.
+    std::vector<FittedSet> judged(const std::vector<Start>& starts);
 
     /// The best of those that could not be distinguished from the first, each fitted anew to the lower noise floor.
     FittedSet compared(const std::vector<FittedSet>& rivals)
@@ -133,23 +128,15 @@ class Climber {
         return fitter_.fit(less.causes, less.fit.x);
     }
 
-    /// Other sets of as many causes as this one that hold all causes of the one below it, best first.
-    std::vector<FittedSet> in_place_of(const FittedSet& set, const Candidate& below) const
-    {
-        std::vector<FittedSet> others;
-        for (const auto& other : pool_) {
-            const auto& in = other.causes.effects;
-            if (!may_stand_for(other, set, below)) continue;
-            const auto again = std::ranges::find_if(others, [&](const auto& o) { return o.causes.effects == in; });
-            if (again == others.end())
-                others.push_back(other);
-            else if (other.misfit < again->misfit)
-                *again = other;
-        }
-        std::stable_sort(others.begin(), others.end(),
-                         [](const auto& a, const auto& b) { return a.misfit < b.misfit; });
-        return others;
-    }
+    /// Of the causes of a set the one without which least is lost goes last, and so on down. Without a cause its number
+    /// is as documented: where its correction came back and took most of the cause's place, the gap would not be the
+    /// cause's.
+    std::vector<FittedSet> in_order(FittedSet set) const;
+
+    /// Other sets of as many causes as this one that hold all causes of the one below it, best first. What stands in
+    /// the place of a cause does without the cause's number: one that leaves it to a correction says that the cause
+    /// acts, too.
+    std::vector<FittedSet> in_place_of(const FittedSet& set, const Candidate& below) const;
 
   private:
     /// The causes but one, with the numbers that they have in the set.
@@ -167,6 +154,10 @@ class Climber {
         }
         return fitter_.unfitted(causes, set, x);
     }
+    std::vector<FittedSet> fitted(const std::vector<Start>& starts);
+    /// Misfit of a set with the number that this effect changes as documented, if a correction of it is in the set.
+    double misfit_as_documented(const FittedSet& set, const Effect& effect) const;
+    std::vector<Start> in_other_forms(const FittedSet& set, const Effect& effect) const;
     /// Where a set may start with the flexible member of one of its causes: from the shape it has, and, of a wave whose
     /// second harmonic may have been taken for the first, from a wave of twice the length.
     std::vector<Start> with_flexible_member(const FittedSet& set, std::size_t member) const;

@@ -26,6 +26,7 @@ class SetFitter {
         : data_(data), scales_(scales), corrections_(corrections), ranges_(ranges)
     {
     }
+    const Joint& joint() const { return data_.cases()[0].joint; }
     /// Excerpts anew, after the noise floors have moved.
     void renew();
     /// Numbers of a set: corrections as in `like`, causes as given.

@@ -1,6 +1,7 @@
 #include "analysis/diagnosis/verdict/find_causes.h"
 
 #include "analysis/diagnosis/fit/jumps.h"
+#include "analysis/diagnosis/heldout/heldout.h"
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/search/search.h"
 #include "analysis/diagnosis/verdict/chances.h"
@@ -122,6 +123,27 @@ void shorten_to_likely(LadderSearch& search, const Prepared& p, const ParallelFo
     }
 }
 
+/// Rungs with which the simulation of unseen records is worse than that of the document go, the last first, if that
+/// helps: what predicts from row to row a little better may still push whole records away.
+void shorten_to_simulated(LadderSearch& search, const Prepared& p, int runs, const ParallelFor& parallel,
+                          JudgedLadder& j)
+{
+    const auto worse = [&](const JudgedLadder& ladder) {
+        return hold_out(p.cases, p.documented, p.scales, ladder.winner, runs, parallel).overall.worse();
+    };
+    if (!j.named || j.ladder.rungs.size() < 2 || !worse(j)) return;
+    JudgedLadder fewer = j;
+    do {
+        Ladder shorter = std::move(fewer.ladder);
+        search.shorten(shorter);
+        judge_in_place(std::move(shorter), search, p, parallel, false, fewer);
+        if (fewer.named && !worse(fewer)) {
+            j = std::move(fewer);
+            return;
+        }
+    } while (fewer.ladder.rungs.size() > 1);
+}
+
 bool accepted(const Decision& d)
 {
     return d.named && d.winner->accepted;
@@ -129,8 +151,8 @@ bool accepted(const Decision& d)
 
 }  // namespace
 
-void find_causes(Prepared& p, std::size_t pair_partners, const StageProgress& progress, const ParallelFor& parallel,
-                 Findings& f)
+void find_causes(Prepared& p, std::size_t pair_partners, int runs, const StageProgress& progress,
+                 const ParallelFor& parallel, Findings& f)
 {
     f.none.evaluation = p.nominal.evaluation;
     f.none.score = p.nominal.score;
@@ -170,6 +192,7 @@ void find_causes(Prepared& p, std::size_t pair_partners, const StageProgress& pr
         }
         if (!accepted(f.decision)) {
             shorten_to_likely(search, p, parallel, f.judged);
+            shorten_to_simulated(search, p, runs, parallel, f.judged);
             if (f.judged.answers()) count_far_numbers(f.judged, search.far_off(f.judged.ladder));
         }
     }

@@ -5,10 +5,11 @@
 
 namespace stickslip::gap {
 
-/// Looks for what explains the records; `pair_partners` of the best singles look for a partner. A jump of the reference
+/// Looks for what explains the records; `pair_partners` of the best singles look for a partner, and whole records are
+/// simulated `runs` times each. A jump of the reference
 /// that lies elsewhere once an effect is known is moved in the cases. What was found stays in the findings where the
 /// search is interrupted.
-void find_causes(Prepared& prepared, std::size_t pair_partners, const StageProgress& progress,
+void find_causes(Prepared& prepared, std::size_t pair_partners, int runs, const StageProgress& progress,
                  const ParallelFor& parallel, Findings& findings);
 
 }  // namespace stickslip::gap

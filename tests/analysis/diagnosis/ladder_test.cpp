@@ -32,6 +32,10 @@ struct Climbed {
     explicit Climbed(const Machine& m, const Joint& document = test::nominal_joint(),
                      const std::vector<const char*>& names = {"viscous", "stribeck", "asymmetric-friction",
                                                               "load-dependent-friction", "gravity", "friction-drift"})
+        : Climbed(m, document, effects_named(names))
+    {
+    }
+    Climbed(const Machine& m, const Joint& document, const std::vector<const Effect*>& effects)
     {
         std::vector<Note> notes;
         for (unsigned seed : {1u, 2u}) {
@@ -39,9 +43,8 @@ struct Climbed {
             cases.back().number = cases.size() - 1;
         }
         scales = scales_of(cases);
-        for (const char* name : names) {
+        for (const Effect* e : effects) {
             Attribution a;
-            const Effect* e = effect_named(name);
             a.candidate = {{e}, {&e->forms[0]}, cases.size()};
             a.x.fill(to_fit(a.candidate, e->forms[0].seeds[0]));
             // where a wave lies is found before a ladder is climbed
@@ -52,6 +55,12 @@ struct Climbed {
         }
         search = std::make_unique<LadderSearch>(cases, scales, singles, policy::ladder, in_order);
         ladder = search->climb({}, policy::ladder.most_rungs);
+    }
+    static std::vector<const Effect*> effects_named(const std::vector<const char*>& names)
+    {
+        std::vector<const Effect*> effects;
+        for (const char* name : names) effects.push_back(effect_named(name));
+        return effects;
     }
     /// The refitted number of that name, SI; a factor for an inertia.
     double corrected(std::string_view name) const
@@ -154,6 +163,33 @@ TEST_CASE("what has implausible numbers is no rival of a rung", "[gap][ladder]")
     CHECK_FALSE(may_stand_for(rival, rung, {}));
     rival.plausible = true, rival.correction = true;
     CHECK_FALSE(may_stand_for(rival, rung, {}));
+}
+
+TEST_CASE("a form with its number at a bound gives way to another form of the same effect", "[gap][ladder]")
+{
+    Effect friction = *effect_named("viscous");
+    EffectForm capped = friction.forms[0];
+    capped.name = "capped", capped.parameters[0].high = 0.02;  // what is missing is far beyond
+    friction.forms.insert(friction.forms.begin(), capped);
+    Machine m;
+    m.viscous = 3;  // documented: 1.5
+    const Climbed c(m, test::nominal_joint(), {&friction, effect_named("stribeck")});
+    REQUIRE(c.ladder.rungs.size() == 1);
+    REQUIRE(c.ladder.rungs[0].causes.effects[0] == &friction);
+    CHECK(c.ladder.rungs[0].causes.forms[0] == &friction.forms[1]);
+}
+
+TEST_CASE("the place of a cause that is also a number of the document is by what it takes, not by what is left to it",
+          "[gap][ladder][slow]")
+{
+    Machine m;
+    m.inertia = 1.2 * 1.16;  // a document is 12 % off at most
+    m.ripple = 0.25;
+    const Climbed c(m, test::nominal_joint(), {"inertia", "position-dependent-friction", "viscous"});
+    REQUIRE(c.ladder.rungs.size() == 2);
+    CHECK(c.ladder.rungs[0].causes.effects[0]->name == "inertia");
+    // what leaves the inertia to its correction comes no nearer without that
+    for (const auto& rival : c.ladder.rivals[0]) CHECK(rival.misfit > c.ladder.rungs[0].misfit);
 }
 
 TEST_CASE("a bend over the travel is no wave of friction: it stays in the remainder and out of the cause's numbers",

@@ -20,7 +20,7 @@ struct AuditFinding {
 struct Audit {
     std::vector<AuditFinding> findings;
     bool possible = false;           ///< command, reference and position were logged
-    bool filter_seen = false;        ///< logged velocities follow a filter exactly
+    bool filter_seen = false;        ///< logged velocities follow a filter that is known now
     bool command_explained = false;  ///< the corrected controller reproduces the command
     double residual_after = 0;       ///< rms of the command's misfit over its rms
     std::vector<Note> notes;

@@ -1,6 +1,7 @@
 #include "analysis/diagnosis/audit/half_rate_filter.h"
 
-#include <algorithm>
+#include "analysis/numerics/root.h"
+
 #include <cmath>
 
 namespace stickslip::gap {
@@ -20,12 +21,9 @@ double share_of_noise(double slope)
 {
     constexpr double steepest = 0.9;
     if (slope <= slope_of_noise(steepest)) return 1;
-    double low = 0, high = steepest;
-    for (int i = 0; i < 60; ++i) {
-        const double middle = 0.5 * (low + high);
-        (slope_of_noise(middle) > slope ? low : high) = middle;
-    }
-    return high;
+    constexpr double precision = 1e-9;
+    const auto above = [&](double share) { return slope_of_noise(share) - slope; };
+    return bracketed_root(above, 0.0, above(0), steepest, above(steepest), precision).value;
 }
 
 }  // namespace

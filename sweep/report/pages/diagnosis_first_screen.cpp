@@ -27,8 +27,8 @@ bool judged_by_force(const Diagnosis& d)
     return d.verdict == Verdict::gap && d.drive_force.corner > 0 && d.drive_force.after < d.drive_force.before;
 }
 
-/// "2.31", "2.4e+04": a gap in noise floors, which can be anything.
-std::string floors(double gap)
+/// "2.31", "2.4e+04": a gap over the noise floor, which can be anything.
+std::string as_multiple(double gap)
 {
     constexpr double long_number = 1000;
     return gap < long_number ? fmt::format("{:.2f}", gap) : fmt::format("{:.2g}", gap);
@@ -123,7 +123,8 @@ std::string held_out_text(const Diagnosis& d)
     if (judged_by_force(d))
         return fmt::format("held-out error of the model's drive force, {:.3g} → {:.3g} {}", d.drive_force.before,
                            d.drive_force.after, d.drive_force.unit);
-    return fmt::format("held-out gap, {} → {} × the noise floor", floors(d.overall.before), floors(d.overall.after));
+    return fmt::format("held-out gap, {} → {} × the noise floor", as_multiple(d.overall.before),
+                       as_multiple(d.overall.after));
 }
 
 }  // namespace
@@ -172,13 +173,13 @@ Headline how_much_card(const Diagnosis& d)
                 "how much: " + held_out_text(d)};
     if (d.verdict == Verdict::gap && adds_noise(d))
         return {
-            Tone::neutral, floors(d.overall.after) + " × noise floor",
+            Tone::neutral, as_multiple(d.overall.after) + " × noise floor",
             fmt::format("how much: the gap on held-out data; simulations with the cause differ by {} among themselves",
-                        floors(d.overall.own_floor))};
+                        as_multiple(d.overall.own_floor))};
     if (d.verdict == Verdict::gap)
         return {Tone::neutral, fmt::format("− {}", whole_percent(1 - d.overall.after / d.overall.before)),
                 "how much: " + held_out_text(d)};
-    return {Tone::neutral, floors(d.overall.before) + " × noise floor",
+    return {Tone::neutral, as_multiple(d.overall.before) + " × noise floor",
             "how much: the gap on held-out data; noise alone makes 1"};
 }
 
@@ -222,10 +223,10 @@ std::string diagnosis_sentence(const Diagnosis& d)
                 text += fmt::format(
                     ": it makes noise, and simulations with it differ by {} times the noise floor among themselves, "
                     "the records from them by {}",
-                    floors(d.overall.own_floor), floors(d.overall.after));
+                    as_multiple(d.overall.own_floor), as_multiple(d.overall.after));
             else if (d.overall.before > 0)
                 text += fmt::format(": on held-out data it shrinks from {} to {} times the noise floor",
-                                    floors(d.overall.before), floors(d.overall.after));
+                                    as_multiple(d.overall.before), as_multiple(d.overall.after));
             if (one_of(d).size() == 1 && !d.ambiguous_with.empty())
                 text += "; these records cannot distinguish it from " + rivals_text(d);
             return text + ".";

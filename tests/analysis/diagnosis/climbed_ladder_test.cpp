@@ -1,0 +1,215 @@
+// Ladders climbed on records of a small machine, and what is judged of them.
+#include "analysis/diagnosis/verdict/judge_ladder.h"
+#include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/verdict/chances.h"
+#include "analysis/diagnosis/verdict/experiment.h"
+#include "tests/analysis/diagnosis/small_machine.h"
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <cmath>
+
+using namespace stickslip;
+using namespace stickslip::gap;
+using stickslip::test::Machine;
+
+namespace {
+
+const ParallelFor in_order = [](std::size_t n, const std::function<void(std::size_t)>& task) {
+    for (std::size_t i = 0; i < n; ++i) task(i);
+};
+
+/// A ladder over two records of a machine, to be climbed with these causes.
+struct Search {
+    std::vector<Case> cases;
+    Scales scales;
+    Nominal nominal;
+    std::vector<Attribution> singles;
+    std::unique_ptr<LadderSearch> search;
+
+    Search(const Machine& m, std::initializer_list<const char*> causes, double dropped = 0)
+        : Search({m, m}, causes, dropped)
+    {
+    }
+    Search(const std::array<Machine, 2>& machines, std::initializer_list<const char*> causes, double dropped = 0)
+    {
+        std::vector<Note> notes;
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> uniform;
+        for (unsigned seed : {1u, 2u}) {
+            Record r = test::record_of(machines[seed - 1], seed, 5);
+            for (std::size_t k = 1; k < r.position.size(); ++k)  // an encoder that now and then holds a reading
+                if (uniform(random) < dropped) r.position[k] = r.position[k - 1];
+            cases.push_back(prepare(r, test::nominal_joint(), notes));
+            cases.back().number = cases.size() - 1;
+        }
+        scales = scales_of(cases);
+        nominal = judge_nominal(cases);
+        for (const char* name : causes) {
+            Attribution a;
+            const Effect* e = effect_named(name);
+            a.candidate = {{e}, {&e->forms[0]}, cases.size()};
+            a.x.fill(to_fit(a.candidate, e->forms[0].seeds[0]));
+            singles.push_back(a);
+        }
+        search = std::make_unique<LadderSearch>(cases, scales, singles, policy::ladder, in_order);
+    }
+    JudgedLadder judged(Ladder ladder) const
+    {
+        JudgedLadder j;
+        j.ladder = std::move(ladder);
+        judge(j, search->data(), scales, nominal, in_order);
+        return j;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a number further off than documents are is freed beside a cause, though it earns no rung", "[gap][ladder]")
+{
+    Machine m;
+    m.coulomb = 2 * 0.78, m.viscous = 6, m.cubic = 300;  // and a spring of no catalogue
+    const Search search(m, {"viscous", "coulomb-level"});
+    const auto ladder = search.search->climb({}, policy::ladder.most_rungs);
+    const FittedSet& last = ladder.last();
+    REQUIRE(names_of(last.causes).size() == 2);
+    const auto si = in_si(last.causes, last.of_causes(last.fit.x), search.scales);
+    std::size_t at = 0;
+    for (std::size_t i = 0; last.causes.effects[i]->name != "coulomb-level"; ++i)
+        at += last.causes.count_of(*last.causes.forms[i]);
+    CHECK(si[at] == Approx(-0.44).epsilon(0.03));
+}
+
+TEST_CASE("a ladder without its last rung is that of the corrections alone", "[gap][ladder]")
+{
+    Machine m;
+    m.viscous = 3;
+    const Search search(m, {"viscous"});
+    auto ladder = search.search->climb({}, 1);
+    REQUIRE(ladder.rungs.size() == 1);
+    search.search->shorten(ladder);
+    CHECK(ladder.rungs.empty());
+    const auto j = search.judged(std::move(ladder));
+    CHECK(j.shares.corrected == Approx(j.shares.base));
+}
+
+TEST_CASE("corrections that leave most of the gap are not the answer, those that leave noise are",
+          "[gap][ladder][slow]")
+{
+    Machine m;
+    m.inertia = 1.2 * 1.06, m.coulomb = 2 * 0.93;
+    const Search sound(m, {"stribeck"});
+    const auto off = sound.judged(sound.search->climb({}, policy::ladder.most_rungs));
+    REQUIRE(off.ladder.rungs.empty());
+    CHECK(off.only_corrections);
+    CHECK(off.answers());
+    CHECK_FALSE(off.why_not);
+    // held readings are no function of any signal: all that is explainable is the little that the numbers are off
+    m.inertia = 1.2 * 1.01, m.coulomb = 2 * 0.99;
+    const Search held(m, {"stribeck"}, 0.02);
+    const auto dropped = held.judged(held.search->climb({}, policy::ladder.most_rungs));
+    REQUIRE(dropped.ladder.rungs.empty());
+    const auto& s = dropped.shares;
+    CHECK(s.base > 0.5 * s.documented);
+    CHECK_FALSE(dropped.answers());
+    REQUIRE(dropped.why_not);
+    CHECK(dropped.why_not->code == Note::Code::nothing_earns);
+}
+
+TEST_CASE("the climb ends where only noise is left", "[gap][ladder][slow]")
+{
+    Machine m;
+    m.viscous = 3, m.one_way = 0.4;
+    const Search search(m, {"viscous", "asymmetric-friction", "gravity"});
+    const auto whole = search.search->climb({}, policy::ladder.most_rungs);
+    REQUIRE(whole.rungs.size() == 2);
+    int asked = 0;
+    const auto ended = search.search->climb({}, policy::ladder.most_rungs, [&](const FittedSet& set) {
+        ++asked;
+        return set.causes.effects.size() == 1;
+    });
+    CHECK(asked == 1);
+    CHECK(ended.rungs.size() == 1);
+}
+
+TEST_CASE("a limit that single steps reach has a rung beside a cause that acts everywhere", "[gap][ladder][slow]")
+{
+    Machine m;
+    m.one_way = 0.4, m.step = 0.03, m.limit = 12;
+    Machine later = m;
+    later.step_time = 0.8;  // in another fold
+    const Search search({m, later}, {"asymmetric-friction", "saturation"});
+    const auto ladder = search.search->climb({}, policy::ladder.most_rungs);
+    REQUIRE(ladder.rungs.size() == 2);
+    CHECK(beyond_noise(ladder.last().all_left()) < 1e-3 * beyond_noise(ladder.corrected.all_left()));
+}
+
+TEST_CASE("a stand-in that came with a pair is exchanged for the cause that belongs beside the other",
+          "[gap][ladder][slow]")
+{
+    Machine m;
+    m.viscous = 10, m.load = 0.4;
+    const Search search(m, {"constant-load"});
+    Attribution pair;
+    for (const char* name : {"viscous", "asymmetric-friction"}) {
+        const Effect* e = effect_named(name);
+        pair.candidate.effects.push_back(e), pair.candidate.forms.push_back(&e->forms[0]);
+    }
+    pair.candidate.records = 2;
+    pair.x.fill(to_fit(pair.candidate, {0.1, 0.01, 0.01}));
+    const auto ladder = search.search->climb({pair}, 2);
+    REQUIRE(ladder.rungs.size() == 2);
+    CHECK(names_of(ladder.last().causes) == std::vector<std::string>{"viscous", "constant-load"});
+    // and the stand-in is a rival, which the chances count
+    CHECK(std::ranges::any_of(ladder.rivals[1], [](const FittedSet& s) {
+        return names_of(s.causes) == std::vector<std::string>{"viscous", "asymmetric-friction"};
+    }));
+}
+
+TEST_CASE("small terms that every machine has are not named beside a cause", "[gap][ladder][slow]")
+{
+    Machine m;
+    m.inertia = 1.2 * 1.5, m.one_way = 0.06 * m.viscous;
+    const auto of = [](const Machine& machine) {
+        const Search search(machine, {"inertia", "asymmetric-friction"});
+        auto j = search.judged(search.search->climb({}, policy::ladder.most_rungs));
+        REQUIRE(j.ladder.rungs.size() == 2);
+        CHECK(j.noise_left);
+        return small_against_corrections(j);
+    };
+    CHECK(of(m));
+    m.one_way = 0.5 * m.viscous;  // no term of machines
+    CHECK_FALSE(of(m));
+}
+
+TEST_CASE("a small term goes from between two rungs, too", "[gap][ladder][slow]")
+{
+    Machine m;
+    m.inertia = 1.2 * 1.5, m.one_way = 0.06 * m.viscous, m.gravity = 0.08;
+    const Search search(m, {"inertia", "asymmetric-friction", "gravity"});
+    const auto j = search.judged(search.search->climb({}, policy::ladder.most_rungs));
+    for (const auto& r : j.ladder.rungs) {
+        for (const auto& n : names_of(r.causes)) printf("%s ", n.c_str());
+        puts("");
+    }
+    REQUIRE(j.ladder.rungs.size() == 3);
+    REQUIRE(small_term_between(j) == effect_named("asymmetric-friction"));
+    const auto shorter = search.judged(search.search->without(j.ladder, *small_term_between(j)));
+    CHECK(names_of(shorter.ladder.last().causes) == std::vector<std::string>{"inertia", "gravity"});
+    CHECK(small_term_between(shorter) == nullptr);
+}
+
+TEST_CASE("what could not be told from a rung is fitted anew before it is", "[gap][ladder][slow]")
+{
+    Machine m;
+    m.load = 1.2, m.inertia = 1.2 * 1.08, m.coulomb = 2 * 0.9;
+    // the same motion, but for a viscous part that is 0; what else is tried lets the first be fitted again
+    const Search search(m, {"constant-load", "asymmetric-friction", "viscous", "stribeck"});
+    const auto ladder = search.search->climb({}, policy::ladder.most_rungs);
+    REQUIRE(ladder.rungs.size() == 1);
+    REQUIRE(!ladder.rivals[0].empty());
+    const auto& rung = ladder.rungs[0];
+    CHECK(std::abs(ladder.rivals[0][0].misfit - rung.misfit) < margin_of(rung, policy::ladder));
+}

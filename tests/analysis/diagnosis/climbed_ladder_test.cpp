@@ -1,9 +1,9 @@
 // Ladders climbed on records of a small machine, and what is judged of them.
-#include "analysis/diagnosis/verdict/judge_ladder.h"
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/verdict/chances.h"
 #include "analysis/diagnosis/verdict/experiment.h"
+#include "analysis/diagnosis/verdict/judge_ladder.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 
 #include <catch2/catch.hpp>

@@ -29,17 +29,6 @@ constexpr double runaway = 1e9;            ///< of V_0
 constexpr double patience = 60;            ///< turns without a crossing of V_0
 constexpr int rounds_before_uneven = 12;   ///< blocks after which turns that are not alike are irregular
 
-// of a motion that no turn divides
-constexpr int settling_turns = 40, measured_turns = 200;
-constexpr int turns_of_window = 6;        ///< of stretches that are compared
-constexpr std::size_t windows_alike = 3;  ///< that end it where they are alike
-constexpr double alike_windows = 0.1;     ///< spread of their amplitudes, of cycles
-constexpr double alike_noise = 0.3;       ///< the same where a small motion is all noise: its extrema differ as much
-/// Change of ln amplitude over a window of what is still on its way, at least: more than the spread.
-constexpr double would_show = 0.3, would_show_in_noise = 1;
-/// Growth of ln amplitude that lifts a disturbance from far below the noise to what it leads to.
-constexpr double out_of_noise = 7;
-
 double speed_of(const LoopTurn& turn, double V0)
 {
     return std::max(std::abs(turn.velocity_max - V0), std::abs(V0 - turn.velocity_min)) / std::abs(V0);
@@ -97,11 +86,13 @@ LoopFollower::LoopFollower(SampledLoop& loop, const std::vector<double>& steady,
 {
     watch.reset(loop_.time());
     if (!options_.uneven) return;
-    const double unit = std::isfinite(options_.turn) ? options_.turn : 100 * loop_.period();
-    const auto ticks = [&](int turns) {
-        return std::clamp(std::lround(turns * unit / loop_.period()), 100L, work::ticks_of_motion / 4);
-    };
-    settle_ = ticks(settling_turns), measure_ = ticks(measured_turns), window_ = ticks(turns_of_window);
+    UnevenOptions uneven;
+    uneven.V0 = V0_, uneven.tick = loop_.period();
+    uneven.turn = options_.turn, uneven.held = options_.held;
+    uneven.decay = options_.decay, uneven.winds = options_.winds;
+    uneven.steady_attracts = options_.steady_attracts;
+    uneven.noise = options_.noise, uneven.lead = options_.lead, uneven.jitter = options_.jitter;
+    uneven_.emplace(uneven);
 }
 
 LoopEnd LoopFollower::ended(LoopEnd::Kind kind, Reason reason) const
@@ -115,10 +106,15 @@ LoopEnd LoopFollower::ended(LoopEnd::Kind kind, Reason reason) const
 /// Turns that go on as they are tell of the motion what twelve blocks of them would; others leave it open.
 LoopEnd LoopFollower::cut_short() const
 {
+    if (uneven_) {
+        LoopEnd end = uneven_->cut_short();
+        end.cut_short = end.kind == LoopEnd::Kind::undecided;
+        return end;
+    }
     std::vector<double> sizes;
     for (const auto& turn : turns_) sizes.push_back(turn.amplitude());
     const bool like_steady = !turns_.empty() && options_.steady_attracts && speed_of(turns_.back(), V0_) < small_turn;
-    if (!options_.uneven && !like_steady && lasts(sizes)) {
+    if (!like_steady && lasts(sizes)) {
         if (const int repeats = turns_to_repeat(turns_); repeats > 1) return repeated(repeats);
         const bool alike = means(turns_, 0, turns_.size()).spread < uneven_turns;
         return measured(alike ? LoopEnd::Kind::cycle : LoopEnd::Kind::irregular, turns_.size());
@@ -285,95 +281,11 @@ std::optional<LoopEnd> LoopFollower::after_even_tick()
     return ended(LoopEnd::Kind::undecided, Reason::not_converged);
 }
 
-void LoopFollower::Stretch::add(const Stretch& more)
-{
-    const LoopTurn& m = more.outer;
-    outer.velocity_min = std::min(outer.velocity_min, m.velocity_min);
-    outer.velocity_max = std::max(outer.velocity_max, m.velocity_max);
-    outer.position_min = std::min(outer.position_min, m.position_min);
-    outer.position_max = std::max(outer.position_max, m.position_max);
-    outer.rest_time += m.rest_time;
-    outer.reversed |= m.reversed;
-    ticks += more.ticks, rests += more.rests;
-}
-
-/// A coarse encoder or noise: extrema over a long time, and how often the link comes to rest.
 std::optional<LoopEnd> LoopFollower::after_uneven_tick()
 {
-    Stretch tick{watch.present(), 1, 0};
+    const LoopTurn tick = watch.present();
     watch.reset(loop_.time());
-    const bool slow = tick.outer.rest_time > 0;
-    tick.rests = slow && !slow_;
-    slow_ = slow;
-    if (ticks_ % window_ == 1 || windows_.empty()) windows_.emplace_back();
-    windows_.back().add(tick);
-    if (ticks_ > settle_) whole_.add(tick);
-    if (ticks_ == window_) first_peak_ = windows_.back().outer.position_max;
-    if (ticks_ % window_ == 0 && go_on_alike()) {
-        Stretch last;
-        for (auto w = windows_.end() - windows_alike; w != windows_.end(); ++w) last.add(*w);
-        return measured_over(last);
-    }
-    if (ticks_ < settle_ + measure_) return {};
-    return measured_over(whole_);
-}
-
-/// The newest windows differ as little as noise makes them, and what is still on its way would have shown.
-bool LoopFollower::go_on_alike() const
-{
-    const double window = static_cast<double>(window_) * loop_.period();
-    if (windows_.size() < windows_alike) return false;
-    const auto first = windows_.end() - windows_alike;
-    const bool noise = first->smooth() && options_.steady_attracts;
-    const double shown = noise ? would_show_in_noise : would_show;
-    if (!(std::abs(options_.decay) * window > shown)) return false;
-    if (options_.winds > 0 && !(options_.winds * window > shown)) return false;
-    const double time = static_cast<double>(ticks_) * loop_.period();
-    if (!options_.steady_attracts && !(options_.decay * time > out_of_noise)) return false;
-    const auto by_amplitude = [](const Stretch& a, const Stretch& b) {
-        return a.outer.amplitude() < b.outer.amplitude();
-    };
-    const auto [low, high] = std::minmax_element(first, windows_.end(), by_amplitude);
-    const auto like_first = [&](const Stretch& w) {
-        return w.smooth() == first->smooth() && w.outer.reversed == first->outer.reversed;
-    };
-    return std::all_of(first, windows_.end(), like_first) &&
-           high->outer.amplitude() < (1 + (noise ? alike_noise : alike_windows)) * low->outer.amplitude();
-}
-
-LoopEnd LoopFollower::measured_over(const Stretch& stretch) const
-{
-    LoopEnd end;
-    const double time = static_cast<double>(stretch.ticks) * loop_.period();
-    const LoopTurn& outer = stretch.outer;
-    end.reversed = outer.reversed;
-    end.kind = stretch.smooth() && options_.steady_attracts ? LoopEnd::Kind::steady : LoopEnd::Kind::cycle;
-    end.first_peak = first_peak_;
-    end.amplitude = outer.amplitude();
-    end.velocity_min = outer.velocity_min, end.velocity_max = outer.velocity_max;
-    end.stick_fraction = outer.rest_time / time;
-    if (stretch.rests > 1) end.period = time / stretch.rests;
-    return end;
-}
-
-Outcome LoopEnd::outcome() const
-{
-    switch (kind) {
-        case Kind::steady:
-            return Outcome::stable_sliding;
-        case Kind::undecided:
-            return reason == Reason::solver_failed ? Outcome::solver_failure : Outcome::undecided;
-        case Kind::period_n:
-            return Outcome::period_n;
-        case Kind::held:
-            return Outcome::stick_slip;
-        case Kind::irregular:
-        case Kind::cycle:
-            break;
-    }
-    if (reversed) return Outcome::reversal;
-    if (stick_fraction > 0) return Outcome::stick_slip;
-    return kind == Kind::irregular ? Outcome::irregular : Outcome::limit_cycle;
+    return uneven_->after_tick(tick);
 }
 
 }  // namespace stickslip

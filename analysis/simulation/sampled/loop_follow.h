@@ -1,7 +1,7 @@
 // Where a motion in a sampled loop ends: steady sliding, a cycle, something longer, or a reason why it is not known.
 #pragma once
 #include "analysis/simulation/sampled/loop_mode.h"
-#include "analysis/simulation/sampled/turns.h"
+#include "analysis/simulation/sampled/uneven_follow.h"
 
 #include <optional>
 
@@ -15,25 +15,9 @@ struct LoopFollowOptions {
     double decay = missing;        ///< 1/s, of small disturbances; negative where they decay
     double winds = 0;              ///< 1/s, with which an integral finds its level while the joint cycles; 0: none
     bool uneven = false;           ///< encoder or noise: no motion repeats, turns are no measure
-};
-
-/// Cycles of a sampled loop are not periodic in ticks: amplitude and period are means over many turns, extrema of the
-/// velocity the outermost of them.
-struct LoopEnd {
-    enum class Kind { steady, cycle, period_n, irregular, held, undecided };
-    Kind kind = Kind::undecided;
-    Reason reason = Reason::none;
-    double amplitude = missing, period = missing, velocity_min = missing, velocity_max = missing;
-    double stick_fraction = missing;
-    double amplitude_spread = 0;  ///< from turn to turn, per amplitude: largest less smallest
-    double first_peak = missing;  ///< largest position excess of the first turn
-    bool reversed = false;
-    int turns = 0;           ///< that were followed
-    int repeats = 1;         ///< turns after which a period-n motion repeats
-    bool cut_short = false;  ///< undecided because the work was spent
-
-    bool oscillates() const { return kind != Kind::steady && kind != Kind::undecided; }
-    Outcome outcome() const;
+    double noise = 0;              ///< of such a motion: the smallest that the encoder or its noise makes
+    double lead = 0;               ///< and ln of what it starts with, per that
+    Jitter jitter;                 ///< and that about steady sliding, where known
 };
 
 /// A motion that creeps towards a cycle or away from one: growth per turn over ln amplitude, and where it vanishes.
@@ -95,21 +79,7 @@ class LoopFollower {
     double first_peak_ = missing, last_change_ = missing;
     std::size_t skip_ = 0;
 
-    /// A stretch of a motion that no turn divides: its outermost extrema, time at rest, times that it came to rest.
-    struct Stretch {
-        LoopTurn outer;
-        long ticks = 0;
-        int rests = 0;
-        bool smooth() const { return outer.rest_time == 0 && !outer.reversed; }
-        void add(const Stretch& more);
-    };
-    bool go_on_alike() const;
-    LoopEnd measured_over(const Stretch& stretch) const;
-
-    long window_ = 0, settle_ = 0, measure_ = 0;  ///< ticks
-    std::vector<Stretch> windows_;
-    Stretch whole_;  ///< since the motion settled
-    bool slow_ = false;
+    std::optional<UnevenFollow> uneven_;
 };
 
 }  // namespace stickslip

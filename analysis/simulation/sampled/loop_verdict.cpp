@@ -127,7 +127,7 @@ LoopInquiry::LoopInquiry(const Joint& asked, const LoopQuestion& question, Growt
     loop_->begin_steadily();
     steady_ = loop_->state();
     origin_ = loop_->motion.y[loop_->motion.joint.link()];
-    begin_stated();
+    begin();
 }
 
 /// What small disturbances do; false where that leaves no motion to follow.
@@ -168,6 +168,9 @@ bool LoopInquiry::find_mode(const Joint& asked, double frame, GrowthBy by)
     options.turn = 2 * std::numbers::pi / (winds_up_slowly() ? spring_rate(joint_) : std::abs(s));
     options.held = held_time(joint_, V0);
     options.uneven = joint_.sensor.encoder_quantum > 0 || joint_.sensor.position_noise > 0;
+    options.noise = noise();
+    // slips swing at the spring's frequency however fast small motions grow
+    if (options.uneven) options.turn = std::max(options.turn, 2 * std::numbers::pi / spring_rate(joint_));
     return true;
 }
 
@@ -175,6 +178,27 @@ void LoopInquiry::follow(Phase phase)
 {
     phase_ = phase;
     follower_.emplace(*loop_, steady_, origin_, follow_);
+}
+
+/// The smallest disturbance that the loop sees: a step of the encoder, or its noise.
+double LoopInquiry::noise() const
+{
+    const auto& sensor = joint_.sensor;
+    return std::max(sensor.encoder_quantum, sensor.position_noise) / sensor.position_scale;
+}
+
+/// Where an encoder or noise keeps steady sliding from being steady, a cycle is what is larger than the jitter.
+void LoopInquiry::begin()
+{
+    const bool small = !is_set(question_.disturbance.size);
+    if (!follow_.uneven || !follow_.steady_attracts || small) return begin_stated();
+    loop_->displace(noise());
+    follow(Phase::jitter);
+}
+
+void LoopInquiry::learn_jitter(const LoopEnd& end)
+{
+    if (end.kind == LoopEnd::Kind::steady) follow_.jitter = {end.amplitude, end.velocity_min, end.velocity_max};
 }
 
 void LoopInquiry::begin_stated()
@@ -185,9 +209,7 @@ void LoopInquiry::begin_stated()
     const bool decays = follow_.steady_attracts, small = !is_set(disturbance.size);
     verdict_.size = small ? small_size(disturbance.kind, commanded_velocity(joint_), s) : disturbance.size;
     if (follow_.uneven && small && decays) {
-        // the smallest disturbance that such a loop sees
-        const auto& sensor = joint_.sensor;
-        loop_->displace(std::max(sensor.encoder_quantum, sensor.position_noise) / sensor.position_scale);
+        loop_->displace(noise());
     } else if (small && decays) {
         verdict_.stated.kind = LoopEnd::Kind::steady;
         return judge_stated();
@@ -195,6 +217,7 @@ void LoopInquiry::begin_stated()
         // what a small disturbance grows along is known, its size is not
         auto lifted_state = steady_;
         const auto& j = loop_->motion.joint;
+        if (follow_.uneven) follow_.lead = std::max(0.0, std::log(lifted * std::abs(V0 / s) / noise()));
         if (mode_.right.empty()) {
             loop_->displace(lifted * std::abs(V0 / s));
             return follow(Phase::stated);
@@ -215,8 +238,13 @@ void LoopInquiry::begin_stated()
 void LoopInquiry::ended(const LoopEnd& end)
 {
     follower_.reset();
+    if (phase_ == Phase::jitter) {
+        learn_jitter(end);
+        return begin_stated();
+    }
     if (phase_ == Phase::stated) {
         verdict_.stated = end;
+        if (follow_.uneven && !is_set(question_.disturbance.size)) learn_jitter(end);
         return judge_stated();
     }
     // a pull of the spring where a start from near rest comes back
@@ -277,7 +305,7 @@ void LoopInquiry::judge_search(const LoopEnd& large)
 LoopVerdict loop_verdict(const Joint& joint, const LoopQuestion& question)
 {
     LoopInquiry inquiry(joint, question);
-    Work work(question.effort);
+    Work work(Work::for_ticks * question.effort);
     while (inquiry.open()) {
         auto& loop = inquiry.loop();
         auto& follower = inquiry.follower();

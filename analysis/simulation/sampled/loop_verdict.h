@@ -55,9 +55,12 @@ class LoopInquiry {
     const LoopVerdict& verdict() const { return verdict_; }
 
   private:
-    enum class Phase : std::uint8_t { stated, from_rest, pulled };
+    enum class Phase : std::uint8_t { jitter, stated, from_rest, pulled };
     bool find_mode(const Joint& asked, double frame, GrowthBy by);
+    void begin();
     void begin_stated();
+    void learn_jitter(const LoopEnd& end);
+    double noise() const;
     void judge_stated();
     bool winds_up_slowly() const;
     bool begin_search(Phase phase);

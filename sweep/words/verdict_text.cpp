@@ -191,7 +191,8 @@ Table nonlinear_table(const Joint& joint, const NonlinearVerdict& v)
     add("growth rate of a small disturbance", v.growth_rate, Quantity::rate);
     // of sliding that only the encoder or its noise disturbs the same numbers tell how far
     const bool jitters = v.outcome == Outcome::stable_sliding && v.region != NonlinearRegion::bistable;
-    add(jitters ? "jitter of the position" : "limit-cycle amplitude in position", v.amplitude, Quantity::position);
+    add("limit-cycle amplitude in position", v.amplitude, Quantity::position);
+    add(jitters ? "jitter of the position" : "standard deviation of that amplitude", v.jitter, Quantity::position);
     add(jitters ? "least velocity" : "least velocity of the cycle", v.velocity_min, Quantity::velocity);
     add(jitters ? "peak velocity" : "peak velocity of the cycle", v.velocity_max, Quantity::velocity);
     add("period", v.period, Quantity::time);

@@ -251,7 +251,10 @@ NonlinearVerdict verdict_of(const LoopVerdict& found, const NonlinearOptions& op
     verdict.outcome = found.reason == Reason::linear_only ? Outcome::linear_only : found.stated.outcome();
     verdict.region = region_of(found.region);
     verdict.growth_rate = found.growth_rate;
-    verdict.amplitude = found.cycle.amplitude;
+    // sliding that only the encoder or its noise disturbs has no cycle
+    const bool slides = found.stated.kind == LoopEnd::Kind::steady && found.region != LoopRegion::bistable;
+    verdict.amplitude = slides ? missing : found.cycle.amplitude;
+    verdict.jitter = slides ? found.stated.amplitude : found.cycle.jitter;
     verdict.velocity_min = found.cycle.velocity_min;
     verdict.velocity_max = found.cycle.velocity_max;
     verdict.period = found.cycle.period;

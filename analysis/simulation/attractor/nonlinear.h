@@ -32,7 +32,8 @@ struct NonlinearVerdict {
     NonlinearRegion region = NonlinearRegion::undecided;
     Disturbance disturbance;       ///< with its size in SI
     double growth_rate = missing;  ///< of a small disturbance of that kind, measured [1/s]
-    double amplitude = missing;    ///< half peak to peak in position
+    double amplitude = missing;    ///< of the cycle: half peak to peak in position
+    double jitter = missing;  ///< by encoder or noise: half peak to peak of sliding, or scatter of a cycle's amplitude
     double velocity_min = missing, velocity_max = missing;
     double period = missing;
     double stick_fraction = missing;  ///< share of the period at rest or below a hundredth of V_0

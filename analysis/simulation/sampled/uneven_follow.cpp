@@ -1,3 +1,4 @@
+// In one file: one method: the ways in which a motion that noise disturbs ends, with the numbers that separate them.
 #include "analysis/simulation/sampled/uneven_follow.h"
 
 #include "analysis/base/work_limits.h"

@@ -69,6 +69,11 @@ std::string left_out_text(const LoopUse& described, bool slides_smoothly)
            " loop as it is, sliding at this velocity is " + (slides_smoothly ? "stable" : "unstable") + ".";
 }
 
+std::string of_ideal_loop(const std::string& verdict)
+{
+    return "In the paper's ideal loop. " + verdict;
+}
+
 std::string side_text(const Joint& joint, bool of_record)
 {
     const double N = reading_per_joint(joint);

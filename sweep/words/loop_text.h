@@ -20,6 +20,9 @@ std::string loop_text(const LoopUse& loop);
 /// What `--ideal-loop` leaves out of the joint that its file describes, and whether that joint slides.
 std::string left_out_text(const LoopUse& described, bool slides_smoothly);
 
+/// A verdict on the ideal loop of a joint whose file describes another: it begins with the loop that it is about.
+std::string of_ideal_loop(const std::string& verdict);
+
 /// At which side of a gear numbers are counted, of a record or of a verdict; empty without a gear between.
 std::string side_text(const Joint& joint, bool of_record);
 

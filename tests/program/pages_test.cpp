@@ -55,6 +55,25 @@ TEST_CASE("the page of one joint says how far the boundary is", "[program][pages
     CHECK_THAT(page, Contains("any k<sub>v</sub>") && Contains("Stick-slip appears if L falls by 5.1 %"));
 }
 
+TEST_CASE("a verdict on the ideal loop of a joint that has another says so first, and is green only where both slide",
+          "[program][pages]")
+{
+    Folder folder;
+    // stable above 53.9 kN/m in the ideal loop, above 65.7 kN/m in the one described
+    const auto late = folder.write(
+        "late.toml", std::string(joint).replace(joint.find("[friction]"), 0,
+                                                "period = 1e-3\ndelay = 1e-3\n"
+                                                "velocity_estimate = { form = \"backward-difference\" }\n"));
+    const auto page = page_of(folder, "evaluate '" + late + "' --ideal-loop");
+    CHECK_THAT(page, Contains("class=\"verdict warning\"") && Contains("ideal loop. Slides smoothly"));
+    const auto both = page_of(folder, "evaluate '" + late + "' --ideal-loop --set control.k_p=80e3");
+    CHECK_THAT(both, Contains("class=\"verdict good\"") && Contains("ideal loop. Slides smoothly"));
+    const auto said = stickslip("margins '" + late + "' --ideal-loop");
+    CHECK_THAT(said.output, Contains("--ideal-loop leaves out control.period, control.delay") &&
+                                Contains("sliding at this velocity is unstable"));
+    CHECK_THAT(stickslip("margins '" + late + "'").output, !Contains("--ideal-loop"));
+}
+
 TEST_CASE("the page of boundaries says where they lie from the design", "[program][pages]")
 {
     Folder folder;

@@ -9,6 +9,7 @@
 #include "sweep/program/verbs/boundary_question.h"
 #include "sweep/program/verbs/disturbance_option.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/left_out.h"
 #include "sweep/program/verbs/no_sliding.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/say.h"
@@ -120,6 +121,7 @@ int locate(const BoundaryOptions& options, const Invocation& invocation)
 {
     auto asked = read_spec_or_joint(options.input, options.settings);
     if (options.ideal_loop) {
+        say_left_out(asked.design);
         asked.design = with_ideal_loop(asked.design);
         asked.spec.joint = with_ideal_loop(asked.spec.joint);
     }

@@ -166,10 +166,14 @@ std::filesystem::path write_page(const Evaluated& e, const Options& options, con
         e.described ? BothLoops{own, stable_gains(*e.described).stable} : BothLoops{answer.ideal_gains, own};
     if (const auto chart = gain_chart(e.described ? *e.described : e.summed))
         report.sections.insert(report.sections.begin(), gains_section(e.units(), both, *chart));
-    if (e.described)
-        report.alerts.push_back(
-            {e.described_slides == e.verdict.state_variable.stable ? Headline::Tone::neutral : Headline::Tone::warning,
-             left_out_text(loop_use(*e.described), e.described_slides)});
+    if (e.described) {
+        const bool same = e.described_slides == e.verdict.state_variable.stable;
+        report.alerts.push_back({same ? Headline::Tone::neutral : Headline::Tone::warning,
+                                 left_out_text(loop_use(*e.described), e.described_slides)});
+        report.verdict = of_ideal_loop(report.verdict);
+        // what the loop as it is does not do is no clean yes
+        if (!same && report.tone == Headline::Tone::good) report.tone = Headline::Tone::warning;
+    }
     if (e.verdict.steady.reason == Reason::limit_too_low)
         report.alerts.push_back({Headline::Tone::bad, low_limit_text(e.joint)});
     report.provenance = {{"version", program_version()}, {"command", command}};
@@ -222,7 +226,8 @@ void print_text(const Evaluated& e)
     if (e.rest) print_rows(set_point_table(*e.rest, e.units()));
     if (!e.only_rest()) {
         if (e.open()) fmt::print("{}\n", plain_text(open_text(e.nonlinear)));
-        fmt::print("{}\n", plain_text(verdict_text(e.summed, e.verdict)));
+        const auto verdict = plain_text(verdict_text(e.summed, e.verdict));
+        fmt::print("{}\n", e.described ? of_ideal_loop(verdict) : verdict);
         print_rows(linear_table(e.summed, e.verdict));
         print_rows(nonlinear_table(e.joint, e.nonlinear));
     }

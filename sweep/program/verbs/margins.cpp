@@ -7,6 +7,7 @@
 #include "sweep/files/toml/asked_axes.h"
 #include "sweep/files/toml/requirements_file.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/left_out.h"
 #include "sweep/program/verbs/no_sliding.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/stage_line.h"
@@ -34,6 +35,7 @@ MarginsAnswer answered(const Options& options, const std::string& command)
 {
     auto asked = read_spec_or_joint(options.input, options.settings);
     if (options.ideal_loop) {
+        say_left_out(asked.design);
         asked.design = with_ideal_loop(asked.design);
         asked.spec.joint = with_ideal_loop(asked.spec.joint);
     }

@@ -9,6 +9,7 @@
 #include "sweep/files/toml/spec_file.h"
 #include "sweep/program/verbs/embedded.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/left_out.h"
 #include "sweep/program/verbs/no_sliding.h"
 #include "sweep/program/verbs/progress_line.h"
 #include "sweep/program/verbs/say.h"
@@ -105,7 +106,10 @@ int sweep(const Options& options, Invocation& invocation)
     const auto date = timestamp(options.timestamp);
     Spec spec = options.spec.empty() ? read_spec_text(embedded_spec(), "(embedded example)") : read_spec(options.spec);
     if (options.every_point) spec.nonlinear.interpolation = 0;
-    if (options.ideal_loop) spec.joint = with_ideal_loop(spec.joint);
+    if (options.ideal_loop) {
+        say_left_out(design_joint(spec));
+        spec.joint = with_ideal_loop(spec.joint);
+    }
     choose_charts(spec);
     if (!options.spec.empty()) say_no_sliding(options.spec, {}, design_joint(spec));
 

@@ -1,0 +1,18 @@
+#include "sweep/program/verbs/left_out.h"
+
+#include "analysis/joint/gains.h"
+#include "analysis/loop/loop_use.h"
+#include "analysis/stability/verdict.h"
+#include "sweep/program/verbs/say.h"
+#include "sweep/words/loop_text.h"
+
+namespace stickslip {
+
+void say_left_out(const Joint& described)
+{
+    if (loop_kind(described) == LoopKind::ideal) return;
+    const Joint summed = described.control.structure == Structure::cascade ? with_gains(described) : described;
+    say("note: {}\n", left_out_text(loop_use(summed), growth_rate(summed) < 0));
+}
+
+}  // namespace stickslip

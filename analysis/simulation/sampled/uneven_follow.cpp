@@ -9,6 +9,10 @@
 namespace stickslip {
 namespace {
 
+// Evidence: 594 points of maps of five joints (a geared elbow, a linear stage, a direct-drive arm, a harmonic-drive
+// wrist, a belt drive), each against a motion ten times as long under another seed. Outcomes differ at five of them:
+// three have two cycles, of which either start takes one, and at two the link came to rest for less than a thousandth
+// of the time. Amplitudes of cycles that are clear of noise agree to 5 %.
 constexpr int panes_of_turn = 2;
 constexpr long fewest_ticks = 50;        ///< of a pane: noise takes that many to show its extrema
 constexpr std::size_t first_panes = 12;  ///< in which the first peak is looked for, and by which rounds are counted

@@ -11,8 +11,8 @@ namespace {
 
 // Evidence: 594 points of maps of five joints (a geared elbow, a linear stage, a direct-drive arm, a harmonic-drive
 // wrist, a belt drive), each against a motion ten times as long under another seed. Outcomes differ at five of them:
-// three have two cycles, of which either start takes one, and at two the link came to rest for less than a thousandth
-// of the time. Amplitudes of cycles that are clear of noise agree to 5 %.
+// four have two cycles, of which either start takes one, and at one the link came to rest for a millionth of the time.
+// Of 120 cycles whose amplitude noise scatters by less than 3 %, half agree to 1.3 % and four of five to 5 %.
 constexpr int panes_of_turn = 2;
 constexpr long fewest_ticks = 50;        ///< of a pane: noise takes that many to show its extrema
 constexpr std::size_t first_panes = 12;  ///< in which the first peak is looked for, and by which rounds are counted

@@ -9,6 +9,13 @@ namespace {
 constexpr int bins = 10;
 constexpr std::size_t largest_ambiguity = 2;  // names in a set that still counts as an answer, the first included
 constexpr double shrink_slack = 1.1;
+constexpr double explained_slack = 0.1;  // of the squares of the gap
+
+/// Part of the gap's squares that is gone.
+double explained(double shrink)
+{
+    return 1 - shrink * shrink;
+}
 
 bool has(const EffectSet& set, const std::string& name)
 {
@@ -145,6 +152,7 @@ void compare_shrinks(Score& s)
         answered.push_back(j.shrink);
         achievable.push_back(j.truth_shrink);
         s.within_tenth.count(j.shrink <= shrink_slack * j.truth_shrink);
+        s.explained_within_tenth.count(std::abs(explained(j.shrink) - explained(j.truth_shrink)) <= explained_slack);
     }
     s.median_shrink = median(answered);
     s.median_truth_shrink = median(achievable);

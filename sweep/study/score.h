@@ -73,7 +73,8 @@ struct Score {
     double calibration_error = unknown_value;  ///< expected calibration error over the bins
     std::vector<ReliabilityBin> reliability;
     double median_shrink = unknown_value, median_truth_shrink = unknown_value;
-    Share within_tenth;  ///< named cases whose shrink is at most 1.1 times the truth's
+    Share within_tenth;            ///< named cases whose shrink is at most 1.1 times the truth's
+    Share explained_within_tenth;  ///< the same whose explained part of the squares is the truth's within 0.1
     std::map<std::string, Share> by_effect, by_strength, by_engine, by_joint, by_columns, by_kind;
     std::vector<Judgement> cases;
     std::string state;         ///< "clean" or "dirty" where only those were counted

@@ -25,6 +25,7 @@ class Corrections {
     /// One of the small terms, as the effect of the catalogue that it is: a size with a prior around nothing, and where
     /// or how fast it acts around these numbers of a fit.
     void add_small_term(const Effect& effect, const EffectForm& form, const Eigen::VectorXd& x);
+    bool has(std::string_view name) const;
     /// The effects that may be small terms, in the order in which they are looked for.
     static std::span<const std::string_view> small_terms();
     /// Whether a correction is a small term, no number of the document.

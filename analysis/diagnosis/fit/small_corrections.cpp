@@ -24,6 +24,11 @@ bool Corrections::is_small_term(const Effect& correction)
     return std::ranges::count(looked_for, correction.name) > 0;
 }
 
+bool Corrections::has(std::string_view name) const
+{
+    return std::ranges::count(effects_, name, &Effect::name) > 0;
+}
+
 void Corrections::add_small_term(const Effect& effect, const EffectForm& form, const Eigen::VectorXd& x)
 {
     EffectForm small = form;

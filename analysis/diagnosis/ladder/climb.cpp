@@ -52,13 +52,19 @@ LadderSearch::LadderSearch(const std::vector<Case>& cases, const Scales& scales,
 {
     for (std::size_t f = 0; f < HeldOutData::folds; ++f)
         for (const auto& w : data_.judge(f, {}, {})) documented_.push_back(w);
-    data_.raise_floor({}, {});
-    fitter_->renew();
-    correct(corrected_);
+    begin();
     if (singles.empty()) return;
     auto looks = climber_->looks(corrected_);
     find_small_terms(looks);
     first_ = climber_->judged(looks);
+}
+
+/// The corrections as they are, fitted alone from the floor of the documented joint on.
+void LadderSearch::begin()
+{
+    data_.raise_floor({}, {});
+    fitter_->renew();
+    correct(corrected_);
 }
 
 LadderSearch::~LadderSearch() = default;
@@ -90,6 +96,20 @@ void LadderSearch::settle(const FittedSet& set)
 }
 
 Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t most_rungs, const OnlyNoise& only_noise)
+{
+    FittedSet set = climbed(pairs, most_rungs, only_noise);
+    // a larger cause hides small terms: once it is found, they are found, too, and may change what is found with it
+    while (set.causes.effects.size() < most_rungs && found_small_terms(set)) {
+        begin();
+        climber_->forget();
+        first_ = climber_->judged(climber_->looks(corrected_));
+        set = climbed(pairs, most_rungs, only_noise);
+    }
+    return finished(std::move(set));
+}
+
+FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size_t most_rungs,
+                                const OnlyNoise& only_noise)
 {
     FittedSet set = corrected_;
     const auto best_first = [](const auto& a, const auto& b) { return a.misfit < b.misfit; };
@@ -142,91 +162,7 @@ Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t mo
         set = flexed(climber_->compared({*better}));
     }
     if (!set.causes.effects.empty() && set.causes.effects.size() < most_rungs) set = climber_->freed(std::move(set));
-    return finished(std::move(set));
-}
-
-Ladder LadderSearch::of(const Attribution& known)
-{
-    const Eigen::VectorXd x = fitter_->start(known.candidate, {}, known.x[ladder_level]);
-    if (!two_mass_edit(known.candidate)) return finished(fitter_->fit(known.candidate, x));
-    // ten times as slow, and its search has been long
-    LevelFit found;
-    found.x = x;
-    return finished(fitter_->fit_folds(known.candidate, std::move(found)));
-}
-
-Ladder LadderSearch::without(const Ladder& ladder, const Effect& cause)
-{
-    const auto& all = ladder.last().causes.effects;
-    return finished(
-        climber_->without(ladder.last(), static_cast<std::size_t>(std::ranges::find(all, &cause) - all.begin())));
-}
-
-Ladder LadderSearch::finished(FittedSet set)
-{
-    Ladder ladder;
-    ladder.corrections = corrections_;
-    ladder.documented = documented_;
-    ladder.corrected = corrected_;
-    if (set.causes.effects.empty()) {
-        ladder.corrected_as_last = corrected_.all_left();
-        ladder.rivals.push_back(first_);
-        return ladder;
-    }
-    ladder.rungs = climber_->in_order(std::move(set));
-    for (std::size_t i = 0; i < ladder.rungs.size(); ++i) {
-        const Candidate below = i > 0 ? ladder.rungs[i - 1].causes : Candidate{};
-        ladder.rivals.push_back(climber_->in_place_of(ladder.rungs[i], below));
-    }
-    correct_alone(ladder);
-    return ladder;
-}
-
-bool LadderSearch::usually_off() const
-{
-    const Candidate& c = corrected_.model.candidate;
-    std::size_t at = 0;
-    for (std::size_t i = 0; i < corrected_.model.corrections; at += c.count_of(*c.forms[i++]))
-        if (Corrections::deviations(c, i, at, corrected_.fit.x) >= rules_.far_off) return false;
-    return true;
-}
-
-std::vector<FarNumber> LadderSearch::far_off(const Ladder& ladder) const
-{
-    std::vector<FarNumber> far;
-    const FittedSet& last = ladder.last();
-    const Candidate& c = last.model.candidate;
-    std::size_t at = 0;
-    for (std::size_t i = 0; i < last.model.corrections; at += c.count_of(*c.forms[i++])) {
-        // what differs from record to record is no number of the document
-        if (c.forms[i]->own > 0 || Corrections::deviations(c, i, at, last.fit.x) < rules_.far_off) continue;
-        far.push_back({c.effects[i], fitter_->fit_without(last, i).all_left()});
-    }
-    return far;
-}
-
-void LadderSearch::shorten(Ladder& ladder) const
-{
-    ladder.rungs.pop_back();
-    if (ladder.rungs.empty()) {
-        ladder.corrected_as_last = corrected_.all_left();
-        return;
-    }
-    ladder.rivals.pop_back();
-    correct_alone(ladder);
-}
-
-/// The corrections that belong to the whole set, alone.
-void LadderSearch::correct_alone(Ladder& ladder) const
-{
-    const FittedSet& last = ladder.rungs.back();
-    ladder.corrected_as_last.clear();
-    const auto alone = corrections_->beside({});
-    for (std::size_t f = 0; f < HeldOutData::folds; ++f) {
-        const auto x = Corrections::start(alone, last.model, last.x[f], {});
-        for (const auto& w : data_.judge(f, alone.candidate, in_si(alone.candidate, x, scales_)))
-            ladder.corrected_as_last.push_back(w);
-    }
+    return set;
 }
 
 }  // namespace stickslip::gap

@@ -88,8 +88,11 @@ class LadderSearch {
     const HeldOutData& data() const { return data_; }
 
   private:
+    void begin();
+    FittedSet climbed(const std::vector<Attribution>& pairs, std::size_t most_rungs, const OnlyNoise& only_noise);
     void correct(FittedSet& set);
     void find_small_terms(std::vector<Start>& looks);
+    bool found_small_terms(const FittedSet& set);
     void settle(const FittedSet& set);
     Ladder finished(FittedSet set);
     void correct_alone(Ladder& ladder) const;

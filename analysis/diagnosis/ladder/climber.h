@@ -29,6 +29,9 @@ class Climber {
     {
     }
 
+    /// Sets that were judged beside other corrections are no rivals of those to come.
+    void forget() { pool_.clear(); }
+
     /// Every cause that is not yet in the set on top of it; the best few of a first look, judged, best first.
     std::vector<FittedSet> next(const FittedSet& below) { return judged(looks(below)); }
 

@@ -1,5 +1,5 @@
 // The small terms that every machine has and no document: a ripple of the friction, a cogging, a drift. They are looked
-// for once, in what the nearest cause leaves, and are corrections from then on.
+// for in what the nearest cause leaves and in what a whole ladder leaves, and are corrections from then on.
 #include "analysis/diagnosis/ladder/climber.h"
 
 #include "analysis/diagnosis/fit/block.h"
@@ -13,7 +13,7 @@ namespace stickslip::gap {
 namespace {
 
 constexpr double omega = levels[ladder_level];
-constexpr int steps = 2;  // a size is nearly linear
+constexpr int steps = 2;  // from a fit, a size is nearly linear
 
 bool documented(const Joint& joint, std::string_view term)
 {
@@ -24,22 +24,27 @@ bool documented(const Joint& joint, std::string_view term)
     return friction.ripple.acts();
 }
 
-/// A term behind a fitted model, whose numbers stay.
+/// A term behind a fitted model.
 struct Behind {
     const Scales& scales;
     const Candidate& model;
     const Eigen::VectorXd& x;
     const Candidate& term;
 
-    /// The model with the term, or the term's size alone fitted from there.
+    /// The model with the term from there: the term where it acts, its size and the model's numbers fitted. A wave not
+    /// much shorter than the travel hides in numbers that were fitted without it.
     LevelFit fit(const std::vector<Case>& cases, const Eigen::VectorXd& own) const
     {
         Eigen::VectorXd all(x.size() + own.size());
         all << x, own;
-        Kept kept(static_cast<std::size_t>(all.size()), 1);
+        Kept kept(static_cast<std::size_t>(all.size()), 0);
         for (std::size_t i = 0; i < term.parameter_count(); ++i)
             kept[static_cast<std::size_t>(x.size()) + i] = term.parameter(i).quantity != Quantity::effort;
         return descend_block(cases, with(), scales, all, omega, steps, kept);
+    }
+    LevelFit fit_without(const std::vector<Case>& cases) const
+    {
+        return descend_block(cases, model, scales, x, omega, steps, {});
     }
     Candidate with() const
     {
@@ -49,15 +54,17 @@ struct Behind {
     }
 };
 
-/// Whether a term pays on rows that its size was not fitted to: in all, and in every fold.
+/// Whether a term pays on rows that nothing was fitted to: in all, and in every fold.
 bool pays(const HeldOutData& data, const Behind& behind, const Eigen::VectorXd& own)
 {
     const Candidate with = behind.with();
     double gain = 0;
     for (std::size_t fold = 0; fold < HeldOutData::folds; ++fold) {
-        const auto x = behind.fit(data.without(fold), own).x;
-        const double without = mean_log(data.judge(fold, behind.model, in_si(behind.model, behind.x, behind.scales)));
-        const double in_fold = without - mean_log(data.judge(fold, with, in_si(with, x, behind.scales)));
+        const auto judged = [&](const Candidate& model, const LevelFit& fit) {
+            return mean_log(data.judge(fold, model, in_si(model, fit.x, behind.scales)));
+        };
+        const auto& rest = data.without(fold);
+        const double in_fold = judged(behind.model, behind.fit_without(rest)) - judged(with, behind.fit(rest, own));
         if (!(in_fold > 0)) return false;
         gain += in_fold / HeldOutData::folds;
     }
@@ -72,7 +79,7 @@ void add_small_terms(Corrections& corrections, const HeldOutData& data, const Sc
     const auto& cases = data.fitted();
     for (const std::string_view name : Corrections::small_terms()) {
         const bool is_cause = std::ranges::any_of(causes.effects, [&](const auto* e) { return e->name == name; });
-        if (is_cause || documented(cases[0].joint, name)) continue;
+        if (is_cause || documented(cases[0].joint, name) || corrections.has(name)) continue;
         const Effect& effect = *effect_named(name);
         // a wave that does not repeat is a trend: it would take over a part of what the causes' own numbers explain
         const EffectForm form = with_physical_waves(effect, effect.forms[0], scales, rules.ranges);
@@ -99,7 +106,26 @@ void add_small_terms(Corrections& corrections, const HeldOutData& data, const Sc
     }
 }
 
+/// Whether a model leaves more than noise in one record at least.
+bool more_than_noise(const std::vector<Case>& cases, const Candidate& model, const std::vector<double>& si)
+{
+    const auto left = evaluate(cases, model, si, omega);
+    return std::ranges::any_of(
+        left.records, [](const Misfit& m) { return std::max(m.position, m.effort) >= 1 + policy::slack_of_floor; });
+}
+
 }  // namespace
+
+/// Beside a set that a climb has come to: whether the corrections have more of them now.
+bool LadderSearch::found_small_terms(const FittedSet& set)
+{
+    if (set.causes.effects.empty()) return false;  // nothing hides them
+    const auto si = in_si(set.model.candidate, set.fit.x, scales_);
+    if (!more_than_noise(data_.cases(), set.model.candidate, si)) return false;
+    data_.raise_floor(set.model.candidate, si);
+    add_small_terms(*corrections_, data_, scales_, rules_, set.causes, set.fit.x, parallel_);
+    return corrections_->beside(set.causes).numbers > set.model.numbers;
+}
 
 /// In what the nearest of the first causes leaves, if that is more than noise. All of them, and the corrections alone,
 /// have the terms from then on.
@@ -111,10 +137,7 @@ void LadderSearch::find_small_terms(std::vector<Start>& looks)
     for (const auto& look : looks) models.push_back(corrections_->beside(look.causes));
     nearest.x0 = fitter_->refit(nearest.causes, nearest.x0).x;
     const auto si = in_si(models[0].candidate, nearest.x0, scales_);
-    const auto left = evaluate(data_.cases(), models[0].candidate, si, levels[ladder_level]);
-    if (std::ranges::all_of(
-            left.records, [](const Misfit& m) { return std::max(m.position, m.effort) < 1 + policy::slack_of_floor; }))
-        return;
+    if (!more_than_noise(data_.cases(), models[0].candidate, si)) return;
     data_.raise_floor(models[0].candidate, si);
     const auto numbers = models[0].numbers;
     add_small_terms(*corrections_, data_, scales_, rules_, nearest.causes, nearest.x0, parallel_);

@@ -146,7 +146,8 @@ std::string score_text(const Score& s)
     text += line("abstained outside the catalogue", s.abstained, "aim 95");
     text += line("hopeless data called so", s.insufficient, "");
     text += line("verdicts", s.verdicts, "");
-    text += line("shrink within a tenth of the truth's", s.within_tenth, "");
+    text += line("explained share within a tenth of the truth's", s.explained_within_tenth, "");
+    text += line("shrink at most a tenth above the truth's", s.within_tenth, "");
     if (std::isfinite(s.median_shrink))
         text += fmt::format("median gap after / before: answered {:.3f}, truth {:.3f}\n", s.median_shrink,
                             s.median_truth_shrink);
@@ -192,7 +193,8 @@ Json score_object(const Score& s)
                                             {"right", json(b.right)}});
     j["shrink"] = {{"median", json(s.median_shrink)},
                    {"median_truth", json(s.median_truth_shrink)},
-                   {"within_tenth", json(s.within_tenth)}};
+                   {"within_tenth", json(s.within_tenth)},
+                   {"explained_within_tenth", json(s.explained_within_tenth)}};
     j["by_effect"] = json(s.by_effect);
     j["by_strength"] = json(s.by_strength);
     j["by_engine"] = json(s.by_engine);

@@ -113,6 +113,21 @@ TEST_CASE("shrinks are compared on named cases only", "[score]")
     CHECK(s.within_tenth.of == 1);
 }
 
+TEST_CASE("the explained share is a part of the squares of the gap, and may be off by a tenth of them", "[score]")
+{
+    const auto explained_in = [](double after) {
+        Answer a = gap({{"viscous"}});
+        a.gap_before = 10, a.gap_after = after;
+        Truth t = truth({"viscous"});
+        t.gap_before = 10, t.gap_after = 1;  // 0.99 of the squares
+        return score({{"a", a}}, {{"a", t}});
+    };
+    CHECK(explained_in(3.3).explained_within_tenth.right == 1);  // 0.891
+    CHECK(explained_in(3.4).explained_within_tenth.right == 0);  // 0.884
+    CHECK(explained_in(3.3).within_tenth.right == 0);
+    CHECK(explained_in(3.4).explained_within_tenth.of == 1);
+}
+
 TEST_CASE("answers are read with names, sets or objects of names, and errors name the case", "[score]")
 {
     const auto answers =

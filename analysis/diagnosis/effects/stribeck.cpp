@@ -33,6 +33,19 @@ Effect stribeck()
         f.seeds = {{0.1, 0.1}};
         e.forms.push_back(f);
     }
+    {
+        // peaks of other shapes: low exponents fall steeply and have long tails
+        EffectForm f;
+        f.name = "any-exponent";
+        f.parameters = {
+            {"c2", Quantity::effort, Scale::friction_effort, false, 0, 3, 0.2, "static friction above Coulomb"},
+            {"c3", Quantity::velocity, Scale::friction_velocity, true, 0.0001, 3, 0.1, "Stribeck velocity"},
+            {"c4", Quantity::number, Scale::one, true, 0.3, 4, 1, "exponent of the Stribeck curve"},
+        };
+        f.apply = [](Joint& j, const double* p) { set_stribeck(main_friction(j), p[0], p[1], p[2]); };
+        f.seeds = {{0.1, 0.1, 0.7}};
+        e.forms.push_back(f);
+    }
     return e;
 }
 

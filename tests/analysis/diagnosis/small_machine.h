@@ -32,6 +32,8 @@ struct Machine {
     double integral_limit = 1e9;  ///< N, of the integral's share of the command
     double ripple = 0;            ///< N, of the Coulomb level over the position
     double cogging = 0;           ///< N
+    double peak = 0;              ///< N: friction falls from this much above its level as 1/(1 + (v/peak_velocity)²)
+    double peak_velocity = 0.02;  ///< m/s
     double waves = 200;           ///< rad/m, of both
     double second = 0;            ///< second harmonic of the cogging, as a part of the first
     double one_way = 0;           ///< part of the viscous slope that changes its sign with the direction
@@ -97,7 +99,8 @@ inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
             const double push = std::clamp(m.gain * u, -m.limit, m.limit) + m.load - m.gravity * std::sin(q) -
                                 m.cubic * q * q * q - m.bellows * followed +
                                 m.cogging * (std::sin(m.waves * q) + m.second * std::sin(2 * m.waves * q + 1));
-            const double level = m.coulomb + m.ripple * std::cos(1.3 * m.waves * q);
+            const double fast = v / m.peak_velocity;
+            const double level = m.coulomb + m.ripple * std::cos(1.3 * m.waves * q) + m.peak / (1 + fast * fast);
             if (std::abs(v) < band && std::abs(push) <= level) {
                 v = 0;
                 continue;

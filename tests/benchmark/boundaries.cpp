@@ -1,14 +1,15 @@
 // What a located boundary point costs, against plain bisection on the rows of a grid: every node of a row is evaluated,
-// and each change of side is halved until its bracket is as narrow. Prints, asserts nothing about time.
+// and each change of side is halved until its bracket is as narrow. CPU time, since a shared machine's clock counts
+// what else runs on it. Prints, asserts nothing about time.
 #include "analysis/boundary/kinds/boundary.h"
 #include "analysis/joint/parameters.h"
 #include "analysis/simulation/attractor/nonlinear.h"
 #include "tests/analysis/boundary/axis.h"
 #include "tests/analysis/simulation/joints.h"
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 
 using namespace stickslip;
 
@@ -16,22 +17,24 @@ namespace {
 
 constexpr int grid_columns = 121;  // of the grid that a sweep would have along x
 
-double seconds_since(std::chrono::steady_clock::time_point start)
+double cpu_seconds()
 {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    timespec now;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 struct Cost {
     int points = 0;
     long evaluations = 0;
-    double wall = 0;
+    double cpu = 0;  ///< s
 };
 
 /// Evaluates a row of the grid along x and halves each change.
 template <class Side>
 void bisect_row(Side&& side, const Axis& x, double precision, Cost& cost)
 {
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = cpu_seconds();
     const double low = x.values[0], ratio = x.values[1] / low;
     double a = low, fa = side(a);
     ++cost.evaluations;
@@ -50,7 +53,7 @@ void bisect_row(Side&& side, const Axis& x, double precision, Cost& cost)
         }
         a = b, fa = fb;
     }
-    cost.wall += seconds_since(start);
+    cost.cpu += cpu_seconds() - start;
 }
 
 void print(const char* name, const Cost& followed, const Cost& bisected, double precision)
@@ -60,16 +63,15 @@ void print(const char* name, const Cost& followed, const Cost& bisected, double 
     std::printf(
         "%-16s %7.0e | %6d points %8.1f evaluations, %9.1f µs a point | %4d points %8.1f evaluations, %9.1f µs "
         "a point | %5.1f times fewer, %5.1f times faster\n",
-        name, precision, followed.points, a, 1e6 * followed.wall / followed.points, bisected.points, b,
-        1e6 * bisected.wall / bisected.points, b / a,
-        bisected.wall / bisected.points / (followed.wall / followed.points));
+        name, precision, followed.points, a, 1e6 * followed.cpu / followed.points, bisected.points, b,
+        1e6 * bisected.cpu / bisected.points, b / a, bisected.cpu / bisected.points / (followed.cpu / followed.points));
 }
 
 void compare(const char* name, BoundaryRequest request, const Joint& joint, const Axis& x, const Axis& y, int rows)
 {
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = cpu_seconds();
     const auto curve = follow_boundaries(joint, x, y, request);
-    const Cost followed{curve.points(), curve.evaluations, seconds_since(start)};
+    const Cost followed{curve.points(), curve.evaluations, cpu_seconds() - start};
     const double precision = default_precision(request.kind);
     // what bisection asks of a fold: whether any cycle is reached from near rest
     BoundaryRequest side = request;

@@ -4,6 +4,7 @@
 #include "analysis/simulation/attractor/large_disturbance.h"
 #include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/simulation/flows/flow.h"
+#include "analysis/simulation/lanes/batch.h"
 #include "analysis/simulation/points.h"
 #include "analysis/stability/verdict.h"
 
@@ -46,20 +47,26 @@ double side_of_outcome(Outcome outcome)
     }
 }
 
-/// Many at once where lanes follow them; close to the linear boundary motions creep, and one that is undecided is
-/// watched for longer.
+/// Many at once where lanes follow them, and only until the side is sure; close to the linear boundary motions creep,
+/// and one that is undecided is watched for longer.
 std::vector<double> simulated_sides(std::span<const Joint> joints, const Disturbance& disturbance)
 {
     NonlinearOptions options;
     options.disturbance = disturbance;
     options.region = false;
-    std::vector<PointResult> points(joints.size());
-    nonlinear_points(joints, options, points);
+    std::vector<double> sides(joints.size());
+    lanes::sides(joints, options, sides);
+    std::vector<std::size_t> open;
+    std::vector<Joint> asked;
+    for (std::size_t i = 0; i < joints.size(); ++i)
+        if (std::isnan(sides[i])) open.push_back(i), asked.push_back(joints[i]);
+    std::vector<PointResult> points(open.size());
+    nonlinear_points(asked, options, points);
     options.turn_limit *= patience;
-    std::vector<double> sides;
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-        const bool open = points[i].outcome == Outcome::undecided;
-        sides.push_back(side_of_outcome(open ? nonlinear_verdict(joints[i], options).outcome : points[i].outcome));
+    for (std::size_t k = 0; k < open.size(); ++k) {
+        const auto outcome = points[k].outcome;
+        const bool undecided = outcome == Outcome::undecided;
+        sides[open[k]] = side_of_outcome(undecided ? nonlinear_verdict(asked[k], options).outcome : outcome);
     }
     return sides;
 }

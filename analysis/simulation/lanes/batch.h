@@ -47,4 +47,8 @@ bool decay(const Joint& joint, const NonlinearOptions& options, PointResult& poi
 void answer(std::span<const Joint> joints, const NonlinearOptions& options, std::span<PointResult> points,
             std::vector<std::size_t>& left_over);
 
+/// −1 where a disturbance of stated size decays, +1 where it does not, NaN where lanes do not tell. A motion that is
+/// sure not to come back is not followed to its end. A search for coexisting outcomes (`region`) changes nothing.
+void sides(std::span<const Joint> joints, const NonlinearOptions& options, std::span<double> sides);
+
 }  // namespace stickslip::lanes

@@ -27,18 +27,20 @@ struct Groups {
 /// One motion to follow. What small disturbances do follows from the slow eigenvalue.
 struct Job {
     Groups groups;
-    double rate;           ///< real part of the slow eigenvalue: small disturbances grow where it is positive
-    double frequency;      ///< its imaginary part, not negative
-    bool stated;           ///< `start` is a disturbance of stated size; otherwise a small one, lifted along its mode
-    double start[3];       ///< X, w, p; a lifted one is followed only where small disturbances grow
-    bool search;           ///< where the disturbance decays, also follow a start from near rest
-    double rest_start[3];  ///< that start
+    double rate;             ///< real part of the slow eigenvalue: small disturbances grow where it is positive
+    double frequency;        ///< its imaginary part, not negative
+    bool stated;             ///< `start` is a disturbance of stated size; otherwise a small one, lifted along its mode
+    double start[3];         ///< X, w, p; a lifted one is followed only where small disturbances grow
+    bool search;             ///< where the disturbance decays, also follow a start from near rest
+    double rest_start[3];    ///< that start
+    bool side_only = false;  ///< whether a stated disturbance decays is all that is asked
 };
 
 enum class Ending : std::uint8_t {
     decays,    ///< back to steady sliding; the search, if there was one, found no cycle
     cycle,     ///< small disturbances grow into this cycle
     bistable,  ///< small disturbances decay, a larger one ends in this cycle
+    leaves,    ///< small disturbances decay, the stated one does not; in what it ends was not asked
     left_over  ///< not for the lanes: the reference must decide
 };
 

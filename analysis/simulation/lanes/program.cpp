@@ -102,6 +102,7 @@ Action Program::follow(const double (&start)[3])
     size_ = largest > 0 ? std::min(1.0, largest) : 1;
     secants_ = {};
     smaller_.forget();
+    basin_.forget();
     rested_since_ = 0;
     answer_.turns = refinements_ = 0;
     weakest_decay_ = 0;
@@ -152,7 +153,10 @@ Action Program::end_of_turn(const StepView& step, double fraction)
     if (on_turn_) {
         ++answer_.turns;
         answer_.period = step.t + fraction * step.h;
-        const auto state = next_turn(end, start);
+        const auto told = told_by_turns(end, start);
+        if (told == BasinSide::Told::decays) return decayed();
+        if (told == BasinSide::Told::leaves && job_->side_only) return finish(Ending::leaves);
+        const auto state = basin_.moved() ? SecantSearch::State::searching : next_turn(end, start);
         if (state == SecantSearch::State::closed) {
             if (care_ == Care::rough) {
                 if (secants_.multiplier() > clear_multiplier) return all_again(Care::fine);

@@ -2,6 +2,7 @@
 // only, compiled once for every processor, while the kernels that integrate are compiled for each.
 #pragma once
 #include "analysis/simulation/flows/near_rest.h"
+#include "analysis/simulation/lanes/basin.h"
 #include "analysis/simulation/lanes/job.h"
 #include "analysis/simulation/lanes/secant.h"
 #include "analysis/simulation/solvers/rodas5p_table.h"
@@ -76,6 +77,7 @@ class Program {
     SecantSearch::State next_turn(Point end, Point& start);
     double linear_growth() const;
     bool none_smaller(Point end);
+    BasinSide::Told told_by_turns(Point end, Point& start);
     Action end_of_turn(const StepView& step, double fraction);
     void note_extremum(const StepView& step);
     double first_step(double w) const;
@@ -88,6 +90,7 @@ class Program {
     double size_ = 1;  ///< of the start, at most 1
     SecantSearch secants_;
     SmallerCycles smaller_;
+    BasinSide basin_;
     Care care_ = Care::fine;
     int refinements_ = 0;
     double weakest_decay_ = 0;  ///< largest |end|/|start| of a turn

@@ -87,7 +87,8 @@ TEST_CASE("a number further off than documents are is freed beside a cause, thou
     std::size_t at = 0;
     for (std::size_t i = 0; last.causes.effects[i]->name != "coulomb-level"; ++i)
         at += last.causes.count_of(*last.causes.forms[i]);
-    CHECK(si[at] == Approx(-0.44).epsilon(0.03));
+    constexpr double level = 2;  // N; the spring, for which a wave stands in, bends it by less than a hundredth
+    CHECK(si[at] == Approx(-0.44).margin(0.01 * level));
 }
 
 TEST_CASE("a ladder without its last rung is that of the corrections alone", "[gap][ladder]")

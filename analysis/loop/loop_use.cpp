@@ -68,9 +68,9 @@ struct Collector {
         else
             leave(true, key, WhyNot::no_feedback, false);
     }
-    void leave(bool present, const char* key, WhyNot why, bool matters)
+    void leave(bool present, std::string key, WhyNot why, bool matters)
     {
-        if (present) use.not_used.push_back({key, why, matters});
+        if (present) use.not_used.push_back({std::move(key), why, matters});
     }
 };
 
@@ -136,6 +136,13 @@ bool noticed(const Joint& joint, double slope)
     return std::abs(slope) > share * std::abs(gains_of(joint.control).k_p);
 }
 
+/// Of one body, which turns `ratio` times as far as the joint.
+void leave_friction(Collector& c, const Joint& joint, const Friction& f, const std::string& table, double ratio)
+{
+    c.leave(f.ripple.acts(), table + ".ripple", WhyNot::place, noticed(joint, ratio * ratio * f.ripple.steepest()));
+    c.leave(f.drift.change != 0, table + ".drift", WhyNot::time, false);
+}
+
 void leave_surroundings(Collector& c, const Joint& joint)
 {
     const auto& l = joint.load;
@@ -143,15 +150,19 @@ void leave_surroundings(Collector& c, const Joint& joint)
     c.leave(l.gravity_amplitude != 0, "load.gravity_amplitude", WhyNot::place, noticed(joint, l.gravity_amplitude));
     c.leave(l.cogging.acts(), "load.cogging", WhyNot::place, noticed(joint, l.cogging.steepest()));
     c.leave(l.disturbance.amplitude != 0, "load.disturbance", WhyNot::time, false);
+    const bool chain = m.model == Model::three_mass || m.model == Model::lever;
     if (m.model == Model::single_mass) {
-        c.leave(joint.friction.ripple.acts(), "friction.ripple", WhyNot::place,
-                noticed(joint, joint.friction.ripple.steepest()));
+        leave_friction(c, joint, joint.friction, "friction", 1);
         c.leave(joint.friction.gear.acts(), "friction.gear", WhyNot::load_direction, true);
-        c.leave(joint.friction.drift.change != 0, "friction.drift", WhyNot::time, false);
+    } else {
+        const double behind = chain ? m.transmission_link.ratio : 1;
+        const double before = chain ? m.motor_transmission.ratio * behind : m.transmission.ratio;
+        leave_friction(c, joint, joint.frictions.motor, "friction.motor", before);
+        if (chain) leave_friction(c, joint, joint.frictions.transmission, "friction.transmission", behind);
+        leave_friction(c, joint, joint.frictions.link, "friction.link", 1);
     }
     c.leave(m.model == Model::two_mass && m.transmission.backlash > 0, "joint.transmission.backlash", WhyNot::backlash,
             true);
-    const bool chain = m.model == Model::three_mass || m.model == Model::lever;
     c.leave(chain && m.motor_transmission.backlash > 0, "joint.motor_transmission.backlash", WhyNot::backlash, true);
     c.leave(chain && m.transmission_link.backlash > 0, "joint.transmission_link.backlash", WhyNot::backlash, true);
 }

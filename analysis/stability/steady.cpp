@@ -3,6 +3,7 @@
 #include "analysis/joint/gains.h"
 #include "analysis/stability/effort_limits.h"
 #include "analysis/stability/linear_joint.h"
+#include "analysis/stability/real_loop.h"
 
 namespace stickslip {
 namespace {
@@ -69,6 +70,8 @@ SteadySliding steady_sliding(const Joint& joint)
         for (int i = chain.bodies > 1 ? 1 : 0; i < chain.bodies; ++i)
             carries = carries && chain.body[i].friction->load_coefficient < 1;
     }
+    if (joint.load.constant != 0 && joint.control.kind == ControlKind::position)
+        effort = steady_effort(joint, s.velocity);
     s.deflection = command_for(joint.actuator, effort, s.velocity) / gains_of(joint.control).k_p;
     if (!std::isfinite(effort) || !carries) s.reason = Reason::no_steady_state;
     return s;

@@ -48,3 +48,15 @@ TEST_CASE("a motor behind its winding is as far behind as its voltage asks for",
     // 0.041 N·m take 0.126856 A, these 0.604344 V beside a back-EMF of 0.01616 V, at 20 V/rad
     CHECK(steady_sliding(joint).deflection == Approx(0.0310252).epsilon(1e-5));
 }
+
+TEST_CASE("a load that the loop carries is part of how far the joint is behind", "[stability][steady]")
+{
+    // an axis of 5 kg that moves down: 49.05 N pull it along, 8.16 N hold it back, and the spring of 20 kN/m the rest
+    Joint joint;
+    joint.mechanism.inertia = 5;
+    joint.friction.law = CoulombViscous{8, 40};
+    joint.control.k_p = 20e3, joint.control.k_v = 300, joint.control.V0 = -4e-3;
+    joint.load.constant = -49.05;
+    CHECK(steady_sliding(joint).deflection == Approx((49.05 - 8.16) / 20e3));
+    CHECK(steady_sliding(joint).friction == Approx(-8.16));
+}

@@ -1,5 +1,6 @@
 #include "analysis/stability/effort_limits.h"
 
+#include "analysis/joint/gains.h"
 #include "analysis/stability/linear_joint.h"
 #include "analysis/stability/real_loop.h"
 #include "analysis/stability/steady.h"
@@ -31,6 +32,29 @@ double command_for(const Actuator& a, double effort, double velocity)
     return left > 0 ? volts / left * (duty ? 1 : supply) : missing;
 }
 
+bool integral_at_limit(const Joint& joint, double velocity)
+{
+    const auto& c = joint.control;
+    const bool cascade = c.structure == Structure::cascade;
+    const double gain = cascade ? velocity_integral_gain(c) : c.k_i;
+    if (gain == 0 || c.integral_limit == infinity || c.kind == ControlKind::force) return false;
+    const double rate = joint.sensor.position_scale * velocity;
+    const auto& f = c.feed_forward;
+    double held = command_for(joint.actuator, steady_effort(joint, velocity), velocity);
+    if (!f.by_error()) held -= f.push(rate, rate, 0);
+    if (!cascade) held -= c.k_v * ((c.reference_velocity ? f.velocity * rate : 0) - rate);
+    return std::abs(held) > c.integral_limit;
+}
+
+Joint without_stopped_integral(const Joint& joint, double velocity)
+{
+    Joint left = joint;
+    if (!integral_at_limit(joint, velocity)) return left;
+    left.control.k_i = 0;
+    left.control.velocity_integral_gain = left.control.velocity_reset_time = not_set;
+    return left;
+}
+
 namespace {
 
 std::optional<LowLimit> of_an_effort(const Joint& joint, double effort)
@@ -47,13 +71,14 @@ std::optional<LowLimit> of_an_effort(const Joint& joint, double effort)
 std::optional<LowLimit> of_a_motor(const Joint& joint, double effort, double velocity)
 {
     const auto& a = joint.actuator;
-    if (effort > a.limit) return LowLimit{"actuator.limit", Quantity::effort, a.limit, effort};
-    const double volts = winding_voltage(a, effort, std::abs(velocity));
+    if (std::abs(effort) > a.limit) return LowLimit{"actuator.limit", Quantity::effort, a.limit, std::abs(effort)};
+    const double volts = std::abs(winding_voltage(a, effort, velocity));
     const bool duty = a.signal == DriveSignal::duty;
     const LowLimit supply{"actuator.supply_voltage", Quantity::voltage, a.supply_voltage, volts};
     if (is_set(a.supply_voltage) && volts > a.supply_voltage) return supply;
-    if (!(actuation(joint, velocity, effort).gain > 0)) return supply;  // it sags before the effort is reached
-    const double command = std::abs(command_for(a, effort, std::abs(velocity)));
+    if (!(actuation(joint, velocity, effort).gain * a.effort_gain > 0))
+        return supply;  // it sags before the effort is reached
+    const double command = std::abs(command_for(a, effort, velocity));
     if (command > joint.control.effort_limit)
         return LowLimit{"control.effort_limit", duty ? Quantity::number : Quantity::voltage, joint.control.effort_limit,
                         command};
@@ -65,9 +90,9 @@ std::optional<LowLimit> of_a_motor(const Joint& joint, double effort, double vel
 std::optional<LowLimit> low_limit(const Joint& joint, double velocity)
 {
     if (joint.control.kind == ControlKind::force) return std::nullopt;
-    const double effort = std::abs(steady_effort(joint, velocity));
-    auto low =
-        joint.actuator.kind == ActuatorKind::effort ? of_an_effort(joint, effort) : of_a_motor(joint, effort, velocity);
+    const double effort = steady_effort(joint, velocity);
+    auto low = joint.actuator.kind == ActuatorKind::effort ? of_an_effort(joint, std::abs(effort))
+                                                           : of_a_motor(joint, effort, velocity);
     if (low) low->velocity = velocity, low->friction = steady_sliding(joint).friction;
     return low;
 }

@@ -20,6 +20,12 @@ struct LowLimit {
 /// or duty of a motor. NaN where its supply sags before.
 double command_for(const Actuator& actuator, double effort, double velocity);
 
+/// Whether the integral of the controller stands at its limit in steady sliding at V, as it would have to hold more.
+bool integral_at_limit(const Joint& joint, double velocity);
+
+/// The joint as it is about steady sliding at V: an integral that stands at its limit answers no small motion.
+Joint without_stopped_integral(const Joint& joint, double velocity);
+
 /// At V; nothing where every limit leaves the effort of steady sliding, and of force loops, whose ramp knows no limit.
 std::optional<LowLimit> low_limit(const Joint& joint, double velocity);
 

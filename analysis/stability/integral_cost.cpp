@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "analysis/joint/gains.h"
+#include "analysis/stability/effort_limits.h"
+#include "analysis/stability/real_loop.h"
 
 namespace stickslip {
 namespace {
@@ -28,6 +30,7 @@ std::optional<IntegralCost> integral_cost(const Joint& joint, const LinearVerdic
 {
     const Control& c = joint.control;
     if (c.kind != ControlKind::position || gains_of(c).k_i == 0 || verdict.steady.reason != Reason::none) return {};
+    if (integral_at_limit(joint, sliding_velocity(joint, verdict.steady.velocity))) return {};
     Joint without = joint;
     without.control.k_i = 0;
     without.control.velocity_integral_gain = without.control.velocity_reset_time = not_set;

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 
+#include "analysis/joint/drive.h"
 #include "analysis/joint/gains.h"
 #include "analysis/stability/effort_limits.h"
 #include "analysis/stability/joint_spectrum.h"
@@ -50,7 +53,9 @@ LoopGains all_gains(const Joint& joint)
     return {c.velocity_gain * c.position_gain, c.velocity_gain, gains.k_i, velocity_integral_gain(c)};
 }
 
-std::optional<SplitGains> split(const Joint& joint, TurnedGain turned)
+/// Gains are searched from zero on in the direction `towards`: 1, or −1 where the motor is wired the other way round
+/// and its gains are negative for it.
+std::optional<SplitGains> split(const Joint& joint, TurnedGain turned, double towards)
 {
     const auto& c = joint.control;
     LoopGains base = all_gains(joint);
@@ -66,21 +71,24 @@ std::optional<SplitGains> split(const Joint& joint, TurnedGain turned)
     }
     if (turned == TurnedGain::k_p) {
         base.position = 0;
-        return SplitGains{base, {1, 0, 0, 0}, c.k_p};
+        return SplitGains{base, {towards, 0, 0, 0}, towards * c.k_p, towards};
     }
     base.velocity = 0;
-    return SplitGains{base, {0, 1, 0, 0}, c.k_v};
+    return SplitGains{base, {0, towards, 0, 0}, towards * c.k_v, towards};
 }
 
-/// k_p = K_v K_pos + K_i of a cascade, in place of the K_pos that was turned.
+/// k_p = K_v K_pos + K_i of a cascade, in place of the K_pos that was turned, and gains below zero as what they are.
 void report(const RealLoop& loop, StableGains& gains)
 {
     if (loop.per_gain == 1 && loop.at_none == 0) return;
     const auto reported = [&](double gain) { return loop.at_none + loop.per_gain * gain; };
     for (auto& c : gains.crossings) c.k_p = reported(c.k_p);
     for (auto& i : gains.stable) i = {reported(i.low), reported(i.high)};
-    gains.searched_to = reported(gains.searched_to);
+    if (std::isfinite(gains.searched_to)) gains.searched_to = reported(gains.searched_to);
     if (loop.per_gain > 0) return;
+    if (std::isfinite(gains.searched_to))
+        gains.searched_from = std::exchange(gains.searched_to, reported(gains.searched_from));
+    for (auto& c : gains.crossings) c.direction = -c.direction;
     for (auto& i : gains.stable) std::swap(i.low, i.high);
     std::reverse(gains.stable.begin(), gains.stable.end());
     std::reverse(gains.crossings.begin(), gains.crossings.end());
@@ -166,14 +174,13 @@ Actuation actuation(const Joint& joint, double velocity, double effort)
     // the motor's constants are in joint coordinates, as the gains of the loop and all else
     const double k_t = a.effort_gain * a.k_t;
     const bool duty = a.signal == DriveSignal::duty;
-    const double v = std::abs(velocity);
     double R = a.resistance, sagging = 0;
     if (a.supply_resistance > 0 && is_set(a.supply_voltage)) {
-        // D with effort (R + |D| R_s) = k_t (D U − k_e v)
-        const double D = (effort * a.resistance + k_t * a.k_e * v) /
-                         (k_t * a.supply_voltage - std::abs(effort) * a.supply_resistance);
-        R += std::abs(D) * a.supply_resistance;
-        sagging = std::abs(effort) * a.supply_resistance / R / (duty ? 1 : a.supply_voltage);
+        const double D = command_for(a, effort, velocity) / (duty ? 1 : a.supply_voltage);
+        // i (R + |D| R_s) = D U − k_e v; of a motor that feeds back (i D < 0) the supply rises
+        const double sag = std::abs(D) * a.supply_resistance;
+        R = effort / k_t * D < 0 ? std::max(R - sag, least_resistance * R) : R + sag;
+        sagging = std::copysign(effort, k_t) * a.supply_resistance / R / (duty ? 1 : a.supply_voltage);
     }
     acts.gain = (k_t / R * (duty ? a.supply_voltage : 1) - sagging);
     acts.drag = k_t * a.k_e / R;
@@ -253,7 +260,8 @@ LatePlant late_plant(const Joint& joint, const LinearJoint& linear, double veloc
 std::optional<RealLoop> real_loop(const Joint& joint, const LinearJoint& linear, double velocity, TurnedGain turned)
 {
     if (!remembers_little(joint)) return {};
-    const auto gains = split(joint, turned);
+    const bool wired_back = joint.actuator.effort_gain < 0 && joint.control.k_p < 0;
+    const auto gains = split(without_stopped_integral(joint, velocity), turned, wired_back ? -1 : 1);
     if (!gains) return {};
     const auto plant = late_plant(joint, linear, velocity);
     if (!plant.prompt.A.allFinite() || !plant.prompt.B.allFinite()) return {};

@@ -166,7 +166,9 @@ LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
     }
     if (const auto turned = real_loop(joint, curve, V, TurnedGain::k_v)) {
         simple.stable_k_v = turned_gains(*turned).stable;
-        if (!simple.stable_k_v.empty()) simple.k_v_min = simple.stable_k_v.front().low;
+        // of a motor that is wired the other way round no gain is the least
+        if (!simple.stable_k_v.empty() && simple.stable_k_v.front().low >= 0)
+            simple.k_v_min = simple.stable_k_v.front().low;
     }
     return verdict;
 }

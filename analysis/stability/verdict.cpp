@@ -4,6 +4,7 @@
 
 #include "analysis/joint/gains.h"
 #include "analysis/stability/critical_gain.h"
+#include "analysis/stability/effort_limits.h"
 #include "analysis/stability/joint_crossings.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/neutral.h"
@@ -119,8 +120,26 @@ LinearMass linear_mass(const Joint& joint, double V)
     return mass;
 }
 
+namespace {
+
+void tell_stopped_integral(const Control& c, LoopUse& loop)
+{
+    const char* key = c.structure == Structure::pid      ? "control.k_i"
+                      : is_set(c.velocity_integral_gain) ? "control.velocity_integral_gain"
+                                                         : "control.velocity_reset_time";
+    loop.not_used.push_back({key, WhyNot::small_signal, false});
+}
+
+}  // namespace
+
 LinearVerdict linear_verdict(const Joint& joint)
 {
+    const double sliding = sliding_velocity(joint, commanded_velocity(joint));
+    if (integral_at_limit(joint, sliding)) {
+        auto verdict = linear_verdict(without_stopped_integral(joint, sliding));
+        tell_stopped_integral(joint.control, verdict.loop);
+        return verdict;
+    }
     LinearVerdict verdict;
     verdict.loop = loop_use(joint);
     verdict.steady = possible_sliding(joint);

@@ -24,7 +24,7 @@ std::string why_text(WhyNot why)
 {
     switch (why) {
         case WhyNot::small_signal:
-            return "small motions about steady sliding do not reach it";
+            return "small motions about steady sliding neither reach nor move it";
         case WhyNot::rounding:
             return "it is no linear term: sliding holds up to a jitter of its size";
         case WhyNot::place:

@@ -23,17 +23,15 @@ double LoopController::begin(double output, double velocity, double step)
     const double push = f.by_error() ? 0 : f.push(last_rate_, velocity, 0);
     const double needed = output - ahead(0, last_rate_, step) - push;
     const double lost = rate_error(last_rate_);  // what steady sliding leaves of the velocity error
+    const bool cascade = c.structure == Structure::cascade && integrates();
+    const double wanted = cascade ? needed : needed - gains_.k_v * lost;
+    const double left = wanted - hold_steadily(wanted);
     double error = 0;
-    if (c.structure == Structure::cascade && integrates()) {
-        error = -lost / c.position_gain;
-        hold(needed / gain_of_integral_);
-    } else if (integrates()) {
-        hold((needed - gains_.k_v * lost) / gain_of_integral_);
-    } else {
-        error = error_that_gives(needed - gains_.k_v * lost);
-        if (!is_set(error)) return not_set;
-    }
-    if (std::abs(gain_of_integral_ * integral()) > c.integral_limit) return not_set;
+    if (cascade)
+        error = ((left == 0 ? 0 : left / c.velocity_gain) - lost) / c.position_gain;
+    else if (left != 0 || !integrates())
+        error = error_that_gives(left);
+    if (!is_set(error)) return not_set;
     if (error != 0) error += std::copysign(c.dead_zone, error);
     state.reading = -error;
     state.output = output;
@@ -43,6 +41,15 @@ double LoopController::begin(double output, double velocity, double step)
     for (std::size_t i = 0; i < w.size(); ++i)  // where it was before, in a frame that may move at another velocity
         w[i] = state.reading + (frame_ - velocity) * step * static_cast<double>(w.size() - i);
     return state.reading;
+}
+
+/// What the integral holds of this output: all of it, or its limit.
+double LoopController::hold_steadily(double output)
+{
+    if (!integrates()) return 0;
+    const double held = std::clamp(output, -control_.integral_limit, control_.integral_limit);
+    hold(held / gain_of_integral_);
+    return held;
 }
 
 /// Counts the integral from the first steady value that it is given.

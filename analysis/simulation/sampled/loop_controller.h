@@ -60,6 +60,7 @@ class LoopController {
     double logged() const { return logged_; }
 
   private:
+    double hold_steadily(double output);
     void hold(double integral);
     double ahead(double reference, double rate, double step);
     double outside_dead_zone(double error) const;

@@ -7,6 +7,7 @@
 #include "analysis/simulation/sampled/loop_start.h"
 #include "analysis/simulation/sampled/loop_trajectory.h"
 #include "analysis/simulation/solvers/work.h"
+#include "analysis/stability/effort_limits.h"
 #include "analysis/stability/steady.h"
 
 #include "analysis/stability/real_loop.h"
@@ -79,7 +80,7 @@ std::optional<LoopVerdict> obstacle(const Joint& joint)
     if (const auto why = why_not_driven(joint); why != Detail::none) return refused(Reason::unsupported, why);
     if (has_unsteady_terms(joint)) return refused(Reason::unsupported, Detail::place_or_time);
     if (total_backlash(joint) > 0) return refused(Reason::unsupported, Detail::backlash);
-    if (!(joint.control.k_p > 0)) return refused(Reason::diverges);
+    if (!(joint.control.k_p * joint.actuator.effort_gain > 0)) return refused(Reason::diverges);
     if (const double tick = tick_of(joint); !(tick > 0) || !(joint.dead_time() < work::ticks_of_dead_time * tick))
         return refused(Reason::not_finite, Detail::no_time_step);
     if (chatters(joint)) return refused(Reason::no_steady_state, Detail::chatters);
@@ -109,7 +110,8 @@ bool has_real_loop(const Joint& joint)
 }
 
 LoopInquiry::LoopInquiry(const Joint& asked, const LoopQuestion& question, GrowthBy by)
-    : joint_(with_gains(asked)), question_(question)
+    : joint_(with_gains(without_stopped_integral(asked, sliding_velocity(asked, commanded_velocity(asked))))),
+      question_(question)
 {
     if (auto refusal = obstacle(joint_)) {
         verdict_ = *refusal;

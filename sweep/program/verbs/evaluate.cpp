@@ -4,10 +4,12 @@
 #include "analysis/results/text.h"
 #include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/simulation/set_point/set_point.h"
+#include "analysis/stability/effort_limits.h"
 #include "analysis/stability/frequency_search.h"
 #include "analysis/stability/integral_cost.h"
 #include "analysis/stability/real_loop.h"
 #include "analysis/stability/stable_gains.h"
+#include "analysis/stability/steady.h"
 #include "analysis/stability/verdict.h"
 #include "sweep/engine/build.h"
 #include "sweep/files/json/load_json.h"
@@ -131,7 +133,8 @@ Evaluated evaluated(const Options& options, StageLine& line)
     line.stage("the roots and the stable gains");
     e.verdict = linear_verdict(e.joint);
     add_margins(e.joint, e.verdict);
-    e.summed = e.joint.control.structure == Structure::cascade ? with_gains(e.joint) : e.joint;
+    e.summed = without_stopped_integral(e.joint, sliding_velocity(e.joint, commanded_velocity(e.joint)));
+    if (e.joint.control.structure == Structure::cascade) e.summed = with_gains(e.summed);
     NonlinearOptions nonlinear;
     nonlinear.bifurcation = true;
     nonlinear.disturbance = options.disturbance.disturbance(asked.spec.nonlinear);

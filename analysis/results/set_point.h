@@ -34,6 +34,7 @@ enum class SetPointReason : std::uint8_t {
     dithered,              ///< a dither beside an integral or a push, or above the kinetic friction
     bristles_compensated,  ///< a compensation that is fed back, over friction without true rest
     friction_term,         ///< a term beside the law
+    loaded,                ///< a constant load takes a part of a limit, and the answer depends on it
     not_converged
 };
 
@@ -60,6 +61,7 @@ constexpr std::string_view name_of(SetPointReason reason)
                                           "dithered",
                                           "bristles-compensated",
                                           "friction-term",
+                                          "loaded",
                                           "not-converged"};
     static_assert(std::size(names) == static_cast<std::size_t>(SetPointReason::not_converged) + 1);
     return names[static_cast<std::size_t>(reason)];

@@ -55,6 +55,8 @@ std::string set_point_reason(SetPointReason reason)
             return "friction has a term beside its law (bristle, memory, load, gear, ripple, drift or viscous "
                    "asymmetry) "
                    "that is not simulated at rest";
+        case SetPointReason::loaded:
+            return "a constant load takes a part of a limit on which the answer depends; use simulate --reference";
         case SetPointReason::not_converged:
             return "the motion was not simulated to its end within the limit of work";
     }

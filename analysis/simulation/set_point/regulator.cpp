@@ -18,18 +18,22 @@ Regulator regulator_of(const Joint& joint)
         r.drag = per_volt * a.k_e;
         if (is_set(a.supply_voltage)) most_signal = std::min(most_signal, a.supply_voltage / volts_per_signal);
     }
+    // the controller counts errors and velocities in what the encoder says, the motion in what the joint does
+    const double scale = joint.sensor.position_scale;
     r.inertia = joint.mechanism.inertia;
-    r.k_p = per_signal * gains.k_p;
-    r.k_v = per_signal * gains.k_v;
-    r.k_i = per_signal * gains.k_i;
-    r.dead_zone = c.dead_zone;
+    r.k_p = per_signal * scale * gains.k_p;
+    r.k_v = per_signal * scale * gains.k_v;
+    r.k_i = per_signal * scale * gains.k_i;
+    r.dead_zone = c.dead_zone / scale;
     r.integral_limit = std::abs(per_signal) * c.integral_limit;
-    r.integral_band = c.integral_band;
+    r.integral_band = c.integral_band / scale;
     r.effort_limit = std::min(std::abs(per_signal) * most_signal, a.limit);
     r.anti_windup = c.anti_windup;
     r.tracking_time = c.tracking_time;
     r.push = c.feed_forward;
     r.push.coulomb *= per_signal;
+    r.push.coulomb_speed /= scale;
+    r.push.coulomb_width /= scale;
     r.dither = std::abs(per_signal) * c.dither.amplitude;
     return r;
 }

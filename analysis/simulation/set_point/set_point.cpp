@@ -123,10 +123,10 @@ bool late(const Joint& joint)
 
 /// Where the side of the error alone moves the mass, it can rest in one point only, and a loop that is late passes
 /// that point each time: I. Boiko, Discontinuous Control Systems, 2009. An exact loop comes to rest there.
-bool pushes_itself(const Joint& joint, const Regulator& regulator, const DryFriction& dry)
+bool pushes_itself(const Joint& joint, const Regulator& regulator, double held)
 {
     const auto& push = regulator.push;
-    return push.jumps() && push.coulomb > dry.breakaway && regulator.dead_zone == 0 && late(joint);
+    return push.jumps() && push.coulomb > held && regulator.dead_zone == 0 && late(joint);
 }
 
 SetPoint pushed_about(SetPointReason reason)
@@ -138,25 +138,69 @@ SetPoint pushed_about(SetPointReason reason)
     return s;
 }
 
-/// See set_point.h; a push that is fed back beside it has no such energy.
-SetPoint under_dither(const Regulator& regulator, const DryFriction& dry)
+/// See set_point.h; a push that is fed back beside it has no such energy. `load`: what the loop carries besides.
+SetPoint under_dither(const Regulator& regulator, const DryFriction& dry, double load)
 {
     if (regulator.push.fed_back() || regulator.dither >= dry.coulomb) return undecided(SetPointReason::dithered);
-    const bool breaks = dry.breakaway <= regulator.effort_limit;
-    const double band = (dry.breakaway - regulator.dither) / regulator.k_p + regulator.dead_zone;
+    const bool breaks = dry.breakaway + load <= regulator.effort_limit;
+    const double band = (dry.breakaway + load - regulator.dither) / regulator.k_p + regulator.dead_zone;
     return rests(SetPointReason::dither_narrows, breaks ? band : infinity, SetPointMethod::closed_form);
 }
 
-SetPoint without_integral(const Joint& joint, const Regulator& regulator, const DryFriction& dry)
+SetPoint without_integral(const Joint& joint, const Regulator& regulator, const DryFriction& dry, double load)
 {
     if (regulator.k_i < 0 || !(regulator.k_p > 0))
         return rests(SetPointReason::loop_unstable, missing, SetPointMethod::closed_form);
-    if (regulator.dither > 0) return under_dither(regulator, dry);
-    const bool breaks = dry.breakaway <= regulator.effort_limit;
-    const double band = breaks ? regulator.error_holding(dry.breakaway) + regulator.dead_zone : infinity;
+    if (load > regulator.effort_limit) return undecided(SetPointReason::loaded);
+    if (regulator.dither > 0) return under_dither(regulator, dry, load);
+    const bool breaks = dry.breakaway + load <= regulator.effort_limit;
+    const double band = breaks ? regulator.error_holding(dry.breakaway + load) + regulator.dead_zone : infinity;
     if (breaks && regulator.push.by_velocity())
         return hunting_without_integral(StopToStop(regulator, joint.friction), band);
     return rests(SetPointReason::no_integral_action, band, SetPointMethod::closed_form);
+}
+
+/// What pulls the joint at rest to one side, in effort.
+double pull(const Joint& joint)
+{
+    return std::abs(joint.load.constant - joint.friction.normal_load * joint.friction.asymmetry.coulomb);
+}
+
+/// With a loop that integrates: the limits leave `taken` less to it than they are.
+SetPoint with_integral(const Joint& joint, const SetPointQuestion& question, Regulator regulator,
+                       const RestingFriction& friction, double taken)
+{
+    const PidMass mass{regulator.inertia, regulator.k_v + regulator.drag + friction.viscous, regulator.k_p,
+                       regulator.k_i};
+    if (!mass.stable()) return rests(SetPointReason::loop_unstable, missing, SetPointMethod::closed_form);
+    if (friction.flat && regulator.linear()) return in_closed_form(mass, friction.dry);
+    regulator.integral_limit -= taken;
+    regulator.effort_limit -= taken;
+    const auto cycle = hunting_cycle(mass, friction.dry);
+    const double natural = cycle.found ? cycle.amplitude : friction.dry.breakaway / regulator.k_p;
+    if (friction.presliding > 0) return with_bristles(regulator, joint.friction, friction, natural);
+    auto s = hunting_by_events(StopToStop(regulator, joint.friction), natural, regulator.dead_zone,
+                               question.starts_per_decade);
+    if (s.hunting == Hunting::yes && friction.flat) s.reason = SetPointReason::static_above_coulomb;
+    return s;
+}
+
+/// The integral carries the load, which takes as much of every limit on one side as it adds on the other. An answer is
+/// one where both sides agree.
+SetPoint carrying(const Joint& joint, const SetPointQuestion& question, const Regulator& regulator,
+                  const RestingFriction& friction)
+{
+    constexpr double same = 1e-6;
+    const double load = pull(joint);
+    const bool limited = regulator.integral_limit < infinity || regulator.effort_limit < infinity;
+    const auto near = with_integral(joint, question, regulator, friction, limited ? load : 0);
+    if (!limited || load == 0) return near;
+    const auto far = with_integral(joint, question, regulator, friction, -load);
+    const bool hunts = near.hunting == Hunting::yes;
+    if (near.hunting != far.hunting || near.diverges() != far.diverges() ||
+        (hunts && !(std::abs(near.amplitude - far.amplitude) <= same * far.amplitude)))
+        return undecided(SetPointReason::loaded);
+    return near;
 }
 
 SetPoint decided(const Joint& joint, const SetPointQuestion& question)
@@ -168,20 +212,11 @@ SetPoint decided(const Joint& joint, const SetPointQuestion& question)
     const auto regulator = regulator_of(joint);
     if (regulator.dither > 0 && (friction.presliding > 0 || regulator.k_i > 0))
         return undecided(SetPointReason::dithered);
-    if (pushes_itself(joint, regulator, friction.dry)) return pushed_about(SetPointReason::push_breaks_friction);
+    if (pushes_itself(joint, regulator, friction.dry.breakaway + pull(joint)))
+        return pushed_about(SetPointReason::push_breaks_friction);
     if (friction.presliding > 0 && regulator.push.fed_back()) return undecided(SetPointReason::bristles_compensated);
-    if (!(regulator.k_i > 0)) return without_integral(joint, regulator, friction.dry);
-    const PidMass mass{regulator.inertia, regulator.k_v + regulator.drag + friction.viscous, regulator.k_p,
-                       regulator.k_i};
-    if (!mass.stable()) return rests(SetPointReason::loop_unstable, missing, SetPointMethod::closed_form);
-    if (friction.flat && regulator.linear()) return in_closed_form(mass, friction.dry);
-    const auto cycle = hunting_cycle(mass, friction.dry);
-    const double natural = cycle.found ? cycle.amplitude : friction.dry.breakaway / regulator.k_p;
-    if (friction.presliding > 0) return with_bristles(regulator, joint.friction, friction, natural);
-    auto s = hunting_by_events(StopToStop(regulator, joint.friction), natural, regulator.dead_zone,
-                               question.starts_per_decade);
-    if (s.hunting == Hunting::yes && friction.flat) s.reason = SetPointReason::static_above_coulomb;
-    return s;
+    if (!(regulator.k_i > 0)) return without_integral(joint, regulator, friction.dry, pull(joint));
+    return carrying(joint, question, regulator, friction);
 }
 
 /// Keys that are set and that no answer at rest reads.
@@ -195,10 +230,16 @@ std::vector<std::string> left_out(const Joint& joint)
     add(joint.control.delay > 0, "control.delay");
     add(joint.sensor.delay > 0, "sensor.delay");
     add(joint.control.velocity_estimate.tau > 0, "control.velocity_estimate.tau");
+    add(joint.control.velocity_estimate.average > 1, "control.velocity_estimate.average");
     add(joint.actuator.lag > 0, "actuator.lag");
+    add(joint.actuator.sag_effort < infinity, "actuator.sag_effort");
+    add(joint.actuator.supply_resistance > 0, "actuator.supply_resistance");
     add(joint.sensor.encoder_quantum > 0, "sensor.encoder_quantum");
+    add(joint.sensor.position_noise > 0, "sensor.position_noise");
     add(joint.load.gravity_amplitude != 0, "load.gravity_amplitude");
     add(joint.load.cogging.acts(), "load.cogging.amplitude");
+    add(joint.load.disturbance.amplitude != 0, "load.disturbance.amplitude");
+    add(joint.normal.moves(), "normal");
     add(joint.friction.drift.change != 0, "friction.drift.change");
     add(joint.control.contact_stiffness != 0, "control.contact_stiffness");
     add(joint.neighbour.size > 0, "neighbour");

@@ -234,3 +234,39 @@ TEST_CASE("a level of friction that moves by itself has no set point", "[set-poi
     CHECK(refused([](Friction& f) { f.ripple.amplitude = 0.1; }));
     CHECK(refused([](Friction& f) { f.gear.backward = 0.5; }));
 }
+
+TEST_CASE("a set point is held in what the encoder says", "[set-point]")
+{
+    const auto law = KineticStatic{0.327, 0.981};
+    Joint read = joint_of({1, 2, 18, 30}, law);
+    read.sensor.position_scale = 2;
+    const auto scaled = set_point(read), twice = set_point(joint_of({1, 4, 36, 60}, law));
+    REQUIRE(scaled.hunting == Hunting::yes);
+    CHECK(scaled.amplitude == Approx(twice.amplitude));
+    CHECK(scaled.period == Approx(twice.period));
+}
+
+TEST_CASE("a load takes its share of the limits of a loop at a set point", "[set-point]")
+{
+    const PidMass loop{1, 2, 18, 30};
+    const auto with = [&](double load, double integral, double effort) {
+        Joint joint = joint_of(loop, KineticStatic{0.327, 0.981});
+        joint.load.constant = load;
+        joint.control.integral_limit = integral, joint.control.effort_limit = effort;
+        return set_point(joint);
+    };
+    const double free = with(0, infinity, infinity).amplitude;
+    CHECK(with(5, infinity, infinity).amplitude == Approx(free));
+    CHECK(with(-5, 7, 9).amplitude == Approx(free));
+    // 5 N pull one way: of 4 N of integral or output nothing is left against them, of 5.5 N less than static friction;
+    // a simulation with the former rests, and hunts from 28 mm on one side to 35 mm on the other with the latter
+    for (const double limit : {4.0, 5.5}) {
+        CHECK(with(5, limit, infinity).hunting != Hunting::yes);
+        CHECK(with(-5, infinity, limit).hunting != Hunting::yes);
+    }
+    Joint plain = joint_of({1, 2, 18, 0}, KineticStatic{0.327, 0.981});
+    plain.load.constant = 5;
+    CHECK(set_point(plain).rest_error == Approx(5.981 / 18));
+    plain.control.effort_limit = 4;
+    CHECK(set_point(plain).reason == SetPointReason::loaded);
+}

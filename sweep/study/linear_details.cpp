@@ -24,7 +24,8 @@ void add_demands(LinearDetails& d, Joint joint)
     const auto simple_at = [&](double V) { return least(V, Theory::velocity_only); };
     const auto memory_at = [&](double V) { return least(V, Theory::state_variable); };
     Samples &simple = d.demanded_simple, &memory = d.demanded_memory;
-    for (const double V : log_steps(d.study.velocities.low, d.study.velocities.high, d.sampled_finely ? 121 : 25)) {
+    const auto [slowest, fastest] = searched_speeds(d.study);
+    for (const double V : log_steps(slowest, fastest, d.sampled_finely ? 121 : 25)) {
         simple.x.push_back(V), simple.y.push_back(simple_at(V));
         memory.x.push_back(V), memory.y.push_back(memory_at(V));
     }
@@ -55,8 +56,9 @@ void add_least_velocities(LinearDetails& d, const Joint& given)
     Joint joint = given;
     const auto least = [&](double k_p, int steps) {
         joint.control.k_p = k_p;
-        return stable_velocities(joint, low, high, Theory::state_variable, steps).all_above;
+        return std::abs(stable_velocities(joint, low, high, Theory::state_variable, steps).all_above);
     };
+    if (!(given.control.k_p > 0)) return;
     for (const double k_v : shown_gains(given, d.study)) {
         joint.control.k_v = k_v;
         LeastVelocities line{k_v, {log_steps(given.control.k_p / 30, given.control.k_p * 30, gains), {}}};

@@ -11,7 +11,14 @@
 
 namespace stickslip {
 
-/// V_min over k_p at one velocity gain: the velocity from which on sliding is stable, with memory.
+/// The velocities that were searched, without their direction: for axes that are logarithmic.
+inline Interval searched_speeds(const LinearStudy& study)
+{
+    const auto& v = study.velocities;
+    return v.high < 0 ? Interval{-v.high, -v.low} : v;
+}
+
+/// V_min over k_p at one velocity gain: the speed from which on sliding is stable, with memory.
 struct LeastVelocities {
     double k_v = missing;
     Samples over_k_p;
@@ -29,7 +36,7 @@ struct LinearDetails {
     double velocity = missing;                        ///< commanded
     bool sampled_finely = true;                       ///< false with delays and tables: the curves are coarser
     Samples demanded_memory, demanded_simple;         ///< least k_v over the velocity; simple: the velocity-only model
-    std::vector<LeastVelocities> least_velocities;    ///< empty: known at one velocity only
+    std::vector<LeastVelocities> least_velocities;    ///< empty: known at one velocity only, or k_p < 0
     Samples response_memory, response_simple;         ///< |X/D| over ω
     double ramp_rate = missing;                       ///< of the joint's own spring; force control only
     std::optional<std::array<RampSprings, 2>> ramps;  ///< with memory, by the velocity-only model

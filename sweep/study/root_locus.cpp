@@ -69,7 +69,7 @@ bool sample(RootLocus& locus, const Joint& joint)
 std::optional<RootLocus> sampled_root_locus(const Joint& joint, double low, double high)
 {
     const auto steady = steady_sliding(joint);
-    if (steady.reason != Reason::none || !(steady.velocity > 0) || !(low > 0)) return std::nullopt;
+    if (steady.reason != Reason::none || !(low > 0)) return std::nullopt;
     RootLocus locus;
     locus.rational = loop_kind(joint) == LoopKind::sampled ||
                      (joint.dead_time() == 0 && linear_joint(joint, steady.velocity).rational());

@@ -108,6 +108,11 @@ std::string open_text(const NonlinearVerdict&)
     return "#open";
 }
 
+std::string contradicted_text(const LinearVerdict&, const NonlinearVerdict&)
+{
+    return "";
+}
+
 std::string verdict_text(const Joint&, const LinearVerdict&, bool)
 {
     return "#verdict";

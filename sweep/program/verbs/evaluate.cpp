@@ -188,6 +188,10 @@ std::filesystem::path write_page(const Evaluated& e, const Options& options, con
         report.verdict = open_text(e.nonlinear) + " " + report.verdict;
         if (report.tone == Headline::Tone::good) report.tone = Headline::Tone::warning;
     }
+    if (const auto text = contradicted_text(e.verdict, e.nonlinear); !text.empty()) {
+        report.verdict = text + " " + report.verdict;
+        report.tone = e.verdict.state_variable.stable ? Headline::Tone::bad : Headline::Tone::warning;
+    }
     if (e.only_rest()) report.verdict = set_point_text(*e.rest, e.units());
     if (e.rest) report.sections.insert(report.sections.end() - 1, set_point_section(*e.rest, e.units()));
     if (e.loads) report.sections.insert(report.sections.end() - 1, load_section(e.joint, *e.loads));
@@ -229,7 +233,9 @@ void print_text(const Evaluated& e)
     if (e.rest) print_rows(set_point_table(*e.rest, e.units()));
     if (!e.only_rest()) {
         if (e.open()) fmt::print("{}\n", plain_text(open_text(e.nonlinear)));
-        const auto verdict = plain_text(verdict_text(e.summed, e.verdict));
+        if (const auto text = contradicted_text(e.verdict, e.nonlinear); !text.empty()) fmt::print("{}\n", text);
+        const bool bistable = e.nonlinear.region == NonlinearRegion::bistable;
+        const auto verdict = plain_text(verdict_text(e.summed, e.verdict, bistable));
         fmt::print("{}\n", e.described ? of_ideal_loop(verdict) : verdict);
         print_rows(linear_table(e.summed, e.verdict));
         print_rows(nonlinear_table(e.joint, e.nonlinear));

@@ -11,7 +11,7 @@ namespace stickslip {
 Figure vmin_figure(const Joint& joint, const LinearDetails& details)
 {
     const Units units = units_of(joint);
-    const auto [low, high] = details.study.velocities;
+    const auto [low, high] = searched_speeds(details.study);
     LineChart chart;
     chart.title = "Minimum stable velocity V_{min}";
     chart.x_label = axis_label("position gain k_{p}", Quantity::position_gain, units);

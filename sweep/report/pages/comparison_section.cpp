@@ -92,10 +92,12 @@ Table comparison_table(const Joint& joint, const LinearStudy& study)
                               with_unit(study.velocity_only.least_force_rate, Quantity::effort_rate, words.units, 4),
                               with_unit(study.state_variable.least_force_rate, Quantity::effort_rate, words.units, 4)});
     if (study.range_gain)
-        table.rows.push_back({"k_{v} for every velocity up to " + words.velocity(study.velocities.high),
-                              demanded_text(study.range_gain->stable_k_v, words.units) +
-                                  " (hardest: " + words.velocity(study.range_gain->velocity) + ")",
-                              "–"});
+        table.rows.push_back(
+            {"k_{v} for every velocity up to " +
+                 words.velocity(study.velocities.high > 0 ? study.velocities.high : study.velocities.low),
+             demanded_text(study.range_gain->stable_k_v, words.units) +
+                 " (hardest: " + words.velocity(study.range_gain->velocity) + ")",
+             "–"});
     if (!std::isnan(study.mix.noise))
         table.rows.push_back(
             {"quietest pair of gains on the boundary (velocity differenced from position)", "–",
@@ -165,7 +167,7 @@ Section comparison_section(const Joint& joint, const LinearDetails& details)
                 " At its own k_{p}, neither theory requires any k_{v} of this joint at any velocity searched.";
         auto slowest = vmin_figure(joint, details);
         const auto& chart = std::get<LineChart>(slowest.picture);
-        if (stands_at(chart, study.velocities.low))
+        if (stands_at(chart, searched_speeds(study).low))
             section.text += " " + stable_everywhere_text(chart, study.velocities, words);
         else if (!chart.lines.empty())
             section.figures.push_back(std::move(slowest));

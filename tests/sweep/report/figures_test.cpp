@@ -28,6 +28,19 @@ void check_ids(const Report& report)
     }
 }
 
+/// A logarithmic axis draws nothing at or below zero.
+void check_log_axes(const Figure& figure)
+{
+    const auto* chart = std::get_if<LineChart>(&figure.picture);
+    if (!chart) return;
+    CAPTURE(figure.id);
+    for (const auto& line : chart->lines) {
+        const auto below = [](double v) { return v < 0; };
+        CHECK((!chart->x_log || std::none_of(line.x.begin(), line.x.end(), below)));
+        CHECK((!chart->y_log || std::none_of(line.y.begin(), line.y.end(), below)));
+    }
+}
+
 }  // namespace
 
 TEST_CASE("every number of the paper is met", "[figures]")
@@ -146,4 +159,28 @@ TEST_CASE("the root locus of a lag crosses the axis at the ends of its windows",
     CHECK(crossed.count(1) == 1);
     CHECK(crossed.count(3) == 1);
     CHECK(crossed.count(2) == 0);
+}
+
+TEST_CASE("a joint that moves backwards has the page of one that moves forwards", "[figures]")
+{
+    for (const double gain : {1.0, -1.0}) {
+        Joint joint;
+        joint.mechanism.inertia = 1;
+        joint.friction.law = Stribeck{.c0 = 8, .c1 = 20, .c2 = 6, .c3 = 2e-3};
+        joint.control.k_p = gain * 20e3, joint.control.k_v = gain * 500;
+        joint.actuator.effort_gain = gain;
+        std::vector<Report> pages;
+        for (const double V0 : {1e-3, -1e-3}) {
+            joint.control.V0 = V0;
+            const auto study = linear_study(joint);
+            pages.push_back(linear_report(joint, answer_joint(joint, linear_verdict(joint), {}, study)));
+        }
+        REQUIRE(pages[0].sections.size() == pages[1].sections.size());
+        for (std::size_t i = 0; i < pages[0].sections.size(); ++i) {
+            CAPTURE(gain, pages[0].sections[i].id);
+            CHECK(pages[0].sections[i].figures.size() == pages[1].sections[i].figures.size());
+        }
+        for (const auto& section : pages[1].sections)
+            for (const auto& figure : section.figures) check_log_axes(figure);
+    }
 }

@@ -1,5 +1,6 @@
 // The verdict in words where no single critical gain exists, and where no velocity gain is enough.
 #include "sweep/words/verdict_text.h"
+#include "sweep/words/open_text.h"
 
 #include <catch2/catch.hpp>
 
@@ -152,4 +153,20 @@ TEST_CASE("above the gains of a real loop the verdict speaks of the loop, below 
     const auto above = verdict_text(joint, linear_verdict(joint));
     CHECK(above.rfind("Unstable loop: ", 0) == 0);
     CHECK_FALSE(has(above, "Stick-slip"));
+}
+
+TEST_CASE("a simulation that shows the opposite of the linear theory is told first", "[words]")
+{
+    LinearVerdict linear;
+    linear.state_variable.stable = true;
+    linear.loop.not_used = {{"control.feed_forward.coulomb_from", WhyNot::fed_back, true}};
+    NonlinearVerdict motion;
+    motion.region = NonlinearRegion::stick_slip;
+    CHECK(contradicted_text(linear, motion).find("Stick-slip: small disturbances grow") == 0);
+    motion.region = NonlinearRegion::bistable;
+    CHECK(contradicted_text(linear, motion).empty());
+    linear.state_variable.stable = false;
+    CHECK(contradicted_text(linear, motion).find("coulomb_from") != std::string::npos);
+    linear.loop.not_used.clear();
+    CHECK(contradicted_text(linear, motion).empty());
 }

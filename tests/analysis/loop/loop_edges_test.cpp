@@ -116,3 +116,23 @@ TEST_CASE("A drive that pushes the wrong way is held by a contact up to the gain
         CHECK(memory.crossings.front().direction == 1);
     }
 }
+
+TEST_CASE("Under an integral the windows of the velocity gain of a sampled loop are found", "[loop]")
+{
+    // two zeros at z = 1, which rounding parts: the search ended between them and had no window
+    Joint joint = stribeck_joint(20e3, 120, -1e-2);
+    joint.mechanism.inertia = 5;
+    joint.friction.law = Stribeck{.c0 = 8, .c1 = 40, .c2 = 5, .c3 = 6e-3};
+    joint.friction.asymmetry.viscous = 5;
+    auto& c = joint.control;
+    c.k_i = 3e4, c.period = 2e-3, c.delay = 2e-3;
+    c.velocity_estimate.form = EstimateForm::backward_difference, c.velocity_estimate.tau = 2e-3;
+    const auto windows = linear_verdict(joint).velocity_only.stable_k_v;
+    REQUIRE(windows.size() == 1);
+    for (const double edge : {windows[0].low, windows[0].high})
+        for (const double beside : {1 - 1e-6, 1 + 1e-6}) {
+            c.k_v = edge * beside;
+            INFO("k_v " << c.k_v);
+            CHECK((growth_rate(joint) < 0) == (c.k_v > windows[0].low && c.k_v < windows[0].high));
+        }
+}

@@ -183,7 +183,7 @@ TEST_CASE("the place of a cause that is also a number of the document is by what
           "[gap][ladder][slow]")
 {
     Machine m;
-    m.inertia = 1.2 * 1.16;  // a document is 12 % off at most
+    m.inertia = 1.2 * 1.2;  // takes more than the ripple does; a document is 12 % off at most
     m.ripple = 0.25;
     const Climbed c(m, test::nominal_joint(), {"inertia", "position-dependent-friction", "viscous"});
     REQUIRE(c.ladder.rungs.size() == 2);

@@ -111,15 +111,6 @@ double Climber::misfit_as_documented(const FittedSet& set, const Effect& effect)
     return set.misfit;
 }
 
-FittedSet Climber::best_known(FittedSet set) const
-{
-    for (const auto& known : pool_)
-        if (known.causes.effects == set.causes.effects && known.causes.forms == set.causes.forms && known.plausible &&
-            known.misfit < set.misfit)
-            set = known;
-    return set;
-}
-
 std::vector<FittedSet> Climber::in_order(FittedSet set) const
 {
     std::vector<FittedSet> order{std::move(set)};
@@ -128,7 +119,7 @@ std::vector<FittedSet> Climber::in_order(FittedSet set) const
         std::vector<FittedSet> less(count);
         std::vector<double> lost(count);
         parallel_(count, [&](std::size_t i) {
-            less[i] = best_known(without(order.back(), i));
+            less[i] = without(order.back(), i);
             lost[i] = misfit_as_documented(less[i], *order.back().causes.effects[i]);
         });
         order.push_back(less[static_cast<std::size_t>(std::ranges::min_element(lost) - lost.begin())]);

@@ -158,9 +158,6 @@ class Climber {
         return fitter_.unfitted(causes, set, x);
     }
     std::vector<FittedSet> fitted(const std::vector<Start>& starts);
-    /// The set, or the same causes as they were judged on the way where that came nearer: fits from elsewhere may end
-    /// elsewhere.
-    FittedSet best_known(FittedSet set) const;
     /// Misfit of a set with the number that this effect changes as documented, if a correction of it is in the set.
     double misfit_as_documented(const FittedSet& set, const Effect& effect) const;
     std::vector<Start> in_other_forms(const FittedSet& set, const Effect& effect) const;

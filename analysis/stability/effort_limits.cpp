@@ -46,13 +46,17 @@ bool integral_at_limit(const Joint& joint, double velocity)
     return std::abs(held) > c.integral_limit;
 }
 
-Joint without_stopped_integral(const Joint& joint, double velocity)
+Joint without_integral(const Joint& joint)
 {
     Joint left = joint;
-    if (!integral_at_limit(joint, velocity)) return left;
     left.control.k_i = 0;
     left.control.velocity_integral_gain = left.control.velocity_reset_time = not_set;
     return left;
+}
+
+Joint without_stopped_integral(const Joint& joint, double velocity)
+{
+    return integral_at_limit(joint, velocity) ? without_integral(joint) : joint;
 }
 
 namespace {

@@ -23,6 +23,9 @@ double command_for(const Actuator& actuator, double effort, double velocity);
 /// Whether the integral of the controller stands at its limit in steady sliding at V, as it would have to hold more.
 bool integral_at_limit(const Joint& joint, double velocity);
 
+/// The joint with the integral of its controller off.
+Joint without_integral(const Joint& joint);
+
 /// The joint as it is about steady sliding at V: an integral that stands at its limit answers no small motion.
 Joint without_stopped_integral(const Joint& joint, double velocity);
 

@@ -31,9 +31,7 @@ std::optional<IntegralCost> integral_cost(const Joint& joint, const LinearVerdic
     const Control& c = joint.control;
     if (c.kind != ControlKind::position || gains_of(c).k_i == 0 || verdict.steady.reason != Reason::none) return {};
     if (integral_at_limit(joint, sliding_velocity(joint, verdict.steady.velocity))) return {};
-    Joint without = joint;
-    without.control.k_i = 0;
-    without.control.velocity_integral_gain = without.control.velocity_reset_time = not_set;
+    const Joint without = without_integral(joint);
     const auto plain = linear_verdict(without);
     const double gain = gains_of(c).k_p, gain_without = gains_of(without.control).k_p;
     if (plain.steady.reason != Reason::none || !(gain > 0) || !(gain_without > 0)) return {};

@@ -2,6 +2,8 @@
 
 #include "sweep/words/verdict_text.h"
 
+#include <fmt/ranges.h>
+
 namespace stickslip {
 
 std::string open_text(const NonlinearVerdict& verdict)
@@ -13,19 +15,11 @@ std::string open_text(const NonlinearVerdict& verdict)
            " About small disturbances:";
 }
 
-std::string contradicted_text(const LinearVerdict& linear, const NonlinearVerdict& motion)
+std::string contradicted_text(const std::vector<std::string>& missing, bool grows)
 {
-    const bool grows = motion.region == NonlinearRegion::stick_slip;
-    const bool decays = motion.region == NonlinearRegion::stable || motion.region == NonlinearRegion::bistable;
-    if (linear.steady.reason != Reason::none || linear.state_variable.neutral) return "";
-    if (!(linear.state_variable.stable ? grows : decays)) return "";
-    std::string missing;
-    for (const auto& term : linear.loop.not_used)
-        if (term.matters) missing += (missing.empty() ? "" : ", ") + term.key;
-    if (missing.empty()) return "";
     return std::string(grows ? "Stick-slip: small disturbances grow" : "Smooth sliding: small disturbances decay") +
-           " in the simulation of this joint. The linear theory, which has no term for " + missing +
-           ", says otherwise:";
+           " in the simulation of this joint. The linear theory, which has no term for " +
+           fmt::format("{}", fmt::join(missing, ", ")) + ", says otherwise:";
 }
 
 }  // namespace stickslip

@@ -108,9 +108,9 @@ std::string open_text(const NonlinearVerdict&)
     return "#open";
 }
 
-std::string contradicted_text(const LinearVerdict&, const NonlinearVerdict&)
+std::string contradicted_text(const std::vector<std::string>&, bool)
 {
-    return "";
+    return "#contradicted";
 }
 
 std::string verdict_text(const Joint&, const LinearVerdict&, bool)

@@ -188,8 +188,8 @@ std::filesystem::path write_page(const Evaluated& e, const Options& options, con
         report.verdict = open_text(e.nonlinear) + " " + report.verdict;
         if (report.tone == Headline::Tone::good) report.tone = Headline::Tone::warning;
     }
-    if (const auto text = contradicted_text(e.verdict, e.nonlinear); !text.empty()) {
-        report.verdict = text + " " + report.verdict;
+    if (const auto terms = contradicting_terms(e.verdict, e.nonlinear); !terms.empty()) {
+        report.verdict = contradicted_text(terms, e.verdict.state_variable.stable) + " " + report.verdict;
         report.tone = e.verdict.state_variable.stable ? Headline::Tone::bad : Headline::Tone::warning;
     }
     if (e.only_rest()) report.verdict = set_point_text(*e.rest, e.units());
@@ -233,7 +233,8 @@ void print_text(const Evaluated& e)
     if (e.rest) print_rows(set_point_table(*e.rest, e.units()));
     if (!e.only_rest()) {
         if (e.open()) fmt::print("{}\n", plain_text(open_text(e.nonlinear)));
-        if (const auto text = contradicted_text(e.verdict, e.nonlinear); !text.empty()) fmt::print("{}\n", text);
+        if (const auto terms = contradicting_terms(e.verdict, e.nonlinear); !terms.empty())
+            fmt::print("{}\n", contradicted_text(terms, e.verdict.state_variable.stable));
         const bool bistable = e.nonlinear.region == NonlinearRegion::bistable;
         const auto verdict = plain_text(verdict_text(e.summed, e.verdict, bistable));
         fmt::print("{}\n", e.described ? of_ideal_loop(verdict) : verdict);

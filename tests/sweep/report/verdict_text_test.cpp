@@ -1,5 +1,6 @@
 // The verdict in words where no single critical gain exists, and where no velocity gain is enough.
 #include "sweep/words/verdict_text.h"
+#include "sweep/study/open_verdict.h"
 #include "sweep/words/open_text.h"
 
 #include <catch2/catch.hpp>
@@ -162,11 +163,12 @@ TEST_CASE("a simulation that shows the opposite of the linear theory is told fir
     linear.loop.not_used = {{"control.feed_forward.coulomb_from", WhyNot::fed_back, true}};
     NonlinearVerdict motion;
     motion.region = NonlinearRegion::stick_slip;
-    CHECK(contradicted_text(linear, motion).find("Stick-slip: small disturbances grow") == 0);
+    CHECK(contradicted_text(contradicting_terms(linear, motion), true).find("Stick-slip: small disturbances grow") ==
+          0);
     motion.region = NonlinearRegion::bistable;
-    CHECK(contradicted_text(linear, motion).empty());
+    CHECK(contradicting_terms(linear, motion).empty());
     linear.state_variable.stable = false;
-    CHECK(contradicted_text(linear, motion).find("coulomb_from") != std::string::npos);
+    CHECK(contradicted_text(contradicting_terms(linear, motion), false).find("coulomb_from") != std::string::npos);
     linear.loop.not_used.clear();
-    CHECK(contradicted_text(linear, motion).empty());
+    CHECK(contradicting_terms(linear, motion).empty());
 }

@@ -42,7 +42,7 @@ void tell_named(const Prepared& p, const ParallelFor& parallel, const Findings& 
         std::vector<const Attribution*> models{&base, &j.winner};
         for (const auto& rival : rivals) models.push_back(&rival);
         const auto forces = hold_out_drive_force(p.cases, p.scales, models, parallel);
-        d.drive_force = {std::string(unit_of(Quantity::effort, d.motion)), corner, forces[0].rms, forces[1].rms};
+        d.drive_force = {std::string(unit_of(Quantity::effort, Units(d.motion))), corner, forces[0].rms, forces[1].rms};
         for (std::size_t i = 1; i < forces.size() && i <= d.effects.size(); ++i) {
             d.effects[i - 1].force_gain = forces[i].gain;
             d.effects[i - 1].force_gain_interval = forces[i].spread;

@@ -49,7 +49,7 @@ Cause cause_of(const OutcomeAnswer& a, const LawFit& fit, const LawFit* other_ki
     for (std::size_t k = 0; k < fit.rival->numbers.size(); ++k) {
         const auto& n = fit.rival->numbers[k];
         c.parameters.push_back({c.names[0] + "." + std::string(n.name), fit.values[k], fit.standard_error[k],
-                                std::string(unit_of(n.quantity, a.diagnosis.motion))});
+                                std::string(unit_of(n.quantity, Units(a.diagnosis.motion)))});
         constexpr double at_bound = 0.02;
         const double share = (fit.x[k] - n.low) / (n.high - n.low);
         if (share < at_bound || share > 1 - at_bound) c.plausible = false;

@@ -148,7 +148,7 @@ Found least_size(const Planned& motion, Sized s, Motion of)
     Found f;
     f.power.name = s.candidate.effects[0]->name;
     f.power.parameter = s.of().name;
-    f.power.unit = unit_of(s.of().quantity, of);
+    f.power.unit = unit_of(s.of().quantity, Units(of));
     const double little = motion.strength(s, 0), much = motion.strength(s, 1);
     s.less_is_more = little > much;
     if (std::max(little, much) < seen()) return f;

@@ -137,7 +137,7 @@ double longest_step(const Plant& p)
     double step = p.motor.plain() && !p.dc_motor() ? plain_step : bent_step;
     if (p.motor.bristle_stiffness > 0 || p.link.bristle_stiffness > 0) step = bristle_step;
     if (p.two_mass) {
-        const double reduced = 1 / (1 / p.link_inertia + 1 / (p.ratio * p.ratio * p.motor_inertia));
+        const double reduced = 1 / apart_per_force(p.motor_inertia, p.link_inertia, p.ratio);
         // phase error of leapfrog (ωh)²/24 ≈ 0.3 %; a spring that hardens, where it is four times as steep
         const double steepest = p.cubic_stiffness > 0 ? 4 * p.stiffness : p.stiffness;
         const double period_part = 0.25 / std::sqrt(steepest / reduced);

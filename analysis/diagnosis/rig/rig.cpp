@@ -60,11 +60,11 @@ std::vector<std::size_t> ranked(const std::vector<Entry>& entries)
 
 std::string_view unit_of_parameter(std::string_view name, Motion motion)
 {
-    if (name == "coefficient") return unit_of(Quantity::number, motion);
-    if (name == "L") return unit_of(Quantity::position, motion);
-    if (name == "time_constant") return unit_of(Quantity::time, motion);
-    if (name == "slope") return unit_of(Quantity::damping, motion);
-    return unit_of(Quantity::effort, motion);
+    if (name == "coefficient") return unit_of(Quantity::number, Units(motion));
+    if (name == "L") return unit_of(Quantity::position, Units(motion));
+    if (name == "time_constant") return unit_of(Quantity::time, Units(motion));
+    if (name == "slope") return unit_of(Quantity::damping, Units(motion));
+    return unit_of(Quantity::effort, Units(motion));
 }
 
 Cause cause_of(const Rig& rig, const RigRival& rival, const Entry& e, const Entry& level, Motion motion)
@@ -87,8 +87,8 @@ Cause cause_of(const Rig& rig, const RigRival& rival, const Entry& e, const Entr
                                 std::string(unit_of_parameter(rival.parameters[n], motion))});
     if (p.size() > 3) {
         c.parameters.push_back(
-            {c.names[0] + ".V_star", rig.speed, not_set, std::string(unit_of(Quantity::velocity, motion))});
-        c.parameters.push_back({"stiffness", p[0], not_set, std::string(unit_of(Quantity::stiffness, motion))});
+            {c.names[0] + ".V_star", rig.speed, not_set, std::string(unit_of(Quantity::velocity, Units(motion)))});
+        c.parameters.push_back({"stiffness", p[0], not_set, std::string(unit_of(Quantity::stiffness, Units(motion)))});
     }
     return c;
 }

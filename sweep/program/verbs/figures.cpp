@@ -42,10 +42,10 @@ int figures(const Options& options)
                            {"paper", n.printed},
                            {"computed", n.computed},
                            {"relative_difference", difference},
-                           {"unit", unit_of(n.quantity, Motion::prismatic)}});
+                           {"unit", unit_of(n.quantity, Units(Motion::prismatic))}});
         if (!options.json)
             fmt::print("{:<8} {:<66} {:>16.10g} {:>16.10g} {:<8} {:.1e}\n", n.equation, plain_text(n.statement),
-                       n.printed, n.computed, unit_of(n.quantity, Motion::prismatic), difference);
+                       n.printed, n.computed, unit_of(n.quantity, Units(Motion::prismatic)), difference);
     }
     if (options.json)
         fmt::print("{}\n",

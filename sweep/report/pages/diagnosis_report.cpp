@@ -67,7 +67,7 @@ Section next_section(const Diagnosis& d)
         next.text +=
             " The reference is next-experiment.csv beside this page: continuous, from rest to rest, within the "
             "stroke and the speed that the records show; its acceleration is given below. " +
-            reach_text(e, d.motion);
+            reach_text(e, Units(d.motion));
         next.figures.push_back(experiment_figure(d));
     }
     return next;
@@ -85,7 +85,7 @@ Diagnosis in_units_of_the_record(Diagnosis d)
         {Quantity::effort, ""}, {Quantity::damping, "·s/" + per}, {Quantity::stiffness, "/" + per}};
     const auto as_logged = [&](std::string& unit) {
         for (const auto& [quantity, rest] : units)
-            if (unit == unit_of(quantity, d.motion)) {
+            if (unit == unit_of(quantity, Units(d.motion))) {
                 unit = "as logged" + rest;
                 return;
             }

@@ -24,18 +24,10 @@ FORBIDDEN = {
     "sweep": r"vtk|sundials|nlopt|tests/",
 }
 HEAVY = re.compile(r"sundials|cvode|nvector|nlopt")
-# Pages and words are drawn from answers and compute nothing: their own files include no room that computes. Headers of
-# answers in sweep/study may, for the structs; the test report_links holds the program part against what it links.
+# Pages and words are drawn from answers and compute nothing: these rooms include no room that computes. Headers of answers
+# in sweep/study may, for the structs; the test report_links holds the program part against what it links.
 COMPUTES = re.compile(r"analysis/(boundary|simulation|design|diagnosis|numerics)/|tbb/")
-COMPUTES_STILL = {  # this list only shrinks; its headers show structs that still live beside the solvers
-    "sweep/report/figures": {"compare_maps.cpp", "curve_margins.cpp",
-                             "outcome_map.cpp", "outcome_map.h"},
-    "sweep/report/pages": {"compare_report.cpp", "ending.h",
-                           "figures_friction.cpp", "figures_numbers.cpp", "outcome_report.cpp",
-                           "outcome_report.h", "outcome_tables.h", "robust_figure.cpp", "trajectory_report.h",
-                           "write_report.cpp"},
-    "sweep/words": {"nearest_text.h", "verdict_text.h"},
-}
+DRAWS = ("sweep/report/figures", "sweep/report/pages", "sweep/words")
 INCLUDE = re.compile(r'^\s*#include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
 
@@ -246,17 +238,12 @@ def main():
                 wrong.append(f"{path}: includes {name}, which lies on a floor above or is not for this floor")
             if path.suffix == ".h" and floor != "sweep" and HEAVY.match(name):
                 wrong.append(f"{path}: a header of ours includes {name}; keep it in a .cpp")
-            if folder in COMPUTES_STILL and COMPUTES.match(name) and path.name not in COMPUTES_STILL[folder]:
+            if folder in DRAWS and COMPUTES.match(name):
                 wrong.append(f"{path}: includes {name}; what is computed belongs into sweep/study, pages draw answers")
             other = Path(name).parent.as_posix()
             if (SOURCE / name).exists() and other != folder:
                 arrows[folder].add(other)
                 because[folder, other] = f"{path} includes {name}"
-    for folder, names in COMPUTES_STILL.items():
-        for name in sorted(names):
-            text = (SOURCE / folder / name).read_text(encoding="utf-8") if (SOURCE / folder / name).exists() else ""
-            if not any(COMPUTES.match(include) for include in INCLUDE.findall(text)):
-                wrong.append(f"{folder}/{name}: computes nothing any more; take it off the list COMPUTES_STILL")
     for members in circles(arrows):
         wrong.append("folders that include each other in a circle: " + ", ".join(members))
         wrong += [f"    {text}" for (a, b), text in sorted(because.items()) if a in members and b in members]

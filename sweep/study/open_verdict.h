@@ -1,6 +1,6 @@
 // Whether an answer about the nonlinear joint lacks a part.
 #pragma once
-#include "analysis/simulation/attractor/nonlinear.h"
+#include "analysis/results/nonlinear_verdict.h"
 
 namespace stickslip {
 

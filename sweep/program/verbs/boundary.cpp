@@ -16,7 +16,7 @@
 #include "sweep/program/verbs/stoppable.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/boundary_report.h"
-#include "sweep/report/pages/write_report.h"
+#include "sweep/report/write_report.h"
 #include "sweep/study/boundary_charts.h"
 #include "sweep/words/boundary_text.h"
 #include "sweep/words/verdict_text.h"

@@ -21,10 +21,11 @@
 #include "sweep/report/pages/diagnosis_first_screen.h"
 #include "sweep/report/pages/diagnosis_report.h"
 #include "sweep/report/pages/outcome_report.h"
-#include "sweep/report/pages/write_report.h"
+#include "sweep/report/write_report.h"
 #include "sweep/words/diagnosis_tables.h"
 #include "sweep/words/diagnosis_text.h"
 #include "sweep/words/guarantee_text.h"
+#include "sweep/words/outcome_text.h"
 
 #include <fmt/format.h>
 #include <optional>
@@ -88,9 +89,12 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
         write_next_outcome(directory / "next-outcome.csv", answer);
     }
     write_whole(directory / "diagnosis.json", json.dump(2) + "\n");
-    if (!options.no_report)
-        write_report(outcome_report(answer, joint, {{"version", program_version()}, {"command", invocation.command}}),
-                     directory);
+    if (!options.no_report) {
+        const auto maps = answer.laws.empty() ? OutcomeMaps{} : outcome_maps(answer, joint);
+        write_report(
+            outcome_report(answer, maps, joint, {{"version", program_version()}, {"command", invocation.command}}),
+            directory);
+    }
     if (options.json) {
         fmt::print("{}\n", json.dump(2));
         return exit_code_of(d, false);

@@ -2,7 +2,7 @@
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/figures_report.h"
-#include "sweep/report/pages/write_report.h"
+#include "sweep/report/write_report.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>

@@ -13,7 +13,8 @@
 #include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/margins_report.h"
-#include "sweep/report/pages/write_report.h"
+#include "sweep/report/write_report.h"
+#include "sweep/study/robust_set.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
@@ -66,7 +67,8 @@ MarginsAnswer answered(const Options& options, const std::string& command)
     }
     if (!options.directory.empty()) {
         line.stage("growth along each parameter");
-        answer.growth = growth_by_parameter(answer);  // only the page shows it
+        answer.growth = growth_by_parameter(answer);
+        if (answer.robust && answer.nominal) answer.robust_set = robust_set(answer);
     }
     return answer;
 }

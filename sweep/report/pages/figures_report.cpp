@@ -75,20 +75,6 @@ Table numbers_table()
 
 }  // namespace
 
-Joint paper_joint()
-{
-    Joint joint;
-    joint.mechanism.inertia = 1;
-    joint.control.k_p = 2e4;
-    joint.control.V0 = 1e-3;
-    RateAndState law;
-    law.f0 = 60, law.A = 1, law.V_star = 1e-3;
-    law.B.push_back(1.5);
-    law.L.push_back(1e-5);
-    joint.friction.law = law;
-    return joint;
-}
-
 std::vector<PaperModel> paper_models()
 {
     const Joint lever = chain_joint(Model::lever), three = chain_joint(Model::three_mass);

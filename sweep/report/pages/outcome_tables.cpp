@@ -2,6 +2,7 @@
 
 #include "analysis/results/text.h"
 #include "sweep/words/diagnosis_tables.h"
+#include "sweep/words/outcome_text.h"
 
 #include <fmt/format.h>
 
@@ -11,11 +12,6 @@ namespace stickslip {
 
 using gap::LawFit;
 using gap::OutcomeAnswer;
-
-std::string key_of(const std::string& path)
-{
-    return path.substr(path.rfind('.') + 1);
-}
 
 Table laws_table(const OutcomeAnswer& a)
 {

@@ -161,6 +161,31 @@ OWN_THRESHOLD = re.compile(r"constexpr double ")
 VERDICT = "analysis/diagnosis/verdict"
 
 
+# A file that writes verdicts, reasons or findings compares data with the policy. A number of its own that is compared is
+# numerical: of a scan, of logged digits, of what is left out; the comment beside it says so.
+WRITES_ANSWER = re.compile(r"\.verdict = |reasons(?:\.push_back|\.insert| = )|findings\.push_back|shortages\.push_back|refuse\(")
+OWN_NUMBERS = re.compile(r"\s*(?:inline |static )*constexpr (?:double|int|std::size_t|auto) (.+);")
+
+
+def compared_with(name, code):
+    factor = r"[\w.:\[\]()]+"
+    return re.search(rf"(?:[<>]=?|[!=]=) -?(?:{factor} \* )*{name}\b|\b{name}(?: \* {factor})* (?:[<>]=?|[!=]=) ", code)
+
+
+def own_threshold_complaints():
+    for path in (p for p in files() if p.is_relative_to("analysis/diagnosis") and p.as_posix() != POLICY):
+        text = (SOURCE / path).read_text(encoding="utf-8")
+        if not WRITES_ANSWER.search(text):
+            continue
+        code = re.sub(r"//.*", "", text)
+        for number, line in enumerate(text.splitlines(), 1):
+            own = OWN_NUMBERS.match(line.split("//")[0])
+            names = re.findall(r"(\w+) = [^,]*\d", own.group(1)) if own else []
+            if any(compared_with(name, code) for name in names) and "// numerical: " not in line:
+                yield (f"{path}:{number}: decides an answer beside the policy; thresholds stand in {POLICY}, "
+                       f"numerical limits say \"// numerical: WHAT\"")
+
+
 def policy_complaints():
     """In the diagnosis no decimal number is compared with but by a name; the room of the verdict defines none of its own;
     every threshold of the policy says its reason, and its evidence or that it is a definition."""
@@ -252,6 +277,7 @@ def main():
     wrong += size_complaints()
     wrong += comment_complaints()
     wrong += policy_complaints()
+    wrong += own_threshold_complaints()
     for line in wrong:
         print(line)
     print(f"{sum(counted.values())} files in {len(counted)} folders, {sum(map(len, arrows.values()))} arrows, {len(wrong)} complaints")

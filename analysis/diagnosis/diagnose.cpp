@@ -28,8 +28,7 @@ namespace {
 /// Where so much of controller and encoder differs from the document that it is hardly the same joint.
 std::optional<Note> another_joint(const Audit& audit)
 {
-    constexpr std::size_t hardly_the_same = 3;
-    if (audit.findings.size() < hardly_the_same) return std::nullopt;
+    if (static_cast<double>(audit.findings.size()) < policy::findings_of_another_joint) return std::nullopt;
     Note note{Note::Code::another_joint};
     for (const auto& f : audit.findings) note.names.push_back(f.parameter), note.values.push_back(f.value);
     return note;

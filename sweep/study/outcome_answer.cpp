@@ -125,7 +125,7 @@ std::vector<std::string_view> laws_not_distinguished(const OutcomeAnswer& a)
         const auto& ambiguous = a.diagnosis.ambiguous_with;
         const bool named = std::any_of(ambiguous.begin(), ambiguous.end(),
                                        [&](const auto& names) { return names[0] == f.rival->effect; });
-        if (named && f.total() > a.laws.front().total() - gap::clear_margin) laws.push_back(f.rival->law);
+        if (named && !gap::distinguished(a.laws.front(), f)) laws.push_back(f.rival->law);
     }
     return laws;
 }

@@ -61,7 +61,7 @@ RobustSet robust_set(const MarginsAnswer& a)
         const auto always = row_of(set.x.values, crossings(robust_curve, v), worst < 0);
         const bool told = !std::isnan(described) && !std::isnan(worst);
         for (std::size_t i = 0; i < stable.size(); ++i)
-            set.classes.push_back(!told        ? RobustClass::no_verdict
+            set.classes.push_back(!told       ? RobustClass::no_verdict
                                   : always[i] ? RobustClass::robust
                                   : stable[i] ? RobustClass::nominal_only
                                               : RobustClass::unstable);

@@ -2,6 +2,7 @@
 
 #include "analysis/diagnosis/audit/effort_drive.h"
 #include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/records/ticks.h"
 
 #include <algorithm>
@@ -9,8 +10,6 @@
 
 namespace stickslip::gap {
 namespace {
-
-constexpr std::size_t fewest_rows = 100;
 
 void check_column(const Record& r, const char* name, const std::vector<double>& column, Inspection& result)
 {
@@ -65,10 +64,10 @@ Inspection inspect(const Record& r, const Joint& joint)
         result.errors.push_back(r.name + ": there is no position column");
         return result;
     }
-    if (r.rows() < fewest_rows)
+    if (static_cast<double>(r.rows()) < policy::fewest_rows)
         result.shortages.push_back({.code = Note::Code::too_few_rows,
                                     .record = r.name,
-                                    .values = {static_cast<double>(r.rows()), static_cast<double>(fewest_rows)}});
+                                    .values = {static_cast<double>(r.rows()), policy::fewest_rows}});
     const double resolution = std::max(joint.sensor.encoder_quantum, joint.sensor.position_noise);
     if (span_of(r.position) <= 8 * resolution || span_of(r.position) == 0)
         result.shortages.push_back({Note::Code::position_still, r.name});

@@ -161,15 +161,14 @@ namespace {
 /// Those with rows enough; the others are reported.
 std::vector<Record> long_enough(const std::vector<Record>& records, Diagnosis& d)
 {
-    constexpr std::size_t fewest = 100;
     std::vector<Record> enough;
     for (const auto& r : records)
-        if (r.rows() >= fewest)
+        if (static_cast<double>(r.rows()) >= policy::fewest_rows)
             enough.push_back(r);
         else
             d.reasons.push_back({.code = Note::Code::too_few_rows,
                                  .record = r.name,
-                                 .values = {static_cast<double>(r.rows()), static_cast<double>(fewest)}});
+                                 .values = {static_cast<double>(r.rows()), policy::fewest_rows}});
     return enough;
 }
 

@@ -5,7 +5,8 @@ and functions that are longer than a reader likes.
 Checks that arrows between floors go down only, that no folders include each other in a circle (a pair is the smallest
 circle), that the headers of heavy libraries stay behind ours, that a header which says "Internal to FOLDER" is included
 from there only, that programs outside see public headers only, that a file of more than 250 lines and a function of more
-than 60 say why, that thresholds of the diagnosis stand in its policy, and that comments name no file that is gone.
+than 60 say why, that thresholds of the diagnosis stand in its policy, that the diagnosis refuses with codes and not with
+sentences, and that comments name no file that is gone.
 """
 import re
 import sys
@@ -213,6 +214,17 @@ def policy_complaints():
             comment = ""
 
 
+# The diagnosis refuses with codes (CannotAnswer, NotFitted); their sentences are composed in sweep/words.
+WORDED = re.compile(r"throw std::\w+\(")
+
+
+def refusal_complaints():
+    for path in (p for p in files() if p.is_relative_to("analysis/diagnosis")):
+        for number, line in enumerate((SOURCE / path).read_text(encoding="utf-8").splitlines(), 1):
+            if WORDED.search(line.split("//")[0]):
+                yield f"{path}:{number}: refuses with words; give CannotAnswer a code for it, and sweep/words its sentence"
+
+
 def files():
     for room in ROOMS:
         for path in sorted((SOURCE / room).rglob("*")):
@@ -278,6 +290,7 @@ def main():
     wrong += comment_complaints()
     wrong += policy_complaints()
     wrong += own_threshold_complaints()
+    wrong += refusal_complaints()
     for line in wrong:
         print(line)
     print(f"{sum(counted.values())} files in {len(counted)} folders, {sum(map(len, arrows.values()))} arrows, {len(wrong)} complaints")

@@ -1,10 +1,10 @@
 #include "analysis/diagnosis/plant/plant.h"
 
+#include "analysis/results/cannot_answer.h"
 #include "analysis/results/not_fitted.h"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace stickslip::gap {
 namespace {
@@ -94,11 +94,8 @@ Plant flatten(const Joint& joint)
 {
     Plant p;
     const Mechanism& m = joint.mechanism;
-    if (joint.control.kind == ControlKind::force)
-        throw std::invalid_argument("control.kind: is \"force\"; records are simulated under position control");
-    if (joint.control.contact_stiffness != 0)
-        throw std::invalid_argument(
-            "control.contact_stiffness: records are simulated without a spring between link and surroundings");
+    if (joint.control.kind == ControlKind::force) throw CannotAnswer(CannotAnswer::Why::force_loop, "");
+    if (joint.control.contact_stiffness != 0) throw CannotAnswer(CannotAnswer::Why::contact_spring, "");
     switch (m.model) {
         case Model::single_mass:
             p.motor_inertia = m.inertia;
@@ -118,7 +115,7 @@ Plant flatten(const Joint& joint)
             p.feedback_link = joint.control.feedback == Feedback::link;
             break;
         default:
-            throw std::invalid_argument("records are simulated with one or two masses: reduce the joint first");
+            throw CannotAnswer(CannotAnswer::Why::many_bodies, "");
     }
     p.load = joint.load;
     p.actuator = joint.actuator;

@@ -211,7 +211,7 @@ DiagnosisResult diagnose_rig(const Joint& joint, const std::vector<Record>& give
         const std::size_t rival = order[1] == 0 ? order[2] : order[1];
         d.next_experiment = design_rig_experiment(rig, noise, best.law, entries[order[0]].fit.p, rivals[rival].law,
                                                   entries[rival].fit.p);
-        if (!d.next_experiment.description.empty())
+        if (d.next_experiment.motion != TestMotion::none)
             d.next_experiment.separates = {
                 {described(best, entries[order[0]]), described(rivals[rival], entries[rival])}};
         take_memory(rig, best.law, entries[order[0]].fit.p, result.after);

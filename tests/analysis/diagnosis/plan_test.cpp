@@ -108,7 +108,7 @@ TEST_CASE("safe motions are continuous and stay within stroke, speed and acceler
     const auto all = safe_motions(reach, 12, 1e-3);
     CHECK(all.size() == 5);
     for (const auto& m : all) {
-        CAPTURE(m.description);
+        CAPTURE(m.kind);
         CHECK(m.position.front() == Approx(reach.start));
         CHECK(m.position.back() == Approx(reach.start));
         CHECK(m.time.back() < 40);

@@ -4,6 +4,7 @@
 #include "tests/analysis/diagnosis/answers.h"
 #include "tests/analysis/diagnosis/record_rows.h"
 #include "tests/analysis/diagnosis/small_machine.h"
+#include "tests/in_order.h"
 
 #include <catch2/catch.hpp>
 
@@ -11,10 +12,6 @@ using namespace stickslip;
 using namespace stickslip::gap;
 
 namespace {
-
-const ParallelFor in_turn = [](std::size_t n, const std::function<void(std::size_t)>& task) {
-    for (std::size_t i = 0; i < n; ++i) task(i);
-};
 
 Record heavier()
 {
@@ -25,7 +22,7 @@ Record heavier()
 
 Diagnosis answer(const Record& record)
 {
-    return test::answer(test::nominal_joint(), {record}, in_turn, {}).diagnosis;
+    return test::answer(test::nominal_joint(), {record}, test::in_order, {}).diagnosis;
 }
 
 void names_inertia(const Diagnosis& d)

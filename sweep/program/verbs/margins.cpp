@@ -1,5 +1,4 @@
 // stickslip margins: how far a design is from its boundaries.
-#include "analysis/loop/loop_use.h"
 #include "analysis/stability/frequency_search.h"
 #include "sweep/files/json/margins_json.h"
 #include "sweep/files/text/bad_input.h"
@@ -35,11 +34,7 @@ struct Options {
 MarginsAnswer answered(const Options& options, const std::string& command)
 {
     auto asked = read_spec_or_joint(options.input, options.settings);
-    if (options.ideal_loop) {
-        say_left_out(asked.design);
-        asked.design = with_ideal_loop(asked.design);
-        asked.spec.joint = with_ideal_loop(asked.spec.joint);
-    }
+    if (options.ideal_loop) leave_loop_out(asked);
     say_no_sliding(options.input, options.settings, asked.design);
     set_search_effort(options.effort);
     StageLine line("--effort 0.1 searches less", std::chrono::seconds(1));

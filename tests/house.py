@@ -5,7 +5,8 @@ and functions that are longer than a reader likes.
 Checks that arrows between floors go down only, that no folders include each other in a circle (a pair is the smallest
 circle), that the headers of heavy libraries stay behind ours, that a header which says "Internal to FOLDER" is included
 from there only, that programs outside see public headers only, that a file of more than 250 lines and a function of more
-than 60 say why, that thresholds of the diagnosis stand in its policy, and that comments name no file that is gone.
+than 60 say why, that thresholds of the diagnosis stand in its policy, that the diagnosis refuses with codes and not with
+sentences, and that comments name no file that is gone.
 """
 import re
 import sys
@@ -24,18 +25,10 @@ FORBIDDEN = {
     "sweep": r"vtk|sundials|nlopt|tests/",
 }
 HEAVY = re.compile(r"sundials|cvode|nvector|nlopt")
-# Pages and words are drawn from answers and compute nothing: their own files include no room that computes. Headers of
-# answers in sweep/study may, for the structs; the test report_links holds the program part against what it links.
+# Pages and words are drawn from answers and compute nothing: these rooms include no room that computes. Headers of answers
+# in sweep/study may, for the structs; the test report_links holds the program part against what it links.
 COMPUTES = re.compile(r"analysis/(boundary|simulation|design|diagnosis|numerics)/|tbb/")
-COMPUTES_STILL = {  # this list only shrinks; its headers show structs that still live beside the solvers
-    "sweep/report/figures": {"compare_maps.cpp", "curve_margins.cpp",
-                             "outcome_map.cpp", "outcome_map.h"},
-    "sweep/report/pages": {"compare_report.cpp", "ending.h",
-                           "figures_friction.cpp", "figures_numbers.cpp", "outcome_report.cpp",
-                           "outcome_report.h", "outcome_tables.h", "robust_figure.cpp", "trajectory_report.h",
-                           "write_report.cpp"},
-    "sweep/words": {"nearest_text.h", "verdict_text.h"},
-}
+DRAWS = ("sweep/report/figures", "sweep/report/pages", "sweep/words")
 INCLUDE = re.compile(r'^\s*#include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
 
@@ -169,6 +162,31 @@ OWN_THRESHOLD = re.compile(r"constexpr double ")
 VERDICT = "analysis/diagnosis/verdict"
 
 
+# A file that writes verdicts, reasons or findings compares data with the policy. A number of its own that is compared is
+# numerical: of a scan, of logged digits, of what is left out; the comment beside it says so.
+WRITES_ANSWER = re.compile(r"\.verdict = |reasons(?:\.push_back|\.insert| = )|findings\.push_back|shortages\.push_back|refuse\(")
+OWN_NUMBERS = re.compile(r"\s*(?:inline |static )*constexpr (?:double|int|std::size_t|auto) (.+);")
+
+
+def compared_with(name, code):
+    factor = r"[\w.:\[\]()]+"
+    return re.search(rf"(?:[<>]=?|[!=]=) -?(?:{factor} \* )*{name}\b|\b{name}(?: \* {factor})* (?:[<>]=?|[!=]=) ", code)
+
+
+def own_threshold_complaints():
+    for path in (p for p in files() if p.is_relative_to("analysis/diagnosis") and p.as_posix() != POLICY):
+        text = (SOURCE / path).read_text(encoding="utf-8")
+        if not WRITES_ANSWER.search(text):
+            continue
+        code = re.sub(r"//.*", "", text)
+        for number, line in enumerate(text.splitlines(), 1):
+            own = OWN_NUMBERS.match(line.split("//")[0])
+            names = re.findall(r"(\w+) = [^,]*\d", own.group(1)) if own else []
+            if any(compared_with(name, code) for name in names) and "// numerical: " not in line:
+                yield (f"{path}:{number}: decides an answer beside the policy; thresholds stand in {POLICY}, "
+                       f"numerical limits say \"// numerical: WHAT\"")
+
+
 def policy_complaints():
     """In the diagnosis no decimal number is compared with but by a name; the room of the verdict defines none of its own;
     every threshold of the policy says its reason, and its evidence or that it is a definition."""
@@ -194,6 +212,17 @@ def policy_complaints():
             comment = ""
         elif not line.strip():
             comment = ""
+
+
+# The diagnosis refuses with codes (CannotAnswer, NotFitted); their sentences are composed in sweep/words.
+WORDED = re.compile(r"throw std::\w+\(")
+
+
+def refusal_complaints():
+    for path in (p for p in files() if p.is_relative_to("analysis/diagnosis")):
+        for number, line in enumerate((SOURCE / path).read_text(encoding="utf-8").splitlines(), 1):
+            if WORDED.search(line.split("//")[0]):
+                yield f"{path}:{number}: refuses with words; give CannotAnswer a code for it, and sweep/words its sentence"
 
 
 def files():
@@ -246,17 +275,12 @@ def main():
                 wrong.append(f"{path}: includes {name}, which lies on a floor above or is not for this floor")
             if path.suffix == ".h" and floor != "sweep" and HEAVY.match(name):
                 wrong.append(f"{path}: a header of ours includes {name}; keep it in a .cpp")
-            if folder in COMPUTES_STILL and COMPUTES.match(name) and path.name not in COMPUTES_STILL[folder]:
+            if folder in DRAWS and COMPUTES.match(name):
                 wrong.append(f"{path}: includes {name}; what is computed belongs into sweep/study, pages draw answers")
             other = Path(name).parent.as_posix()
             if (SOURCE / name).exists() and other != folder:
                 arrows[folder].add(other)
                 because[folder, other] = f"{path} includes {name}"
-    for folder, names in COMPUTES_STILL.items():
-        for name in sorted(names):
-            text = (SOURCE / folder / name).read_text(encoding="utf-8") if (SOURCE / folder / name).exists() else ""
-            if not any(COMPUTES.match(include) for include in INCLUDE.findall(text)):
-                wrong.append(f"{folder}/{name}: computes nothing any more; take it off the list COMPUTES_STILL")
     for members in circles(arrows):
         wrong.append("folders that include each other in a circle: " + ", ".join(members))
         wrong += [f"    {text}" for (a, b), text in sorted(because.items()) if a in members and b in members]
@@ -265,6 +289,8 @@ def main():
     wrong += size_complaints()
     wrong += comment_complaints()
     wrong += policy_complaints()
+    wrong += own_threshold_complaints()
+    wrong += refusal_complaints()
     for line in wrong:
         print(line)
     print(f"{sum(counted.values())} files in {len(counted)} folders, {sum(map(len, arrows.values()))} arrows, {len(wrong)} complaints")

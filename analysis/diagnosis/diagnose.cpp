@@ -28,8 +28,7 @@ namespace {
 /// Where so much of controller and encoder differs from the document that it is hardly the same joint.
 std::optional<Note> another_joint(const Audit& audit)
 {
-    constexpr std::size_t hardly_the_same = 3;
-    if (audit.findings.size() < hardly_the_same) return std::nullopt;
+    if (static_cast<double>(audit.findings.size()) < policy::findings_of_another_joint) return std::nullopt;
     Note note{Note::Code::another_joint};
     for (const auto& f : audit.findings) note.names.push_back(f.parameter), note.values.push_back(f.value);
     return note;
@@ -57,7 +56,7 @@ std::vector<Record> usable_pieces(const Joint& joint, const std::vector<Record>&
     std::vector<Record> usable;
     for (const auto& whole : records) {
         const auto found = inspect(whole, joint);
-        if (!found.errors.empty()) throw std::invalid_argument(found.errors.front());
+        if (!found.errors.empty()) throw found.errors.front();
         d.notes.insert(d.notes.end(), found.notes.begin(), found.notes.end());
         if (!found.shortages.empty()) {
             d.reasons.insert(d.reasons.end(), found.shortages.begin(), found.shortages.end());
@@ -218,7 +217,7 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
 {
     DiagnosisResult result{{}, joint};
     result.diagnosis.motion = joint.mechanism.motion;
-    if (records.empty()) throw std::invalid_argument("no record was given");
+    if (records.empty()) throw CannotAnswer(CannotAnswer::Why::no_record, "");
     Stage stage = Stage::reading;
     const auto progress = [&](Stage begins, double done) {
         stage = begins;

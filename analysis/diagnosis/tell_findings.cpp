@@ -42,7 +42,7 @@ void tell_named(const Prepared& p, const ParallelFor& parallel, const Findings& 
         std::vector<const Attribution*> models{&base, &j.winner};
         for (const auto& rival : rivals) models.push_back(&rival);
         const auto forces = hold_out_drive_force(p.cases, p.scales, models, parallel);
-        d.drive_force = {std::string(unit_of(Quantity::effort, d.motion)), corner, forces[0].rms, forces[1].rms};
+        d.drive_force = {std::string(unit_of(Quantity::effort, Units(d.motion))), corner, forces[0].rms, forces[1].rms};
         for (std::size_t i = 1; i < forces.size() && i <= d.effects.size(); ++i) {
             d.effects[i - 1].force_gain = forces[i].gain;
             d.effects[i - 1].force_gain_interval = forces[i].spread;
@@ -53,8 +53,7 @@ void tell_named(const Prepared& p, const ParallelFor& parallel, const Findings& 
 void tell_unexplained(const Findings& f, Diagnosis& d)
 {
     d.reasons.push_back({.code = Note::Code::unexplained, .values = {1 - f.decision.best_explained}});
-    constexpr double worth_telling = 0.5;
-    if (f.free.empty() || !(f.free[0].fit.explained > worth_telling)) return;
+    if (f.free.empty() || !(f.free[0].fit.explained > policy::worth_a_hint)) return;
     d.reasons.push_back(
         {.code = Note::Code::free_force, .signal = std::string(f.free[0].of), .values = {f.free[0].fit.explained}});
 }
@@ -111,7 +110,7 @@ void tell_rivals(const Prepared& p, const Findings& f, const std::vector<Ranked>
 
 void list_effects(const Prepared& p, const std::vector<Ranked>& ranked, Diagnosis& d)
 {
-    constexpr std::size_t most_listed = 8;
+    constexpr std::size_t most_listed = 8;  // numerical: length of a list
     for (const auto& r : ranked)
         if (d.effects.size() < most_listed) d.effects.push_back(cause_of(p, *r.attribution, r.probability));
 }

@@ -39,7 +39,8 @@ struct Actuator {
         visit.number(Field{"lag", Quantity::time, not_negative, Need::optional, "time constant of the actuator"}.called(
                          "τ", "time lag"),
                      self.lag);
-        visit.number({"limit", Quantity::effort, positive, Need::optional, "limit of the effort"}, self.limit);
+        visit.number({"limit", Quantity::effort, positive, Need::optional, "limit of the effort that arrives"},
+                     self.limit);
         if (self.kind == ActuatorKind::effort) {
             visit.number({"sag_effort", Quantity::effort, positive, Need::optional,
                           "effort is lost in the ratio |effort| / sag_effort"},

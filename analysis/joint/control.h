@@ -99,17 +99,16 @@ struct Control {
                      self.period);
         visit.flag("reference_velocity", "velocity feedback acts on the velocity error, not on velocity alone",
                    self.reference_velocity);
-        visit.number(
-            Field{"effort_limit", Quantity::command, positive, Need::optional, "limit of the controller's output"}
-                .called("u_{max}", "controller limit"),
-            self.effort_limit);
+        visit.number(Field{"effort_limit", Quantity::command, positive, Need::optional, "limit of the command"}.called(
+                         "u_{max}", "controller limit"),
+                     self.effort_limit);
         visit.number(
             Field{"delay", Quantity::time, not_negative, Need::optional, "dead time behind the command"}.called(
                 "T_{d}", "dead time"),
             self.delay);
         visit.table("velocity_estimate", "how the loop estimates velocity", self.velocity_estimate);
         visit.table("feed_forward", "what the controller adds for the commanded motion", self.feed_forward);
-        visit.table("dither", "a vibration that the controller adds to its output", self.dither);
+        visit.table("dither", "a vibration that the controller adds to its command", self.dither);
     }
 
     /// What ranges cannot say.
@@ -135,14 +134,16 @@ struct Control {
     template <class Self, class Visitor>
     static void sum_fields(Self& self, Visitor& visit)
     {
-        visit.number(Field{"k_p", Quantity::position_gain, any_finite, Need::required, "position gain"}.called(
-                         "k_{p}", "position gain"),
-                     self.k_p);
-        visit.number(Field{"k_v", Quantity::velocity_gain, any_finite, Need::optional, "velocity gain"}.called(
-                         "k_{v}", "velocity gain"),
-                     self.k_v);
+        visit.number(
+            Field{"k_p", Quantity::position_gain, any_finite, Need::required, "command per position error"}.called(
+                "k_{p}", "position gain"),
+            self.k_p);
+        visit.number(
+            Field{"k_v", Quantity::velocity_gain, any_finite, Need::optional, "command per velocity error"}.called(
+                "k_{v}", "velocity gain"),
+            self.k_v);
         visit.number(Field{"k_i", Quantity::integral_gain, any_finite, Need::optional,
-                           "gain on the integral of the position error"}
+                           "command per integral of the position error"}
                          .called("k_{i}", "integral gain"),
                      self.k_i);
     }
@@ -154,11 +155,11 @@ struct Control {
                 .called("K_{pos}", "position gain of the cascade"),
             self.position_gain);
         visit.number(
-            Field{"velocity_gain", Quantity::velocity_gain, any_finite, Need::required, "effort per velocity error"}
+            Field{"velocity_gain", Quantity::velocity_gain, any_finite, Need::required, "command per velocity error"}
                 .called("K_{v}", "velocity gain of the cascade"),
             self.velocity_gain);
         visit.number(Field{"velocity_integral_gain", Quantity::position_gain, any_finite, Need::optional,
-                           "effort per integral of the velocity error"}
+                           "command per integral of the velocity error"}
                          .called("K_{i}", "integral gain of the velocity loop"),
                      self.velocity_integral_gain);
         visit.number(Field{"velocity_reset_time", Quantity::time, positive, Need::optional,
@@ -170,13 +171,13 @@ struct Control {
     static void integral_fields(Self& self, Visitor& visit)
     {
         visit.number(Field{"integral_limit", Quantity::command, positive, Need::optional,
-                           "limit of the integral's share of the output"}
+                           "limit of the integral's share of the command"}
                          .called("u_{i,max}", "limit of the integral"),
                      self.integral_limit);
-        visit.choice("anti_windup", "what the integral does while the output is at its limit", self.anti_windup,
+        visit.choice("anti_windup", "what the integral does while the command is at its limit", self.anti_windup,
                      anti_windups);
         visit.number(Field{"tracking_time", Quantity::time, positive, Need::optional,
-                           "back-calculation: time constant with which the integral follows the limited output"}
+                           "back-calculation: time constant with which the integral follows the limited command"}
                          .called("T_{t}", "tracking time"),
                      self.tracking_time);
         visit.number(Field{"integral_band", Quantity::position, positive, Need::optional,

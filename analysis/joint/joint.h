@@ -93,7 +93,7 @@ inline Units units_of(const Joint& joint)
     const auto& a = joint.actuator;
     const bool efforts = a.kind == ActuatorKind::effort || joint.control.kind == ControlKind::force;
     const Command signal = a.signal == DriveSignal::voltage ? Command::voltage : Command::duty;
-    return {joint.mechanism.motion, efforts ? Command::effort : signal};
+    return Units(joint.mechanism.motion, efforts ? Command::effort : signal);
 }
 
 /// The friction on the body that a normal load presses.

@@ -137,8 +137,21 @@ struct DriveForceGap {
     double before = 0, after = 0;
 };
 
+/// The motion along which two causes differ most.
+enum class TestMotion {
+    none,
+    slow_stroke,      ///< to and fro over the stroke at a fiftieth of the largest speed
+    small_sine,       ///< with many reversals
+    falling_sine,     ///< its amplitude falls as its frequency rises
+    steps_and_rests,  ///< over the whole stroke
+    steps_of_speed,   ///< a tenth, a third and the whole of the largest
+    rig_step_down,    ///< of the load point, to a tenth of its first speed and back
+    rig_step_up,      ///< to ten times
+    rig_hold,         ///< at rest between two slides
+};
+
 struct NextExperiment {
-    std::string description;
+    TestMotion motion = TestMotion::none;
     std::vector<std::pair<std::string, std::string>> separates;  ///< two causes each
     double distance = 0;                  ///< difference of the two predictions, in noise standard deviations
     std::vector<double> time, reference;  ///< the motion itself

@@ -23,7 +23,7 @@ struct Units {
     Command command = Command::effort;
 
     constexpr Units() = default;
-    constexpr Units(Motion moves, Command puts_out = Command::effort) : motion(moves), command(puts_out) {}
+    explicit constexpr Units(Motion moves, Command puts_out = Command::effort) : motion(moves), command(puts_out) {}
     friend constexpr bool operator==(const Units&, const Units&) = default;
 };
 
@@ -58,7 +58,7 @@ enum class Quantity {
     cubic_stiffness     ///< N/m³ | N·m/rad³: effort per cube of a deflection
 };
 
-/// The unit as it is printed, e.g. unit_of(Quantity::stiffness, Motion::revolute) == "N·m/rad"; "1" for a plain number.
+/// The unit as it is printed: "N·m/rad" for a stiffness of Units(Motion::revolute); "1" for a plain number.
 std::string_view unit_of(Quantity quantity, Units units);
 
 }  // namespace stickslip

@@ -20,4 +20,11 @@ struct Trajectory {
     bool used_fallback = false;           ///< CVODE gave up on the way and Rodas5P finished
 };
 
+/// The normal load of the link's friction in time, per the one at which the numbers of its law hold: `value[i]` holds
+/// from i·step to (i + 1)·step, the last one for ever.
+struct SampledLoad {
+    double step = 0;  ///< s
+    std::vector<double> value;
+};
+
 }  // namespace stickslip

@@ -7,13 +7,6 @@
 
 namespace stickslip {
 
-/// The normal load of the link's friction in time, per the one at which the numbers of its law hold: `value[i]` holds
-/// from i·step to (i + 1)·step, the last one for ever.
-struct SampledLoad {
-    double step = 0;  ///< s
-    std::vector<double> value;
-};
-
 struct SimulateOptions {
     Disturbance disturbance;
     double duration = missing;      ///< s; not set: fifty turns of the slowest mode, up to 400 where it grows slowly

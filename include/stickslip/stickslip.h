@@ -2,9 +2,11 @@
 #pragma once
 #include <stickslip/bifurcation.h>
 #include <stickslip/boundary.h>
+#include <stickslip/cannot_answer.h>
 #include <stickslip/critical_gain.h>
 #include <stickslip/design.h>
 #include <stickslip/diagnosis.h>
+#include <stickslip/disturbance.h>
 #include <stickslip/field.h>
 #include <stickslip/findings.h>
 #include <stickslip/forced_response.h>
@@ -20,6 +22,7 @@
 #include <stickslip/loop_margins.h>
 #include <stickslip/loop_record.h>
 #include <stickslip/nearest_boundary.h>
+#include <stickslip/nonlinear_verdict.h>
 #include <stickslip/outcome.h>
 #include <stickslip/outcome_table.h>
 #include <stickslip/outcomes.h>

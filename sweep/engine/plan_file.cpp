@@ -75,8 +75,8 @@ Plan plan_from_json(std::string_view text)
         json.at("id").get_to(id);
         json.at("points").get_to(plan.points);
         json.at("chunk_size").get_to(plan.chunk_size);
-        plan.units = {json.at("motion") == "revolute" ? Motion::revolute : Motion::prismatic,
-                      command_named(json.value("drive_signal", "effort"))};
+        plan.units = Units(json.at("motion") == "revolute" ? Motion::revolute : Motion::prismatic,
+                           command_named(json.value("drive_signal", "effort")));
         json.at("nonlinear").get_to(plan.nonlinear);
         json.at("build").get_to(plan.build);
         json.at("version").get_to(plan.version);

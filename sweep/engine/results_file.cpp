@@ -33,8 +33,8 @@ std::vector<std::size_t> shape_of(const std::vector<Axis>& axes)
 
 ResultsFile::ResultsFile(const std::filesystem::path& path) : file_(NetcdfFile::open(path))
 {
-    units_ = {attribute("motion") == "revolute" ? Motion::revolute : Motion::prismatic,
-              command_named(attribute("drive_signal"))};
+    units_ = Units(attribute("motion") == "revolute" ? Motion::revolute : Motion::prismatic,
+                   command_named(attribute("drive_signal")));
     int dimensions = 0;
     file_.check(nc_inq_ndims(file_.id(), &dimensions), "count the dimensions");
     for (int d = 0; d < dimensions; ++d) {

@@ -17,6 +17,19 @@ struct GrowthByParameter {
     std::vector<Samples> lines;  ///< as MarginsAnswer::alone, empty where there is no boundary; NaN outside the window
 };
 
+enum class RobustClass {
+    robust,        ///< every joint of the uncertainty slides
+    nominal_only,  ///< the joint as described slides, the worst case does not
+    unstable,      ///< the joint as described sticks and slips
+    no_verdict
+};
+
+/// Classes of the points of a chart, row-major, x fastest.
+struct RobustSet {
+    Axis x, y;
+    std::vector<RobustClass> classes;
+};
+
 /// Everything a question about margins was answered with.
 struct MarginsAnswer {
     std::string title, command;
@@ -27,6 +40,7 @@ struct MarginsAnswer {
     Uncertainty uncertainty;
     std::optional<WorstCase> worst;
     std::optional<FollowedBoundary> nominal, robust;  ///< over two axes
+    std::optional<RobustSet> robust_set;              ///< only for a page with `robust` and `nominal`
     std::optional<GrowthByParameter> growth;          ///< only for a page, and where a parameter has a boundary
 };
 

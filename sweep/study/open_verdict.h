@@ -1,6 +1,6 @@
 // Whether an answer about the nonlinear joint lacks a part, or shows the opposite of the linear theory.
 #pragma once
-#include "analysis/simulation/attractor/nonlinear.h"
+#include "analysis/results/nonlinear_verdict.h"
 #include "analysis/stability/verdict.h"
 
 #include <string>

@@ -1,8 +1,9 @@
 #include "sweep/study/plan.h"
 
+#include "analysis/results/cannot_answer.h"
+
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace stickslip {
 namespace {
@@ -40,9 +41,8 @@ bool tells_more(const gap::Power& one, const gap::Power& than)
 PlanAnswer plan(const Joint& joint, const std::vector<double>& time, const std::vector<double>& position,
                 bool look_further, const ParallelFor& parallel)
 {
-    if (!is_set(joint.control.period))
-        throw std::invalid_argument("control.period is missing: a plan needs a sampled loop");
-    if (time.size() < 2) throw std::invalid_argument("a motion of at least two rows is needed");
+    if (!is_set(joint.control.period)) throw CannotAnswer(CannotAnswer::Why::no_period, "");
+    if (time.size() < 2) throw CannotAnswer(CannotAnswer::Why::few_rows, "");
     const auto motion = on_period(time, position, joint.control.period);
     PlanAnswer answer;
     answer.power = gap::power_of(joint, motion, parallel);

@@ -38,7 +38,7 @@ constexpr Words all_words[] = {
     {"backlash", "There is backlash between motor and link"},
     {"compliance", "The transmission between motor and link is compliant"},
     {"effort-gain", "The drive delivers another effort than documented", {"effort_gain", "torque_constant"}},
-    {"saturation", "The effort is limited below what is documented", {"effort_limit"}},
+    {"saturation", "The effort is limited below what is documented", {"control.effort_limit", "actuator.limit"}},
     {"supply-sag", "The supply voltage sags under load"},
     {"actuator-lag", "The actuator follows its command late"},
     {"delay", "The loop is later than the joint file states", {"control.delay", "sensor.delay"}},

@@ -1,6 +1,6 @@
 // The nearest boundary in words.
 #pragma once
-#include "analysis/boundary/kinds/nearest.h"
+#include "analysis/results/boundary.h"
 #include "analysis/results/report.h"
 
 namespace stickslip {

@@ -36,10 +36,4 @@ std::string not_fitted_text(const NotFitted& n)
     return n.what() + instead(n);
 }
 
-std::string refusal_text(const std::invalid_argument& refused)
-{
-    const auto* law = dynamic_cast<const NotFitted*>(&refused);
-    return law ? not_fitted_text(*law) : refused.what();
-}
-
 }  // namespace stickslip

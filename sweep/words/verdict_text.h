@@ -1,7 +1,7 @@
 // The linear verdict in words, for the report and the terminal.
 #pragma once
+#include "analysis/results/nonlinear_verdict.h"
 #include "analysis/results/report.h"
-#include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/stability/verdict.h"
 
 #include <string>

@@ -7,6 +7,7 @@
 #include "sweep/words/detail_text.h"
 #include "sweep/words/diagnosis_tables.h"
 #include "sweep/words/diagnosis_text.h"
+#include "sweep/words/experiment_text.h"
 #include "sweep/words/export_text.h"
 #include "sweep/words/integral_text.h"
 #include "sweep/words/loop_text.h"
@@ -202,6 +203,11 @@ std::string way_text(SetPointWay way)
 std::string margins_text(const MarginsAnswer&)
 {
     return "#margins";
+}
+
+std::string_view motion_text(TestMotion motion)
+{
+    return motion == TestMotion::none ? "" : "#motion";
 }
 
 std::string outcome_words(const DiagnosisFacts&)

@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace stickslip;
     try {
         const fuzz::InputFile file({data, size});
-        const ReferenceMotion motion = read_reference(file.path(), Motion::revolute);
+        const ReferenceMotion motion = read_reference(file.path(), Units(Motion::revolute));
         const std::size_t rows = motion.time.size();
         fuzz::promise(rows >= 2, "a motion without an interval");
         for (const auto* column : {&motion.position, &motion.velocity, &motion.feed_forward}) {

@@ -95,7 +95,8 @@ LineChart lines()
     chart.y_label = {"critical gain k_{cr}", "N/m"};
     chart.x_log = chart.y_log = true;
     for (const double k_v : {0.0, 50.0, 200.0}) {
-        LineChart::Line line{"k_{v} = " + with_unit(k_v, Quantity::damping, Motion::prismatic), {}, {}, k_v > 100};
+        LineChart::Line line{
+            "k_{v} = " + with_unit(k_v, Quantity::damping, Units(Motion::prismatic)), {}, {}, k_v > 100};
         for (const double v : log_values(1e-5, 1e-1, 400)) {
             line.x.push_back(v);
             line.y.push_back(critical_gain(k_v, v));
@@ -116,7 +117,7 @@ Report report()
     const double k_cr = critical_gain(20, V0);
     r.headlines = {
         {Headline::Tone::good, "× " + plain_number(1e5 / k_cr),
-         "k_{p} above the critical gain k_{cr} = " + with_unit(k_cr, Quantity::stiffness, Motion::prismatic)},
+         "k_{p} above the critical gain k_{cr} = " + with_unit(k_cr, Quantity::stiffness, Units(Motion::prismatic))},
         {Headline::Tone::neutral, percent(map(60, 40).disagreement), "of the chart: the two theories disagree"},
         {Headline::Tone::warning, "500 N·s/m", "k_{v} that velocity-only theory would ask for"},
         {Headline::Tone::bad, "− 45 %", "k_{p} may fall before stick-slip begins"}};

@@ -34,7 +34,7 @@ TEST_CASE("the key of a figure follows every part of what is drawn", "[figure_ke
     const std::vector<std::function<void(StabilityMap&)>> changes{
         [](auto&) {},
         [](auto& m) { m.title = "a", m.fixed = "bc"; },
-        [](auto& m) { m.units = Motion::revolute; },
+        [](auto& m) { m.units = Units(Motion::revolute); },
         [](auto& m) { m.x.log = true; },
         [](auto& m) { m.y.log = true; },
         [](auto& m) { m.x.values = {1}, m.y.values = {2}; },

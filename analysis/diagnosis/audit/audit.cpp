@@ -26,7 +26,7 @@ GainRegression regression_of(const Case& c, double tau, double limit)
     const Ticks& t = c.ticks;
     const bool believed = t.unseen_between() && t.has_velocity;
     // at a kink or a step of the reference its rate is anybody's guess unless it was logged
-    constexpr double bent = 0.02;  // of the largest rate
+    constexpr double bent = 0.02;  // numerical: of the largest rate; which rows are compared
     double fastest = 0;
     for (double rate : t.reference_rate) fastest = std::max(fastest, std::abs(rate));
     const auto kinked = [&](std::size_t k) {

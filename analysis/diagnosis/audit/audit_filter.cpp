@@ -13,7 +13,8 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double exact_velocity = 1e-3;  // misfit over rms of the steps of the velocity
+constexpr double exact_velocity =
+    1e-3;  // numerical: misfit over rms of the steps of the velocity, as digits are logged
 
 struct Recursion {
     double gain = 0, misfit = 1;
@@ -52,10 +53,8 @@ bool is_filter(const Recursion& seen)
 /// steps; where it has a kink the rows are left out.
 bool changes_make_the_command(const Case& c)
 {
-    // misfit over rms. Logs of seven digits leave 1e-7 with the controller's own filter, a quarter off leaves 4e-5
-    constexpr double made_of = 1e-5;
-    constexpr double kink = 5, mostly = 0.95;  // rms; rows that stay
-    constexpr int rounds = 5;
+    constexpr double kink = 5, mostly = 0.95;  // numerical: rms; rows that stay
+    constexpr int rounds = 5;                  // numerical: of leaving kinks out
     constexpr std::array<double, 6> fifth{1, -5, 10, -10, 5, -1};
     const Ticks& t = c.ticks;
     GainRegression rows;
@@ -82,14 +81,13 @@ bool changes_make_the_command(const Case& c)
             return std::abs(GainRegression::left(row, before)) <= kink * before.misfit * before.rms;
         });
     }
-    return found.used > mostly * all && found.both && found.misfit < made_of;
+    return found.used > mostly * all && found.both && found.misfit < policy::made_of_differences;
 }
 
 /// Whether the command is made of the logged velocities, with gains of any size: they are the controller's own then.
 bool velocities_make_the_command(const Case& c)
 {
     if (!c.ticks.has_reference) return changes_make_the_command(c);
-    constexpr double made_of = 2e-3;  // misfit over rms
     const Ticks& t = c.ticks;
     const Control& control = c.joint.control;
     GainRegression rows;
@@ -100,7 +98,7 @@ bool velocities_make_the_command(const Case& c)
         if (t.logged[k] && t.enabled[k] && !cut && std::isfinite(a + b + u)) rows.add(a, b, u);
     }
     const auto found = rows.solve(true);
-    return found.used > 0 && found.both && found.misfit < made_of;
+    return found.used > 0 && found.both && found.misfit < policy::made_of_velocities;
 }
 
 double distance_to_grid(double y, double quantum)
@@ -125,7 +123,7 @@ double off_grid(const std::vector<Case>& cases, double tau, std::size_t stride =
             sum += distance_to_grid(between_rows(t, k, c.joint.control.period, tau), quantum), n += 1;
         }
     }
-    constexpr double few = 30;
+    constexpr double few = 30;  // numerical: rows that give a mean
     return n >= few ? sum / n : not_set;
 }
 
@@ -133,7 +131,7 @@ double off_grid(const std::vector<Case>& cases, double tau, std::size_t stride =
 double tau_of_halves(const std::vector<Case>& cases, double tick)
 {
     // the right one stands alone, the closer the finer the grid: many trials on some of the rows, then all of them
-    constexpr double ratio = 1.001, longest = 100;  // ticks
+    constexpr double ratio = 1.001, longest = 100;  // numerical: of the scan; ticks
     constexpr std::size_t some = 2000;
     std::size_t rows = 0;
     for (const auto& c : cases) rows += c.ticks.rows();
@@ -163,7 +161,7 @@ void audit_halves(std::vector<Case>& cases, Audit& result)
     const double tau = cases[0].joint.control.velocity_estimate.tau, tick = cases[0].joint.control.period;
     if (all([](const Case& c) { return c.joint.sensor.encoder_quantum > 0; })) {
         // without a grid any reading between the rows could be one
-        constexpr double on_grid = 0.05;
+        constexpr double on_grid = 0.05;  // numerical: of a step, as digits are logged
         double off = 0, n = 0;
         for (const auto& c : cases)
             for (std::size_t k = 0; k < c.ticks.size(); k += 2)

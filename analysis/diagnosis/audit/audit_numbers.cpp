@@ -60,7 +60,7 @@ void find_filter(std::vector<Case>& cases, double limit, Audit& result)
 
 void find_integral_limit(std::vector<Case>& cases, double limit, Audit& result)
 {
-    constexpr double smallest = 0.01, largest = 2, unreached = 1e3;  // of the largest command
+    constexpr double smallest = 0.01, largest = 2, unreached = 1e3;  // numerical: of the largest command; the scan
     double most = 0;
     for (const auto& c : cases)
         for (std::size_t k = 0; k < c.ticks.size(); ++k)

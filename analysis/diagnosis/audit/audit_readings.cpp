@@ -24,7 +24,7 @@ void audit_grid(std::vector<Case>& cases, Audit& result)
     if (!coarser || quantum / std::sqrt(12.0) < policy::felt_grid * known) return;
     if (!cases[0].noise_documented) {
         // without a documented sensor a fine or a round grid may be nothing but the digits of the file
-        constexpr double visible = 1e-3, round = 1e-3;  // of the span; of the digit
+        constexpr double visible = 1e-3, round = 1e-3;  // numerical: of the span; of the digit
         double span = 0;
         for (const auto& c : cases) {
             const auto [low, high] = std::minmax_element(c.ticks.position.begin(), c.ticks.position.end());
@@ -102,8 +102,8 @@ bool coarser_grid(double quantum, const Sensor& documented)
 
 double grid_of(const std::vector<double>& readings)
 {
-    constexpr double rounding = 1e-9;            // of the span: equal readings
-    constexpr double near = 0.1, beside = 0.05;  // of a step: refines it; a reading that is not on the grid
+    constexpr double rounding = 1e-9;            // numerical: of the span: equal readings
+    constexpr double near = 0.1, beside = 0.05;  // numerical: of a step: refines it; a reading that is not on the grid
     std::vector<double> sorted = readings;
     std::sort(sorted.begin(), sorted.end());
     if (sorted.empty()) return 0;

@@ -12,8 +12,6 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double deviations = 5;
-
 /// Fourth differences of the command, and of what it is computed from; rows whose stencil a limit touches are left
 /// out.
 GainRegression differences(const Case& c, double tau, double limit)
@@ -38,7 +36,7 @@ GainRegression differences(const Case& c, double tau, double limit)
     };
     // on a coarse grid most readings repeat: rows where nothing changed tell of the reference, not of the
     // controller
-    constexpr double nothing = 1e-6;
+    constexpr double nothing = 1e-6;  // numerical: of the largest difference
     double largest = 0;
     for (std::size_t k = 4; k < y.size(); ++k) largest = std::max(largest, std::abs(fourth(y, k)));
     for (std::size_t k = 4; k < u.size(); ++k)
@@ -52,7 +50,7 @@ GainRegression::Answer regress(const GainRegression& d, bool with_k_v)
 {
     GainRegression::Answer g;
     const std::size_t n = d.rows().size();
-    constexpr std::size_t few = 100;
+    constexpr std::size_t few = 100;  // numerical: rows of a regression
     if (n < few) return g;
     double within = infinity;
     for (int round = 0; round < 3; ++round) {
@@ -92,7 +90,10 @@ double best_tau(const std::vector<Case>& cases, double limit)
 /// One gain of all records: mean factor on the documented one, and the error of that mean.
 struct Factor {
     double value = 1, error = 0;
-    bool off() const { return std::abs(value - 1) > std::max(policy::flagged_gain, deviations * error); }
+    bool off() const
+    {
+        return std::abs(value - 1) > std::max(policy::flagged_gain, policy::flagged_gain_errors * error);
+    }
 };
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr std::size_t most_changes = 3;
+constexpr std::size_t most_changes = 3;  // numerical: of a search
 double largest_error(const std::vector<Case>& cases)
 {
     double largest = 0;

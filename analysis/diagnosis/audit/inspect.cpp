@@ -2,6 +2,7 @@
 
 #include "analysis/diagnosis/audit/effort_drive.h"
 #include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/records/ticks.h"
 
 #include <algorithm>
@@ -10,20 +11,28 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr std::size_t fewest_rows = 100;
+using Why = CannotAnswer::Why;
+
+double number(std::size_t count)
+{
+    return static_cast<double>(count);
+}
+
+void refuse(Why why, const Record& r, Inspection& result, const char* column = "", std::vector<double> values = {})
+{
+    result.errors.emplace_back(why, r.name, column, std::move(values));
+}
 
 void check_column(const Record& r, const char* name, const std::vector<double>& column, Inspection& result)
 {
     if (column.empty()) return;
     if (column.size() != r.rows()) {
-        result.errors.push_back(r.name + ": column " + name + " has " + std::to_string(column.size()) +
-                                " values, time has " + std::to_string(r.rows()));
+        refuse(Why::column_length, r, result, name, {number(column.size()), number(r.rows())});
         return;
     }
     for (std::size_t k = 0; k < column.size(); ++k)
         if (!std::isfinite(column[k])) {
-            result.errors.push_back(r.name + ": column " + name + " is not a finite number in row " +
-                                    std::to_string(k + 1));
+            refuse(Why::not_finite, r, result, name, {number(k + 1)});
             return;
         }
 }
@@ -34,7 +43,7 @@ Inspection inspect(const Record& r, const Joint& joint)
 {
     Inspection result;
     if (r.time.empty()) {
-        result.errors.push_back(r.name + ": there is no time column, or it is empty");
+        refuse(Why::no_time, r, result);
         return result;
     }
     check_column(r, "time", r.time, result);
@@ -52,23 +61,21 @@ Inspection inspect(const Record& r, const Joint& joint)
     check_column(r, "load_error", r.load_error, result);
     check_column(r, "inertia", r.inertia, result);
     for (std::size_t k = 0; k < r.inertia.size() && result.errors.empty(); ++k)
-        if (!(r.inertia[k] > 0))
-            result.errors.push_back(r.name + ": inertia is not positive in row " + std::to_string(k + 1));
+        if (!(r.inertia[k] > 0)) refuse(Why::inertia_not_positive, r, result, "", {number(k + 1)});
     if (!result.errors.empty()) return result;
     for (std::size_t k = 1; k < r.rows(); ++k)
         if (r.time[k] <= r.time[k - 1]) {
-            result.errors.push_back(r.name + ": time " + (r.time[k] == r.time[k - 1] ? "repeats" : "runs backwards") +
-                                    " in row " + std::to_string(k + 1) + " (" + std::to_string(r.time[k]) + " s)");
+            refuse(r.time[k] == r.time[k - 1] ? Why::time_repeats : Why::time_runs_back, r, result, "",
+                   {number(k + 1), r.time[k]});
             return result;
         }
     if (r.position.empty()) {
-        result.errors.push_back(r.name + ": there is no position column");
+        refuse(Why::no_position, r, result);
         return result;
     }
-    if (r.rows() < fewest_rows)
-        result.shortages.push_back({.code = Note::Code::too_few_rows,
-                                    .record = r.name,
-                                    .values = {static_cast<double>(r.rows()), static_cast<double>(fewest_rows)}});
+    if (number(r.rows()) < policy::fewest_rows)
+        result.shortages.push_back(
+            {.code = Note::Code::too_few_rows, .record = r.name, .values = {number(r.rows()), policy::fewest_rows}});
     const double resolution = std::max(joint.sensor.encoder_quantum, joint.sensor.position_noise);
     if (span_of(r.position) <= 8 * resolution || span_of(r.position) == 0)
         result.shortages.push_back({Note::Code::position_still, r.name});

@@ -2,17 +2,17 @@
 #pragma once
 #include "analysis/diagnosis/records/record.h"
 #include "analysis/joint/joint.h"
+#include "analysis/results/cannot_answer.h"
 #include "analysis/results/note.h"
 
-#include <string>
 #include <vector>
 
 namespace stickslip::gap {
 
 struct Inspection {
-    std::vector<std::string> errors;  ///< the record cannot be used at all: bad input
-    std::vector<Note> shortages;      ///< it can be read, but nothing can be concluded: insufficient data
-    std::vector<Note> notes;          ///< suspected units, missing columns and what they cost
+    std::vector<CannotAnswer> errors;  ///< the record cannot be used at all: bad input
+    std::vector<Note> shortages;       ///< it can be read, but nothing can be concluded: insufficient data
+    std::vector<Note> notes;           ///< suspected units, missing columns and what they cost
 };
 
 /// Time missing, unsorted or repeated, values that are not numbers, columns of unequal length: errors. Too few rows,

@@ -5,10 +5,10 @@
 #include "analysis/diagnosis/audit/effort_drive.h"
 #include "analysis/diagnosis/records/even_clock.h"
 #include "analysis/joint/parameters.h"
+#include "analysis/results/cannot_answer.h"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace stickslip::gap {
 namespace {
@@ -227,8 +227,7 @@ Joint joint_in(const Record& record, const Joint& nominal)
     Joint joint = nominal;
     for (const auto& [path, value] : record.overrides) {
         double* number = find_parameter(joint, path);
-        if (!number)
-            throw std::invalid_argument(record.name + ": the joint has no parameter \"" + path + "\" to override");
+        if (!number) throw CannotAnswer(CannotAnswer::Why::no_parameter, record.name, path);
         *number = value;
     }
     return joint;

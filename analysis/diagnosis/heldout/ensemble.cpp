@@ -138,8 +138,9 @@ std::vector<SignalSquares> predicted_squares(const Case& c, const Joint& joint, 
         }
         shown->effort = innovation.predicted_effort;
     }
-    SignalSquares position{"position (predicted)", std::string(unit_of(Quantity::position, joint.mechanism.motion))};
-    SignalSquares effort{"effort_measured", std::string(unit_of(Quantity::effort, joint.mechanism.motion))};
+    SignalSquares position{"position (predicted)",
+                           std::string(unit_of(Quantity::position, Units(joint.mechanism.motion)))};
+    SignalSquares effort{"effort_measured", std::string(unit_of(Quantity::effort, Units(joint.mechanism.motion)))};
     double n = 0;
     for (std::size_t k = 0; k < t.size(); ++k)
         if (inside(k)) {
@@ -206,10 +207,10 @@ std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, 
     };
     const Motion motion = joint.mechanism.motion;
     const CommandUnit command = command_unit(c.joint);
-    add("position", std::string(unit_of(Quantity::position, motion)), t.position, &Trace::position);
+    add("position", std::string(unit_of(Quantity::position, Units(motion))), t.position, &Trace::position);
     add("effort_command", command.unit, t.command, &Trace::command, command.factor);
     if (c.effort_sigma > 0)
-        add("effort_measured", std::string(unit_of(Quantity::effort, motion)), t.effort, &Trace::effort);
+        add("effort_measured", std::string(unit_of(Quantity::effort, Units(motion))), t.effort, &Trace::effort);
     // the noise of a reading is there, simulated or not, and k_p passes it on; it is that of the sensor in question:
     // the steps of a coarser encoder are a gap
     const double sigma = reading_sigma(joint.sensor, span_of(t.position));

@@ -191,7 +191,8 @@ DiagnosedTrace trace_of(const Case& shown, const Trace& before, const Trace& aft
     const bool effort = t.has_effort && t.source != CommandSource::measured;
     const CommandUnit command = command_unit(shown.joint);
     trace.effort = effort ? DiagnosedTrace::Effort::measured : DiagnosedTrace::Effort::command;
-    trace.effort_unit = effort ? std::string(unit_of(Quantity::effort, shown.joint.mechanism.motion)) : command.unit;
+    trace.effort_unit =
+        effort ? std::string(unit_of(Quantity::effort, Units(shown.joint.mechanism.motion))) : command.unit;
     constexpr std::size_t most = 4000;  // points a chart can show
     const std::size_t stride = std::max<std::size_t>(1, t.size() / most);
     for (std::size_t k = 0; k < t.size(); k += stride) {

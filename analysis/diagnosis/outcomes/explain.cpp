@@ -13,8 +13,6 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr std::size_t fewest_rows = 8, fewest_of_either = 3;
-
 /// The place within three times the range of the rows where two explanations differ most.
 NextOutcome next_of(const OutcomeAnswer& a, const LawFit& one, const LawFit& two)
 {
@@ -65,19 +63,18 @@ void decide(OutcomeAnswer& a)
     const LawFit& winner = a.laws.front();
     std::set<std::string_view> effects{winner.rival->effect};
     for (const auto& f : a.laws) {
-        if (&f == &winner || f.total() < winner.total() - clear_margin || !explains(f)) continue;
+        if (&f == &winner || distinguished(winner, f) || !explains(f)) continue;
         effects.insert(f.rival->effect);
         d.ambiguous_with.push_back({std::string(f.rival->effect)});
         if (f.rival->effect == winner.rival->effect)
             d.reasons.push_back(
                 {.code = Note::Code::laws_alike, .names = {std::string(winner.rival->law), std::string(f.rival->law)}});
     }
-    constexpr std::size_t too_many = 3;
     if (a.contradictions > policy::most_contradicting * n) {
         d.verdict = Verdict::insufficient_data;
         d.reasons.push_back(
             {.code = Note::Code::rows_contradict, .values = {static_cast<double>(a.contradictions), n}});
-    } else if (explains(a.nominal) && a.nominal.total() > winner.total() - clear_margin) {
+    } else if (explains(a.nominal) && !distinguished(winner, a.nominal)) {
         d.verdict = Verdict::no_gap;
         d.reasons = {{Note::Code::nominal_explains}};
     } else if (!explains(winner)) {
@@ -88,7 +85,7 @@ void decide(OutcomeAnswer& a)
         // their odds among each other say nothing of whether it is one of them
         if (const double factor = policy::believed_unnamed / winner.posterior; factor < 1)
             for (auto& f : a.laws) f.posterior *= factor;
-    } else if (effects.size() >= too_many) {
+    } else if (static_cast<double>(effects.size()) >= policy::too_many_kinds) {
         d.verdict = Verdict::insufficient_data;
         d.reasons.push_back({.code = Note::Code::kinds_alike, .values = {static_cast<double>(effects.size())}});
     } else {
@@ -168,11 +165,12 @@ OutcomeAnswer explain(const Joint& nominal, const OutcomeTable& table, const Par
     std::size_t stuck = 0;
     for (const auto& row : table.rows) stuck += row.stick_slip;
     const std::size_t rarer = std::min(stuck, table.rows.size() - stuck);
-    if (table.rows.size() < fewest_rows || rarer < fewest_of_either) {
-        d.reasons.push_back({.code = Note::Code::too_few_outcomes,
-                             .record = table.name,
-                             .values = {static_cast<double>(table.rows.size()), static_cast<double>(stuck),
-                                        static_cast<double>(fewest_rows), static_cast<double>(fewest_of_either)}});
+    const auto rows = static_cast<double>(table.rows.size());
+    if (rows < policy::fewest_outcomes || static_cast<double>(rarer) < policy::fewest_of_either) {
+        d.reasons.push_back(
+            {.code = Note::Code::too_few_outcomes,
+             .record = table.name,
+             .values = {rows, static_cast<double>(stuck), policy::fewest_outcomes, policy::fewest_of_either}});
         return a;
     }
     fit_laws(a, nominal, rivals, parallel, progress);

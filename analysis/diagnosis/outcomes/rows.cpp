@@ -1,10 +1,10 @@
 #include "analysis/diagnosis/outcomes/rows.h"
 
 #include "analysis/joint/parameters.h"
+#include "analysis/results/cannot_answer.h"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace stickslip::gap {
 namespace {
@@ -31,12 +31,9 @@ bool same_settings(const OutcomeRow& a, const OutcomeRow& b)
 void refuse_unfit(const Joint& joint, const OutcomeTable& table)
 {
     if (joint.mechanism.model != Model::single_mass)
-        throw std::invalid_argument(
-            table.name + ": a table of outcomes is read against a single-mass joint (Fig. 7); reduce this joint first");
+        throw CannotAnswer(CannotAnswer::Why::table_of_many_bodies, table.name);
     if (joint.control.contact_stiffness != 0 || joint.control.force_gain != 0)
-        throw std::invalid_argument(
-            table.name +
-            ": a table of outcomes is read against one spring; add contact_stiffness to k_p and leave force_gain 0");
+        throw CannotAnswer(CannotAnswer::Why::table_of_two_springs, table.name);
 }
 
 Joint joint_at(const Joint& nominal, const OutcomeTable& table, const std::vector<double>& settings)
@@ -45,7 +42,7 @@ Joint joint_at(const Joint& nominal, const OutcomeTable& table, const std::vecto
     bool by_force = false;
     for (std::size_t k = 0; k < table.paths.size(); ++k) {
         double* setting = find_parameter(joint, table.paths[k]);
-        if (!setting) throw std::invalid_argument(table.name + ": the joint has no number " + table.paths[k]);
+        if (!setting) throw CannotAnswer(CannotAnswer::Why::no_number, table.name, table.paths[k]);
         *setting = settings[k];
         by_force = by_force || table.paths[k] == "control.force_rate";
     }
@@ -61,10 +58,9 @@ Outcomes prepared(const Joint& nominal, const OutcomeTable& table)
     std::vector<double> stiffness, velocity, inertia;
     for (const auto& row : table.rows) {
         Joint joint = joint_at(nominal, table, row.settings);
-        const std::string place = table.name + ":" + std::to_string(row.line) + ":1: ";
-        if (!(joint.control.V0 > 0))
-            throw std::invalid_argument(place + "V0 is not set or not above 0, neither in the row nor in the joint");
-        if (!(joint.control.k_p > 0)) throw std::invalid_argument(place + "k_p is not above 0");
+        const std::string place = table.name + ":" + std::to_string(row.line) + ":1";
+        if (!(joint.control.V0 > 0)) throw CannotAnswer(CannotAnswer::Why::no_velocity, place);
+        if (!(joint.control.k_p > 0)) throw CannotAnswer(CannotAnswer::Why::no_stiffness, place);
         stiffness.push_back(joint.control.k_p), velocity.push_back(joint.control.V0);
         inertia.push_back(joint.mechanism.inertia);
         o.joints.push_back(std::move(joint));

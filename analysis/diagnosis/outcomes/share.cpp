@@ -5,6 +5,7 @@
 #include <functional>
 #include <random>
 #include <set>
+#include "analysis/diagnosis/policy/policy.h"
 
 namespace stickslip::gap {
 namespace {
@@ -37,6 +38,11 @@ bool row_wrong(const Outcomes& o, const LawFit& f, std::size_t i)
 
 }  // namespace
 
+bool distinguished(const LawFit& better, const LawFit& other)
+{
+    return other.total() < better.total() - policy::clear_margin;
+}
+
 Cause cause_of(const OutcomeAnswer& a, const LawFit& fit, const LawFit* other_kind)
 {
     const auto& o = a.outcomes;
@@ -49,7 +55,7 @@ Cause cause_of(const OutcomeAnswer& a, const LawFit& fit, const LawFit* other_ki
     for (std::size_t k = 0; k < fit.rival->numbers.size(); ++k) {
         const auto& n = fit.rival->numbers[k];
         c.parameters.push_back({c.names[0] + "." + std::string(n.name), fit.values[k], fit.standard_error[k],
-                                std::string(unit_of(n.quantity, a.diagnosis.motion))});
+                                std::string(unit_of(n.quantity, Units(a.diagnosis.motion)))});
         constexpr double at_bound = 0.02;
         const double share = (fit.x[k] - n.low) / (n.high - n.low);
         if (share < at_bound || share > 1 - at_bound) c.plausible = false;
@@ -63,7 +69,7 @@ Cause cause_of(const OutcomeAnswer& a, const LawFit& fit, const LawFit* other_ki
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
     c.heldout_gain = gain(all);
     c.heldout_gain_interval = bootstrap(o.size(), gain);
-    c.signature = other_kind && fit.total() > other_kind->total() + clear_margin;
+    c.signature = other_kind && distinguished(fit, *other_kind);
     return c;
 }
 

@@ -4,8 +4,8 @@
 
 namespace stickslip::gap {
 
-/// Of log-likelihood, odds of twenty to one: laws that are closer cannot be distinguished.
-inline constexpr double clear_margin = 3;
+/// Whether the rows distinguish a law from a better one, by policy::clear_margin.
+bool distinguished(const LawFit& better, const LawFit& other);
 
 /// A fitted law as a cause; `other_kind` is the best law with memory where this one has none, and the reverse.
 Cause cause_of(const OutcomeAnswer& answer, const LawFit& fit, const LawFit* other_kind);

@@ -5,16 +5,17 @@
 #include "analysis/diagnosis/fit/fit.h"
 #include "analysis/diagnosis/plant/simulator.h"
 #include "analysis/diagnosis/policy/policy.h"
+#include "analysis/results/cannot_answer.h"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace stickslip::gap {
 namespace {
 
 /// Of the noise, where two effects are compared: each then stands well above it, see could_have_shown().
 constexpr double deviations = 5;
+constexpr std::size_t fewest_periods = 100;  // of the loop, in a motion
 
 /// What an effect has to change in the surprises, root mean square in noise floors, for the diagnosis to see it: over
 /// many rows that is less than the noise of one.
@@ -148,7 +149,7 @@ Found least_size(const Planned& motion, Sized s, Motion of)
     Found f;
     f.power.name = s.candidate.effects[0]->name;
     f.power.parameter = s.of().name;
-    f.power.unit = unit_of(s.of().quantity, of);
+    f.power.unit = unit_of(s.of().quantity, Units(of));
     const double little = motion.strength(s, 0), much = motion.strength(s, 1);
     s.less_is_more = little > much;
     if (std::max(little, much) < seen()) return f;
@@ -189,14 +190,12 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b)
 
 Power power_of(const Joint& joint, const PlannedMotion& planned, const ParallelFor& parallel)
 {
-    if (!is_set(joint.control.period))
-        throw std::invalid_argument("control.period is missing: a plan needs a sampled loop");
-    if (!is_set(joint.control.k_p)) throw std::invalid_argument("control.k_p is missing");
+    if (!is_set(joint.control.period)) throw CannotAnswer(CannotAnswer::Why::no_period, "");
+    if (!is_set(joint.control.k_p)) throw CannotAnswer(CannotAnswer::Why::no_position_gain, "");
     if (joint.sensor.position_noise == 0 && joint.sensor.encoder_quantum == 0)
-        throw std::invalid_argument(
-            "sensor.position_noise or sensor.encoder_quantum is needed: without noise "
-            "every effect of any size shows");
-    if (planned.time.size() < 100) throw std::invalid_argument("a motion of at least 100 periods is needed");
+        throw CannotAnswer(CannotAnswer::Why::no_noise, "");
+    if (planned.time.size() < fewest_periods)
+        throw CannotAnswer(CannotAnswer::Why::short_motion, "", "", {static_cast<double>(fewest_periods)});
     const Planned motion(joint, planned);
     std::vector<Sized> all;
     for (const auto& e : effects())

@@ -55,11 +55,11 @@ class Writer {
         }
         put(middle);
     }
-    SafeMotion done(std::string description)
+    SafeMotion done(TestMotion kind)
     {
         go(reach_.start);
         rest(0.5);
-        motion_.description = std::move(description);
+        motion_.kind = kind;
         return std::move(motion_);
     }
 
@@ -121,19 +121,19 @@ std::vector<SafeMotion> safe_motions(const Reach& reach, double duration, double
         Writer w(reach, period);
         w.go(low);
         to_and_fro(w, 0.02, duration);
-        all.push_back(w.done("to and fro over the stroke at a fiftieth of the largest speed"));
+        all.push_back(w.done(TestMotion::slow_stroke));
     }
     {
         Writer w(reach, period);
         w.go(middle);
         w.swing(0.03 * stroke, 1, 1, duration);
-        all.push_back(w.done("a sine of small amplitude with many reversals"));
+        all.push_back(w.done(TestMotion::small_sine));
     }
     {
         Writer w(reach, period);
         w.go(middle);
         w.swing(0.4 * stroke, 0.2, 5, duration);
-        all.push_back(w.done("a sine from 0.2 to 5 Hz whose amplitude falls as its frequency rises"));
+        all.push_back(w.done(TestMotion::falling_sine));
     }
     {
         Writer w(reach, period);
@@ -141,13 +141,13 @@ std::vector<SafeMotion> safe_motions(const Reach& reach, double duration, double
             w.go(high), w.rest(1.5);
             w.go(low), w.rest(1.5);
         } while (w.time() < duration);
-        all.push_back(w.done("steps over the whole stroke with standstills of one and a half seconds"));
+        all.push_back(w.done(TestMotion::steps_and_rests));
     }
     {
         Writer w(reach, period);
         w.go(low);
         for (const double part : {0.1, 0.33, 1.0}) to_and_fro(w, part, w.time() + duration / 3);
-        all.push_back(w.done("steps of speed: a tenth, a third and the whole of the largest speed"));
+        all.push_back(w.done(TestMotion::steps_of_speed));
     }
     return all;
 }

@@ -1,7 +1,8 @@
 // Motions for an experiment that the machine survives: continuous, and within the stroke, speed and acceleration that
 // it has shown.
 #pragma once
-#include <string>
+#include "analysis/results/diagnosis.h"
+
 #include <vector>
 
 namespace stickslip::gap {
@@ -20,7 +21,7 @@ Reach reach_of(const std::vector<double>& time, const std::vector<double>& posit
 Reach together(const Reach& one, const Reach& other);
 
 struct SafeMotion {
-    std::string description;
+    TestMotion kind = TestMotion::none;
     std::vector<double> time, position;
 };
 

@@ -273,7 +273,7 @@ void Mechanics<P>::start(int lane, double velocity, Rest rest, double beyond)
         fresh.followed = fresh.link_position;
         // the load holds the spring
         fresh.driven_apart = Spring{p.stiffness, p.cubic_stiffness}.effort(stretch) *
-                             (1 / p.link_inertia + 1 / (p.ratio * p.ratio * p.motor_inertia));
+                             apart_per_force(p.motor_inertia, p.link_inertia, p.ratio);
     }
     each_number(state_, fresh, [lane](P& now, const P& then) { now.set(lane, then[lane]); });
 }

@@ -1,10 +1,10 @@
 #include "analysis/diagnosis/plant/plant.h"
 
+#include "analysis/results/cannot_answer.h"
 #include "analysis/results/not_fitted.h"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace stickslip::gap {
 namespace {
@@ -94,11 +94,8 @@ Plant flatten(const Joint& joint)
 {
     Plant p;
     const Mechanism& m = joint.mechanism;
-    if (joint.control.kind == ControlKind::force)
-        throw std::invalid_argument("control.kind: is \"force\"; records are simulated under position control");
-    if (joint.control.contact_stiffness != 0)
-        throw std::invalid_argument(
-            "control.contact_stiffness: records are simulated without a spring between link and surroundings");
+    if (joint.control.kind == ControlKind::force) throw CannotAnswer(CannotAnswer::Why::force_loop, "");
+    if (joint.control.contact_stiffness != 0) throw CannotAnswer(CannotAnswer::Why::contact_spring, "");
     switch (m.model) {
         case Model::single_mass:
             p.motor_inertia = m.inertia;
@@ -118,7 +115,7 @@ Plant flatten(const Joint& joint)
             p.feedback_link = joint.control.feedback == Feedback::link;
             break;
         default:
-            throw std::invalid_argument("records are simulated with one or two masses: reduce the joint first");
+            throw CannotAnswer(CannotAnswer::Why::many_bodies, "");
     }
     p.load = joint.load;
     p.actuator = joint.actuator;
@@ -137,7 +134,7 @@ double longest_step(const Plant& p)
     double step = p.motor.plain() && !p.dc_motor() ? plain_step : bent_step;
     if (p.motor.bristle_stiffness > 0 || p.link.bristle_stiffness > 0) step = bristle_step;
     if (p.two_mass) {
-        const double reduced = 1 / (1 / p.link_inertia + 1 / (p.ratio * p.ratio * p.motor_inertia));
+        const double reduced = 1 / apart_per_force(p.motor_inertia, p.link_inertia, p.ratio);
         // phase error of leapfrog (ωh)²/24 ≈ 0.3 %; a spring that hardens, where it is four times as steep
         const double steepest = p.cubic_stiffness > 0 ? 4 * p.stiffness : p.stiffness;
         const double period_part = 0.25 / std::sqrt(steepest / reduced);

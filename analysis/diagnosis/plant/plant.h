@@ -73,6 +73,14 @@ struct FreeForce {
     }
 };
 
+/// Of two masses: how fast motor, seen through the reduction, and link accelerate apart per force of the spring between
+/// them, 1/J_l + 1/(N² J_m).
+template <class Number>
+Number apart_per_force(const Number& motor_inertia, const Number& link_inertia, const Number& ratio)
+{
+    return Number(1.0) / link_inertia + Number(1.0) / (ratio * ratio * motor_inertia);
+}
+
 struct Plant {
     bool two_mass = false;
     double motor_inertia = 1, link_inertia = 1;  ///< single mass: motor_inertia is all

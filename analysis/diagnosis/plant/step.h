@@ -24,7 +24,7 @@ struct StepLength {
     P per_ratio;
     /// Two masses: how far ahead the damper is taken, what of spring and damper is left by what they do until there,
     /// and the relative acceleration per force of the spring.
-    P ahead = 0, left = 0, apart_per_force = 0;
+    P ahead = 0, left = 0, per_force = 0;
     Glide<P> motor, link;
     StepLength() {}
     StepLength(const Joints<P>& p, const P& step)
@@ -35,11 +35,11 @@ struct StepLength {
         per_ratio = P(1.0) / p.ratio;
         motor = {p.motor.coulomb, p.motor.viscous, motor_mobility};
         link = {p.link.coulomb, p.link.viscous, link_mobility};
-        apart_per_force = P(1.0) / p.link_inertia + P(1.0) / (p.ratio * p.ratio * p.motor_inertia);
+        per_force = apart_per_force(p.motor_inertia, p.link_inertia, p.ratio);
         // in the middle of the step, which is of second order, unless it is long for the damper: then at its end
-        const P damped = h * p.damping * apart_per_force;
+        const P damped = h * p.damping * per_force;
         ahead = select(damped < P(1.0), 0.5 * h, h);
-        left = P(1.0) / (1.0 + ahead * p.damping * apart_per_force);
+        left = P(1.0) / (1.0 + ahead * p.damping * per_force);
     }
 };
 
@@ -143,8 +143,7 @@ void step_two_mass(const Joints<P>& p, State<P>& s, const PushOf<P>& drive, cons
     s.link_velocity = p.link.has.glides ? length.link(s.link_velocity, on_link)
                                         : rub(p.link, s.link, s.link_velocity, on_link, length.link_mobility, h,
                                               {link_middle, spring});
-    s.driven_apart =
-        (s.motor_velocity * per_ratio - s.link_velocity - rate) * length.per_h + spring * length.apart_per_force;
+    s.driven_apart = (s.motor_velocity * per_ratio - s.link_velocity - rate) * length.per_h + spring * length.per_force;
     s.motor_position = motor_middle + 0.5 * h * s.motor_velocity;
     s.link_position = link_middle + 0.5 * h * s.link_velocity;
 }

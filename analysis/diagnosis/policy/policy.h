@@ -296,6 +296,14 @@ inline constexpr double standing = 0.005, slow = 0.2;
 /// digits. Evidence: of 68 values in the tests of the audit none lies between 0.001 and 0.024, of 14 in other cases
 /// none between 0 and 0.8.
 inline constexpr double flagged_gain = 0.004;
+/// Standard errors by which a gain that was read from the encoder's noise must be off to be a finding. Reason: errors
+/// of noise exceed five once in two million times. Definition: beyond doubt.
+inline constexpr double flagged_gain_errors = 5;
+/// Misfit over rms up to which the command is made of the logged velocities: of its fifth differences without a
+/// reference, and of the command itself with one. Reason: velocities that the command is made of are the controller's
+/// own, and tell its filter. Evidence: logs of seven digits leave 1e-7 of the differences with the controller's own
+/// filter, and 4e-5 with one that is a quarter off.
+inline constexpr double made_of_differences = 1e-5, made_of_velocities = 2e-3;
 /// Misfit of the command over its rms: `digits` is that of a rounded file, below `understood` the controller is
 /// understood. Reason: logs with five digits leave the first; a controller whose terms are all known leaves hardly more
 /// than the second. Evidence: in 12 blind cases (seed 4122), `digits`: of 15 values that were compared with it none
@@ -355,6 +363,26 @@ inline constexpr double least_of_free_force = 0.004, better_than_cause = 0.25;
 /// eighth row is not the joint's. Evidence: in the tests of tables, of five laws none misjudges between 0.056 and 0.55,
 /// and no table of one joint contradicts itself.
 inline constexpr double most_misjudged = 0.12, most_contradicting = 0.15;
+/// Held-out log-likelihood by which one friction law must be better than another; laws that are nearer, and a nominal
+/// joint that is, cannot be distinguished. Reason: rows are few, and their likelihood is rough. Definition: odds of
+/// twenty to one.
+inline constexpr double clear_margin = 3;
+/// Rows of a table of outcomes, and rows of its rarer outcome, below which it is no answer. Reason: a boundary with two
+/// numbers needs rows on both of its sides. Definition: fewer rows are insufficient data.
+inline constexpr double fewest_outcomes = 8, fewest_of_either = 3;
+/// Kinds of friction that explain a table alike from which on none of them is named. Reason: a choice among so many is
+/// no answer. Definition: two kinds are told with both names.
+inline constexpr double too_many_kinds = 3;
+/// Rows below which a record is not judged. Reason: its noise is estimated from third differences and its misfit from
+/// blocks of rows; both need some. Definition: fewer rows are insufficient data.
+inline constexpr double fewest_rows = 100;
+/// Findings of the audit from which on the record is called that of another joint and nothing else is concluded.
+/// Reason: encoder and controller of one machine are set one by one, and seldom three of them wrongly. Definition:
+/// the words "another joint".
+inline constexpr double findings_of_another_joint = 3;
+/// Part of the gap that an unmodelled force must take to be told beside "unexplained". Reason: a hint at what is
+/// missing has to explain most of the gap. Definition: half.
+inline constexpr double worth_a_hint = 0.5;
 
 // Deciding between laws of a friction rig (rig/).
 

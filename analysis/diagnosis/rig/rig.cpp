@@ -60,11 +60,11 @@ std::vector<std::size_t> ranked(const std::vector<Entry>& entries)
 
 std::string_view unit_of_parameter(std::string_view name, Motion motion)
 {
-    if (name == "coefficient") return unit_of(Quantity::number, motion);
-    if (name == "L") return unit_of(Quantity::position, motion);
-    if (name == "time_constant") return unit_of(Quantity::time, motion);
-    if (name == "slope") return unit_of(Quantity::damping, motion);
-    return unit_of(Quantity::effort, motion);
+    if (name == "coefficient") return unit_of(Quantity::number, Units(motion));
+    if (name == "L") return unit_of(Quantity::position, Units(motion));
+    if (name == "time_constant") return unit_of(Quantity::time, Units(motion));
+    if (name == "slope") return unit_of(Quantity::damping, Units(motion));
+    return unit_of(Quantity::effort, Units(motion));
 }
 
 Cause cause_of(const Rig& rig, const RigRival& rival, const Entry& e, const Entry& level, Motion motion)
@@ -87,8 +87,8 @@ Cause cause_of(const Rig& rig, const RigRival& rival, const Entry& e, const Entr
                                 std::string(unit_of_parameter(rival.parameters[n], motion))});
     if (p.size() > 3) {
         c.parameters.push_back(
-            {c.names[0] + ".V_star", rig.speed, not_set, std::string(unit_of(Quantity::velocity, motion))});
-        c.parameters.push_back({"stiffness", p[0], not_set, std::string(unit_of(Quantity::stiffness, motion))});
+            {c.names[0] + ".V_star", rig.speed, not_set, std::string(unit_of(Quantity::velocity, Units(motion)))});
+        c.parameters.push_back({"stiffness", p[0], not_set, std::string(unit_of(Quantity::stiffness, Units(motion)))});
     }
     return c;
 }
@@ -161,15 +161,14 @@ namespace {
 /// Those with rows enough; the others are reported.
 std::vector<Record> long_enough(const std::vector<Record>& records, Diagnosis& d)
 {
-    constexpr std::size_t fewest = 100;
     std::vector<Record> enough;
     for (const auto& r : records)
-        if (r.rows() >= fewest)
+        if (static_cast<double>(r.rows()) >= policy::fewest_rows)
             enough.push_back(r);
         else
             d.reasons.push_back({.code = Note::Code::too_few_rows,
                                  .record = r.name,
-                                 .values = {static_cast<double>(r.rows()), static_cast<double>(fewest)}});
+                                 .values = {static_cast<double>(r.rows()), policy::fewest_rows}});
     return enough;
 }
 
@@ -212,7 +211,7 @@ DiagnosisResult diagnose_rig(const Joint& joint, const std::vector<Record>& give
         const std::size_t rival = order[1] == 0 ? order[2] : order[1];
         d.next_experiment = design_rig_experiment(rig, noise, best.law, entries[order[0]].fit.p, rivals[rival].law,
                                                   entries[rival].fit.p);
-        if (!d.next_experiment.description.empty())
+        if (d.next_experiment.motion != TestMotion::none)
             d.next_experiment.separates = {
                 {described(best, entries[order[0]]), described(rivals[rival], entries[rival])}};
         take_memory(rig, best.law, entries[order[0]].fit.p, result.after);

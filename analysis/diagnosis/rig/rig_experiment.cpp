@@ -8,14 +8,14 @@ namespace {
 
 /// Speeds of the load point one after the other, as multiples of the record's first speed.
 struct Motion {
-    const char* description;
+    TestMotion kind;
     std::vector<double> speeds;
 };
 
 const std::vector<Motion> motions{
-    {"a step down to a tenth of the first speed and back", {1, 0.1, 1}},
-    {"a step up to ten times the first speed and back", {1, 10, 1}},
-    {"a hold at rest between two slides at the first speed", {1, 0, 1}},
+    {TestMotion::rig_step_down, {1, 0.1, 1}},
+    {TestMotion::rig_step_up, {1, 10, 1}},
+    {TestMotion::rig_hold, {1, 0, 1}},
 };
 
 constexpr double hold = 100;            // s
@@ -54,7 +54,7 @@ NextExperiment design_rig_experiment(const Rig& rig, double noise, RigLaw one, c
         double distance = 0;
         for (std::size_t k = 0; k < a.size(); ++k) distance = std::max(distance, std::abs(a[k] - b[k]) / noise);
         if (distance <= best.distance) continue;
-        best = {motion.description, {}, distance, made.runs[0].time, made.runs[0].displacement};
+        best = {motion.kind, {}, distance, made.runs[0].time, made.runs[0].displacement};
     }
     return best;
 }

@@ -19,7 +19,7 @@ void describe(const Rig& rig, const std::vector<Record>& records, Diagnosis& d)
 
 void add_gap(const Rig& rig, double before, double after, double noise, Diagnosis& d)
 {
-    const std::string unit(unit_of(Quantity::effort, d.motion));
+    const std::string unit(unit_of(Quantity::effort, Units(d.motion)));
     const double whole = before * before - noise * noise;
     d.gap.push_back(
         {"friction", unit, before, after, noise, whole > 0 ? (before * before - after * after) / whole : 0});

@@ -79,7 +79,7 @@ NextExperiment design_experiment(const Case& like, const Scales& scales, const A
         const double distance = std::sqrt(square / static_cast<double>(std::max<std::size_t>(rows, 1)));
         if (std::isfinite(distance) && distance > best.distance) {
             best.distance = distance;
-            best.description = motion.description;
+            best.motion = motion.kind;
             best.time = r.time;
             best.reference = r.reference_position;
         }

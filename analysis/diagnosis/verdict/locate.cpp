@@ -39,7 +39,7 @@ std::vector<Share> locate_signals(const std::vector<Case>& cases, const std::vec
         const Case& c = cases[i];
         const Plant plant = flatten(documented[i]);
         const Ticks& t = c.ticks;
-        for (auto& s : shares) s.unit = unit_of(Quantity::effort, c.joint.mechanism.motion);
+        for (auto& s : shares) s.unit = unit_of(Quantity::effort, Units(c.joint.mechanism.motion));
         const bool audited = t.source == CommandSource::logged && t.has_reference && !t.unseen_between();
         const auto wanted = audited ? command_of(plant, t) : std::vector<double>();
         const double per_command = plant.effort_per_command();

@@ -1,6 +1,6 @@
-// What disturbs steady sliding.
+// How fast a disturbance has to grow, and for how long, to be measured.
 #pragma once
-#include "analysis/results/point.h"
+#include "analysis/results/disturbance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,26 +8,6 @@
 #include <numbers>
 
 namespace stickslip {
-
-/// What a disturbance changes of steady sliding. `position` and `velocity` keep the balance of forces by the state
-/// where the law has one: a change of V alone dies in the fast inertial mode at small V_0 and tells nothing of the slow
-/// one.
-enum class DisturbanceKind {
-    position,  ///< an offset of position [m], forces balanced
-    velocity,  ///< an offset of velocity [m/s], forces balanced
-    impulse,   ///< a step of velocity alone, m δV = the impulse [N·s]
-    offset,    ///< an offset of position alone [m]: a step of the commanded position
-    state,     ///< an offset of the friction force by the states of the law alone [N]
-    start      ///< steady sliding at a share [1] of V_0, from which V_0 is commanded; 0: from rest
-};
-
-struct Disturbance {
-    DisturbanceKind kind = DisturbanceKind::position;
-    double size =
-        missing;  ///< in the unit of its kind; not set: small_disturbance · V_0/|s|, the slow mode at that share of V_0
-};
-
-inline constexpr double small_disturbance = 1e-6;
 
 /// How much of |s| a measured growth rate must be before its sign counts; below, the spectrum decides.
 inline constexpr double measurable_growth = 1e-6;

@@ -1,8 +1,8 @@
 // The names of codes in answers; those of points are the names in results.nc.
 #pragma once
 #include "analysis/results/boundary.h"
+#include "analysis/results/nonlinear_verdict.h"
 #include "analysis/results/point.h"
-#include "analysis/simulation/attractor/nonlinear.h"
 #include "sweep/files/json/archive.h"
 
 namespace stickslip::archive {

@@ -5,6 +5,7 @@
 #include "analysis/stability/verdict.h"
 #include "sweep/files/json/verdict_json.h"
 #include "sweep/words/diagnosis_text.h"
+#include "sweep/words/experiment_text.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -167,7 +168,7 @@ Json diagnosis_json(const Diagnosis& d, const Joint& before, const Joint& after)
     if (d.set) json["set"] = set_json(*d.set);
     Json separates = Json::array();
     for (const auto& [one, two] : d.next_experiment.separates) separates.push_back({one, two});
-    json["next_experiment"] = {{"description", d.next_experiment.description},
+    json["next_experiment"] = {{"description", motion_text(d.next_experiment.motion)},
                                {"file", d.next_experiment.reference.empty() ? "" : "next-experiment.csv"},
                                {"separates", separates},
                                {"distance", json_number(d.next_experiment.distance)}};

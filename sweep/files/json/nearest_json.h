@@ -1,6 +1,6 @@
 // The nearest boundary of a design or of margins in JSON.
 #pragma once
-#include "analysis/boundary/kinds/nearest.h"
+#include "analysis/results/boundary.h"
 
 #include <nlohmann/json_fwd.hpp>
 

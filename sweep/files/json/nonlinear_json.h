@@ -1,6 +1,6 @@
 // The nonlinear verdict as `stickslip evaluate --json` prints it: documented, stable names.
 #pragma once
-#include "analysis/simulation/attractor/nonlinear.h"
+#include "analysis/results/nonlinear_verdict.h"
 
 #include <nlohmann/json.hpp>
 

@@ -196,7 +196,7 @@ class Checks {
         const double travel = high - low,
                      limit = (motion_ == Motion::revolute ? many_turns : long_axis) * motor_per_joint();
         // degrees and radians alike make a motion that a joint can be fitted to; only someone who knows can tell
-        const std::string unit(unit_of(Quantity::position, motion_));
+        const std::string unit(unit_of(Quantity::position, Units(motion_)));
         if (travel > limit && !unit_named_ && !command_explained_)
             found_.push_back({"suspected " + std::string(foreign_unit()) + ": position travels " + rounded(travel) +
                                   " " + unit + "; position = { unit = \"" +

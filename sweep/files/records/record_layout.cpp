@@ -45,7 +45,7 @@ const std::vector<std::string> column_keys = names_of(record_column_keys, "recor
 class LayoutReader {
   public:
     LayoutReader(const Joint& joint, Complaints& complaints)
-        : joint_(joint), motion_(joint.mechanism.motion), complaints_(complaints)
+        : joint_(joint), units_(joint.mechanism.motion), complaints_(complaints)
     {
         for (const auto& s : signals()) names_.emplace_back(s.name);
     }
@@ -152,7 +152,7 @@ class LayoutReader {
         Unit conversion;
         column.unit_named = !unit.empty();
         if (!unit.empty()) {
-            const UnitReading reading = signal.any_unit ? parse_unit(unit) : unit_for(unit, signal.quantity, motion_);
+            const UnitReading reading = signal.any_unit ? parse_unit(unit) : unit_for(unit, signal.quantity, units_);
             if (!reading.error.empty())
                 complaints_.add(Place(table.get("unit")->source()).or_else(place), path + ".unit", reading.error);
             conversion = reading.unit;
@@ -168,7 +168,7 @@ class LayoutReader {
             if (!signal) continue;
             double value = 0;
             const std::string problem =
-                name == "time" ? "cannot be constant" : read_number(node, {name, signal->quantity}, motion_, value);
+                name == "time" ? "cannot be constant" : read_number(node, {name, signal->quantity}, units_, value);
             if (problem.empty())
                 rule.constants.emplace_back(name, value);
             else
@@ -187,7 +187,7 @@ class LayoutReader {
         }
         const auto leaf = find_leaf(joint_, name, change.place, path, complaints_);
         if (!leaf) return;
-        if (const auto value = read_value(*change.node, *leaf, motion_, change.place, path + "." + name, complaints_))
+        if (const auto value = read_value(*change.node, *leaf, units_, change.place, path + "." + name, complaints_))
             rule.overrides.emplace_back(name, *value);
     }
 
@@ -196,12 +196,12 @@ class LayoutReader {
     {
         const auto* node = table.get(key);
         if (!node) return;
-        const std::string problem = read_number(*node, field, motion_, value);
+        const std::string problem = read_number(*node, field, units_, value);
         if (!problem.empty()) complaints_.add(Place(node->source()), path + "." + key, problem);
     }
 
     Joint joint_;
-    Motion motion_;
+    Units units_;
     Complaints& complaints_;
     std::vector<std::string> names_;
 };

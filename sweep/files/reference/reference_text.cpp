@@ -21,7 +21,8 @@ constexpr std::string_view nothing = "–";
 /// "N/m (N·m/rad)": of prismatic joints, and of revolute ones where it differs.
 std::string units(Quantity quantity)
 {
-    const auto prismatic = unit_of(quantity, Motion::prismatic), revolute = unit_of(quantity, Motion::revolute);
+    const auto prismatic = unit_of(quantity, Units(Motion::prismatic)),
+               revolute = unit_of(quantity, Units(Motion::revolute));
     if (prismatic != revolute) return fmt::format("{} ({})", prismatic, revolute);
     return std::string(prismatic == "1" ? nothing : prismatic);
 }

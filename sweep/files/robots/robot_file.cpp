@@ -85,7 +85,7 @@ std::vector<double> read_pose(const Robot& robot, const std::filesystem::path& f
         const Motion motion = found->kind == RobotJointKind::hinge ? Motion::revolute : Motion::prismatic;
         const Field field{"position", Quantity::position};
         double& value = pose[static_cast<std::size_t>(found - robot.joints.begin())];
-        const auto problem = files::read_number(*node, field, motion, value);
+        const auto problem = files::read_number(*node, field, Units(motion), value);
         if (!problem.empty()) complaints.add(node->source(), name, problem);
     }
     complaints.throw_if_any();

@@ -22,7 +22,7 @@ std::string isaaclab_text(const ExportAnswer& a, const std::string& name)
         "        joint_names_expr=[\"{2}\"],\n"
         "        stiffness={3:.9g},{4}\n"
         "        damping={5:.9g},\n",
-        unit_of(Quantity::effort, j.motion), kind, name, j.k_p,
+        unit_of(Quantity::effort, Units(j.motion)), kind, name, j.k_p,
         j.ratio != 1 ? fmt::format("  # at the motor's shaft, times N² = {:.9g}", j.ratio * j.ratio) : "", j.k_v);
     if (j.armature > 0) text += fmt::format("        armature={:.9g},\n", j.armature);
     text += fmt::format(

@@ -89,7 +89,7 @@ Columns named(const std::vector<std::string_view>& header, std::string_view colu
         columns.time.index = time, columns.value.index = value;
     }
     columns.time.unit =
-        unit_of_column(header[columns.time.index], SeriesQuantity{Quantity::time, Motion::prismatic}, place);
+        unit_of_column(header[columns.time.index], SeriesQuantity{Quantity::time, Units(Motion::prismatic)}, place);
     columns.value.unit = unit_of_column(header[columns.value.index], quantity, place);
     return columns;
 }

@@ -77,7 +77,8 @@ std::vector<Moved> motions_of(const Options& options, std::vector<double>& time)
     std::vector<Moved> all;
     for (const auto& name : joints_of(options.table)) {
         const auto column = name + std::string(ending);
-        const auto series = read_series(options.table, column, SeriesQuantity{Quantity::number, Motion::revolute});
+        const auto series =
+            read_series(options.table, column, SeriesQuantity{Quantity::number, Units(Motion::revolute)});
         time = series.time;
         const double window = is_set(options.window) ? options.window : default_window(time);
         try {

@@ -1,6 +1,5 @@
 // stickslip boundary: where exactly the boundaries lie.
 #include "analysis/boundary/kinds/outside.h"
-#include "analysis/loop/loop_use.h"
 #include "analysis/simulation/set_point/set_point.h"
 #include "analysis/stability/verdict.h"
 #include "sweep/files/json/boundary_json.h"
@@ -16,7 +15,7 @@
 #include "sweep/program/verbs/stoppable.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/boundary_report.h"
-#include "sweep/report/pages/write_report.h"
+#include "sweep/report/write_report.h"
 #include "sweep/study/boundary_charts.h"
 #include "sweep/words/boundary_text.h"
 #include "sweep/words/verdict_text.h"
@@ -120,11 +119,7 @@ void print_curve(const FollowedBoundary& c)
 int locate(const BoundaryOptions& options, const Invocation& invocation)
 {
     auto asked = read_spec_or_joint(options.input, options.settings);
-    if (options.ideal_loop) {
-        say_left_out(asked.design);
-        asked.design = with_ideal_loop(asked.design);
-        asked.spec.joint = with_ideal_loop(asked.spec.joint);
-    }
+    if (options.ideal_loop) leave_loop_out(asked);
     say_no_sliding(options.input, options.settings, asked.design);
     const auto questions = boundary_questions(asked, options);
     const ThreadLimit limit(options.threads);

@@ -15,7 +15,7 @@
 #include "sweep/study/guarantee/order_statistic.h"
 #include "sweep/study/guarantee/own_cases.h"
 #include "sweep/words/guarantee_text.h"
-#include "sweep/words/not_fitted_text.h"
+#include "sweep/words/refusal_text.h"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 #include "sweep/program/verbs/shell_word.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/check_report.h"
-#include "sweep/report/pages/write_report.h"
+#include "sweep/report/write_report.h"
 
 #include <fmt/format.h>
 

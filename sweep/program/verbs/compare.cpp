@@ -6,7 +6,7 @@
 #include "sweep/program/verbs/diagnosis_verbs.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/report/pages/timeline_report.h"
-#include "sweep/report/pages/write_report.h"
+#include "sweep/report/write_report.h"
 #include "sweep/words/comparison_text.h"
 #include "sweep/words/verdict_text.h"
 

@@ -14,7 +14,7 @@
 #include "sweep/program/verbs/terminal.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/design_report.h"
-#include "sweep/report/pages/write_report.h"
+#include "sweep/report/write_report.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>

@@ -18,13 +18,15 @@
 #include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/verbs.h"
-#include "sweep/report/pages/diagnosis_first_screen.h"
 #include "sweep/report/pages/diagnosis_report.h"
 #include "sweep/report/pages/outcome_report.h"
-#include "sweep/report/pages/write_report.h"
+#include "sweep/report/write_report.h"
+#include "sweep/words/diagnosis_first_screen.h"
 #include "sweep/words/diagnosis_tables.h"
 #include "sweep/words/diagnosis_text.h"
 #include "sweep/words/guarantee_text.h"
+#include "sweep/words/outcome_text.h"
+#include "sweep/words/refusal_text.h"
 
 #include <fmt/format.h>
 #include <optional>
@@ -70,7 +72,7 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
             if (invocation.interrupted) throw gap::Interrupted();
         });
     } catch (const std::invalid_argument& e) {
-        throw BadInput(e.what());
+        throw BadInput(refusal_text(e));
     } catch (const gap::Interrupted&) {
         say("interrupted before the laws were ranked: no output\n");
         return exit_interrupted;
@@ -80,17 +82,21 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
     std::vector<Note> told;
     for (const auto& text : warnings) told.push_back({.text = text});
     d.notes.insert(d.notes.begin(), told.begin(), told.end());
-    d.next_experiment.description = next_outcome_text(answer);
+    const auto next = next_outcome_text(answer);
     remove_earlier(directory);
     auto json = diagnosis_json(d, joint, answer.after);
+    json["next_experiment"]["description"] = next;
     if (!answer.next.settings.empty()) {
         json["next_experiment"]["file"] = "next-outcome.csv";
         write_next_outcome(directory / "next-outcome.csv", answer);
     }
     write_whole(directory / "diagnosis.json", json.dump(2) + "\n");
-    if (!options.no_report)
-        write_report(outcome_report(answer, joint, {{"version", program_version()}, {"command", invocation.command}}),
-                     directory);
+    if (!options.no_report) {
+        const auto maps = answer.laws.empty() ? OutcomeMaps{} : outcome_maps(answer, joint);
+        write_report(
+            outcome_report(answer, maps, joint, {{"version", program_version()}, {"command", invocation.command}}),
+            directory);
+    }
     if (options.json) {
         fmt::print("{}\n", json.dump(2));
         return exit_code_of(d, false);
@@ -100,7 +106,7 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
     for (const auto& f : answer.laws)
         fmt::print("  {:<16} {:<18} probability {:.3f}  misjudges {} of {} held-out rows\n", f.rival->law,
                    f.rival->effect, f.posterior, f.misjudged, answer.outcomes.size());
-    if (!d.next_experiment.description.empty()) fmt::print("next: {}\n", d.next_experiment.description);
+    if (!next.empty()) fmt::print("next: {}\n", next);
     fmt::print("diagnosis: {}\n", (directory / "diagnosis.json").string());
     if (!options.no_report) fmt::print("report:    {}\n", (directory / "report.html").string());
     return exit_code_of(d, false);

@@ -14,9 +14,9 @@
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/stoppable.h"
 #include "sweep/report/pages/diagnosis_report.h"
-#include "sweep/report/pages/write_linked_report.h"
+#include "sweep/report/write_linked_report.h"
 #include "sweep/words/loop_text.h"
-#include "sweep/words/not_fitted_text.h"
+#include "sweep/words/refusal_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>

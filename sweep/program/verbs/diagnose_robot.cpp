@@ -12,7 +12,7 @@
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/say.h"
 #include "sweep/report/pages/robot_report.h"
-#include "sweep/report/pages/write_robot_report.h"
+#include "sweep/report/write_robot_report.h"
 #include "sweep/words/robot_text.h"
 
 #include <fmt/format.h>

@@ -28,7 +28,7 @@
 #include "sweep/report/figures/disturbance_figure.h"
 #include "sweep/report/pages/linear_report.h"
 #include "sweep/report/pages/load_section.h"
-#include "sweep/report/pages/write_report.h"
+#include "sweep/report/write_report.h"
 #include "sweep/study/open_verdict.h"
 #include "sweep/words/integral_text.h"
 #include "sweep/words/loop_text.h"

@@ -10,6 +10,7 @@
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/study/export/gap_left.h"
 #include "sweep/words/export_text.h"
+#include "sweep/words/refusal_text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -41,7 +42,7 @@ GapLeft left_on(const Options& options, const Joint& joint, const ExportOptions&
     try {
         return gap_left(joint, simulator_of(options.to), wanted, given.records, parallel_for_each);
     } catch (const std::invalid_argument& e) {
-        throw BadInput("--records: " + std::string(e.what()));
+        throw BadInput("--records: " + refusal_text(e));
     }
 }
 

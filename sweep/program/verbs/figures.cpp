@@ -2,7 +2,7 @@
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/figures_report.h"
-#include "sweep/report/pages/write_report.h"
+#include "sweep/report/write_report.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
@@ -42,10 +42,10 @@ int figures(const Options& options)
                            {"paper", n.printed},
                            {"computed", n.computed},
                            {"relative_difference", difference},
-                           {"unit", unit_of(n.quantity, Motion::prismatic)}});
+                           {"unit", unit_of(n.quantity, Units(Motion::prismatic))}});
         if (!options.json)
             fmt::print("{:<8} {:<66} {:>16.10g} {:>16.10g} {:<8} {:.1e}\n", n.equation, plain_text(n.statement),
-                       n.printed, n.computed, unit_of(n.quantity, Motion::prismatic), difference);
+                       n.printed, n.computed, unit_of(n.quantity, Units(Motion::prismatic)), difference);
     }
     if (options.json)
         fmt::print("{}\n",

@@ -15,4 +15,11 @@ void say_left_out(const Joint& described)
     say("note: {}\n", left_out_text(loop_use(summed), growth_rate(summed) < 0));
 }
 
+void leave_loop_out(Asked& asked)
+{
+    say_left_out(asked.design);
+    asked.design = with_ideal_loop(asked.design);
+    asked.spec.joint = with_ideal_loop(asked.spec.joint);
+}
+
 }  // namespace stickslip

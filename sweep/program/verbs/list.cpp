@@ -96,8 +96,8 @@ Json effect_list(bool with_parameters)
                 for (const auto& p : form.parameters)
                     entry["parameters"].push_back({{"name", std::string(effect.name) + "." + std::string(p.name)},
                                                    {"form", form.name},
-                                                   {"unit_prismatic", unit_of(p.quantity, Motion::prismatic)},
-                                                   {"unit_revolute", unit_of(p.quantity, Motion::revolute)},
+                                                   {"unit_prismatic", unit_of(p.quantity, Units(Motion::prismatic))},
+                                                   {"unit_revolute", unit_of(p.quantity, Units(Motion::revolute))},
                                                    {"help", p.help}});
             };
             std::ranges::for_each(effect.forms, list);

@@ -1,5 +1,4 @@
 // stickslip margins: how far a design is from its boundaries.
-#include "analysis/loop/loop_use.h"
 #include "analysis/stability/frequency_search.h"
 #include "sweep/files/json/margins_json.h"
 #include "sweep/files/text/bad_input.h"
@@ -13,7 +12,8 @@
 #include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/margins_report.h"
-#include "sweep/report/pages/write_report.h"
+#include "sweep/report/write_report.h"
+#include "sweep/study/robust_set.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
@@ -34,11 +34,7 @@ struct Options {
 MarginsAnswer answered(const Options& options, const std::string& command)
 {
     auto asked = read_spec_or_joint(options.input, options.settings);
-    if (options.ideal_loop) {
-        say_left_out(asked.design);
-        asked.design = with_ideal_loop(asked.design);
-        asked.spec.joint = with_ideal_loop(asked.spec.joint);
-    }
+    if (options.ideal_loop) leave_loop_out(asked);
     say_no_sliding(options.input, options.settings, asked.design);
     set_search_effort(options.effort);
     StageLine line("--effort 0.1 searches less", std::chrono::seconds(1));
@@ -66,7 +62,8 @@ MarginsAnswer answered(const Options& options, const std::string& command)
     }
     if (!options.directory.empty()) {
         line.stage("growth along each parameter");
-        answer.growth = growth_by_parameter(answer);  // only the page shows it
+        answer.growth = growth_by_parameter(answer);
+        if (answer.robust && answer.nominal) answer.robust_set = robust_set(answer);
     }
     return answer;
 }

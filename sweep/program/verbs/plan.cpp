@@ -8,7 +8,8 @@
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/verbs.h"
-#include "sweep/words/not_fitted_text.h"
+#include "sweep/words/experiment_text.h"
+#include "sweep/words/refusal_text.h"
 
 #include <fmt/format.h>
 
@@ -72,7 +73,7 @@ int run(const Options& options)
     Json json = {{"format", "stickslip-plan/1"}};
     json.update(power_json(answer.power));
     if (answer.better) {
-        json["better_motion"] = {{"description", answer.better->description}, {"file", "next-motion.csv"}};
+        json["better_motion"] = {{"description", motion_text(answer.better->kind)}, {"file", "next-motion.csv"}};
         json["better_motion"].update(power_json(answer.of_better));
     }
     if (!options.directory.empty()) {
@@ -86,7 +87,7 @@ int run(const Options& options)
         return exit_done;
     }
     print(answer.power);
-    if (answer.better) fmt::print("a motion that shows more: {} (next-motion.csv)\n", answer.better->description);
+    if (answer.better) fmt::print("a motion that shows more: {} (next-motion.csv)\n", motion_text(answer.better->kind));
     return exit_done;
 }
 

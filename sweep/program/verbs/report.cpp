@@ -10,7 +10,7 @@
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/compare_report.h"
 #include "sweep/report/pages/stability_report.h"
-#include "sweep/report/pages/write_report.h"
+#include "sweep/report/write_report.h"
 
 #include <fmt/format.h>
 
@@ -77,9 +77,9 @@ int draw_again(const std::string& directory, const std::string& date)
 
 int compare(const Options& options, const std::string& date)
 {
-    const auto before = read_run(options.directories[0], nullptr, date);
-    const auto after = read_run(options.directories[1], &before.spec.report, date);
-    const auto report = compare_report(before, after);
+    auto before = read_run(options.directories[0], nullptr, date);
+    auto after = read_run(options.directories[1], &before.spec.report, date);
+    const auto report = compare_report(compare_sweeps(std::move(before), std::move(after)));
     fmt::print("{}", terminal_summary(report));
     fmt::print("report:  {}\n", write_report(report, options.output).string());
     return exit_done;

@@ -17,7 +17,7 @@
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/record_report.h"
 #include "sweep/report/pages/trajectory_report.h"
-#include "sweep/report/pages/write_report.h"
+#include "sweep/report/write_report.h"
 #include "sweep/study/control_force.h"
 #include "sweep/words/detail_text.h"
 #include "sweep/words/loop_text.h"

@@ -18,7 +18,7 @@
 #include "sweep/program/verbs/timestamp.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/stability_report.h"
-#include "sweep/report/pages/write_report.h"
+#include "sweep/report/write_report.h"
 #include "sweep/study/evaluate.h"
 #include "sweep/words/verdict_text.h"
 

@@ -1,9 +1,7 @@
 #include "sweep/report/figures/compare_maps.h"
 
-#include "analysis/boundary/trace/locate.h"
 #include "analysis/results/text.h"
 #include "sweep/report/figures/map_figures.h"
-#include "sweep/study/map_answer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,27 +20,23 @@ bool sticks(Region region)
 }
 
 /// What both figures share: axes, boundaries, the design of the second run.
-FieldMap field_over(const Joint& before, const Slice& a, const Joint& after, const Slice& b)
+FieldMap field_over(const SweepComparison& c, const ComparedMap& compared)
 {
+    const auto &a = c.before.summary.slices[compared.slice], &b = c.after.summary.slices[compared.slice];
     FieldMap map;
-    map.units = units_of(after);
+    map.units = units_of(c.is.joint);
     const auto held = held_text(a.held, map.units), holds = held_text(b.held, map.units);
     map.fixed = held == holds ? holds : held + " before, " + holds + " after";
     map.x = b.x;
     map.y = b.y;
-    const auto add = [&](const Joint& joint, const Slice& slice, const char* name, bool dashed) {
-        auto curve = locate_over_chart(joint_at(joint, slice.held), slice.x, slice.y, Curve::Kind::state_variable);
-        if (!curve.x.empty()) map.lines.push_back({name, std::move(curve.x), std::move(curve.y), dashed});
+    const auto add = [&](const char* name, const Curve& curve, bool dashed) {
+        if (!curve.x.empty()) map.lines.push_back({name, curve.x, curve.y, dashed});
     };
-    add(before, a, "boundary before", true);
-    add(after, b, "boundary after", false);
-    const auto add_folds = [&](const Joint& joint, const Slice& slice, const char* name, bool dashed) {
-        for (auto& fold : large_disturbances(joint, slice).folds)
-            map.lines.push_back({name, std::move(fold.x), std::move(fold.y), dashed});
-    };
-    add_folds(before, a, "fold of limit cycles before", true);
-    add_folds(after, b, "fold of limit cycles after", false);
-    map.design = design_point(after, b);
+    add("boundary before", compared.before.boundary, true);
+    add("boundary after", compared.after.boundary, false);
+    for (const auto& fold : compared.before.folds) add("fold of limit cycles before", fold, true);
+    for (const auto& fold : compared.after.folds) add("fold of limit cycles after", fold, false);
+    map.design = compared.design;
     map.has_design = true;
     return map;
 }
@@ -116,9 +110,10 @@ std::array<double, changes> change_shares(const Slice& before, const Slice& afte
     return shares;
 }
 
-std::vector<Figure> change_figures(const Joint& before, const Slice& a, const Joint& after, const Slice& b)
+std::vector<Figure> change_figures(const SweepComparison& c, const ComparedMap& map)
 {
-    const FieldMap field = field_over(before, a, after, b);
+    const FieldMap field = field_over(c, map);
+    const auto &a = c.before.summary.slices[map.slice], &b = c.after.summary.slices[map.slice];
     return {class_figure(field, a, b), difference_figure(field, a, b)};
 }
 

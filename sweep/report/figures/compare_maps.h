@@ -1,7 +1,7 @@
 // Maps of the difference between two slices of one grid.
 #pragma once
 #include "analysis/results/report.h"
-#include "sweep/study/maps.h"
+#include "sweep/study/compare/compare_sweeps.h"
 
 #include <array>
 #include <string>
@@ -19,7 +19,7 @@ Change change_of(Region before, Region after);
 std::array<double, changes> change_shares(const Slice& before, const Slice& after);
 
 /// Two figures: what each point became, and by how much its decay changed. Both with the boundaries before (dashed) and
-/// after (solid). The slices have the same axes.
-std::vector<Figure> change_figures(const Joint& before, const Slice& a, const Joint& after, const Slice& b);
+/// after (solid).
+std::vector<Figure> change_figures(const SweepComparison& comparison, const ComparedMap& map);
 
 }  // namespace stickslip

@@ -1,7 +1,7 @@
 #include "sweep/report/figures/curve_margins.h"
 
-#include "analysis/boundary/trace/chart.h"
 #include "analysis/results/text.h"
+#include "analysis/results/unit_axis.h"
 #include "sweep/report/figures/map_figures.h"
 
 #include <algorithm>

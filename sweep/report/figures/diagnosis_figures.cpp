@@ -179,7 +179,7 @@ std::vector<double> thinned(const std::vector<double>& values, std::size_t strid
 
 std::vector<Figure> trace_figures(const Diagnosis& d)
 {
-    const std::string position(unit_of(Quantity::position, d.motion));
+    const std::string position(unit_of(Quantity::position, Units(d.motion)));
     std::vector<Figure> figures;
     int n = 0;
     for (const auto& trace : d.traces) {
@@ -222,7 +222,7 @@ std::vector<Figure> played_figures(const Diagnosis& d)
     DetailedChart chart;
     chart.title = "The record, measured and " + made(trace) + ": " + trace.file;
     chart.x_label = {"time", "s"};
-    chart.y_label = {"position", std::string(unit_of(Quantity::position, d.motion))};
+    chart.y_label = {"position", std::string(unit_of(Quantity::position, Units(d.motion)))};
     chart.played = true;
     chart.turns = d.motion == Motion::revolute;
     const auto three = [&](const std::vector<double>& measured, const std::vector<double>& before,
@@ -252,7 +252,7 @@ Figure experiment_figure(const Diagnosis& d)
     DetailedChart motion;
     motion.title = "Next experiment";
     motion.x_label = {"time", "s"};
-    motion.y_label = {"reference", std::string(unit_of(Quantity::position, d.motion))};
+    motion.y_label = {"reference", std::string(unit_of(Quantity::position, Units(d.motion)))};
     motion.lines = {{"reference", d.next_experiment.time, d.next_experiment.reference, false}};
     return {"next-experiment", motion, "The reference is beside the page as next-experiment.csv.",
             "Reference of the next experiment over time"};

@@ -12,11 +12,6 @@
 namespace stickslip {
 namespace {
 
-std::string stiffness(double k, Units units)
-{
-    return with_unit(k, Quantity::position_gain, units);
-}
-
 /// "10^{−12}" of 1e-12.
 std::string power_of_ten(double value)
 {

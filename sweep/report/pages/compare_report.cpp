@@ -1,13 +1,9 @@
 #include "sweep/report/pages/compare_report.h"
 
-#include "analysis/boundary/trace/locate.h"
 #include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
-#include "analysis/simulation/attractor/nonlinear.h"
-#include "analysis/stability/verdict.h"
 #include "sweep/report/figures/compare_maps.h"
 #include "sweep/report/pages/first_screen.h"
-#include "sweep/study/evaluate.h"
 #include "sweep/words/verdict_text.h"
 
 #include <algorithm>
@@ -77,23 +73,16 @@ std::vector<ComparedNumber> changed_parameters(Joint a, Joint b)
     return changed;
 }
 
-std::vector<ComparedNumber> boundary_numbers(const ComparedRun& before, const Joint& a, const Joint& b)
+std::vector<ComparedNumber> boundary_numbers(const SweepComparison& c)
 {
     std::vector<ComparedNumber> numbers;
-    for (const auto& axis : before.spec.axes) {
-        const auto then = margin_along(a, axis), now = margin_along(b, axis);
-        numbers.push_back({"nearest boundary along " + axis.name + " " + axis.symbol,
-                           then.found ? then.boundary : missing, now.found ? now.boundary : missing, axis.quantity});
+    const auto& axes = c.before.spec.axes;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        const auto &then = c.was.margins[i], &now = c.is.margins[i];
+        numbers.push_back({"nearest boundary along " + axes[i].name + " " + axes[i].symbol,
+                           then.found ? then.boundary : missing, now.found ? now.boundary : missing, axes[i].quantity});
     }
     return numbers;
-}
-
-/// What the design of a run is, the answer to large disturbances included where its points were simulated.
-Region region_of_design(const Spec& spec, const Joint& joint)
-{
-    PointResult row = linear_point(joint);
-    if (spec.nonlinear.enabled) write_nonlinear(nonlinear_verdict(joint, nonlinear_options(spec.nonlinear)), row);
-    return row.region;
 }
 
 /// How well off a design is, the worst first: the tone of a comparison follows whether that rises or falls.
@@ -153,49 +142,30 @@ bool nothing_changed(const std::vector<ComparedNumber>& numbers)
     });
 }
 
-bool same_values(const Slice& a, const Slice& b)
-{
-    const auto same = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
-    return a.region == b.region &&
-           std::equal(a.abscissa.begin(), a.abscissa.end(), b.abscissa.begin(), b.abscissa.end(), same);
-}
-
 }  // namespace
 
-bool same_grid(const ComparedRun& before, const ComparedRun& after)
-{
-    const auto &a = before.spec.axes, &b = after.spec.axes;
-    return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](const Axis& x, const Axis& y) {
-               return x.path == y.path && x.values == y.values;
-           });
-}
-
 // In one piece: a page from top to bottom: its sections in their order.
-Report compare_report(const ComparedRun& before, const ComparedRun& after)
+Report compare_report(const SweepComparison& c)
 {
-    const Joint a = design_joint(before.spec), b = design_joint(after.spec);
+    const auto &before = c.before, &after = c.after;
+    const Joint &a = c.was.joint, &b = c.is.joint;
     const Units units = units_of(b);
-    const auto then = linear_verdict(a), now = linear_verdict(b);
-    const auto boundaries = boundary_numbers(before, a, b);
-    const auto numbers = design_numbers(then, now);
-    const bool comparable = same_grid(before, after) && units_of(a) == units;
+    const auto boundaries = boundary_numbers(c);
+    const auto numbers = design_numbers(c.was.verdict, c.is.verdict);
 
     Report report;
     report.title = "What changed";
     report.subtitle = "before: " + before.name + " · after: " + after.name;
-    bool same_maps = comparable;
+    const bool same_maps = c.comparable && c.maps.empty();
     Section maps{"maps", "Maps of the difference", "", {}, {}};
     std::array<double, changes> shares{};
-    for (std::size_t i = 0; comparable && i < before.summary.slices.size() && i < after.summary.slices.size(); ++i) {
-        const auto &p = before.summary.slices[i], &q = after.summary.slices[i];
-        if (i == 0) shares = change_shares(p, q);
-        if (same_values(p, q)) continue;
-        same_maps = false;
-        for (auto& figure : change_figures(a, p, b, q)) maps.figures.push_back(std::move(figure));
-    }
+    const bool charts = c.comparable && !before.summary.slices.empty() && !after.summary.slices.empty();
+    if (charts) shares = change_shares(before.summary.slices[0], after.summary.slices[0]);
+    for (const auto& map : c.maps)
+        for (auto& figure : change_figures(c, map)) maps.figures.push_back(std::move(figure));
 
     const bool simulated = before.spec.nonlinear.enabled && after.spec.nonlinear.enabled;
-    const auto was = standing(region_of_design(before.spec, a)), is = standing(region_of_design(after.spec, b));
+    const auto was = standing(c.was.region), is = standing(c.is.region);
     const bool nothing = same_maps && nothing_changed(numbers) && nothing_changed(boundaries);
     report.verdict = nothing     ? "No change: boundaries, regions and numbers are equal."
                      : was != is ? "The design was " + verdict_words(was, simulated) + " and is " +
@@ -212,14 +182,14 @@ Report compare_report(const ComparedRun& before, const ComparedRun& after)
                                     "largest move of a boundary: " + moved->name + ", " +
                                         range_text(moved->before, moved->after, moved->quantity, units, from_to, 4)});
     }
-    if (comparable && !before.summary.slices.empty()) {
-        const auto share = [&](Change c) { return shares[static_cast<std::size_t>(c)]; };
+    if (c.comparable && !before.summary.slices.empty()) {
+        const auto share = [&](Change change) { return shares[static_cast<std::size_t>(change)]; };
         report.headlines.push_back({share(Change::became_smooth) > 0 ? Tone::good : Tone::neutral,
                                     percent(share(Change::became_smooth)), "of the first chart became smooth"});
         report.headlines.push_back({share(Change::became_stick_slip) > 0 ? Tone::bad : Tone::neutral,
                                     percent(share(Change::became_stick_slip)), "of the first chart became stick-slip"});
     }
-    if (!comparable)
+    if (!c.comparable)
         report.alerts.push_back(
             {Tone::warning, "The two sweeps have different axes: only their designs are compared."});
     if (!maps.figures.empty()) report.sections.push_back(std::move(maps));

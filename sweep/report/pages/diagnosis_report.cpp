@@ -5,11 +5,12 @@
 #include "sweep/report/figures/ladder_drawing.h"
 #include "sweep/report/figures/moved_boundary.h"
 #include "sweep/report/figures/where_drawing.h"
-#include "sweep/report/pages/diagnosis_first_screen.h"
 #include "sweep/report/pages/guarantee_card.h"
 #include "sweep/words/cause_text.h"
+#include "sweep/words/diagnosis_first_screen.h"
 #include "sweep/words/diagnosis_tables.h"
 #include "sweep/words/diagnosis_text.h"
+#include "sweep/words/experiment_text.h"
 
 #include <fmt/format.h>
 
@@ -45,7 +46,7 @@ Section next_section(const Diagnosis& d)
 {
     const auto& e = d.next_experiment;
     Section next{"next", "Next experiment", "", {}, {}};
-    if (e.description.empty() || e.separates.empty()) {
+    if (e.motion == TestMotion::none || e.separates.empty()) {
         next.text = d.verdict == Verdict::gap || d.verdict == Verdict::no_gap
                         ? "No causes remain to be distinguished."
                         : "No motion was found that would distinguish the named causes.";
@@ -57,17 +58,17 @@ Section next_section(const Diagnosis& d)
         next.text = fmt::format(
             "No motion that was tried would distinguish {} from {}: with the fitted parameters, even along {} they "
             "differ by only {:.1g} noise standard deviations. For a simulation either will do.",
-            one, two, e.description, e.distance);
+            one, two, motion_text(e.motion), e.distance);
         return next;
     }
-    next.text = fmt::format("Move along {}: there {} and {} differ by {}.", e.description, one, two,
+    next.text = fmt::format("Move along {}: there {} and {} differ by {}.", motion_text(e.motion), one, two,
                             e.distance > beyond_doubt ? std::string("more than a hundred noise standard deviations")
                                                       : fmt::format("{:.1f} noise standard deviations", e.distance));
     if (!e.reference.empty()) {
         next.text +=
             " The reference is next-experiment.csv beside this page: continuous, from rest to rest, within the "
             "stroke and the speed that the records show; its acceleration is given below. " +
-            reach_text(e, d.motion);
+            reach_text(e, Units(d.motion));
         next.figures.push_back(experiment_figure(d));
     }
     return next;
@@ -85,7 +86,7 @@ Diagnosis in_units_of_the_record(Diagnosis d)
         {Quantity::effort, ""}, {Quantity::damping, "·s/" + per}, {Quantity::stiffness, "/" + per}};
     const auto as_logged = [&](std::string& unit) {
         for (const auto& [quantity, rest] : units)
-            if (unit == unit_of(quantity, d.motion)) {
+            if (unit == unit_of(quantity, Units(d.motion))) {
                 unit = "as logged" + rest;
                 return;
             }

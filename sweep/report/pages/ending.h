@@ -1,8 +1,8 @@
 // Where a motion ends, in words and numbers for a reader who does not know the code's names.
 #pragma once
 #include "analysis/joint/joint.h"
+#include "analysis/results/nonlinear_verdict.h"
 #include "analysis/results/report.h"
-#include "analysis/simulation/attractor/nonlinear.h"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,5 @@
 // Figs. 1-3 of the paper.
 #include "analysis/friction/imposed_velocity.h"
-#include "analysis/numerics/maximum.h"
 #include "analysis/results/text.h"
 #include "sweep/report/pages/figures_report.h"
 #include "sweep/words/line_figure.h"
@@ -11,7 +10,6 @@
 namespace stickslip {
 namespace {
 
-constexpr auto prismatic = Motion::prismatic;
 const AxisName velocity_label{"velocity V", "m/s"}, force_label{"friction f", "N"};
 
 /// A curve over −V … V and its set-valued point at rest.
@@ -56,7 +54,7 @@ Figure stribeck()
         curve_chart("Fig. 1b: the friction-velocity curve of lubricated hard materials",
                     "c_{0} = 10 N, c_{1} = 30 N·s/m, c_{2} = 5 N, c_{3} = 10 mm/s, c_{4} = 2", friction, 0.1, 15);
     // where f_{ss}' vanishes: c_{1} = (2 c_{2} V/c_{3}²) e^{−(V/c_{3})²}
-    const double end_of_A = maximiser([&](double V) { return -steady_force(friction, V); }, 0.01, 0.05);
+    const double end_of_A = end_of_falling_friction(friction, 0.01, 0.05);
     chart.x_marks = {{"end of range A", end_of_A}};
     return line_figure(
         "fig-1b", std::move(chart),

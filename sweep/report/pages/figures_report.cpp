@@ -51,11 +51,11 @@ Section models_section()
         std::string gains;
         for (const auto& i : verdict.state_variable.stable_intervals)
             gains += (gains.empty() ? "" : ", ") +
-                     range_text(i.low, i.high, Quantity::stiffness, Motion::prismatic, low_to_high, 4);
+                     range_text(i.low, i.high, Quantity::stiffness, Units(Motion::prismatic), low_to_high, 4);
         table.rows.push_back(
-            {model.id, model.title, with_unit(model.joint.control.k_p, Quantity::stiffness, Motion::prismatic),
+            {model.id, model.title, with_unit(model.joint.control.k_p, Quantity::stiffness, Units(Motion::prismatic)),
              gains.empty() ? "none" : gains,
-             with_unit(verdict.state_variable.spectral_abscissa, Quantity::rate, Motion::prismatic, 4)});
+             with_unit(verdict.state_variable.spectral_abscissa, Quantity::rate, Units(Motion::prismatic), 4)});
     }
     section.tables.push_back(std::move(table));
     return section;
@@ -67,27 +67,13 @@ Table numbers_table()
     table.title = "The paper's formulas beside what the program computes another way";
     table.columns = {"equation", "statement", "paper", "computed", "relative difference"};
     for (const auto& n : paper_numbers())
-        table.rows.push_back({n.equation, n.statement, with_unit(n.printed, n.quantity, Motion::prismatic, 9),
-                              with_unit(n.computed, n.quantity, Motion::prismatic, 9),
+        table.rows.push_back({n.equation, n.statement, with_unit(n.printed, n.quantity, Units(Motion::prismatic), 9),
+                              with_unit(n.computed, n.quantity, Units(Motion::prismatic), 9),
                               plain_number(std::abs(n.computed / n.printed - 1), 2)});
     return table;
 }
 
 }  // namespace
-
-Joint paper_joint()
-{
-    Joint joint;
-    joint.mechanism.inertia = 1;
-    joint.control.k_p = 2e4;
-    joint.control.V0 = 1e-3;
-    RateAndState law;
-    law.f0 = 60, law.A = 1, law.V_star = 1e-3;
-    law.B.push_back(1.5);
-    law.L.push_back(1e-5);
-    joint.friction.law = law;
-    return joint;
-}
 
 std::vector<PaperModel> paper_models()
 {
@@ -126,9 +112,9 @@ Report figures_report()
         {report.tone, std::to_string(met) + " of " + std::to_string(numbers.size()),
          "statements of the paper that the program meets another way, to a relative difference below " +
              plain_number(figure_tolerance, 1) + "; largest: " + plain_number(worst, 1)},
-        {Headline::Tone::neutral, with_unit(verdict.state_variable.k_cr, Quantity::stiffness, Motion::prismatic),
+        {Headline::Tone::neutral, with_unit(verdict.state_variable.k_cr, Quantity::stiffness, Units(Motion::prismatic)),
          "critical position gain (35) of the joint that the figures are about: above, it slides without any k_{v}"},
-        {Headline::Tone::neutral, with_unit(verdict.velocity_only.k_v_min, Quantity::damping, Motion::prismatic),
+        {Headline::Tone::neutral, with_unit(verdict.velocity_only.k_v_min, Quantity::damping, Units(Motion::prismatic)),
          "velocity gain (21) that the velocity-only model requires of it, whatever its k_{p}"}};
     report.sections.push_back(friction_figures());
     report.sections.push_back(models_section());

@@ -17,7 +17,7 @@
 namespace stickslip {
 namespace {
 
-constexpr auto prismatic = Motion::prismatic;
+constexpr Units prismatic(Motion::prismatic);
 
 Figure regions()
 {
@@ -82,7 +82,7 @@ Figure crossing_condition()
 
 Figure locus()
 {
-    Figure figure = loop_figures(sampled_root_locus(paper_joint(), 1e3, 1e7), Motion::prismatic).front();
+    Figure figure = loop_figures(sampled_root_locus(paper_joint(), 1e3, 1e7), prismatic).front();
     std::get<DetailedChart>(figure.picture).title = "Root locus over k_{p} at k_{v} = 0 (§4)";
     figure.finding =
         "As k_{p} grows, two real growing roots meet, turn into a pair and cross the imaginary axis at "

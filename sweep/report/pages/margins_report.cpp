@@ -97,7 +97,7 @@ Report margins_report(const MarginsAnswer& a)
                                                   : Headline::Tone::bad;
     if (a.nearest.decided) add_headlines(report, a);
     Section section{"margins", "Margins", "", {}, {alone_table(a)}};
-    if (a.robust && a.nominal) section.figures.push_back(robust_figure(a));
+    if (a.robust_set) section.figures.push_back(robust_figure(a));
     if (a.growth) section.figures.push_back(growth_figure(a));
     report.sections.push_back(std::move(section));
     report.not_checked = {

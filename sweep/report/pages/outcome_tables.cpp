@@ -2,6 +2,7 @@
 
 #include "analysis/results/text.h"
 #include "sweep/words/diagnosis_tables.h"
+#include "sweep/words/outcome_text.h"
 
 #include <fmt/format.h>
 
@@ -11,11 +12,6 @@ namespace stickslip {
 
 using gap::LawFit;
 using gap::OutcomeAnswer;
-
-std::string key_of(const std::string& path)
-{
-    return path.substr(path.rfind('.') + 1);
-}
 
 Table laws_table(const OutcomeAnswer& a)
 {
@@ -43,7 +39,7 @@ Table numbers_table(const OutcomeAnswer& a)
         const bool determined = f.standard_error[i] < 2 * std::abs(f.values[i]);
         t.rows.push_back({std::string(f.rival->numbers[i].name), fmt::format("{:.4g}", f.values[i]),
                           determined ? fmt::format("{:.2g}", f.standard_error[i]) : "not determined by these rows",
-                          std::string(unit_of(f.rival->numbers[i].quantity, a.diagnosis.motion))});
+                          std::string(unit_of(f.rival->numbers[i].quantity, Units(a.diagnosis.motion)))});
     }
     return t;
 }

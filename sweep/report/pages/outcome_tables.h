@@ -1,14 +1,9 @@
 // The tables of a page about measured outcomes. Internal to sweep/report/pages.
 #pragma once
-#include "analysis/diagnosis/outcomes/explain.h"
 #include "analysis/results/report.h"
-
-#include <string>
+#include "sweep/study/outcome_answer.h"
 
 namespace stickslip {
-
-/// "k_p" of "control.k_p".
-std::string key_of(const std::string& path);
 
 Table laws_table(const gap::OutcomeAnswer& answer);
 Table numbers_table(const gap::OutcomeAnswer& answer);

@@ -1,10 +1,9 @@
 // The page of one simulated motion: time series, phase portrait, friction-velocity loop.
 #pragma once
 #include "analysis/joint/joint.h"
+#include "analysis/results/nonlinear_verdict.h"
 #include "analysis/results/report.h"
 #include "analysis/results/trajectory.h"
-#include "analysis/simulation/attractor/nonlinear.h"
-#include "analysis/simulation/simulate.h"
 #include "sweep/report/figures/disturbance_figure.h"
 
 #include <optional>

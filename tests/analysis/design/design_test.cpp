@@ -2,6 +2,7 @@
 #include "analysis/design/design.h"
 #include "analysis/boundary/kinds/nearest.h"
 #include "tests/analysis/simulation/joints.h"
+#include "tests/in_order.h"
 
 #include <catch2/catch.hpp>
 
@@ -10,10 +11,6 @@
 using namespace stickslip;
 
 namespace {
-
-const ParallelFor one_by_one = [](std::size_t n, const std::function<void(std::size_t)>& task) {
-    for (std::size_t i = 0; i < n; ++i) task(i);
-};
 
 /// A mass on a spring and a damper, no memory.
 LinearJoint plain(double m, double c, double k)
@@ -85,10 +82,10 @@ TEST_CASE("a quiet velocity and a noisy position choose velocity feedback, and t
     r.objective = DesignObjective::effort;
     r.margin = 0.2;
     r.noise.position = 1e-9, r.noise.velocity = 1e-3;
-    const auto by_position = design_gains(joint, r, one_by_one);
+    const auto by_position = design_gains(joint, r, test::in_order);
     REQUIRE(by_position.feasible);
     r.noise.position = 1e-3, r.noise.velocity = 1e-9;
-    const auto by_velocity = design_gains(joint, r, one_by_one);
+    const auto by_velocity = design_gains(joint, r, test::in_order);
     REQUIRE(by_velocity.feasible);
     CHECK(by_position.best.k_v < 1);
     CHECK(by_position.best.k_p > 5e4);
@@ -110,7 +107,7 @@ TEST_CASE("with position feedback alone the optimum stands on the demanded margi
     r.objective = DesignObjective::effort;
     r.margin = 0.2;
     r.noise.velocity = 1e3;  // a useless sensor
-    const auto d = design_gains(joint, r, one_by_one);
+    const auto d = design_gains(joint, r, test::in_order);
     REQUIRE(d.feasible);
     CHECK(d.best.k_p == Approx(5e4 * std::exp(0.2 * std::sqrt(2.0))).epsilon(2e-3));
     CHECK(d.best.cost == Approx(1e-6 * d.best.k_p).epsilon(1e-2));
@@ -128,7 +125,7 @@ TEST_CASE("a demand that cannot be met is named with what could be", "[design]")
     r.noise.velocity = 1e3;
     // f_ss = 60 N and 3 σ_x k_p ≥ 3·1e-6·5e4·e^{0.2√2} = 0.199 N
     r.effort_limit = 60.1;
-    const auto d = design_gains(joint, r, one_by_one);
+    const auto d = design_gains(joint, r, test::in_order);
     CHECK_FALSE(d.feasible);
     REQUIRE(d.demands.size() == 2);
     CHECK(d.demands[1].name == "effort_limit");
@@ -149,7 +146,7 @@ TEST_CASE("a front holds no choice that another one beats in both", "[design][sl
     r.effort_limit = 80, r.margin = 1, r.least_velocity = 1e-9, r.k_p_low = 2e4;
     r.front_points = 12;  // of seven none is beaten; of twelve some are, before they are searched again
     r.uncertain = {{"friction.L", "", 0.2}, {"friction.B", "friction.A", 0.1}, {"friction.A", "", 0.1}};
-    const auto d = design_gains(example_joint(6e4, 10, 1e-3), r, one_by_one);
+    const auto d = design_gains(example_joint(6e4, 10, 1e-3), r, test::in_order);
     REQUIRE(d.feasible);
     REQUIRE(d.front.size() >= 4);
     for (std::size_t i = 1; i < d.front.size(); ++i) {
@@ -168,7 +165,7 @@ TEST_CASE("a design under a sampled loop holds in that loop, and no gains of a g
     r.noise.position = 2e-7, r.noise.period = 1e-3, r.noise.filter = 2e-3;
     r.margin = 0.1, r.k_p_low = 2e4, r.k_p_high = 1e6;
     r.front_points = 2;
-    const auto d = design_gains(joint, r, one_by_one);
+    const auto d = design_gains(joint, r, test::in_order);
     REQUIRE(d.feasible);
     Joint best = joint;
     best.control.k_p = d.best.k_p, best.control.k_v = d.best.k_v;
@@ -191,7 +188,7 @@ TEST_CASE("a design under a sampled loop holds in that loop, and no gains of a g
     CHECK(held > 2);
     // the loop's own reading is the one that is noisy
     r.noise.period = 2e-3;
-    CHECK_THROWS_AS(design_gains(joint, r, one_by_one), std::invalid_argument);
+    CHECK_THROWS_AS(design_gains(joint, r, test::in_order), std::invalid_argument);
 }
 
 TEST_CASE("a margin beyond a factor of ten is looked for as far as it is demanded", "[design][slow]")
@@ -203,7 +200,7 @@ TEST_CASE("a margin beyond a factor of ten is looked for as far as it is demande
     r.objective = DesignObjective::effort;
     r.margin = 4;
     r.noise.velocity = 1e3;
-    const auto d = design_gains(joint, r, one_by_one);
+    const auto d = design_gains(joint, r, test::in_order);
     REQUIRE(d.feasible);
     CHECK(d.best.k_p == Approx(5e4 * std::exp(4 * std::sqrt(2.0))).epsilon(2e-2));
     CHECK(d.margin_reach > 4);
@@ -212,7 +209,7 @@ TEST_CASE("a margin beyond a factor of ten is looked for as far as it is demande
 TEST_CASE("noise beyond all numbers is answered at once, as no feasible design", "[design][slow]")
 {
     auto r = noisy(1e300);
-    const auto d = design_gains(example_joint(6e4, 10, 1e-3), r, one_by_one);
+    const auto d = design_gains(example_joint(6e4, 10, 1e-3), r, test::in_order);
     CHECK(d.decided);
     CHECK_FALSE(d.feasible);
     CHECK_FALSE(std::isfinite(d.best.cost));
@@ -221,11 +218,11 @@ TEST_CASE("noise beyond all numbers is answered at once, as no feasible design",
 TEST_CASE("requirements that mean nothing are refused", "[design]")
 {
     const Joint joint = example_joint(6e4, 0, 1e-3);
-    CHECK_THROWS_AS(design_gains(joint, Requirements{}, one_by_one), std::invalid_argument);
+    CHECK_THROWS_AS(design_gains(joint, Requirements{}, test::in_order), std::invalid_argument);
     auto r = noisy();
     r.k_p_low = 2, r.k_p_high = 1;
-    CHECK_THROWS_AS(design_gains(joint, r, one_by_one), std::invalid_argument);
+    CHECK_THROWS_AS(design_gains(joint, r, test::in_order), std::invalid_argument);
     r = noisy();
     r.least_velocity = 2e-3;  // twice the commanded one
-    CHECK_THROWS_AS(design_gains(joint, r, one_by_one), std::invalid_argument);
+    CHECK_THROWS_AS(design_gains(joint, r, test::in_order), std::invalid_argument);
 }

@@ -2,6 +2,7 @@
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/fit/jumps.h"
 #include "analysis/diagnosis/search/attribute.h"
+#include "tests/analysis/diagnosis/record_rows.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 
 #include <catch2/catch.hpp>
@@ -256,12 +257,8 @@ TEST_CASE("of a log at every second tick and without a reference the commands be
     m.step_time = GENERATE(2.000, 2.001);  // with a row, and between two rows
     CAPTURE(m.step, m.step_time);
     const Record whole = test::record_of(m, 1, 4);
-    Record half;
-    half.name = "half";
-    for (std::size_t k = 0; k < whole.rows(); k += 2) {
-        half.time.push_back(whole.time[k]), half.position.push_back(whole.position[k]);
-        half.velocity.push_back(whole.velocity[k]), half.effort_command.push_back(whole.effort_command[k]);
-    }
+    Record half = test::every_nth_row(whole, 2);
+    half.reference_position.clear(), half.reference_velocity.clear();
     Joint joint = test::nominal_joint();
     joint.control.effort_limit = m.command_limit;
     std::vector<Note> notes;
@@ -347,13 +344,9 @@ TEST_CASE("velocities at every second tick tell the filter by the grid on which 
     if (at_rest) m.amplitude = 0, m.step = 0.02, m.step_time = 2.9, m.noise = 0;
     if (fine) m.quantum = 1e-6;
     const Record whole = test::record_of(m, 1, 3.5);
-    Record half;
-    half.name = "half";
-    for (std::size_t k = 0; k < whole.rows(); k += 2) {
-        const double rounding = k % 4 ? 5e-6 : 0;  // of the time column
-        half.time.push_back(whole.time[k] + rounding), half.position.push_back(whole.position[k]);
-        half.velocity.push_back(whole.velocity[k]), half.reference_position.push_back(whole.reference_position[k]);
-    }
+    Record half = test::every_nth_row(whole, 2);
+    half.reference_velocity.clear(), half.effort_command.clear();
+    for (std::size_t k = 1; k < half.rows(); k += 2) half.time[k] += 5e-6;  // rounding of the time column
     Joint joint = test::nominal_joint();
     joint.sensor.encoder_quantum = m.quantum;
     std::vector<Note> notes;
@@ -368,13 +361,11 @@ TEST_CASE("velocities at every second tick tell the filter by the grid on which 
 TEST_CASE("readings between rows are interpolated where the velocities follow no filter", "[gap]")
 {
     const Record whole = test::record_of({}, 1, 3);
-    Record half;
-    half.name = "half";
+    Record half = test::every_nth_row(whole, 2);
+    half.reference_velocity.clear(), half.effort_command.clear();
     for (std::size_t k = 0; k < whole.rows(); k += 2) {
         const std::size_t a = k > 3 ? k - 4 : 0, b = std::min(k + 4, whole.rows() - 1);
-        half.time.push_back(whole.time[k]), half.position.push_back(whole.position[k]);
-        half.velocity.push_back((whole.position[b] - whole.position[a]) / (whole.time[b] - whole.time[a]));
-        half.reference_position.push_back(whole.reference_position[k]);
+        half.velocity[k / 2] = (whole.position[b] - whole.position[a]) / (whole.time[b] - whole.time[a]);
     }
     std::vector<Note> notes;
     std::vector<Case> cases{prepare(half, test::nominal_joint(), notes)};

@@ -5,6 +5,7 @@
 #include "analysis/diagnosis/verdict/experiment.h"
 #include "analysis/diagnosis/verdict/judge_ladder.h"
 #include "tests/analysis/diagnosis/small_machine.h"
+#include "tests/in_order.h"
 
 #include <catch2/catch.hpp>
 
@@ -16,10 +17,6 @@ using namespace stickslip::gap;
 using stickslip::test::Machine;
 
 namespace {
-
-const ParallelFor in_order = [](std::size_t n, const std::function<void(std::size_t)>& task) {
-    for (std::size_t i = 0; i < n; ++i) task(i);
-};
 
 /// A ladder over two records of a machine, to be climbed with these causes.
 struct Search {
@@ -50,7 +47,7 @@ struct Search {
         for (const char* name : causes) {
             singles.push_back(single(name));
         }
-        search = std::make_unique<LadderSearch>(cases, scales, singles, policy::ladder, in_order);
+        search = std::make_unique<LadderSearch>(cases, scales, singles, policy::ladder, test::in_order);
     }
     /// A cause of the catalogue in its first form, "stribeck", or in the one behind a colon.
     Attribution single(std::string_view cause) const
@@ -68,7 +65,7 @@ struct Search {
     {
         JudgedLadder j;
         j.ladder = std::move(ladder);
-        judge(j, search->data(), scales, nominal, in_order);
+        judge(j, search->data(), scales, nominal, test::in_order);
         return j;
     }
 };

@@ -5,6 +5,7 @@
 #include "analysis/diagnosis/verdict/locate.h"
 #include "tests/analysis/diagnosis/answers.h"
 #include "tests/analysis/diagnosis/small_machine.h"
+#include "tests/in_order.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -17,11 +18,6 @@ using stickslip::test::nominal_joint;
 using stickslip::test::record_of;
 
 namespace {
-
-void in_order(std::size_t n, const std::function<void(std::size_t)>& task)
-{
-    for (std::size_t i = 0; i < n; ++i) task(i);
-}
 
 void backwards(std::size_t n, const std::function<void(std::size_t)>& task)
 {
@@ -133,7 +129,7 @@ TEST_CASE("the audit reads a wrong gain and a wrong filter off the command, to a
 
 TEST_CASE("a machine that is its document has no gap", "[gap]")
 {
-    const auto result = test::answer(nominal_joint(), records_of({}), in_order);
+    const auto result = test::answer(nominal_joint(), records_of({}), test::in_order);
     CHECK(result.diagnosis.verdict == Verdict::no_gap);
     CHECK(result.diagnosis.effects.empty());
     CHECK(std::isnan(result.diagnosis.ceiling.share));  // there is nothing to explain
@@ -145,7 +141,7 @@ TEST_CASE("what is explainable beside a wrong gain is measured, and the gain is 
     m.k_p *= 1.07;
     DiagnosisOptions options;
     options.ensemble = 4;
-    const auto d = test::answer(nominal_joint(), records_of(m), in_order, options).diagnosis;
+    const auto d = test::answer(nominal_joint(), records_of(m), test::in_order, options).diagnosis;
     REQUIRE(d.verdict == Verdict::gap);
     REQUIRE(d.ladder.size() == 1);
     CHECK(d.effects[0].names == std::vector<std::string>{"gain-k_p"});
@@ -163,7 +159,7 @@ TEST_CASE("more friction is named, sized and halves nothing but the gap; the ord
     m.coulomb = 2.3;
     DiagnosisOptions options;
     options.ensemble = 4;
-    const auto result = test::answer(nominal_joint(), records_of(m), in_order, options);
+    const auto result = test::answer(nominal_joint(), records_of(m), test::in_order, options);
     const auto& d = result.diagnosis;
     REQUIRE(d.verdict == Verdict::gap);
     REQUIRE(!d.effects.empty());
@@ -188,7 +184,7 @@ TEST_CASE("an interrupted diagnosis says what was not looked at, keeps what was 
         options.progress = [&](const std::string& stage, double) { stop = stop || stage == last; };
         const auto run = [&](std::size_t n, const std::function<void(std::size_t)>& task) {
             if (stop) throw Interrupted();
-            in_order(n, task);
+            test::in_order(n, task);
         };
         return test::answer(nominal_joint(), records_of(m), run, options).diagnosis;
     };
@@ -218,7 +214,7 @@ TEST_CASE("a wrong filter of the controller is the cause, and not the few per ce
     m.inertia = 1.2 * 1.04, m.coulomb = 2 * 0.96;
     DiagnosisOptions options;
     options.ensemble = 4;
-    const auto d = test::answer(nominal_joint(), records_of(m), in_order, options).diagnosis;
+    const auto d = test::answer(nominal_joint(), records_of(m), test::in_order, options).diagnosis;
     REQUIRE(d.verdict == Verdict::gap);
     REQUIRE(!d.effects.empty());
     CHECK(d.effects[0].names == std::vector<std::string>{"velocity-filter"});
@@ -232,21 +228,21 @@ TEST_CASE("records that say nothing are answered with insufficient-data or refus
 {
     Record still = record_of({}, 1, 1);
     std::fill(still.position.begin(), still.position.end(), 0.5);
-    CHECK(test::answer(nominal_joint(), {still}, in_order).diagnosis.verdict == Verdict::insufficient_data);
+    CHECK(test::answer(nominal_joint(), {still}, test::in_order).diagnosis.verdict == Verdict::insufficient_data);
 
     Record backwards_in_time = record_of({}, 1, 1);
     std::swap(backwards_in_time.time[10], backwards_in_time.time[11]);
-    CHECK_THROWS_AS(diagnose(nominal_joint(), {backwards_in_time}, in_order), std::invalid_argument);
+    CHECK_THROWS_AS(diagnose(nominal_joint(), {backwards_in_time}, test::in_order), std::invalid_argument);
 
     Record ten = record_of({}, 1, 0.01);
-    CHECK(test::answer(nominal_joint(), {ten}, in_order).diagnosis.verdict == Verdict::insufficient_data);
+    CHECK(test::answer(nominal_joint(), {ten}, test::in_order).diagnosis.verdict == Verdict::insufficient_data);
 }
 
 TEST_CASE("a record in which nothing of the controller is as documented is suspected to be another joint's", "[gap]")
 {
     Machine other;
     other.k_p = 1300, other.k_v = 55, other.tau = 0.006;
-    const auto d = test::answer(nominal_joint(), {record_of(other, 1)}, in_order).diagnosis;
+    const auto d = test::answer(nominal_joint(), {record_of(other, 1)}, test::in_order).diagnosis;
     CHECK(d.verdict == Verdict::insufficient_data);
     REQUIRE(d.reasons.size() == 1);
     CHECK(d.reasons[0].code == Note::Code::another_joint);
@@ -265,7 +261,7 @@ TEST_CASE("a load with hysteresis is no cause of the catalogue, also where the d
     m.amplitude = 10, m.bellows = 3, m.bellows_play = 0.12;
     DiagnosisOptions options;
     options.ensemble = 4;
-    const auto d = test::answer(nominal_joint(), records_of(m), in_order, options).diagnosis;
+    const auto d = test::answer(nominal_joint(), records_of(m), test::in_order, options).diagnosis;
     CHECK(d.verdict == Verdict::unknown);
     CHECK(std::ranges::any_of(d.reasons, [](const Note& note) { return note.code == Note::Code::nearer_force; }));
 }
@@ -278,7 +274,7 @@ TEST_CASE("a number of the document that takes as much as the cause beside it is
         m.gravity = 0.4, m.amplitude = 3;
         DiagnosisOptions options;
         options.ensemble = 4;
-        return test::answer(nominal_joint(), records_of(m), in_order, options).diagnosis;
+        return test::answer(nominal_joint(), records_of(m), test::in_order, options).diagnosis;
     };
     const auto is_correction = [](const Diagnosis& d) {
         return std::ranges::any_of(d.corrections, [](const Correction& c) { return c.name == "inertia"; });
@@ -312,7 +308,7 @@ TEST_CASE("a document that is usually off needs no cause, even where one explain
     m.inertia = 1.2 * 0.98, m.coulomb = 2 * 0.98, m.viscous = 1.5 * 0.98;  // what a scale of 1.02 explains, too
     DiagnosisOptions options;
     options.ensemble = 4;
-    const auto d = test::answer(nominal_joint(), records_of(m), in_order, options).diagnosis;
+    const auto d = test::answer(nominal_joint(), records_of(m), test::in_order, options).diagnosis;
     for (const auto& cause : d.effects) UNSCOPED_INFO(cause.names[0] << " " << cause.probability);
     REQUIRE(d.verdict == Verdict::gap);
     const std::set<std::string> numbers{"inertia", "coulomb-level", "viscous", "constant-load"};
@@ -328,7 +324,7 @@ TEST_CASE("an inertia that changes on the way is no document that is off", "[gap
     m.picked_up = 0.3, m.picked_up_at = 2, m.amplitude = 3;
     DiagnosisOptions options;
     options.ensemble = 4;
-    const auto d = test::answer(nominal_joint(), records_of(m), in_order, options).diagnosis;
+    const auto d = test::answer(nominal_joint(), records_of(m), test::in_order, options).diagnosis;
     for (const auto& note : d.reasons) UNSCOPED_INFO(name_of(note.code));
     CHECK(d.verdict == Verdict::unknown);
     CHECK(std::ranges::any_of(d.reasons, [](const Note& note) { return note.signal == "inertia"; }));
@@ -345,7 +341,7 @@ TEST_CASE("a limit of the integral that no document tells is found without a log
     documented.control.k_i = m.k_i;
     DiagnosisOptions options;
     options.ensemble = 4;
-    const auto d = test::answer(documented, records, in_order, options).diagnosis;
+    const auto d = test::answer(documented, records, test::in_order, options).diagnosis;
     REQUIRE(d.verdict == Verdict::gap);
     REQUIRE(d.effects.at(0).names == std::vector<std::string>{"gain-k_i"});
     REQUIRE(d.effects[0].parameters[0].name == "gain-k_i.integral_limit");
@@ -360,7 +356,7 @@ TEST_CASE("a dead zone that no document tells is found without a logged command,
     for (auto& r : records) r.effort_command.clear();
     DiagnosisOptions options;
     options.ensemble = 4;
-    const auto d = test::answer(nominal_joint(), records, in_order, options).diagnosis;
+    const auto d = test::answer(nominal_joint(), records, test::in_order, options).diagnosis;
     REQUIRE(d.verdict == Verdict::gap);
     REQUIRE(d.effects[0].names == std::vector<std::string>{"dead-zone"});
     CHECK(d.effects[0].parameters[0].value == Approx(m.dead_zone).epsilon(0.02));

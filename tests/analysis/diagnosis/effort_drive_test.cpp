@@ -4,6 +4,7 @@
 #include "analysis/diagnosis/policy/policy.h"
 #include "tests/analysis/diagnosis/answers.h"
 #include "tests/analysis/diagnosis/small_machine.h"
+#include "tests/in_order.h"
 
 #include <catch2/catch.hpp>
 
@@ -14,11 +15,6 @@ using namespace stickslip::gap;
 using test::Machine;
 
 namespace {
-
-void one_after_another(std::size_t count, const std::function<void(std::size_t)>& task)
-{
-    for (std::size_t i = 0; i < count; ++i) task(i);
-}
 
 /// What a bus of joint states holds: no command, and of the controller nothing.
 Record without_command(const Machine& m, unsigned seed, bool with_reference)
@@ -70,7 +66,7 @@ TEST_CASE("a log of position and effort alone tells what the joint lacks", "[dia
     m.gravity = 6;
     m.amplitude = 5;
     const std::vector<Record> records{without_command(m, 1, false), without_command(m, 2, false)};
-    const auto result = test::answer(test::nominal_joint(), records, one_after_another);
+    const auto result = test::answer(test::nominal_joint(), records, test::in_order);
     CHECK(has_note(result.diagnosis.notes, Note::Code::driven_by_effort));
     REQUIRE(result.diagnosis.verdict == Verdict::gap);
     CHECK(result.diagnosis.effects[0].names == std::vector<std::string>{"gravity"});
@@ -93,7 +89,7 @@ TEST_CASE("a joint that is its document has no gap where its measured effort dri
 {
     const Machine m = with_torque_sensor();
     const std::vector<Record> records{without_command(m, 1, false), without_command(m, 2, false)};
-    const auto result = test::answer(test::nominal_joint(), records, one_after_another);
+    const auto result = test::answer(test::nominal_joint(), records, test::in_order);
     CHECK(result.diagnosis.verdict == Verdict::no_gap);
 }
 

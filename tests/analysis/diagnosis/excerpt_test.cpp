@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/fit/excerpt.h"
 #include "analysis/diagnosis/audit/prepare.h"
+#include "tests/analysis/diagnosis/record_rows.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 
 #include <catch2/catch.hpp>
@@ -79,13 +80,8 @@ TEST_CASE("an excerpt of a loop that integrates has the integral of the whole re
     Joint joint = nominal_joint();
     joint.control.k_i = 2e4;
     const Record record = record_of({}, 3, 20);
-    Record slow;
-    for (std::size_t k = 0; k < record.time.size(); k += 2) {
-        slow.time.push_back(record.time[k]);
-        slow.reference_position.push_back(record.reference_position[k]);
-        slow.position.push_back(record.position[k]);
-        slow.effort_command.push_back(record.effort_command[k]);
-    }
+    Record slow = test::every_nth_row(record, 2);
+    slow.velocity.clear(), slow.reference_velocity.clear();
     std::vector<Note> notes;
     const Case whole = prepare(slow, joint, notes);
     REQUIRE(whole.ticks.ticks_per_row == 2);

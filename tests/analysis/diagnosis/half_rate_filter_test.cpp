@@ -1,6 +1,7 @@
 #include "analysis/diagnosis/audit/half_rate_filter.h"
 #include "analysis/diagnosis/audit/audit.h"
 #include "analysis/diagnosis/audit/prepare.h"
+#include "tests/analysis/diagnosis/record_rows.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 
 #include <catch2/catch.hpp>
@@ -17,15 +18,7 @@ namespace {
 Case logged_at_half_rate(Machine m, double documented_tau)
 {
     m.quantum = 1e-12;
-    const Record whole = test::record_of(m, 1, 5);
-    Record half;
-    half.name = "half";
-    for (std::size_t k = 0; k < whole.rows(); k += 2) {
-        half.time.push_back(whole.time[k]), half.position.push_back(whole.position[k]);
-        half.velocity.push_back(whole.velocity[k]), half.reference_position.push_back(whole.reference_position[k]);
-        half.reference_velocity.push_back(whole.reference_velocity[k]);
-        half.effort_command.push_back(whole.effort_command[k]);
-    }
+    const Record half = test::every_nth_row(test::record_of(m, 1, 5), 2);
     Joint joint = test::nominal_joint();
     joint.sensor.encoder_quantum = 0, joint.sensor.position_noise = m.noise;
     joint.control.velocity_estimate.tau = documented_tau;

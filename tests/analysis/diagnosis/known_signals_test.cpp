@@ -3,6 +3,7 @@
 #include "analysis/diagnosis/heldout/ensemble.h"
 #include "analysis/diagnosis/plant/simulator.h"
 #include "tests/analysis/diagnosis/small_machine.h"
+#include "tests/in_order.h"
 
 #include <catch2/catch.hpp>
 
@@ -78,10 +79,7 @@ TEST_CASE("what noise makes of a joint is measured with the load and the inertia
     }
     std::vector<Note> notes;
     const std::vector<Case> cases{prepare(r, test::nominal_joint(), notes)};
-    const auto in_order = [](std::size_t n, const std::function<void(std::size_t)>& task) {
-        for (std::size_t i = 0; i < n; ++i) task(i);
-    };
-    const NoiseSpread spread = spread_of(cases, {}, {}, 3, in_order);
+    const NoiseSpread spread = spread_of(cases, {}, {}, 3, test::in_order);
     REQUIRE(spread.simulated);
     for (std::size_t l = 0; l < levels.size(); ++l) CHECK(spread.mean[l][0].position == Approx(1).margin(0.3));
 }

@@ -5,6 +5,7 @@
 #include "analysis/diagnosis/ladder/plausible.h"
 #include "analysis/diagnosis/policy/policy.h"
 #include "tests/analysis/diagnosis/small_machine.h"
+#include "tests/in_order.h"
 
 #include <catch2/catch.hpp>
 
@@ -16,10 +17,6 @@ using namespace stickslip::gap;
 using stickslip::test::Machine;
 
 namespace {
-
-const ParallelFor in_order = [](std::size_t n, const std::function<void(std::size_t)>& task) {
-    for (std::size_t i = 0; i < n; ++i) task(i);
-};
 
 /// A ladder climbed on two records of a machine whose document says something else.
 struct Climbed {
@@ -50,10 +47,10 @@ struct Climbed {
             // where a wave lies is found before a ladder is climbed
             const bool wave = std::ranges::any_of(
                 e->forms[0].parameters, [](const EffectParameter& p) { return p.grid != FrequencyGrid::none; });
-            if (wave) a = fit_singles(cases, scales, judge_nominal(cases), {a.candidate}, in_order).at(0);
+            if (wave) a = fit_singles(cases, scales, judge_nominal(cases), {a.candidate}, test::in_order).at(0);
             singles.push_back(a);
         }
-        search = std::make_unique<LadderSearch>(cases, scales, singles, policy::ladder, in_order);
+        search = std::make_unique<LadderSearch>(cases, scales, singles, policy::ladder, test::in_order);
         ladder = search->climb({}, policy::ladder.most_rungs);
     }
     static std::vector<const Effect*> effects_named(const std::vector<const char*>& names)

@@ -2,6 +2,7 @@
 #include "analysis/diagnosis/search/search.h"
 #include "analysis/diagnosis/verdict/verdict.h"
 #include "tests/analysis/diagnosis/small_machine.h"
+#include "tests/in_order.h"
 
 #include <catch2/catch.hpp>
 
@@ -9,11 +10,6 @@ using namespace stickslip;
 using namespace stickslip::gap;
 
 namespace {
-
-void in_order(std::size_t n, const std::function<void(std::size_t)>& task)
-{
-    for (std::size_t i = 0; i < n; ++i) task(i);
-}
 
 Candidate of(std::initializer_list<const char*> names)
 {
@@ -55,7 +51,7 @@ TEST_CASE("a member that explains everything alone, from where the pair found it
     pair.refined = true;
     REQUIRE_FALSE(singles[0].accepted);
     REQUIRE_FALSE(singles[1].accepted);
-    fit_members_alone(cases, scales, nominal, singles, {pair}, in_order);
+    fit_members_alone(cases, scales, nominal, singles, {pair}, test::in_order);
     CHECK(singles[0].candidate.effects[0]->name == "coulomb-level");
     CHECK(singles[0].accepted);
     CHECK(in_si(singles[0].candidate, singles[0].x[1], scales)[0] == Approx(0.3).epsilon(0.05));
@@ -80,7 +76,7 @@ TEST_CASE("what the best pair brings to light looks for its own partner", "[gap]
         singles.push_back(as_screened(cases, scales, nominal, c, fit));
     }
     // only the first of the singles, which is no part of the truth, looks for a partner among all
-    const auto pairs = fit_pairs(cases, scales, nominal, singles, 1, in_order);
+    const auto pairs = fit_pairs(cases, scales, nominal, singles, 1, test::in_order);
     REQUIRE_FALSE(pairs.empty());
     CHECK(pairs[0].candidate.effects == std::vector{effect_named("viscous"), effect_named("inertia")});
     CHECK(pairs[0].accepted);
@@ -115,7 +111,7 @@ TEST_CASE("a soft spring is found although springs too stiff to be seen miss by 
     const Trace trace = closed_loop(flatten(soft), t, 5);
     t.position = trace.position, t.velocity = trace.velocity, t.command = trace.command;
     const Nominal nominal = judge_nominal(cases);
-    const auto found = fit_singles(cases, scales, nominal, {spring}, in_order);
+    const auto found = fit_singles(cases, scales, nominal, {spring}, test::in_order);
     REQUIRE(found.size() == 1);
     CHECK(found[0].accepted);
     const auto si = in_si(spring, found[0].x[1], scales);
@@ -144,7 +140,7 @@ TEST_CASE("numbers that make up for each other are searched together in the end"
                                    at(of({"coulomb-level", "viscous"}), {0.1 / scales.effort, 0.01})};
     REQUIRE(worst(pairs[0]) > 1.5);
     const auto smooth = pairs[1].x[0];
-    polish_best(cases, scales, nominal, pairs, 2, in_order);
+    polish_best(cases, scales, nominal, pairs, 2, test::in_order);
     REQUIRE(pairs[0].candidate.effects[1]->name == "saturation");
     CHECK(worst(pairs[0]) < 1.1);
     const auto si = in_si(pairs[0].candidate, pairs[0].x[1], scales);

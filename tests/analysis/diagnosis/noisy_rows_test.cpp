@@ -2,6 +2,7 @@
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/plant/simulator.h"
 #include "analysis/diagnosis/search/attribute.h"
+#include "tests/analysis/diagnosis/record_rows.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 
 #include <catch2/catch.hpp>
@@ -14,18 +15,6 @@ using namespace stickslip::gap;
 using stickslip::test::Machine;
 
 namespace {
-
-Record every_fifth_row(const Record& all)
-{
-    Record r = all;
-    for (auto* column :
-         {&r.time, &r.reference_position, &r.reference_velocity, &r.position, &r.velocity, &r.effort_command}) {
-        std::vector<double> kept;
-        for (std::size_t k = 0; k < column->size(); k += 5) kept.push_back((*column)[k]);
-        *column = std::move(kept);
-    }
-    return r;
-}
 
 /// Root mean square of what the slowest observer, which gathers the most, is surprised by at the rows.
 double surprise(const Case& c)
@@ -49,7 +38,7 @@ TEST_CASE("noise of the rows of a slow log does not push the simulated joint, an
     auto nominal = test::nominal_joint();
     nominal.sensor.position_noise = m.noise;
     std::vector<Note> notes;
-    const Record slow = every_fifth_row(test::record_of(m, 1, 6));
+    const Record slow = test::every_nth_row(test::record_of(m, 1, 6), 5);
     std::vector<Case> cases{prepare(slow, nominal, notes)};
     REQUIRE(cases[0].ticks.ticks_per_row == 5);
     const double with_rows = surprise(cases[0]);

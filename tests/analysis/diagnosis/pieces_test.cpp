@@ -2,7 +2,9 @@
 #include "analysis/diagnosis/records/pieces.h"
 #include "analysis/diagnosis/audit/prepare.h"
 #include "tests/analysis/diagnosis/answers.h"
+#include "tests/analysis/diagnosis/record_rows.h"
 #include "tests/analysis/diagnosis/small_machine.h"
+#include "tests/in_order.h"
 
 #include <catch2/catch.hpp>
 
@@ -10,22 +12,6 @@ using namespace stickslip;
 using namespace stickslip::gap;
 
 namespace {
-
-/// The rows that `keep` says.
-Record chosen(const Record& whole, const std::function<bool(std::size_t)>& keep)
-{
-    Record r;
-    r.name = whole.name;
-    for (auto column : {&Record::time, &Record::reference_position, &Record::reference_velocity, &Record::position,
-                        &Record::velocity, &Record::effort_command})
-        for (std::size_t k = 0; k < whole.rows(); ++k)
-            if (keep(k)) (r.*column).push_back((whole.*column)[k]);
-    return r;
-}
-
-const ParallelFor in_turn = [](std::size_t n, const std::function<void(std::size_t)>& task) {
-    for (std::size_t i = 0; i < n; ++i) task(i);
-};
 
 Record heavier()
 {
@@ -36,7 +22,7 @@ Record heavier()
 
 Diagnosis answer(const Record& record)
 {
-    return test::answer(test::nominal_joint(), {record}, in_turn, {}).diagnosis;
+    return test::answer(test::nominal_joint(), {record}, test::in_order, {}).diagnosis;
 }
 
 void names_inertia(const Diagnosis& d)
@@ -53,7 +39,7 @@ TEST_CASE("lost rows of a regular log are ticks without a row", "[gap]")
 {
     const Record whole = test::record_of({}, 1, 1);
     const auto lost = [](std::size_t k) { return k % 7 == 3 || (k > 500 && k < 512); };
-    const Ticks t = on_clock(chosen(whole, [&](std::size_t k) { return !lost(k); }), test::nominal_joint());
+    const Ticks t = on_clock(test::rows_where(whole, [&](std::size_t k) { return !lost(k); }), test::nominal_joint());
     CHECK(t.lost);
     CHECK(t.ticks_per_row == 1);
     REQUIRE(t.size() == whole.rows());
@@ -70,7 +56,7 @@ TEST_CASE("lost rows of a regular log are ticks without a row", "[gap]")
 TEST_CASE("a hole in time parts a record, and what comes after it starts as it moved", "[gap]")
 {
     const Record whole = test::record_of({}, 1);
-    const Record holed = chosen(whole, [](std::size_t k) { return k < 2000 || k >= 2500; });
+    const Record holed = test::rows_where(whole, [](std::size_t k) { return k < 2000 || k >= 2500; });
     std::vector<Note> notes;
     const auto parts = pieces(holed, notes);
     REQUIRE(parts.size() == 2);
@@ -94,7 +80,7 @@ TEST_CASE("a hole in time parts a record, and what comes after it starts as it m
 
 TEST_CASE("what the controller had filtered before a hole is no gap of the command", "[gap][slow]")
 {
-    const auto d = answer(chosen(heavier(), [](std::size_t k) { return k < 3000 || k >= 3700; }));
+    const auto d = answer(test::rows_where(heavier(), [](std::size_t k) { return k < 3000 || k >= 3700; }));
     REQUIRE(d.signals.size() == 2);
     CHECK(d.signals[0].name == "command");
     CHECK(d.signals[0].rms < 1e-5);
@@ -113,7 +99,7 @@ TEST_CASE("the cause is found in logs with lost rows, with a hole, and cut out o
 {
     const Record whole = heavier();
     names_inertia(answer(whole));
-    names_inertia(answer(chosen(whole, [](std::size_t k) { return k % 5 != 2; })));
-    names_inertia(answer(chosen(whole, [](std::size_t k) { return k < 3000 || k >= 3700; })));
-    names_inertia(answer(chosen(whole, [](std::size_t k) { return k >= 1700; })));
+    names_inertia(answer(test::rows_where(whole, [](std::size_t k) { return k % 5 != 2; })));
+    names_inertia(answer(test::rows_where(whole, [](std::size_t k) { return k < 3000 || k >= 3700; })));
+    names_inertia(answer(test::rows_where(whole, [](std::size_t k) { return k >= 1700; })));
 }

@@ -2,6 +2,7 @@
 #include "analysis/diagnosis/plan/safe_motion.h"
 #include "analysis/diagnosis/plant/simulator.h"
 #include "analysis/diagnosis/policy/policy.h"
+#include "tests/in_order.h"
 
 #include <catch2/catch.hpp>
 
@@ -12,10 +13,6 @@ using namespace stickslip;
 using namespace stickslip::gap;
 
 namespace {
-
-const ParallelFor in_order = [](std::size_t n, const std::function<void(std::size_t)>& task) {
-    for (std::size_t i = 0; i < n; ++i) task(i);
-};
 
 Joint servo(double coulomb, double viscous)
 {
@@ -57,7 +54,7 @@ bool inseparable(const Power& power, const std::string& one, const std::string& 
 TEST_CASE("the least constant load that shows is the one whose surprise the diagnosis sees beside the noise",
           "[gap][plan][slow]")
 {
-    const auto power = power_of(servo(0, 0), motion_of(8, [](double t) { return 0.05 * std::sin(t); }), in_order);
+    const auto power = power_of(servo(0, 0), motion_of(8, [](double t) { return 0.05 * std::sin(t); }), test::in_order);
     // a force F on a free mass m keeps the observer at e = F/(m ω²): largest beside the noise at the slowest ω, 20
     // rad/s
     const double omega = 20, floor = 2e-6 * std::sqrt(noise_amplification(omega, 1e-3));
@@ -71,7 +68,7 @@ TEST_CASE("twice the noise doubles the least size of every effect that is linear
     const auto least = [](double noise) {
         Joint j = servo(3, 5);
         j.sensor.position_noise = noise;
-        return power_of(j, motion_of(6, [](double t) { return 0.05 * std::sin(2 * t); }), in_order);
+        return power_of(j, motion_of(6, [](double t) { return 0.05 * std::sin(2 * t); }), test::in_order);
     };
     const auto once = least(2e-6), twice = least(4e-6);
     for (const char* name : {"constant-load", "cogging", "periodic-disturbance", "asymmetric-friction", "viscous"}) {
@@ -83,9 +80,10 @@ TEST_CASE("twice the noise doubles the least size of every effect that is linear
 TEST_CASE("a motion in one direction cannot tell a load from the Coulomb level, one to and fro can",
           "[gap][plan][slow]")
 {
-    const auto one_way = power_of(servo(3, 5), motion_of(6, [](double t) { return 0.02 * t; }), in_order);
+    const auto one_way = power_of(servo(3, 5), motion_of(6, [](double t) { return 0.02 * t; }), test::in_order);
     CHECK(inseparable(one_way, "constant-load", "coulomb-level"));
-    const auto both = power_of(servo(3, 5), motion_of(6, [](double t) { return 0.05 * std::sin(2 * t); }), in_order);
+    const auto both =
+        power_of(servo(3, 5), motion_of(6, [](double t) { return 0.05 * std::sin(2 * t); }), test::in_order);
     CHECK_FALSE(inseparable(both, "constant-load", "coulomb-level"));
 }
 
@@ -108,7 +106,7 @@ TEST_CASE("safe motions are continuous and stay within stroke, speed and acceler
     const auto all = safe_motions(reach, 12, 1e-3);
     CHECK(all.size() == 5);
     for (const auto& m : all) {
-        CAPTURE(m.description);
+        CAPTURE(m.kind);
         CHECK(m.position.front() == Approx(reach.start));
         CHECK(m.position.back() == Approx(reach.start));
         CHECK(m.time.back() < 40);

@@ -1,4 +1,5 @@
 #include "analysis/diagnosis/rig/rig.h"
+#include "tests/in_order.h"
 
 #include <catch2/catch.hpp>
 
@@ -10,11 +11,6 @@ using namespace stickslip;
 using namespace stickslip::gap;
 
 namespace {
-
-void in_order(std::size_t n, const std::function<void(std::size_t)>& task)
-{
-    for (std::size_t i = 0; i < n; ++i) task(i);
-}
 
 constexpr double slow = 3e-6, quick = 10e-6, step_at = 30;  // m/s, s
 constexpr double stiffness = 3000, A = 0.008, B = 0.009, L = 6e-6;
@@ -78,7 +74,7 @@ double number(const Cause& cause, const std::string& name)
 TEST_CASE("a velocity step of a rig with memory is named, with its numbers, and its law is called ambiguous",
           "[gap][slow]")
 {
-    const auto d = diagnose_rig({}, {velocity_step(SlipLaw{}, 8e-4)}, in_order).diagnosis;
+    const auto d = diagnose_rig({}, {velocity_step(SlipLaw{}, 8e-4)}, test::in_order).diagnosis;
     REQUIRE(d.verdict == Verdict::gap);
     REQUIRE(d.effects.at(0).names == std::vector<std::string>{"frictional-memory"});
     CHECK(d.effects[0].probability > 0.9);
@@ -103,14 +99,14 @@ TEST_CASE("a velocity step of a rig with memory is named, with its numbers, and 
 TEST_CASE("a rig whose friction follows the speed at once has no memory", "[gap][slow]")
 {
     const auto follows = [](double t) { return t < step_at ? 0.0 : 0.01; };
-    const auto d = diagnose_rig({}, {velocity_step(follows, 8e-4)}, in_order).diagnosis;
+    const auto d = diagnose_rig({}, {velocity_step(follows, 8e-4)}, test::in_order).diagnosis;
     REQUIRE(d.verdict == Verdict::gap);
     CHECK(d.effects.at(0).names != std::vector<std::string>{"frictional-memory"});
 }
 
 TEST_CASE("a rig with a constant friction has no gap", "[gap][slow]")
 {
-    const auto d = diagnose_rig({}, {velocity_step([](double) { return 0.0; }, 8e-4)}, in_order).diagnosis;
+    const auto d = diagnose_rig({}, {velocity_step([](double) { return 0.0; }, 8e-4)}, test::in_order).diagnosis;
     CHECK(d.verdict == Verdict::no_gap);
     CHECK(d.effects.empty());
 }
@@ -119,7 +115,7 @@ TEST_CASE("a gouge that strengthens with memory is named with a negative B and a
           "[gap][slow]")
 {
     const double strengthening = -0.007, distance = 20e-6;
-    const auto d = diagnose_rig({}, {velocity_step(SlipLaw{strengthening, distance}, 3e-4)}, in_order).diagnosis;
+    const auto d = diagnose_rig({}, {velocity_step(SlipLaw{strengthening, distance}, 3e-4)}, test::in_order).diagnosis;
     REQUIRE(d.verdict == Verdict::gap);
     REQUIRE(d.effects.at(0).names == std::vector<std::string>{"frictional-memory"});
     CHECK(number(d.effects[0], "frictional-memory.B") == Approx(strengthening).epsilon(0.25));
@@ -130,7 +126,7 @@ TEST_CASE("a gouge that strengthens with memory is named with a negative B and a
 TEST_CASE("a friction that rises with the logarithm of speed at once is viscous, no Stribeck curve", "[gap][slow]")
 {
     const auto rises = [](double t) { return t < step_at ? 0.0 : 0.02 * std::log(quick / slow); };
-    const auto d = diagnose_rig({}, {velocity_step(rises, 8e-4)}, in_order).diagnosis;
+    const auto d = diagnose_rig({}, {velocity_step(rises, 8e-4)}, test::in_order).diagnosis;
     REQUIRE(d.verdict == Verdict::gap);
     CHECK(d.effects.at(0).names == std::vector<std::string>{"viscous"});
 }
@@ -144,7 +140,7 @@ TEST_CASE("a few rows behind a turn of the load point are not judged", "[gap][sl
         r.reference_position.push_back(place - 3e-6 * 0.1 * k);
         r.effort_measured.push_back(-0.6);  // friction turns with the motion
     }
-    const auto d = diagnose_rig({}, {r}, in_order).diagnosis;
+    const auto d = diagnose_rig({}, {r}, test::in_order).diagnosis;
     REQUIRE(d.verdict == Verdict::gap);
     CHECK(d.effects.at(0).names == std::vector<std::string>{"frictional-memory"});
     CHECK(number(d.effects[0], "frictional-memory.A") == Approx(A).epsilon(0.2));
@@ -154,7 +150,7 @@ TEST_CASE("friction that follows a known normal load depends on the load", "[gap
 {
     Record r = velocity_step([](double t) { return 0.6 * 0.1 * std::sin(t); }, 8e-4);
     for (const double t : r.time) r.normal_load.push_back(1 + 0.1 * std::sin(t));
-    const auto d = diagnose_rig({}, {r}, in_order).diagnosis;
+    const auto d = diagnose_rig({}, {r}, test::in_order).diagnosis;
     REQUIRE(d.verdict == Verdict::gap);
     CHECK(d.effects.at(0).names == std::vector<std::string>{"load-dependent-friction"});
     CHECK(number(d.effects[0], "load-dependent-friction.coefficient") == Approx(0.6).epsilon(0.02));
@@ -229,7 +225,7 @@ TEST_CASE("one law with one set of numbers answers several records of a rig, eac
         for (auto* column : {&r.time, &r.reference_position, &r.effort_measured})
             column->erase(column->begin(), column->begin() + first);
     }
-    const auto d = diagnose_rig({}, records, in_order).diagnosis;
+    const auto d = diagnose_rig({}, records, test::in_order).diagnosis;
     REQUIRE(d.verdict == Verdict::gap);
     REQUIRE(d.effects.at(0).names == std::vector<std::string>{"frictional-memory"});
     CHECK(d.records.size() == 3);
@@ -247,7 +243,7 @@ TEST_CASE("both directions of a reversing rig are judged, without the unloading 
     // 0.6 over 30 000 per metre: the spring turns from one side to the other over 40 um, 4 s
     BothWays rig{30000, 0.6, {{20, slow}, {26, quick}, {40, -quick}, {60, -slow}}};
     const auto r = rig.record("to and fro", 20, 8e-4);
-    const auto d = diagnose_rig({}, {r}, in_order).diagnosis;
+    const auto d = diagnose_rig({}, {r}, test::in_order).diagnosis;
     REQUIRE(d.verdict == Verdict::gap);
     CHECK(d.effects.at(0).names == std::vector<std::string>{"frictional-memory"});
     REQUIRE(d.traces.size() == 2);
@@ -279,7 +275,7 @@ TEST_CASE("records under different normal loads name the load, with its coeffici
         }
         records.push_back(r);
     }
-    const auto d = diagnose_rig({}, records, in_order).diagnosis;
+    const auto d = diagnose_rig({}, records, test::in_order).diagnosis;
     REQUIRE(d.verdict == Verdict::gap);
     CHECK(d.effects.at(0).names == std::vector<std::string>{"load-dependent-friction"});
     CHECK(number(d.effects[0], "load-dependent-friction.coefficient") == Approx(0.6).epsilon(0.01));

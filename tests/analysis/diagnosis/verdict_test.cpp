@@ -5,6 +5,7 @@
 #include "analysis/diagnosis/tell_findings.h"
 #include "analysis/diagnosis/verdict/causes.h"
 #include "tests/analysis/diagnosis/small_machine.h"
+#include "tests/in_order.h"
 
 #include <catch2/catch.hpp>
 
@@ -137,13 +138,10 @@ TEST_CASE("causes of the very same motion are told together, whatever their para
 TEST_CASE("of causes that come down to the noise the likelier comes first, though the floor hides the difference",
           "[gap]")
 {
-    const auto in_order = [](std::size_t n, const std::function<void(std::size_t)>& task) {
-        for (std::size_t i = 0; i < n; ++i) task(i);
-    };
     std::vector<Attribution> singles{found({"delay"}, 0.003, 1, true), found({"actuator-lag"}, 0.004, 1, true),
                                      found({"viscous"}, 0.5, 0, false)};
     singles[0].evidence = -0.100, singles[1].evidence = -0.105, singles[2].evidence = -0.9;
-    confirm({}, singles, {}, {}, in_order);
+    confirm({}, singles, {}, {}, test::in_order);
     CHECK(singles[0].candidate.effects[0]->name == "actuator-lag");
     CHECK(singles[1].candidate.effects[0]->name == "delay");
     CHECK(singles[2].candidate.effects[0]->name == "viscous");  // not accepted: its floor is not the question
@@ -183,9 +181,6 @@ TEST_CASE("a step lost in one moment does not decide between causes that are ali
 
 TEST_CASE("a joint whose closed loop differs from no record by more than noise has no gap", "[gap]")
 {
-    const auto in_order = [](std::size_t n, const std::function<void(std::size_t)>& task) {
-        for (std::size_t i = 0; i < n; ++i) task(i);
-    };
     const auto at_its_floor = [&](const test::Machine& m) {
         std::vector<Note> notes;
         const std::vector<Case> cases{prepare(test::record_of(m, 1), test::nominal_joint(), notes)};
@@ -194,7 +189,7 @@ TEST_CASE("a joint whose closed loop differs from no record by more than noise h
         Attribution none;
         none.evaluation = nominal.evaluation;
         for (auto& misfit : none.evaluation.back().records) misfit.position = 1.3;
-        return at_floor(cases, none, nominal, scales_of(cases), in_order);
+        return at_floor(cases, none, nominal, scales_of(cases), test::in_order);
     };
     CHECK(at_its_floor({}));
     test::Machine rougher;

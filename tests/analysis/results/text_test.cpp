@@ -8,7 +8,7 @@ using namespace stickslip;
 
 TEST_CASE("numbers read with prefix and unit", "[text]")
 {
-    const auto p = Motion::prismatic, r = Motion::revolute;
+    const Units p, r(Motion::revolute);
     CHECK(with_unit(55000, Quantity::stiffness, p) == "55 kN/m");
     CHECK(with_unit(55000, Quantity::stiffness, r) == "55 kN·m/rad");
     CHECK(with_unit(1e-5, Quantity::position, p) == "10 µm");
@@ -22,7 +22,7 @@ TEST_CASE("numbers read with prefix and unit", "[text]")
 
 TEST_CASE("the ends of a range never read the same", "[text]")
 {
-    const auto p = Motion::prismatic;
+    const Units p;
     const auto q = Quantity::stiffness;
     CHECK(range_text(2e3, 5e3, q, p) == "from 2 kN/m to 5 kN/m");
     CHECK(range_text(2027.38, 2027.41, q, p) == "from 2.02738 kN/m to 2.02741 kN/m");

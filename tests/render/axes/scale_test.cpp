@@ -88,7 +88,7 @@ TEST_CASE("no label repeats and none lies off the axis, for any range", "[axes]"
 
 TEST_CASE("axes carry name, symbol and a unit whose prefix suits the labels", "[axes]")
 {
-    const auto p = Motion::prismatic;
+    const Units p;
     const AxisLabel linear = axis_label("position gain", "k_{p}", Quantity::stiffness, p, {0, 6e4, false});
     CHECK(linear.text == "position gain k_{p} [kN/m]");
     CHECK(linear.divisor == 1000);

@@ -36,7 +36,7 @@ TEST_CASE("a series is two columns, or the named one of more", "[files]")
 
 TEST_CASE("units in the header of a series are converted, in either order of the columns", "[files]")
 {
-    const SeriesQuantity stiffness{Quantity::stiffness, Motion::prismatic};
+    const SeriesQuantity stiffness{Quantity::stiffness, {}};
     const auto kernel = read_series(TemporaryFile("time [ms],g [kN/m]\n0,100\n10,50\n").path, "g", stiffness);
     CHECK(kernel.time == std::vector<double>{0, 0.01});
     CHECK(kernel.value == std::vector<double>{1e5, 5e4});
@@ -62,7 +62,7 @@ TEST_CASE("a series that does not fit is refused at its place", "[files]")
     refuse("0,1\n", "fewer than two rows");
     refuse("0;1\n0,5;2\n", ".csv:2:1: has 3 cells, the rows above have 2; numbers need a decimal point");
     const TemporaryFile wrong("time [m],force\n0,1\n1,2\n");
-    CHECK_THROWS_WITH(read_series(wrong.path, "force", SeriesQuantity{Quantity::effort, Motion::prismatic}),
+    CHECK_THROWS_WITH(read_series(wrong.path, "force", SeriesQuantity{Quantity::effort, {}}),
                       Contains(".csv:1:1: column time [m]") && Contains("unit of something else"));
 }
 

@@ -300,15 +300,15 @@ TEST_CASE("spacing is exact at its ends and even between them")
 
 TEST_CASE("symbols and names of parameters")
 {
-    CHECK(symbol_of("control.V0", Motion::prismatic) == "V_{0}");
-    CHECK(symbol_of("joint.inertia", Motion::prismatic) == "m");
-    CHECK(symbol_of("joint.link_inertia", Motion::revolute) == "J_{link}");
-    CHECK(symbol_of("friction.link.L.0", Motion::prismatic) == "L_{1}");
-    CHECK(symbol_of("friction.L", Motion::prismatic) == "L");
-    CHECK(symbol_of("friction.motor.f0", Motion::prismatic) == "f_{0}");
-    CHECK(symbol_of("a.some_odd_key", Motion::prismatic) == "some_{odd key}");
-    CHECK(symbol_of("a.plain", Motion::prismatic) == "plain");
-    CHECK(symbol_of("a.some_odd.1", Motion::prismatic) == "some_{odd,2}");
+    CHECK(symbol_of("control.V0", Units(Motion::prismatic)) == "V_{0}");
+    CHECK(symbol_of("joint.inertia", Units(Motion::prismatic)) == "m");
+    CHECK(symbol_of("joint.link_inertia", Units(Motion::revolute)) == "J_{link}");
+    CHECK(symbol_of("friction.link.L.0", Units(Motion::prismatic)) == "L_{1}");
+    CHECK(symbol_of("friction.L", Units(Motion::prismatic)) == "L");
+    CHECK(symbol_of("friction.motor.f0", Units(Motion::prismatic)) == "f_{0}");
+    CHECK(symbol_of("a.some_odd_key", Units(Motion::prismatic)) == "some_{odd key}");
+    CHECK(symbol_of("a.plain", Units(Motion::prismatic)) == "plain");
+    CHECK(symbol_of("a.some_odd.1", Units(Motion::prismatic)) == "some_{odd,2}");
     CHECK(name_of("control.k_v") == "velocity gain");
     CHECK(name_of("a.some_odd.key_two") == "some odd key two");
     CHECK(name_of("friction.B.1") == "evolution effect 2");

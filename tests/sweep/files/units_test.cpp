@@ -7,20 +7,20 @@ using namespace stickslip;
 
 namespace {
 
-double read(const std::string& text, Quantity quantity, Motion motion = Motion::prismatic)
+double read(const std::string& text, Quantity quantity, Units units = {})
 {
-    const auto reading = parse_number_with_unit(text, quantity, motion);
+    const auto reading = parse_number_with_unit(text, quantity, units);
     INFO(text << ": " << reading.error);
     REQUIRE(reading.error.empty());
     return reading.value;
 }
 
-std::string error(const std::string& text, Quantity quantity, Motion motion = Motion::prismatic)
+std::string error(const std::string& text, Quantity quantity, Units units = {})
 {
-    return parse_number_with_unit(text, quantity, motion).error;
+    return parse_number_with_unit(text, quantity, units).error;
 }
 
-constexpr auto revolute = Motion::revolute;
+constexpr Units revolute(Motion::revolute);
 
 }  // namespace
 
@@ -122,8 +122,8 @@ TEST_CASE("what is no number with a unit")
 TEST_CASE("every printed unit reads back as itself")
 {
     for (int q = 0; q <= static_cast<int>(Quantity::temperature); ++q)
-        for (const Motion motion : {Motion::prismatic, Motion::revolute}) {
+        for (const Units units : {Units(), revolute}) {
             const auto quantity = static_cast<Quantity>(q);
-            CHECK(read("7 " + std::string(unit_of(quantity, motion)), quantity, motion) == 7);
+            CHECK(read("7 " + std::string(unit_of(quantity, units)), quantity, units) == 7);
         }
 }

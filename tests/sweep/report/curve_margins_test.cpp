@@ -68,7 +68,7 @@ TEST_CASE("a ray tells how far each boundary is and on which side of it the desi
 {
     const auto design = example_joint(2.2e4, 47.5, 1e-2);  // 19 449 N/m: linear boundary; 24 849 N/m: fold
     const auto linear = ray(BoundaryKind::state_variable, 19449, -1), fold = ray(BoundaryKind::fold, 24849, -1);
-    const auto cards = meeting_headlines(meetings_of(design, {linear, fold}, {}), Motion::prismatic);
+    const auto cards = meeting_headlines(meetings_of(design, {linear, fold}, {}), Units(Motion::prismatic));
     REQUIRE(cards.size() == 2);
     CHECK(cards[0].value == "k_{p} −11.6 %");
     CHECK(cards[1].value == "k_{p} +13 %");

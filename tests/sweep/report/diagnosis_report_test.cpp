@@ -1,5 +1,5 @@
 #include "sweep/report/pages/diagnosis_report.h"
-#include "sweep/report/pages/diagnosis_first_screen.h"
+#include "sweep/words/diagnosis_first_screen.h"
 #include "sweep/words/diagnosis_text.h"
 
 #include "sweep/files/json/diagnosis_json.h"
@@ -297,7 +297,7 @@ TEST_CASE("the drawing of where says every stage, judged or not, and every regim
 TEST_CASE("an experiment that would tell nothing is not proposed as one", "[report]")
 {
     Diagnosis d = named();
-    d.next_experiment = {"a chirp", {{"stribeck", "frictional-memory"}}, 0.1, {0, 1}, {0, 1}};
+    d.next_experiment = {TestMotion::falling_sine, {{"stribeck", "frictional-memory"}}, 0.1, {0, 1}, {0, 1}};
     const Joint j = joint_with(slip_law(1e-5));
     const auto said = [&] {
         for (const auto& s : diagnosis_report(d, j, j, {}).sections)

@@ -142,7 +142,7 @@ TEST_CASE("the root locus of a lag crosses the axis at the ends of its windows",
     law.lag = 5e-3;
     law.curve.law = Stribeck{1, 0, 100 * 1e-3 * std::exp(1.0), 1e-3, 1};
     joint.friction.law = law;
-    const auto figures = loop_figures(sampled_root_locus(joint, 2e4, 2e6), Motion::prismatic);
+    const auto figures = loop_figures(sampled_root_locus(joint, 2e4, 2e6), Units(Motion::prismatic));
     REQUIRE(figures.size() == 1);
     CHECK(figures[0].finding.find("130.1 kN/m, 794 kN/m") != std::string::npos);
     const auto& lines = std::get<DetailedChart>(figures[0].picture).lines;

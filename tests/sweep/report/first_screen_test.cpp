@@ -12,7 +12,7 @@ TEST_CASE("faster than its window a joint is not smooth until the next window be
     search.found.intervals = {{1e-6, 2e-3}, {1e-2, 3e-2}, {5e-2, 1}};
     search.found.least = 1e-6;
     search.found.all_above = 5e-2;
-    const auto cards = velocity_headlines(search, true, Motion::prismatic);
+    const auto cards = velocity_headlines(search, true, Units(Motion::prismatic));
     REQUIRE(cards.size() == 2);
     CHECK(cards[1].value == "2 mm/s");
     CHECK_THAT(cards[1].meaning, Contains("then not, up to 10 mm/s"));

@@ -97,7 +97,7 @@ TEST_CASE("where a dead zone ends hunting, the card says that it ends there", "[
     REQUIRE(met.size() == 1);
     REQUIRE(met[0].beyond);
     CHECK(met[0].beyond->hunting == Hunting::no);
-    const auto cards = meeting_headlines(met, Motion::prismatic);
+    const auto cards = meeting_headlines(met, Units(Motion::prismatic));
     REQUIRE(cards.size() == 1);
     CHECK(cards[0].tone == Headline::Tone::neutral);
     CHECK(cards[0].meaning.find("where hunting ends") != std::string::npos);

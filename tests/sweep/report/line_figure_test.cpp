@@ -13,7 +13,7 @@ using namespace stickslip;
 TEST_CASE("sets of gains read as words, without infinities", "[report]")
 {
     const auto text = [](std::vector<Interval> list) {
-        return intervals_text(list, Quantity::stiffness, Motion::prismatic);
+        return intervals_text(list, Quantity::stiffness, Units(Motion::prismatic));
     };
     CHECK(text({}) == "none");
     CHECK(text({{0, infinity}}) == "all values");
@@ -26,7 +26,7 @@ TEST_CASE("sets of gains read as words, without infinities", "[report]")
 TEST_CASE("two theories whose edges read the same differ nowhere", "[report]")
 {
     const auto differ = [](std::vector<Interval> list) {
-        return that_read_apart(std::move(list), Quantity::stiffness, Motion::prismatic).size();
+        return that_read_apart(std::move(list), Quantity::stiffness, Units(Motion::prismatic)).size();
     };
     CHECK(differ({{2027.38, 2027.3801}}) == 0);
     CHECK(differ({{2027.38, 2027.3801}, {87.6e3, 200e9}}) == 1);

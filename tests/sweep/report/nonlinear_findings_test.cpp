@@ -45,7 +45,7 @@ TEST_CASE("findings: share, place and reach of what the linear chart gets wrong"
     CHECK(found.reach.ratio > 24849 / 19449.15);  // the reach grows with k_v
     const double k_cr_48 = 0.02e5 * (1 + 10 / 1.48);
     CHECK(found.reach.ratio < 35000 / k_cr_48);
-    const auto text = large_disturbances_text(slice, found, Motion::prismatic);
+    const auto text = large_disturbances_text(slice, found, Units(Motion::prismatic));
     CHECK(text.find("k_{v} = 47 N·s/m … 48 N·s/m") != std::string::npos);
 }
 
@@ -55,7 +55,7 @@ TEST_CASE("findings: nothing to say where both theories agree", "[report]")
     const auto found = large_disturbances(example_joint(40000, 47.5, 1e-2), slice);
     CHECK(found.bistable == 0);
     CHECK(found.folds.empty());
-    CHECK(large_disturbances_text(slice, found, Motion::prismatic).empty());
+    CHECK(large_disturbances_text(slice, found, Units(Motion::prismatic)).empty());
 }
 
 TEST_CASE("findings: pages say which share of the points is interpolated, and how far off", "[report]")

@@ -43,7 +43,7 @@ TEST_CASE("reductions stand beside the full joint in one chart, each with its sh
     slice.y = axis("joint.transmission.stiffness", 1e3, 1e8);
     const auto reduced = compare_reductions(joint, slice);
     REQUIRE(reduced);
-    const auto figure = reduction_map(slice, *reduced, Motion::prismatic);
+    const auto figure = reduction_map(slice, *reduced, Units(Motion::prismatic));
     const auto& lines = std::get<LineChart>(figure.picture).lines;
     REQUIRE(lines.size() == 3);
     const double as_source = critical_gain(1, 10, 1e-3), rigid = critical_gain(1.5, 100, 1e-3);

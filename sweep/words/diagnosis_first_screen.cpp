@@ -1,4 +1,4 @@
-#include "sweep/report/pages/diagnosis_first_screen.h"
+#include "sweep/words/diagnosis_first_screen.h"
 
 #include "sweep/words/cause_text.h"
 #include "sweep/words/diagnosis_tables.h"

@@ -1,12 +1,13 @@
-// The paper's formulas against what the program finds another way: by simulating the interface, by the spectrum.
+#include "sweep/study/paper/paper_numbers.h"
+
 #include "analysis/boundary/trace/locate.h"
 #include "analysis/friction/imposed_velocity.h"
+#include "analysis/numerics/maximum.h"
 #include "analysis/stability/comparison.h"
 #include "analysis/stability/joint_crossings.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/resolution.h"
 #include "analysis/stability/steady.h"
-#include "sweep/report/pages/figures_report.h"
 
 #include <cmath>
 #include <numbers>
@@ -124,6 +125,20 @@ void add_others(std::vector<PaperNumber>& list)
 
 }  // namespace
 
+Joint paper_joint()
+{
+    Joint joint;
+    joint.mechanism.inertia = 1;
+    joint.control.k_p = 2e4;
+    joint.control.V0 = 1e-3;
+    RateAndState law;
+    law.f0 = 60, law.A = 1, law.V_star = 1e-3;
+    law.B.push_back(1.5);
+    law.L.push_back(1e-5);
+    joint.friction.law = law;
+    return joint;
+}
+
 std::vector<PaperNumber> paper_numbers()
 {
     std::vector<PaperNumber> list;
@@ -132,6 +147,11 @@ std::vector<PaperNumber> paper_numbers()
     add_memory(list);
     add_others(list);
     return list;
+}
+
+double end_of_falling_friction(const Friction& friction, double slow, double fast)
+{
+    return maximiser([&](double V) { return -steady_force(friction, V); }, slow, fast);
 }
 
 }  // namespace stickslip

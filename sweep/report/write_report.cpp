@@ -1,10 +1,10 @@
-#include "sweep/report/pages/write_report.h"
+#include "sweep/report/write_report.h"
 
 #include "render/marked_page.h"
 #include "sweep/files/json/drawn_charts.h"
 #include "sweep/files/text/whole_file.h"
 #include "sweep/files/toml/joint_file.h"
-#include "sweep/report/pages/write_linked_report.h"
+#include "sweep/report/write_linked_report.h"
 
 #include <tbb/task_group.h>
 

@@ -1,4 +1,4 @@
-#include "sweep/report/pages/write_robot_report.h"
+#include "sweep/report/write_robot_report.h"
 
 #include "render/marked_page.h"
 #include "sweep/files/text/whole_file.h"

@@ -1,0 +1,3 @@
+// What disturbs steady sliding.
+#pragma once
+#include "analysis/results/disturbance.h"

@@ -134,16 +134,16 @@ struct Control {
     template <class Self, class Visitor>
     static void sum_fields(Self& self, Visitor& visit)
     {
-        visit.number(
-            Field{"k_p", Quantity::position_gain, any_finite, Need::required, "command per position error"}.called(
-                "k_{p}", "position gain"),
-            self.k_p);
-        visit.number(
-            Field{"k_v", Quantity::velocity_gain, any_finite, Need::optional, "command per velocity error"}.called(
-                "k_{v}", "velocity gain"),
-            self.k_v);
+        visit.number(Field{"k_p", Quantity::position_gain, any_finite, Need::required,
+                           "position gain, command per position error"}
+                         .called("k_{p}", "position gain"),
+                     self.k_p);
+        visit.number(Field{"k_v", Quantity::velocity_gain, any_finite, Need::optional,
+                           "velocity gain, command per velocity error"}
+                         .called("k_{v}", "velocity gain"),
+                     self.k_v);
         visit.number(Field{"k_i", Quantity::integral_gain, any_finite, Need::optional,
-                           "command per integral of the position error"}
+                           "integral gain, command per integral of the position error"}
                          .called("k_{i}", "integral gain"),
                      self.k_i);
     }

@@ -32,6 +32,21 @@ std::vector<FittedSet> Climber::fitted(const std::vector<Start>& starts)
     return sets;
 }
 
+std::vector<Start> Climber::divided_anew(const FittedSet& below) const
+{
+    constexpr std::size_t most_beside = 1;  // causes: with more of them a set takes seconds to fit
+    std::vector<Start> looks;
+    if (below.causes.effects.size() > most_beside || two_mass_edit(below.causes)) return looks;
+    for (const auto& single : singles_) {
+        const Effect* effect = single.candidate.effects[0];
+        const Candidate plain{{effect}, {&effect->forms[0]}, single.candidate.records};
+        if (plain.forms[0]->apart < 0 || !two_mass_edit(plain) || !plain.applies(fitter_.joint())) continue;
+        looks.push_back({below.causes, effect, plain.forms[0]});
+        looks.back().causes.records = plain.records;
+    }
+    return looks;
+}
+
 std::vector<FittedSet> Climber::judged(const std::vector<Start>& starts)
 {
     auto sets = fitted(starts);

@@ -51,10 +51,16 @@ class Climber {
             looks.push_back({below.causes, single.effects[0], single.forms[0], singles_[i].x});
             looks.back().causes.records = single.records;
         }
+        for (auto& look : divided_anew(below)) looks.push_back(std::move(look));
         parallel_(looks.size(), [&](std::size_t i) { fitter_.look(looks[i], below); });  // adds the cause
         std::stable_sort(looks.begin(), looks.end(),
                          [](const Start& a, const Start& b) { return a.objective < b.objective; });
-        std::erase_if(looks, [](const Start& s) { return s.x0.size() == 0; });
+        std::vector<const Effect*> nearer;
+        std::erase_if(looks, [&](const Start& s) {
+            const bool again = std::ranges::count(nearer, s.effect) > 0;
+            nearer.push_back(s.effect);
+            return again || s.x0.size() == 0;
+        });
         if (looks.size() > rules_.finalists) looks.resize(rules_.finalists);
         return looks;
     }
@@ -158,6 +164,9 @@ class Climber {
         return fitter_.unfitted(causes, set, x);
     }
     std::vector<FittedSet> fitted(const std::vector<Start>& starts);
+    /// A divided mass in its plain form, with no numbers to start from: beside a larger cause, or numbers of the
+    /// document that were off, it came nearest alone in another form, or with a spring so stiff that nothing moved.
+    std::vector<Start> divided_anew(const FittedSet& below) const;
     /// Misfit of a set with the number that this effect changes as documented, if a correction of it is in the set.
     double misfit_as_documented(const FittedSet& set, const Effect& effect) const;
     std::vector<Start> in_other_forms(const FittedSet& set, const Effect& effect) const;

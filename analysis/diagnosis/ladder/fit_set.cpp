@@ -7,6 +7,7 @@
 #include "analysis/diagnosis/search/search.h"
 
 #include <algorithm>
+#include <map>
 
 namespace stickslip::gap {
 namespace {
@@ -63,33 +64,44 @@ FittedSet SetFitter::unfitted(const Candidate& causes, const FittedSet& like, co
 void SetFitter::look(Start& s, const FittedSet& below) const
 {
     const Candidate added{{s.effect}, {s.form}, s.causes.records};
-    std::vector<Eigen::VectorXd> from(s.alone.begin(), s.alone.end());
-    if (!two_mass_edit(added)) {
+    std::vector<Eigen::VectorXd> from;
+    for (const auto& numbers : s.alone)
+        if (numbers.size() > 0) from.push_back(numbers);
+    const bool anew = from.empty();
+    if (anew || !two_mass_edit(added)) {
         const auto si = in_si(below.model.candidate, below.fit.x, scales_);
         for (auto& seed : starts(data_.fitted(), scales_, added, below.model.candidate, si))
             from.push_back(std::move(seed));
     }
+    std::erase_if(from,
+                  [&](const auto& own) { return own.size() != static_cast<Eigen::Index>(added.parameter_count()); });
+    if (from.empty()) return;
     const Candidate others = s.causes;
     const Eigen::VectorXd of_others = others.effects.empty() ? Eigen::VectorXd{} : below.of_causes(below.fit.x);
     insert(s.causes, s.effect, s.form, of_others, from[0]);
     const auto model = corrections_.beside(s.causes);
     const auto& part = needs_history(model.candidate) ? whole_ : brief_;
-    double least = infinity;
     std::vector<Eigen::VectorXd> begun;
     std::vector<std::vector<double>> si;
     for (const auto& own : from) {
-        if (own.size() != static_cast<Eigen::Index>(added.parameter_count())) continue;
         Candidate all = others;
         begun.push_back(start(s.causes, below, insert(all, s.effect, s.form, of_others, own)));
         si.push_back(in_si(model.candidate, begun.back(), scales_));
     }
     const auto looks = evaluate_all(part, model.candidate, si, {omega});
-    for (std::size_t i = 0; i < begun.size(); ++i)
-        if (looks[i].objective < least) least = looks[i].objective, s.x0 = begun[i];
-    if (s.x0.size() == 0) return;
-    const auto found = improve(part, model.candidate, scales_, s.x0, omega, first_effort, first_steps);
-    s.x0 = found.x;
-    s.objective = found.evaluation.objective;
+    std::map<double, std::size_t> nearest;  // start of each value that the form wants apart
+    for (std::size_t i = 0; i < begun.size(); ++i) {
+        if (!(looks[i].objective < infinity)) continue;
+        const double value = anew && s.form->apart >= 0 ? from[i][s.form->apart] : 0;
+        const auto [at, first] = nearest.try_emplace(value, i);
+        if (!first && looks[i].objective < looks[at->second].objective) at->second = i;
+    }
+    for (const auto& [value, i] : nearest) {
+        auto found = improve(part, model.candidate, scales_, begun[i], omega, first_effort, first_steps);
+        if (s.x0.size() > 0 && !(found.evaluation.objective < s.objective)) continue;
+        s.x0 = std::move(found.x);
+        s.objective = found.evaluation.objective;
+    }
 }
 
 LevelFit SetFitter::refit(const Candidate& causes, const Eigen::VectorXd& x0) const

@@ -88,6 +88,24 @@ TEST_CASE("a number further off than documents are is freed beside a cause, thou
     CHECK(si[at] == Approx(-0.44).margin(0.01 * level));
 }
 
+TEST_CASE("a divided mass is found beside a larger cause that brought it to a stiff spring alone",
+          "[gap][ladder][slow]")
+{
+    Machine m;
+    m.viscous = 9, m.hung = 0.5, m.hung_stiffness = 900, m.hung_damping = 1;
+    const Search search(m, {"viscous", "coulomb-level", "gravity", "compliance:divided-mass-encoder-on-link"});
+    auto stiff = search.singles;
+    stiff.back().x.fill(to_fit(stiff.back().candidate, {0.9, 5000, 0.3, 0.05}));
+    LadderSearch beside(search.cases, search.scales, stiff, policy::ladder, test::in_order);
+    const auto ladder = beside.climb({}, policy::ladder.most_rungs);
+    REQUIRE(ladder.rungs.size() == 2);
+    const FittedSet& last = ladder.last();
+    CHECK(names_of(last.causes) == std::vector<std::string>{"viscous", "compliance"});
+    const auto si = in_si(last.causes, last.of_causes(last.fit.x), search.scales);
+    CHECK(si[1] == Approx(1 - m.hung / m.inertia).margin(0.03));
+    CHECK(si[2] == Approx(m.hung_stiffness).epsilon(0.05));
+}
+
 TEST_CASE("a ladder without its last rung is that of the corrections alone", "[gap][ladder]")
 {
     Machine m;

@@ -37,6 +37,9 @@ struct Machine {
     double waves = 200;           ///< rad/m, of both
     double second = 0;            ///< second harmonic of the cogging, as a part of the first
     double one_way = 0;           ///< part of the viscous slope that changes its sign with the direction
+    double hung = 0;              ///< kg of the inertia that hang on a spring behind the encoder
+    double hung_stiffness = 1;    ///< N/m
+    double hung_damping = 0;      ///< N·s/m
 };
 
 inline Joint nominal_joint()
@@ -64,6 +67,7 @@ inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
     std::mt19937 random(seed);
     std::normal_distribution<double> normal;
     constexpr double period = 1e-3, h = 1e-5, band = 1e-6;
+    double hung_at = 0, hung_speed = 0;
     double q = 0, v = 0, estimate = 0, last = 0, followed = 0, share = 0;
     const double slow = 1.3 + 0.2 * seed, quick = 5.1 + seed;
     for (int k = 0; k < static_cast<int>(seconds / period); ++k) {
@@ -96,7 +100,11 @@ inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
                 followed += h * std::abs(v) * (q - followed) / m.bellows_play;
             else
                 followed = std::clamp(followed, q - m.bellows_play, q + m.bellows_play);
-            const double push = std::clamp(m.gain * u, -m.limit, m.limit) + m.load - m.gravity * std::sin(q) -
+            const double spring =
+                m.hung > 0 ? m.hung_stiffness * (hung_at - q) + m.hung_damping * (hung_speed - v) : 0.0;
+            hung_speed -= m.hung > 0 ? h / m.hung * spring : 0.0;
+            hung_at += h * hung_speed;
+            const double push = std::clamp(m.gain * u, -m.limit, m.limit) + spring + m.load - m.gravity * std::sin(q) -
                                 m.cubic * q * q * q - m.bellows * followed +
                                 m.cogging * (std::sin(m.waves * q) + m.second * std::sin(2 * m.waves * q + 1));
             const double fast = v / m.peak_velocity;
@@ -108,7 +116,7 @@ inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
             const double direction = std::abs(v) < band ? std::copysign(1.0, push) : std::copysign(1.0, v);
             const double carried = m.picked_up * std::clamp((t + i * h - m.picked_up_at) / 0.5, 0.0, 1.0);
             const double next =
-                v + h / (m.inertia + carried) *
+                v + h / (m.inertia - m.hung + carried) *
                         (push - direction * level - m.viscous * v - m.drag * v * std::abs(v) - m.one_way * std::abs(v));
             if (next * v < 0)
                 v = 0;

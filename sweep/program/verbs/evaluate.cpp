@@ -22,6 +22,7 @@
 #include "sweep/program/verbs/disturbance_option.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/no_sliding.h"
+#include "sweep/program/verbs/number_option.h"
 #include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/surroundings_option.h"
 #include "sweep/program/verbs/verbs.h"
@@ -290,7 +291,7 @@ void add_evaluate(CLI::App& app, Invocation& invocation)
     verb->add_option("--effort", options->effort,
                      "multiple of the usual work (about a second): longer motions, more crossings and reductions of "
                      "delayed friction")
-        ->check(CLI::PositiveNumber);
+        ->check(positive_number());
     verb->add_flag("--ideal-loop", options->ideal_loop,
                    "the paper's loop: no sampling, dead time, filter, lag or integral");
     verb->add_flag("--json", options->json, "machine-readable, stable names");

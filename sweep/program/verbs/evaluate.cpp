@@ -107,6 +107,7 @@ struct Evaluated {
     std::optional<LoadStudy> loads;
     std::optional<SetPoint> rest;
     std::vector<NearMode> near;
+    std::vector<std::string> contradicting;  ///< terms by which the motion does the opposite of the linear theory
     std::optional<IntegralCost> integral;
     std::string servo;
     std::optional<Joint> described;  ///< with the loop that --ideal-loop leaves out
@@ -134,8 +135,7 @@ Evaluated evaluated(const Options& options, StageLine& line)
     line.stage("the roots and the stable gains");
     e.verdict = linear_verdict(e.joint);
     add_margins(e.joint, e.verdict);
-    e.summed = without_stopped_integral(e.joint, sliding_velocity(e.joint, commanded_velocity(e.joint)));
-    if (e.joint.control.structure == Structure::cascade) e.summed = with_gains(e.summed);
+    e.summed = acting_joint(e.joint);
     NonlinearOptions nonlinear;
     nonlinear.bifurcation = true;
     nonlinear.disturbance = options.disturbance.disturbance(asked.spec.nonlinear);
@@ -152,6 +152,7 @@ Evaluated evaluated(const Options& options, StageLine& line)
     }
     e.rest = resting(e.joint);
     e.near = near_modes(e.joint);
+    e.contradicting = contradicting_terms(e.verdict, e.nonlinear);
     e.integral = integral_cost(e.joint, e.verdict);
     e.servo = files::servo_text(options.joint);
     if (options.ideal_loop && loop_kind(described) != LoopKind::ideal) {
@@ -189,8 +190,8 @@ std::filesystem::path write_page(const Evaluated& e, const Options& options, con
         report.verdict = open_text(e.nonlinear) + " " + report.verdict;
         if (report.tone == Headline::Tone::good) report.tone = Headline::Tone::warning;
     }
-    if (const auto terms = contradicting_terms(e.verdict, e.nonlinear); !terms.empty()) {
-        report.verdict = contradicted_text(terms, e.verdict.state_variable.stable) + " " + report.verdict;
+    if (!e.contradicting.empty()) {
+        report.verdict = contradicted_text(e.contradicting, e.verdict.state_variable.stable) + " " + report.verdict;
         report.tone = e.verdict.state_variable.stable ? Headline::Tone::bad : Headline::Tone::warning;
     }
     if (e.only_rest()) report.verdict = set_point_text(*e.rest, e.units());
@@ -211,6 +212,7 @@ nlohmann::ordered_json evaluate_json(const Evaluated& e, const AskedDisturbance&
     if (e.motion) json["linear"]["forced"] = forced_json(force, *e.motion);
     if (e.loads) json["linear"]["normal_load"] = load_json(*e.loads);
     json["nonlinear"] = nonlinear_json(e.nonlinear);
+    json["contradicting_terms"] = e.contradicting;
     for (const auto& mode : e.near)
         json["warnings"].push_back({{"code", "neighbour-mode"},
                                     {"neighbour", mode.neighbour},
@@ -234,8 +236,8 @@ void print_text(const Evaluated& e)
     if (e.rest) print_rows(set_point_table(*e.rest, e.units()));
     if (!e.only_rest()) {
         if (e.open()) fmt::print("{}\n", plain_text(open_text(e.nonlinear)));
-        if (const auto terms = contradicting_terms(e.verdict, e.nonlinear); !terms.empty())
-            fmt::print("{}\n", contradicted_text(terms, e.verdict.state_variable.stable));
+        if (!e.contradicting.empty())
+            fmt::print("{}\n", contradicted_text(e.contradicting, e.verdict.state_variable.stable));
         const bool bistable = e.nonlinear.region == NonlinearRegion::bistable;
         const auto verdict = plain_text(verdict_text(e.summed, e.verdict, bistable));
         fmt::print("{}\n", e.described ? of_ideal_loop(verdict) : verdict);

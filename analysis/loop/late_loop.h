@@ -23,7 +23,8 @@ struct LateFriction {
     Eigen::RowVectorXd speed;
     std::function<std::complex<double>(std::complex<double>)> answer;
     std::vector<Delay> delays;
-    double memory = 0;  ///< s, the longest that it goes back
+    double memory = 0;         ///< s, the longest that it goes back
+    bool only_delays = false;  ///< that is all of `answer`
 };
 
 /// A mechanism with friction that answers late: `roots_right_of` a vertical line are those of it alone, and nothing

@@ -18,8 +18,6 @@ Eigen::MatrixXd with_speeds(const Eigen::MatrixXd& rows, const std::vector<LateF
     return all;
 }
 
-constexpr std::size_t most_late = 4;  ///< bodies
-
 }  // namespace
 
 LateShare::LateShare(const Eigen::MatrixXd& A, const Eigen::VectorXd& input, const Eigen::MatrixXd& rows,
@@ -29,7 +27,19 @@ LateShare::LateShare(const Eigen::MatrixXd& A, const Eigen::VectorXd& input, con
     for (const auto& f : friction_) by_push_.emplace_back(A, f.push, with_speeds(rows, friction_));
 }
 
-void LateShare::at(Complex s, bool once, Complex* added) const
+void LateShare::at(Complex s, bool early, Complex* added) const
+{
+    std::array<Answer, most_late> answers;
+    for (std::size_t i = 0; i < friction_.size(); ++i) {
+        answers[i] = {friction_[i].answer(s), 0};
+        if (early) continue;
+        for (const auto& d : friction_[i].delays) answers[i].delays += d.weight * std::exp(-s * d.time);
+    }
+    at(s, early, answers.data(), added);
+}
+
+/// r = U' + W' U' + …, with U' = G U and W' = G W: (1 − W')⁻¹ U' less its first two terms.
+void LateShare::at(Complex s, bool early, const Answer* answers, Complex* added) const
 {
     const auto m = static_cast<Eigen::Index>(friction_.size());
     std::array<Complex, 4 + most_late> values;
@@ -37,27 +47,28 @@ void LateShare::at(Complex s, bool once, Complex* added) const
     Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, 0, most_late, most_late> closed(m, m);
     Eigen::Matrix<Complex, Eigen::Dynamic, 1, 0, most_late, 1> force(m);
     Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, 0, 4, most_late> by_force(rows_, m);
-    std::array<Complex, most_late> answer, first{};
+    std::array<Complex, most_late> first{}, second{};
     for (Eigen::Index i = 0; i < m; ++i) {
-        answer[static_cast<std::size_t>(i)] = friction_[static_cast<std::size_t>(i)].answer(s);
-        force[i] = answer[static_cast<std::size_t>(i)] * values[static_cast<std::size_t>(rows_ + i)];
-        if (once) continue;
-        Complex sum = 0;
-        for (const auto& d : friction_[static_cast<std::size_t>(i)].delays) sum += d.weight * std::exp(-s * d.time);
-        first[static_cast<std::size_t>(i)] = sum * values[static_cast<std::size_t>(rows_ + i)];
+        const Complex speed = values[static_cast<std::size_t>(rows_ + i)];
+        force[i] = answers[i].all * speed;
+        first[static_cast<std::size_t>(i)] = answers[i].delays * speed;
     }
     for (Eigen::Index k = 0; k < m; ++k) {
         by_push_[static_cast<std::size_t>(k)].at(s, values.data());
         for (Eigen::Index r = 0; r < rows_; ++r) by_force(r, k) = values[static_cast<std::size_t>(r)];
-        for (Eigen::Index i = 0; i < m; ++i)
-            closed(i, k) = (i == k ? 1.0 : 0.0) -
-                           answer[static_cast<std::size_t>(i)] * values[static_cast<std::size_t>(rows_ + i)];
+        for (Eigen::Index i = 0; i < m; ++i) {
+            const Complex speed = values[static_cast<std::size_t>(rows_ + i)];
+            closed(i, k) = (i == k ? 1.0 : 0.0) - answers[i].all * speed;
+            second[static_cast<std::size_t>(i)] += answers[i].delays * speed * first[static_cast<std::size_t>(k)];
+        }
     }
     if (m == 1)
         force[0] /= closed(0, 0);
     else
         force = closed.partialPivLu().solve(force).eval();
-    for (Eigen::Index i = 0; i < m; ++i) force[i] -= first[static_cast<std::size_t>(i)];
+    if (!early)
+        for (Eigen::Index i = 0; i < m; ++i)
+            force[i] -= first[static_cast<std::size_t>(i)] + second[static_cast<std::size_t>(i)];
     for (Eigen::Index r = 0; r < rows_; ++r) added[r] = (by_force.row(r) * force)(0);
 }
 

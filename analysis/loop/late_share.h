@@ -15,8 +15,16 @@ class LateShare {
   public:
     LateShare(const Eigen::MatrixXd& A, const Eigen::VectorXd& input, const Eigen::MatrixXd& rows,
               const std::vector<LateFriction>& friction);
-    /// Into `added`, one value a row. `once`: with what delays answer to the mechanism that does not hear them.
-    void at(std::complex<double> s, bool once, std::complex<double>* added) const;
+    /// What friction i answers at s, and what its delays alone do.
+    struct Answer {
+        std::complex<double> all, delays;
+    };
+    static constexpr std::size_t most_late = 4;  ///< bodies
+    /// Into `added`, one value a row. `early`: with what delays answer to the mechanism that does not hear them, and to
+    /// that answer.
+    void at(std::complex<double> s, bool early, std::complex<double>* added) const;
+    /// The same where the answers are known, one a friction.
+    void at(std::complex<double> s, bool early, const Answer* answers, std::complex<double>* added) const;
 
   private:
     std::vector<LateFriction> friction_;

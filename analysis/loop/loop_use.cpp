@@ -1,6 +1,6 @@
 #include "analysis/loop/loop_use.h"
 
-#include "analysis/joint/gains.h"
+#include "analysis/joint/steady_output.h"
 
 #include <cmath>
 
@@ -22,7 +22,8 @@ LoopKind loop_kind(const Joint& joint)
     if (!feeds_back(joint)) return LoopKind::ideal;
     if (is_set(c.period)) return LoopKind::sampled;
     const bool late = joint.dead_time() > 0 || a.lag > 0 || c.velocity_estimate.tau > 0;
-    const bool other = gains_of(c).k_i != 0 || a.effort_gain != 1 || joint.sensor.position_scale != 1 ||
+    const bool pushes = is_set(c.V0) && push_slope(c.feed_forward, c.V0) != 0;
+    const bool other = pushes || gains_of(c).k_i != 0 || a.effort_gain != 1 || joint.sensor.position_scale != 1 ||
                        a.sag_effort < infinity || a.kind == ActuatorKind::dc_motor;
     return late || other ? LoopKind::continuous : LoopKind::ideal;
 }
@@ -32,7 +33,7 @@ namespace {
 /// Of an effect beside which another counts for nothing.
 constexpr double nothing_beside = 0.01;
 
-/// Whether a push that follows the motion adds to the slopes of the loop at V_0. Beside a jump there is no slope.
+/// Whether a push by the position error adds to the slopes of the loop at V_0. Beside a jump there is no slope.
 bool push_is_felt(const Joint& joint)
 {
     const auto& f = joint.control.feed_forward;
@@ -40,9 +41,7 @@ bool push_is_felt(const Joint& joint)
     const double V0 = joint.control.V0;
     const double damping = std::abs(f.coulomb) * f.direction(V0).slope;
     const double left = std::abs(f.coulomb) * f.fade(V0, V0 < 0 ? -1 : 1).value;
-    const bool felt = !(damping < nothing_beside * std::abs(k_v));
-    if (f.coulomb_from == CoulombFrom::velocity) return felt;
-    return felt || !(left < nothing_beside * std::abs(k_p) * f.coulomb_width);
+    return !(damping < nothing_beside * std::abs(k_v)) || !(left < nothing_beside * std::abs(k_p) * f.coulomb_width);
 }
 
 /// Whether the dither's own velocity is noticed beside V_0.
@@ -79,7 +78,8 @@ void take_controller(Collector& c, const Joint& joint)
     const auto& control = joint.control;
     const auto& estimate = control.velocity_estimate;
     const bool sampled = is_set(control.period), cascade = control.structure == Structure::cascade;
-    const bool estimates = gains_of(control).k_v != 0 && control.kind == ControlKind::position;
+    const auto& f = control.feed_forward;
+    const bool estimates = (gains_of(control).k_v != 0 || f.by_velocity()) && control.kind == ControlKind::position;
     c.take(cascade, "control.position_gain");
     c.take(cascade, "control.velocity_gain");
     c.take(cascade && is_set(control.velocity_integral_gain), "control.velocity_integral_gain");
@@ -98,10 +98,10 @@ void take_controller(Collector& c, const Joint& joint)
         c.leave(estimate.average > 1, "control.velocity_estimate.average", WhyNot::no_feedback, false);
     }
     c.leave(!control.reference_velocity, "control.reference_velocity", WhyNot::reference_only, false);
-    const auto& f = control.feed_forward;
     c.leave(f.velocity != 1 || f.acceleration != 0 || (f.coulomb != 0 && !f.fed_back()), "control.feed_forward",
             WhyNot::reference_only, false);
-    c.leave(f.fed_back(), "control.feed_forward.coulomb_from", WhyNot::fed_back, push_is_felt(joint));
+    c.take(f.by_velocity(), "control.feed_forward.coulomb_from");
+    c.leave(f.by_error(), "control.feed_forward.coulomb_from", WhyNot::fed_back, f.by_error() && push_is_felt(joint));
     c.leave(control.dither.amplitude > 0, "control.dither", WhyNot::time, dither_is_felt(joint));
     c.leave(f.gravity, "control.feed_forward.gravity", WhyNot::reference_only, false);
     c.leave(control.effort_limit < infinity, "control.effort_limit", WhyNot::small_signal, false);

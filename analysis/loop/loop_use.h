@@ -24,7 +24,7 @@ enum class WhyNot {
     no_feedback,     ///< the loop feeds nothing back that it could act on
     reference_only,  ///< it acts on the reference alone and moves no root
     load_direction,  ///< friction of a gear, with a kink where the effort at the load changes its sign
-    fed_back,        ///< a push that follows the motion itself, of which the linear theory has no term
+    fed_back,        ///< a push by the side of the set point, of which the linear theory has no term
     unsupported      ///< this loop has no evaluation with such friction
 };
 

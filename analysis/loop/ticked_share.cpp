@@ -45,49 +45,78 @@ TickedShare::TickedShare(const TickedFriction& ticked, const std::vector<LateFri
                          const Resolvent& responses)
     : ticked_(ticked),
       period_(ticked.timing.period),
+      friction_(friction),
       share_(ticked.plant.A, ticked.plant.B, readings_of(ticked.plant), friction)
 {
     constexpr double whole = 1e-12;  // as in sampled_loop()
     const double ticks = ticked_.timing.delay / period_, part = ticks - std::floor(ticks + whole);
     fraction_ = part > whole ? part * period_ : 0;
-    take_answers(friction);
+    take_answers();
+    take_turns();
     choose_aliases(responses);
 }
 
-/// The mechanism behind itself, the speed of the first pushing the second.
-void TickedShare::take_answers(const std::vector<LateFriction>& friction)
+/// Two delays of one friction answer each other alike in either order.
+void TickedShare::take_answers()
+{
+    std::vector<Late> all;
+    for (const auto& f : friction_)
+        for (const auto& d : f.delays) all.push_back({&f, d});
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        take_answer({all[i]}, 1);
+        for (std::size_t k = 0; k < all.size(); ++k)
+            if (all[i].friction != all[k].friction)
+                take_answer({all[i], all[k]}, 1);
+            else if (k <= i)
+                take_answer({all[i], all[k]}, k < i ? 2 : 1);
+    }
+}
+
+/// The mechanism behind itself, the speed of each pushing the next, `times` over.
+void TickedShare::take_answer(const std::vector<Late>& delays, double times)
 {
     const auto& plant = ticked_.plant;
-    const auto n = plant.A.rows();
-    for (const auto& f : friction)
-        for (const auto& d : f.delays) {
-            LoopPlant twice;
-            twice.A = Eigen::MatrixXd::Zero(2 * n, 2 * n);
-            twice.A.topLeftCorner(n, n) = twice.A.bottomRightCorner(n, n) = plant.A;
-            twice.A.bottomLeftCorner(n, n) = d.weight * f.push * f.speed;
-            twice.B = Eigen::VectorXd::Zero(2 * n);
-            twice.B.head(n) = plant.B;
-            twice.C = twice.C_v = Eigen::RowVectorXd::Zero(2 * n);
-            twice.C.tail(n) = plant.C;
-            twice.C_v.tail(n) = plant.C_v;
-            const LoopTiming timing{period_, fraction_ + d.time, 0, 1, true};
-            const auto ticked = loop_without_whole_ticks(twice, timing, {}, {1, 0, 0, 0});
-            Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(2, ticked->loop.input.size());
-            rows.leftCols(2 * n) = readings_of(twice);
-            answers_.push_back({Resolvent(ticked->loop.difference, ticked->loop.input, rows), ticked->whole_ticks});
-        }
+    const auto n = plant.A.rows(), all = n * static_cast<Eigen::Index>(delays.size() + 1);
+    LoopPlant chain;
+    chain.A = Eigen::MatrixXd::Zero(all, all);
+    for (Eigen::Index at = 0; at < all; at += n) chain.A.block(at, at, n, n) = plant.A;
+    double time = fraction_;
+    for (std::size_t i = 0; i < delays.size(); ++i) {
+        const auto& [friction, delay] = delays[i];
+        const auto at = n * static_cast<Eigen::Index>(i);
+        chain.A.block(at + n, at, n, n) = delay.weight * friction->push * friction->speed;
+        time += delay.time;
+    }
+    chain.B = Eigen::VectorXd::Zero(all);
+    chain.B.head(n) = times * plant.B;
+    chain.C = chain.C_v = Eigen::RowVectorXd::Zero(all);
+    chain.C.tail(n) = plant.C;
+    chain.C_v.tail(n) = plant.C_v;
+    const LoopTiming timing{period_, time, 0, 1, true};
+    const auto ticked = loop_without_whole_ticks(chain, timing, {}, {1, 0, 0, 0});
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(2, ticked->loop.input.size());
+    rows.leftCols(all) = readings_of(chain);
+    answers_.push_back({Resolvent(ticked->loop.difference, ticked->loop.input, rows), ticked->whole_ticks});
+}
+
+void TickedShare::take_turns()
+{
+    const auto turn = [this](double time) { return std::polar(1.0, -2 * pi * std::fmod(time / period_, 1.0)); };
+    turns_ = {turn(fraction_)};
+    for (const auto& f : friction_)
+        for (const auto& d : f.delays) turns_.push_back(turn(d.time));
 }
 
 /// As many as leave less than the digits that matter; what is left falls with a high power of the frequency.
 void TickedShare::choose_aliases(const Resolvent& responses)
 {
-    constexpr double left = 1e-11;
-    constexpr int fewest = 8, most = 4096;
-    for (aliases_ = fewest; aliases_ < most; aliases_ *= 2) {
+    constexpr double left = 1e-12;
+    constexpr int fewest = 4, most = 4096;
+    for (aliases_ = fewest; aliases_ < most; aliases_ += aliases_ / 2) {
         bool enough = true;
         for (const double share : {0.03, 0.3, 0.9}) {  // at half the sampling rate a mass answers nothing
             const Complex s(0, share * pi / period_);
-            const Added fewer = answered_again(s, aliases_), more = answered_again(s, 2 * aliases_);
+            const Added fewer = answered_further(s, aliases_), more = answered_further(s, 2 * aliases_);
             const auto [K, K_v] = controller_at(ticked_.timing, ticked_.turned, std::exp(s * period_));
             std::array<Complex, 2> all;
             responses.at(beyond_one(s * period_), all.data());
@@ -98,7 +127,7 @@ void TickedShare::choose_aliases(const Resolvent& responses)
     }
 }
 
-TickedShare::Added TickedShare::answered_once(Complex s) const
+TickedShare::Added TickedShare::answered_early(Complex s) const
 {
     Added sum{};
     std::array<Complex, 2> values;
@@ -111,30 +140,54 @@ TickedShare::Added TickedShare::answered_once(Complex s) const
     return sum;
 }
 
-/// What the delays answer to their own answers, and tables to everything: the response of the mechanism to the hold,
-/// sampled by its aliases, Σ P(s + 2πin/T) (1 − e^{−sT})/(T (s + 2πin/T)).
-TickedShare::Added TickedShare::answered_again(Complex s, int aliases) const
+/// What the delays answer beyond that, and tables to everything: the response of the mechanism to the hold, sampled by
+/// its aliases, Σ P(s + 2πin/T) (1 − e^{−sT})/(T (s + 2πin/T)). From alias to alias delays only turn.
+TickedShare::Added TickedShare::answered_further(Complex s, int aliases) const
 {
     const double step = 2 * pi / period_;
     const Complex held = -beyond_one(-s * period_) / period_;
+    constexpr std::size_t few = 16;
+    std::array<Complex, few> some;
+    std::vector<Complex> many(turns_.size() > few ? turns_.size() : 0);
+    Complex* const late = turns_.size() > few ? many.data() : some.data();
     Added sum{};
     std::array<Complex, 2> added;
+    std::array<LateShare::Answer, LateShare::most_late> answers;
     const auto take = [&](double shift) {
         const Complex at = s + Complex(0, shift);
-        share_.at(at, false, added.data());
-        const Complex hold = held / at * std::exp(-at * fraction_);
+        std::size_t next = 1;
+        for (std::size_t i = 0; i < friction_.size(); ++i) {
+            Complex delays = 0;
+            for (const auto& d : friction_[i].delays) delays += d.weight * late[next++];
+            answers[i] = {friction_[i].only_delays ? delays : friction_[i].answer(at), delays};
+        }
+        share_.at(at, false, answers.data(), added.data());
+        const Complex hold = held / at * late[0];
         sum.reading += hold * added[0];
         sum.rate += hold * added[1];
     };
-    for (int n = aliases; n > 0; --n) take(n * step), take(-n * step);
-    take(0);
+    const auto begin = [&] {
+        late[0] = std::exp(-s * fraction_);
+        std::size_t next = 1;
+        for (const auto& f : friction_)
+            for (const auto& d : f.delays) late[next++] = std::exp(-s * d.time);
+    };
+    for (const int side : {1, -1}) {
+        begin();
+        if (side > 0) take(0);
+        for (int n = 1; n <= aliases; ++n) {
+            for (std::size_t k = 0; k < turns_.size(); ++k) late[k] *= side > 0 ? turns_[k] : std::conj(turns_[k]);
+            take(side * n * step);
+        }
+    }
     return sum;
 }
 
 std::pair<Complex, Complex> TickedShare::at(Complex s) const
 {
-    const Added once = answered_once(s), again = answered_again(s, aliases_);
-    const Complex reading = once.reading + again.reading, rate = once.rate + again.rate, z = std::exp(s * period_);
+    const Added early = answered_early(s), further = answered_further(s, aliases_);
+    const Complex reading = early.reading + further.reading, rate = early.rate + further.rate,
+                  z = std::exp(s * period_);
     const auto [K, K_v] = controller_at(ticked_.timing, ticked_.turned, z);
     const auto [B, B_v] = controller_at(ticked_.timing, ticked_.base, z);
     return {K * reading + K_v * rate, -(B * reading + B_v * rate)};

@@ -23,21 +23,31 @@ class TickedShare {
     struct Added {
         Complex reading, rate;
     };
-    /// One delay's answer to the mechanism that does not hear it, from tick to tick.
+    /// One delay's answer to the mechanism that does not hear it, or another's to that answer, from tick to tick.
     struct Answer {
         Resolvent of_ticks;
         int whole_ticks;
     };
-    Added answered_once(Complex s) const;
-    Added answered_again(Complex s, int aliases) const;
-    void take_answers(const std::vector<LateFriction>& friction);
+    /// The force of one delay.
+    struct Late {
+        const LateFriction* friction;
+        LateFriction::Delay delay;
+    };
+    Added answered_early(Complex s) const;
+    Added answered_further(Complex s, int aliases) const;
+    void take_answers();
+    void take_answer(const std::vector<Late>& delays, double times);
+    void take_turns();
     void choose_aliases(const Resolvent& responses);
 
     TickedFriction ticked_;
     double period_;
+    std::vector<LateFriction> friction_;
     LateShare share_;
     std::vector<Answer> answers_;
     double fraction_ = 0;  ///< s, of the dead time beyond whole ticks
+    /// By how much a delay turns from alias to alias, e^{−2πi t/T}: of the fraction, then of each delay.
+    std::vector<Complex> turns_;
     int aliases_ = 0;
 };
 

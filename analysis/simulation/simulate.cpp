@@ -2,6 +2,7 @@
 
 #include "analysis/simulation/flows/late_flow.h"
 #include "analysis/simulation/flows/mode.h"
+#include "analysis/simulation/mirrored.h"
 #include "analysis/simulation/sampled/loop_trajectory.h"
 #include "analysis/simulation/sampled/loop_verdict.h"
 #include "analysis/simulation/solvers/motion.h"
@@ -214,9 +215,12 @@ Trajectory simulate(const Joint& asked, const SimulateOptions& options)
         return path;
     }
     if (!options.normal_load.value.empty()) link_friction(joint).normal_load = options.normal_load.value.front();
+    const bool backwards = commanded_velocity(joint) < 0;
     const auto attempt = [&](auto found) {
         path.reason = found.reason;
-        if (found.reason == Reason::none) follow(found.flow, options, path);
+        if (found.reason != Reason::none) return;
+        follow(found.flow, backwards ? mirrored(options) : options, path);
+        if (backwards) mirror(path, link_friction_of(found.flow));
     };
     if (answers_late(joint))
         attempt(late_flow(joint));

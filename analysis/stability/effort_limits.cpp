@@ -1,6 +1,6 @@
 #include "analysis/stability/effort_limits.h"
 
-#include "analysis/joint/gains.h"
+#include "analysis/joint/steady_output.h"
 #include "analysis/stability/linear_joint.h"
 #include "analysis/stability/real_loop.h"
 #include "analysis/stability/steady.h"
@@ -35,15 +35,9 @@ double command_for(const Actuator& a, double effort, double velocity)
 bool integral_at_limit(const Joint& joint, double velocity)
 {
     const auto& c = joint.control;
-    const bool cascade = c.structure == Structure::cascade;
-    const double gain = cascade ? velocity_integral_gain(c) : c.k_i;
-    if (gain == 0 || c.integral_limit == infinity || c.kind == ControlKind::force) return false;
+    if (c.integral_limit == infinity || c.kind == ControlKind::force) return false;
     const double rate = joint.sensor.position_scale * velocity;
-    const auto& f = c.feed_forward;
-    double held = command_for(joint.actuator, steady_effort(joint, velocity), velocity);
-    if (!f.by_error()) held -= f.push(rate, rate, 0);
-    if (!cascade) held -= c.k_v * ((c.reference_velocity ? f.velocity * rate : 0) - rate);
-    return std::abs(held) > c.integral_limit;
+    return steady_output(c, command_for(joint.actuator, steady_effort(joint, velocity), velocity), rate, rate).at_limit;
 }
 
 Joint without_integral(const Joint& joint)
@@ -57,6 +51,11 @@ Joint without_integral(const Joint& joint)
 Joint without_stopped_integral(const Joint& joint, double velocity)
 {
     return integral_at_limit(joint, velocity) ? without_integral(joint) : joint;
+}
+
+Joint acting_joint(const Joint& joint)
+{
+    return with_gains(without_stopped_integral(joint, sliding_velocity(joint, commanded_velocity(joint))));
 }
 
 namespace {

@@ -29,6 +29,10 @@ Joint without_integral(const Joint& joint);
 /// The joint as it is about steady sliding at V: an integral that stands at its limit answers no small motion.
 Joint without_stopped_integral(const Joint& joint, double velocity);
 
+/// The joint as small motions about steady sliding at its own velocity meet it: a cascade as its sum of gains, without
+/// a stopped integral.
+Joint acting_joint(const Joint& joint);
+
 /// At V; nothing where every limit leaves the effort of steady sliding, and of force loops, whose ramp knows no limit.
 std::optional<LowLimit> low_limit(const Joint& joint, double velocity);
 

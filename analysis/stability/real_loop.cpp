@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "analysis/joint/drive.h"
-#include "analysis/joint/gains.h"
+#include "analysis/joint/steady_output.h"
 #include "analysis/stability/effort_limits.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/steady.h"
@@ -39,8 +39,8 @@ struct SplitGains {
     double per_gain = 1, at_none = 0;  ///< as in RealLoop
 };
 
-/// All gains of the loop, in the terms of its controller.
-LoopGains all_gains(const Joint& joint)
+/// The sum of gains or the two loops of the controller.
+LoopGains controller_gains(const Joint& joint)
 {
     const auto& c = joint.control;
     if (c.kind == ControlKind::force) return {c.force_gain, 0, 0, 0};
@@ -53,12 +53,21 @@ LoopGains all_gains(const Joint& joint)
     return {c.velocity_gain * c.position_gain, c.velocity_gain, gains.k_i, velocity_integral_gain(c)};
 }
 
+/// All that the controller makes of small motions about V. A push by the velocity acts on the same estimate as k_v.
+LoopGains all_gains(const Joint& joint, double velocity)
+{
+    auto gains = controller_gains(joint);
+    if (joint.control.kind == ControlKind::position)
+        gains.velocity -= push_slope(joint.control.feed_forward, joint.sensor.position_scale * velocity);
+    return gains;
+}
+
 /// Gains are searched from zero on in the direction `towards`: 1, or −1 where the motor is wired the other way round
 /// and its gains are negative for it.
-std::optional<SplitGains> split(const Joint& joint, TurnedGain turned, double towards)
+std::optional<SplitGains> split(const Joint& joint, double velocity, TurnedGain turned, double towards)
 {
     const auto& c = joint.control;
-    LoopGains base = all_gains(joint);
+    LoopGains base = all_gains(joint, velocity);
     if (turned == TurnedGain::all) return SplitGains{{}, base, 1};
     if (c.kind == ControlKind::force) return {};
     if (c.structure == Structure::cascade) {
@@ -73,7 +82,7 @@ std::optional<SplitGains> split(const Joint& joint, TurnedGain turned, double to
         base.position = 0;
         return SplitGains{base, {towards, 0, 0, 0}, towards * c.k_p, towards};
     }
-    base.velocity = 0;
+    base.velocity -= c.k_v;
     return SplitGains{base, {0, towards, 0, 0}, towards * c.k_v, towards};
 }
 
@@ -248,7 +257,7 @@ LatePlant late_plant(const Joint& joint, const LinearJoint& linear, double veloc
         push.head(open.states()) = rates_per_force(open, i);
         late.friction.push_back({push, Eigen::RowVectorXd::Unit(states, open.bodies + i),
                                  [only, still = at_rest[i]](Complex s) { return transfer(only, s) - still; }, delays,
-                                 memory});
+                                 memory, only.table == nullptr});
     }
     open.friction[0].f_v += actuation(joint, velocity, steady_effort(joint, velocity)).drag;
     late.roots_right_of = [open](double sigma) { return roots_right_of(open, sigma); };
@@ -261,7 +270,7 @@ std::optional<RealLoop> real_loop(const Joint& joint, const LinearJoint& linear,
 {
     if (!remembers_little(joint)) return {};
     const bool wired_back = joint.actuator.effort_gain < 0 && joint.control.k_p < 0;
-    const auto gains = split(without_stopped_integral(joint, velocity), turned, wired_back ? -1 : 1);
+    const auto gains = split(without_stopped_integral(joint, velocity), velocity, turned, wired_back ? -1 : 1);
     if (!gains) return {};
     const auto plant = late_plant(joint, linear, velocity);
     if (!plant.prompt.A.allFinite() || !plant.prompt.B.allFinite()) return {};

@@ -1,6 +1,6 @@
 #include "analysis/stability/steady.h"
 
-#include "analysis/joint/gains.h"
+#include "analysis/joint/steady_output.h"
 #include "analysis/stability/effort_limits.h"
 #include "analysis/stability/linear_joint.h"
 #include "analysis/stability/real_loop.h"
@@ -72,7 +72,11 @@ SteadySliding steady_sliding(const Joint& joint)
     }
     if (joint.load.constant != 0 && joint.control.kind == ControlKind::position)
         effort = steady_effort(joint, s.velocity);
-    s.deflection = command_for(joint.actuator, effort, s.velocity) / gains_of(joint.control).k_p;
+    const double command = command_for(joint.actuator, effort, s.velocity);
+    // at V_0 as the controller reads it
+    s.deflection = joint.control.kind == ControlKind::force
+                       ? command / joint.control.k_p
+                       : steady_output(joint.control, command, s.velocity, s.velocity).error;
     if (!std::isfinite(effort) || !carries) s.reason = Reason::no_steady_state;
     return s;
 }

@@ -136,7 +136,8 @@ LinearVerdict linear_verdict(const Joint& joint)
 {
     const double sliding = sliding_velocity(joint, commanded_velocity(joint));
     if (integral_at_limit(joint, sliding)) {
-        auto verdict = linear_verdict(without_stopped_integral(joint, sliding));
+        auto verdict = linear_verdict(without_integral(joint));
+        verdict.steady = possible_sliding(joint);  // what the integral holds counts in the deflection
         tell_stopped_integral(joint.control, verdict.loop);
         return verdict;
     }

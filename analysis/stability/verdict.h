@@ -15,7 +15,7 @@ namespace stickslip {
 struct SteadySliding {
     double velocity = missing;     ///< V_0
     double friction = missing;     ///< f_ss(V_0)
-    double deflection = missing;   ///< δ_ss = f_ss(V_0)/k_p
+    double deflection = missing;   ///< δ_ss, position error; f_ss(V_0)/k_p of the ideal loop
     Reason reason = Reason::none;  ///< why there is none
 };
 

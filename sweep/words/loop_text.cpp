@@ -42,7 +42,7 @@ std::string why_text(WhyNot why)
         case WhyNot::load_direction:
             return "its friction changes where the effort at the load changes sign, which no linear system has";
         case WhyNot::fed_back:
-            return "it follows the motion itself, and the linear theory has no term for it: the simulation has";
+            return "it follows the position error, and the linear theory has no term for it: the simulation has";
         case WhyNot::unsupported:
             return "this loop is not computed with such friction";
     }

@@ -104,7 +104,7 @@ TEST_CASE("a wrong command line is told what is allowed and the nearest name", "
         {"simulate a.toml --disturbance posit", "got \"posit\", expected position, velocity"},
         {"simulate a.toml --disturbance posit", "did you mean position?"},
         {"sweep --max-undecided 7", "--max-undecided: got \"7\", expected 0 to 1\n"},
-        {"sweep --threads many", "--threads: got \"many\", expected 0 to 4096\n"},
+        {"sweep --threads many", "--threads: got \"many\", expected a whole number from 0 to 4096\n"},
         {"simulate a.toml --duration -1", "--duration: got \"-1\", expected a number above 0\n"},
         {"simulate a.toml --force sin", "expected impulse, step, sine, noise or a file; did you mean sine?"},
         {"report a b c", "DIR: got 3, expected at most 2"},
@@ -116,6 +116,66 @@ TEST_CASE("a wrong command line is told what is allowed and the nearest name", "
         CHECK(run.exit_code == 2);
         CHECK_THAT(run.output, Contains(wrong.says));
     }
+}
+
+TEST_CASE("options take no number that means nothing", "[program][slow]")
+{
+    struct Option {
+        const char *arguments, *name, *also_wrong;
+    };
+    // "nan" is neither below nor above the ends of a range
+    const Option options[] = {
+        {"evaluate a.toml", "--effort", "0"},
+        {"evaluate a.toml", "--size", "big"},
+        {"evaluate a.toml", "--omega", "0"},
+        {"margins a.toml", "--effort", "-1"},
+        {"margins a.toml", "--guard", "2.5"},
+        {"margins a.toml", "--threads", "-1"},
+        {"simulate a.toml", "--tolerance", "0"},
+        {"simulate a.toml", "--duration", "-1"},
+        {"simulate a.toml", "--seed", "0.5"},
+        {"boundary a.toml", "--max-undecided", "1.5"},
+        {"boundary a.toml", "--precision", "0"},
+        {"boundary a.toml", "--threads", "-2"},
+        {"sweep a.toml", "--max-undecided", "-1"},
+        {"check a.toml b.json", "--gap-tolerance", "-1"},
+        {"check a.toml b.json", "--number-tolerance", "-1"},
+        {"check a.toml b.json", "--threads", "-1"},
+        {"design a.toml --set-point", "--friction-margin", "1"},
+        {"design a.toml --set-point", "--integral-gain", "0"},
+        {"design a.toml --set-point", "--push-speed", "0"},
+        {"design a.toml --set-point", "--rest-error", "-1"},
+        {"design a.toml", "--threads", "-1"},
+        {"export a.toml --to mjcf", "--timestep", "0"},
+        {"export a.toml --to mjcf", "--link-inertia", "0"},
+        {"export a.toml --to mjcf", "--speed", "0"},
+        {"diagnose a.toml b.csv", "--guarantee", "2"},
+        {"diagnose a.toml b.csv", "--threads", "-1"},
+        {"calibrate a.toml b.csv", "--cases", "0"},
+        {"calibrate a.toml b.csv", "--seed", "-1"},
+        {"calibrate a.toml b.csv", "--threads", "-1"},
+        {"blind a", "--timeout", "0"},
+        {"blind a", "--jobs", "0"},
+        {"blind a", "--threads", "-1"},
+        {"plan a.toml b.csv", "--threads", "-1"},
+        {"arm-load a.csv", "--window", "0"},
+    };
+    for (const auto& option : options)
+        for (const std::string value : {"nan", "inf", "1e999", "ten", option.also_wrong}) {
+            const auto run = stickslip(std::string(option.arguments) + " " + option.name + " " + value);
+            INFO(option.arguments << " " << option.name << " " << value << "\n" << run.output);
+            CHECK(run.exit_code == 2);
+            CHECK_THAT(run.output, Contains(std::string(option.name) + ": got \"" + value + "\", expected "));
+        }
+    // what disturbs by nothing shows nothing of what comes back from a disturbance; a start at 0 is one from rest
+    const std::string joint = "evaluate examples/01-reference-joint/spec.toml --set control.k_p=5e4 ";
+    for (const char* kind : {"", "--disturbance position ", "--disturbance velocity "}) {
+        const auto run = stickslip(joint + kind + "--size 0");
+        INFO(kind << run.output);
+        CHECK(run.exit_code == 2);
+        CHECK_THAT(run.output, Contains("--size: got 0, expected a disturbance other than 0"));
+    }
+    CHECK(stickslip(joint + "--disturbance start --size 0").exit_code == 0);
 }
 
 TEST_CASE("a directory that cannot be made is named, and what to do", "[program]")

@@ -2,6 +2,7 @@
 #include "tests/program/run.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 using Catch::Matchers::Contains;
@@ -28,4 +29,35 @@ TEST_CASE("margins say which parameters lead to stick-slip, and how far", "[prog
     CHECK(stickslip(call + "--uncertain friction.L=200%").exit_code == 2);
     CHECK(stickslip(call + "--uncertain friction.K=20%").exit_code == 2);
     CHECK(stickslip(call + "--over control.k_p control.k_v").exit_code == 2);
+}
+
+TEST_CASE("a velocity backwards is a parameter as one forwards is", "[program][margins]")
+{
+    program::Folder folder;
+    const auto joint =
+        folder.write("joint.toml",
+                     "[joint]\ninertia = 1.0\n[control]\nk_p = 1e4\nk_v = 20.0\nV0 = -4e-3\n"
+                     "[friction]\nlaw = \"stribeck\"\nc0 = 10.0\nc1 = 5.0\nc2 = 0.5\nc3 = 2e-3\nc4 = 2.0\n");
+    const auto row = [](const Json& json, const std::string& path) {
+        for (const auto& row : json["alone"])
+            if (row["path"] == path) return row;
+        return Json();
+    };
+    const std::string call = "margins '" + joint + "' --uncertain control.V0=10% --json ";
+    const auto back = stickslip(call);
+    INFO(back.output);
+    REQUIRE(back.exit_code == 0);
+    const auto backwards = Json::parse(back.output);
+    const auto forwards = Json::parse(stickslip(call + "--set control.V0=4e-3").output);
+    // Dupont (23): c1 − (2 c2 V/c3²) e^{−(V/c3)²} = −k_v at the boundary
+    const double V = row(backwards, "control.V0")["boundary"].get<double>();
+    CHECK(V < 0);
+    CHECK(2 * 0.5 * -V / 4e-6 * std::exp(-V * V / 4e-6) == Approx(25).epsilon(1e-7));
+    CHECK(row(backwards, "control.V0")["value"].get<double>() == -4e-3);
+    // this friction knows no direction
+    CHECK(row(forwards, "control.V0")["boundary"].get<double>() == Approx(-V).epsilon(1e-9));
+    CHECK(backwards["nearest"]["distance"].get<double>() ==
+          Approx(forwards["nearest"]["distance"].get<double>()).epsilon(1e-6));
+    CHECK(backwards["worst_case"]["spectral_abscissa"].get<double>() ==
+          Approx(forwards["worst_case"]["spectral_abscissa"].get<double>()).epsilon(1e-9));
 }

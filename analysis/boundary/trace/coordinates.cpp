@@ -16,7 +16,7 @@ std::vector<Coordinate> of_roles(Joint joint, std::initializer_list<Role> roles)
     std::vector<Coordinate> found;
     for (const auto& leaf : parameters(joint)) {
         if (std::find(roles.begin(), roles.end(), leaf.role) == roles.end()) continue;
-        if (!(*leaf.value > 0) || !std::isfinite(*leaf.value)) continue;
+        if (*leaf.value == 0 || !std::isfinite(*leaf.value)) continue;
         found.push_back({leaf.path, ""});
     }
     // with one state, B matters by what it exceeds A by
@@ -36,7 +36,7 @@ double value_of(const Joint& given, const Coordinate& c)
     const double* less = c.less.empty() ? nullptr : find_parameter(joint, c.less);
     if (!number || (!c.less.empty() && !less)) return missing;
     const double value = *number - (less ? *less : 0);
-    return value > 0 && std::isfinite(value) ? value : missing;
+    return (less ? value > 0 : value != 0) && std::isfinite(value) ? value : missing;
 }
 
 MovableJoint::MovableJoint(const Joint& joint, const std::vector<Coordinate>& coordinates) : joint_(joint)
@@ -44,8 +44,9 @@ MovableJoint::MovableJoint(const Joint& joint, const std::vector<Coordinate>& co
     for (const auto& c : coordinates) {
         const double value = value_of(joint, c);
         if (std::isnan(value))
-            throw std::invalid_argument(c.path + (c.less.empty() ? "" : " − " + c.less) +
-                                        ": is no positive number of this joint");
+            throw std::invalid_argument(c.less.empty()
+                                            ? c.path + ": is 0 or no number of this joint"
+                                            : c.path + " − " + c.less + ": is no positive number of this joint");
         double* less = c.less.empty() ? nullptr : find_parameter(joint_, c.less);
         numbers_.push_back({find_parameter(joint_, c.path), less, value, c.scale});
     }

@@ -40,6 +40,14 @@ std::optional<bool> is_stable(const Joint& joint, Curve::Kind theory)
         if (theory == Curve::Kind::velocity_only) linear = velocity_only(linear);
         if (linear.rational()) return is_stable(linear);
     }
+    if (theory != Curve::Kind::ideal_loop && loop_kind(joint) != LoopKind::ideal) {
+        const auto steady = possible_sliding(joint);
+        if (steady.reason != Reason::none) return {};
+        // of late loops a count of roots, where the growth is a search for one
+        const double side = real_side(joint, steady.velocity, theory == Curve::Kind::velocity_only);
+        if (std::isnan(side)) return {};
+        return side < 0;
+    }
     const double size = instability(joint, theory);
     if (std::isnan(size)) return {};
     return size < 0;

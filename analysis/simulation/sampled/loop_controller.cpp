@@ -19,37 +19,17 @@ double LoopController::begin(double output, double velocity, double step)
     const auto& c = control_;
     last_rate_ = frame_ != 0 ? frame_ : velocity;
     state.velocity = state.before = velocity;
-    const auto& f = c.feed_forward;
-    const double push = f.by_error() ? 0 : f.push(last_rate_, velocity, 0);
-    const double needed = output - ahead(0, last_rate_, step) - push;
-    const double lost = rate_error(last_rate_);  // what steady sliding leaves of the velocity error
-    const bool cascade = c.structure == Structure::cascade && integrates();
-    const double wanted = cascade ? needed : needed - gains_.k_v * lost;
-    const double left = wanted - hold_steadily(wanted);
-    double error = 0;
-    if (cascade)
-        error = ((left == 0 ? 0 : left / c.velocity_gain) - lost) / c.position_gain;
-    else if (left != 0 || !integrates())
-        error = error_that_gives(left);
-    if (!is_set(error)) return not_set;
-    if (error != 0) error += std::copysign(c.dead_zone, error);
-    state.reading = -error;
+    const auto steady = steady_output(c, output - ahead(0, last_rate_, step), last_rate_, velocity);
+    if (!is_set(steady.error)) return not_set;
+    if (integrates()) hold(steady.held / gain_of_integral_);
+    state.reading = -steady.error;
     state.output = output;
-    state.error = outside_dead_zone(error);
+    state.error = outside_dead_zone(steady.error);
     state.fresh = false;
     auto& w = state.window;
     for (std::size_t i = 0; i < w.size(); ++i)  // where it was before, in a frame that may move at another velocity
         w[i] = state.reading + (frame_ - velocity) * step * static_cast<double>(w.size() - i);
     return state.reading;
-}
-
-/// What the integral holds of this output: all of it, or its limit.
-double LoopController::hold_steadily(double output)
-{
-    if (!integrates()) return 0;
-    const double held = std::clamp(output, -control_.integral_limit, control_.integral_limit);
-    hold(held / gain_of_integral_);
-    return held;
 }
 
 /// Counts the integral from the first steady value that it is given.
@@ -83,21 +63,9 @@ void LoopController::read(double reading, double step, double exact)
     }
 }
 
-/// k_p and the push towards the set point together; NaN within the jump of that push, where no error gives it.
-double LoopController::error_that_gives(double output) const
-{
-    const auto& f = control_.feed_forward;
-    if (!f.by_error()) return output / gains_.k_p;
-    const double full = f.coulomb * f.fade(state.velocity, state.velocity < 0 ? -1 : 1).value;
-    const double within = f.coulomb_width > 0 ? output / (gains_.k_p + full / f.coulomb_width) : infinity;
-    if (std::abs(within) <= f.coulomb_width) return within;
-    const double beyond = (output - std::copysign(full, output / gains_.k_p)) / gains_.k_p;
-    return beyond * output / gains_.k_p > 0 ? beyond : not_set;
-}
-
 double LoopController::rate_error(double rate) const
 {
-    return (control_.reference_velocity ? control_.feed_forward.velocity * rate : 0) - state.velocity;
+    return velocity_error(control_, rate, state.velocity);
 }
 
 double LoopController::outside_dead_zone(double error) const

@@ -1,7 +1,7 @@
 // The controller of a loop, tick by tick, as the joint describes it. It counts positions in the frame of the motion, so
 // that a joint that slides steadily is at rest in it.
 #pragma once
-#include "analysis/joint/gains.h"
+#include "analysis/joint/steady_output.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,12 +60,10 @@ class LoopController {
     double logged() const { return logged_; }
 
   private:
-    double hold_steadily(double output);
     void hold(double integral);
     double ahead(double reference, double rate, double step);
     double outside_dead_zone(double error) const;
     double rate_error(double rate) const;
-    double error_that_gives(double output) const;
     void integrate(double input, double error, double step);
 
     const Control control_;

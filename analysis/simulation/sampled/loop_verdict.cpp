@@ -110,8 +110,7 @@ bool has_real_loop(const Joint& joint)
 }
 
 LoopInquiry::LoopInquiry(const Joint& asked, const LoopQuestion& question, GrowthBy by)
-    : joint_(with_gains(without_stopped_integral(asked, sliding_velocity(asked, commanded_velocity(asked))))),
-      question_(question)
+    : joint_(acting_joint(asked)), deflection_(std::abs(steady_sliding(asked).deflection)), question_(question)
 {
     if (auto refusal = obstacle(joint_)) {
         verdict_ = *refusal;
@@ -157,8 +156,8 @@ bool LoopInquiry::find_mode(const Joint& asked, double frame, GrowthBy by)
         verdict_.growth_rate = s.real();
     else if (by == GrowthBy::motion)
         verdict_.growth_rate = measure_loop_growth(linear, mode_);
-    else  // the theory has no term for a push that is fed back
-        verdict_.growth_rate = joint_.control.feed_forward.fed_back() ? s.real() : real_growth(joint_, V0, false);
+    else  // the theory has no term for a push by the error
+        verdict_.growth_rate = joint_.control.feed_forward.by_error() ? s.real() : real_growth(joint_, V0, false);
     const double measured = std::isfinite(verdict_.growth_rate) ? verdict_.growth_rate : s.real();
     if (!(std::abs(s) > 0) || std::abs(measured) < neutral_growth * std::abs(s)) return refuse(Reason::neutral, {});
     auto& options = follow_;
@@ -261,8 +260,7 @@ void LoopInquiry::judge_stated()
     verdict_.cycle = stated;
     if (stated.reason == Reason::not_converged)
         verdict_.detail = stated.cut_short ? Detail::limit_of_work : Detail::limit_of_turns;
-    const double deflection = std::abs(steady_sliding(joint_).deflection);
-    verdict_.overshoot = std::fmax(0, stated.first_peak) / deflection;
+    if (deflection_ > 0) verdict_.overshoot = std::fmax(0, stated.first_peak) / deflection_;
     if (!follow_.steady_attracts) {
         verdict_.region = LoopRegion::stick_slip;
     } else if (stated.oscillates()) {

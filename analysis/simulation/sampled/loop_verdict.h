@@ -67,7 +67,8 @@ class LoopInquiry {
     void judge_search(const LoopEnd& large);
     void follow(Phase phase);
 
-    Joint joint_;  ///< with the gains that act
+    Joint joint_;        ///< with the gains that act
+    double deflection_;  ///< of steady sliding; none where an integral takes it
     LoopQuestion question_;
     LoopFollowOptions follow_;
     LoopMode mode_;

@@ -43,7 +43,7 @@ Joint with_short_lag_as_delay(Joint joint)
 double tick_of(const Joint& given)
 {
     if (is_set(given.control.period)) return given.control.period;
-    const Joint joint = with_short_lag_as_delay(given);
+    const Joint joint = with_short_lag_as_delay(with_gains(given));
     const auto& c = joint.control;
     const double usual = usual_tick(joint);
     double tick = usual;

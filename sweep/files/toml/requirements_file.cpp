@@ -93,7 +93,8 @@ Coordinate coordinate_from(const Joint& joint, const std::string& text)
             throw BadInput(fmt::format("{}: is no number of this joint{}", path,
                                        files::did_you_mean(path, files::numeric_paths(joint))));
     if (std::isnan(value_of(joint, c)))
-        throw BadInput(fmt::format("{}: is not positive in this joint, so a share of it means nothing", text));
+        throw BadInput(fmt::format("{}: is {} in this joint, so a share of it means nothing", text,
+                                   c.less.empty() ? "0" : "not positive"));
     return c;
 }
 

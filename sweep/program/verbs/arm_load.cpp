@@ -8,6 +8,7 @@
 #include "sweep/files/text/whole_file.h"
 #include "sweep/program/verbs/diagnosis_verbs.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/number_option.h"
 
 #include <fmt/format.h>
 
@@ -204,7 +205,8 @@ void add_arm_load(CLI::App& app, Invocation& invocation)
     verb->add_option("--armature", options->armature,
                      "JOINT=INERTIA: rotor inertia behind the gear that the description lacks, kg·m² (kg)");
     verb->add_option("--window", options->window,
-                     "window of the cubic that gives the accelerations, s; default: 0.03, or six rows, 0.1 at most");
+                     "window of the cubic that gives the accelerations, s; default: 0.03, or six rows, 0.1 at most")
+        ->check(positive_number());
     verb->add_option("-o,--output", options->file, "file to write; default: standard output");
     verb->footer(
         "Example: stickslip arm-load positions.csv --robot arm.urdf --armature elbow=0.12 -o loads.csv\n"

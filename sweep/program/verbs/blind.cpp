@@ -4,6 +4,7 @@
 #include "sweep/files/text/whole_file.h"
 #include "sweep/program/verbs/blind_calibration.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/number_option.h"
 #include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/study/score.h"
@@ -233,10 +234,9 @@ void add_blind(CLI::App& app, Invocation& invocation)
                      "where to write answers and truth as a calibration for diagnose --guarantee");
     verb->add_option("--population", options->population,
                      "how the cases were drawn, in words: generator, seed; the promise is about joints drawn so");
-    verb->add_option("--jobs", options->jobs, "cases at once");
-    verb->add_option("--timeout", options->timeout, "seconds after which a case is given up")
-        ->check(CLI::PositiveNumber);
-    verb->add_option("--threads", options->threads, "threads of each diagnosis, 0 for all");
+    verb->add_option("--jobs", options->jobs, "cases at once")->check(whole_between(1, most_threads));
+    verb->add_option("--timeout", options->timeout, "seconds after which a case is given up")->check(positive_number());
+    add_threads(*verb, options->threads, "threads of each diagnosis, 0 for all");
     verb->footer(
         "Example: stickslip blind sealed --truth sealed.truth.json\n"
         "Exit codes: 0 done (the answers say which cases failed), 2 bad input, 3 interrupted, with the answers so far "

@@ -10,6 +10,7 @@
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/left_out.h"
 #include "sweep/program/verbs/no_sliding.h"
+#include "sweep/program/verbs/number_option.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/stoppable.h"
@@ -186,16 +187,16 @@ void add_boundary(CLI::App& app, Invocation& invocation)
         ->check(finite_number());
     verb->add_option("--precision", options->precision,
                      "relative width of brackets; default: 1e-10 linear, 1e-6 fold (3e-4 by simulation), 1e-4 outcome")
-        ->check(finite_number())
         ->check(between(1e-12, 0.1));
     verb->add_option("--guard", options->guard,
                      "cells along each axis of the grid that searches for further pieces; default: 16, or 8 if each "
                      "point is a simulation")
-        ->check(CLI::Range(2, 512));
+        ->check(whole_between(2, 512));
     verb->add_option("-o,--output", options->directory, "write boundary.json, boundary.csv and report.html here");
-    verb->add_option("--threads", options->threads, "0: all cores")->capture_default_str();
+    add_threads(*verb, options->threads, "0: all cores")->capture_default_str();
     verb->add_option("--max-undecided", options->max_undecided,
                      "exit 4 if more than this share of the scanned points has no verdict")
+        ->check(between(0, 1))
         ->capture_default_str();
     verb->add_flag("--ideal-loop", options->ideal_loop,
                    "the paper's loop: no sampling, dead time, filter, lag or integral");

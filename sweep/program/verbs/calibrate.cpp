@@ -9,6 +9,7 @@
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/gather_records.h"
 #include "sweep/program/verbs/guarantee_option.h"
+#include "sweep/program/verbs/number_option.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/stoppable.h"
@@ -190,16 +191,17 @@ void add_calibrate(CLI::App& app, Invocation& invocation)
     verb->add_option("RECORD", options->records, "its records, with reference_position: cases follow the same motions")
         ->required();
     verb->add_option("--cases", options->cases, "cases of all shards together")
-        ->check(CLI::Range(1, 1000000))
+        ->check(whole_between(1, 1000000))
         ->capture_default_str();
     verb->add_option("--shard", options->shard, "answer every M-th case only, from the K-th on: K/M")
         ->capture_default_str();
     verb->add_option("--seed", options->seed, "seed of the cases; case n does not depend on how many there are")
+        ->check(whole_number())
         ->capture_default_str();
     verb->add_option("-o,--output", options->output,
                      "file of the answered cases; cases that it holds are not answered again")
         ->capture_default_str();
-    verb->add_option("--threads", options->threads, "threads, 0 for all; the answers do not depend on it");
+    add_threads(*verb, options->threads, "threads, 0 for all; the answers do not depend on it");
     verb->footer(
         "Example: stickslip calibrate joint.toml slow.csv steps.csv --cases 59 -o calibration.json\n"
         "Example: stickslip calibrate joint.toml slow.csv --cases 1770 --shard 3/40 -o calibration-3.json\n"

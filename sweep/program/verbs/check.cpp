@@ -4,6 +4,7 @@
 #include "sweep/files/toml/spec_file.h"
 #include "sweep/program/verbs/check_gap.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/number_option.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/shell_word.h"
 #include "sweep/program/verbs/verbs.h"
@@ -91,14 +92,14 @@ void add_check(CLI::App& app, Invocation& invocation)
     verb->add_option("--junit", options->junit, "also write the outcome as JUnit XML to this file");
     verb->add_option("-o,--output", options->directory,
                      "directory for report.html with old and new curves, or for the diagnosis of the records");
-    verb->add_option("--threads", options->threads, "0: all cores")->capture_default_str();
+    add_threads(*verb, options->threads, "0: all cores")->capture_default_str();
     verb->add_flag("--json", options->json, "of a gap: print the outcome as JSON");
     verb->add_option("--gap-tolerance", options->tolerance.gap, "largest relative growth of the gap")
-        ->check(CLI::NonNegativeNumber)
+        ->check(not_negative_number())
         ->capture_default_str();
     verb->add_option("--number-tolerance", options->tolerance.number,
                      "largest relative change of a parameter, if it also exceeds 5 standard errors")
-        ->check(CLI::NonNegativeNumber)
+        ->check(not_negative_number())
         ->capture_default_str();
     verb->add_option("--joint", options->name, "name of the joint in logs of several");
     add_log_options(*verb, options->how);

@@ -10,6 +10,7 @@
 #include "sweep/program/verbs/design_set_point.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/no_sliding.h"
+#include "sweep/program/verbs/number_option.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/terminal.h"
 #include "sweep/program/verbs/verbs.h"
@@ -128,7 +129,7 @@ void add_design(CLI::App& app, Invocation& invocation)
                      "margin, least_velocity [m/s], stiffness_scale [N/m], k_p_from, k_p_to [N/m], k_v_from, k_v_to "
                      "[N·s/m], front_points; rad, N·m for revolute joints; values may carry units");
     verb->add_option("-o,--output", options->directory, "write design.json, designed-joint.toml and report.html here");
-    verb->add_option("--threads", options->threads, "0: all cores")->capture_default_str();
+    add_threads(*verb, options->threads, "0: all cores")->capture_default_str();
     verb->add_flag("--json", options->json, "print design.json instead of text");
     auto* holds = verb->add_flag(
         "--set-point", options->holds,
@@ -140,20 +141,20 @@ void add_design(CLI::App& app, Invocation& invocation)
         ->needs(holds);
     verb->add_option("--friction-margin", held.friction_margin,
                      "of a set point: uncertainty of static and kinetic friction, each, as a share")
-        ->check(CLI::Range(0.0, 0.99))
+        ->check(between(0, 0.99))
         ->capture_default_str()
         ->needs(holds);
     verb->add_option("--integral-gain", held.integral_gain,
                      "of a set point: k_i of the ways that integrate; default: the joint's")
-        ->check(CLI::PositiveNumber)
+        ->check(positive_number())
         ->needs(holds);
     verb->add_option(
             "--push-speed", held.push_speed,
             "of a set point: velocity over which the compensation fades; default: control.feed_forward.coulomb_speed")
-        ->check(CLI::PositiveNumber)
+        ->check(positive_number())
         ->needs(holds);
     verb->add_option("--rest-error", held.rest_error, "of a set point: largest error at rest that is allowed")
-        ->check(CLI::NonNegativeNumber)
+        ->check(not_negative_number())
         ->needs(holds);
     verb->footer(
         "Examples:\n"

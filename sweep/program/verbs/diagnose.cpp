@@ -14,6 +14,7 @@
 #include "sweep/program/verbs/gather_records.h"
 #include "sweep/program/verbs/guarantee_option.h"
 #include "sweep/program/verbs/log_options.h"
+#include "sweep/program/verbs/number_option.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/stage_line.h"
@@ -199,7 +200,7 @@ void add_diagnose(CLI::App& app, Invocation& invocation)
     verb->add_option("-o,--output", options->directory,
                      "directory for diagnosis.json and report.html; of a robot for robot.json, robot.html and a folder "
                      "for each joint");
-    verb->add_option("--threads", options->threads, "threads, 0 for all; the answer does not depend on it");
+    add_threads(*verb, options->threads, "threads, 0 for all; the answer does not depend on it");
     verb->add_flag("--json", options->json, "print diagnosis.json");
     verb->add_flag("--no-report", options->no_report, "do not write the page");
     verb->footer(

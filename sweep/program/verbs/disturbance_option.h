@@ -1,39 +1,15 @@
 // The options --disturbance and --size, which simulate and evaluate share.
 #pragma once
+#include "sweep/files/text/bad_input.h"
+#include "sweep/program/verbs/number_option.h"
 #include "sweep/study/spec.h"
 
-#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <cmath>
 #include <string>
 #include <vector>
 
 namespace stickslip {
-
-/// CLI11's ranges let NaN pass.
-inline CLI::Validator finite_number()
-{
-    return {[](const std::string& text) -> std::string {
-                double value = 0;
-                return CLI::detail::lexical_cast(text, value) && std::isfinite(value)
-                           ? ""
-                           : "got " + text + ", expected a finite number";
-            },
-            "", "finite"};
-}
-
-/// As CLI11's range, whose words round small ends to 0.
-inline CLI::Validator between(double low, double high)
-{
-    return {[low, high](const std::string& text) -> std::string {
-                double value = 0;
-                return CLI::detail::lexical_cast(text, value) && value >= low && value <= high
-                           ? ""
-                           : fmt::format("Value {} not in range {} to {}", text, low, high);
-            },
-            fmt::format("in [{} - {}]", low, high), "range"};
-}
 
 struct DisturbanceOption {
     std::string kind;
@@ -51,13 +27,15 @@ struct DisturbanceOption {
     }
 
     /// The disturbance of the command line, or else that of the spec. A size belongs to its kind: another kind starts
-    /// without.
+    /// without. Throws BadInput where nothing would be disturbed; a start at none of V0 is one from rest.
     Disturbance disturbance(const NonlinearSpec& spec) const
     {
         Disturbance d = spec.disturbance.disturbance;
         for (const auto& k : DisturbanceSpec::kinds)
             if (k.name == kind) d = {k.value, missing};
         if (is_set(size)) d.size = size;
+        if (size == 0 && d.kind != DisturbanceKind::start)
+            throw BadInput("--size: got 0, expected a disturbance other than 0");
         return d;
     }
 };

@@ -22,6 +22,7 @@
 #include "sweep/program/verbs/disturbance_option.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/no_sliding.h"
+#include "sweep/program/verbs/number_option.h"
 #include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/surroundings_option.h"
 #include "sweep/program/verbs/verbs.h"
@@ -106,6 +107,7 @@ struct Evaluated {
     std::optional<LoadStudy> loads;
     std::optional<SetPoint> rest;
     std::vector<NearMode> near;
+    std::vector<std::string> contradicting;  ///< terms by which the motion does the opposite of the linear theory
     std::optional<IntegralCost> integral;
     std::string servo;
     std::optional<Joint> described;  ///< with the loop that --ideal-loop leaves out
@@ -133,8 +135,7 @@ Evaluated evaluated(const Options& options, StageLine& line)
     line.stage("the roots and the stable gains");
     e.verdict = linear_verdict(e.joint);
     add_margins(e.joint, e.verdict);
-    e.summed = without_stopped_integral(e.joint, sliding_velocity(e.joint, commanded_velocity(e.joint)));
-    if (e.joint.control.structure == Structure::cascade) e.summed = with_gains(e.summed);
+    e.summed = acting_joint(e.joint);
     NonlinearOptions nonlinear;
     nonlinear.bifurcation = true;
     nonlinear.disturbance = options.disturbance.disturbance(asked.spec.nonlinear);
@@ -151,6 +152,7 @@ Evaluated evaluated(const Options& options, StageLine& line)
     }
     e.rest = resting(e.joint);
     e.near = near_modes(e.joint);
+    e.contradicting = contradicting_terms(e.verdict, e.nonlinear);
     e.integral = integral_cost(e.joint, e.verdict);
     e.servo = files::servo_text(options.joint);
     if (options.ideal_loop && loop_kind(described) != LoopKind::ideal) {
@@ -188,8 +190,8 @@ std::filesystem::path write_page(const Evaluated& e, const Options& options, con
         report.verdict = open_text(e.nonlinear) + " " + report.verdict;
         if (report.tone == Headline::Tone::good) report.tone = Headline::Tone::warning;
     }
-    if (const auto terms = contradicting_terms(e.verdict, e.nonlinear); !terms.empty()) {
-        report.verdict = contradicted_text(terms, e.verdict.state_variable.stable) + " " + report.verdict;
+    if (!e.contradicting.empty()) {
+        report.verdict = contradicted_text(e.contradicting, e.verdict.state_variable.stable) + " " + report.verdict;
         report.tone = e.verdict.state_variable.stable ? Headline::Tone::bad : Headline::Tone::warning;
     }
     if (e.only_rest()) report.verdict = set_point_text(*e.rest, e.units());
@@ -210,6 +212,7 @@ nlohmann::ordered_json evaluate_json(const Evaluated& e, const AskedDisturbance&
     if (e.motion) json["linear"]["forced"] = forced_json(force, *e.motion);
     if (e.loads) json["linear"]["normal_load"] = load_json(*e.loads);
     json["nonlinear"] = nonlinear_json(e.nonlinear);
+    json["contradicting_terms"] = e.contradicting;
     for (const auto& mode : e.near)
         json["warnings"].push_back({{"code", "neighbour-mode"},
                                     {"neighbour", mode.neighbour},
@@ -233,8 +236,8 @@ void print_text(const Evaluated& e)
     if (e.rest) print_rows(set_point_table(*e.rest, e.units()));
     if (!e.only_rest()) {
         if (e.open()) fmt::print("{}\n", plain_text(open_text(e.nonlinear)));
-        if (const auto terms = contradicting_terms(e.verdict, e.nonlinear); !terms.empty())
-            fmt::print("{}\n", contradicted_text(terms, e.verdict.state_variable.stable));
+        if (!e.contradicting.empty())
+            fmt::print("{}\n", contradicted_text(e.contradicting, e.verdict.state_variable.stable));
         const bool bistable = e.nonlinear.region == NonlinearRegion::bistable;
         const auto verdict = plain_text(verdict_text(e.summed, e.verdict, bistable));
         fmt::print("{}\n", e.described ? of_ideal_loop(verdict) : verdict);
@@ -290,7 +293,7 @@ void add_evaluate(CLI::App& app, Invocation& invocation)
     verb->add_option("--effort", options->effort,
                      "multiple of the usual work (about a second): longer motions, more crossings and reductions of "
                      "delayed friction")
-        ->check(CLI::PositiveNumber);
+        ->check(positive_number());
     verb->add_flag("--ideal-loop", options->ideal_loop,
                    "the paper's loop: no sampling, dead time, filter, lag or integral");
     verb->add_flag("--json", options->json, "machine-readable, stable names");

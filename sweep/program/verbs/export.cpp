@@ -5,6 +5,7 @@
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/gather_records.h"
+#include "sweep/program/verbs/number_option.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/verbs.h"
@@ -93,13 +94,13 @@ void add_export(CLI::App& app, Invocation& invocation)
     verb->add_option("--name", options->name, "name of the joint in the text")->capture_default_str();
     verb->add_option("--timestep", options->timestep,
                      "time step of the simulator in s; default: its usual one, shorter where the joint needs it")
-        ->check(CLI::PositiveNumber);
+        ->check(positive_number());
     verb->add_option("--link-inertia", options->link_inertia,
                      "one mass: inertia of the robot's links about this axis; the remainder is armature")
-        ->check(CLI::PositiveNumber);
+        ->check(positive_number());
     verb->add_option("--speed", options->speed,
                      "velocity at which friction without a Coulomb level is evaluated; default: control.V0")
-        ->check(CLI::PositiveNumber);
+        ->check(positive_number());
     verb->add_option("--records", options->records,
                      "held-out records of the joint: what gap is left by the joint, and by what the text holds of it");
     verb->add_flag("--json", options->json, "machine-readable, stable names");

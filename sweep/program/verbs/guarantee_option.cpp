@@ -4,6 +4,7 @@
 #include "sweep/files/json/calibration_json.h"
 #include "sweep/files/records/signals.h"
 #include "sweep/files/text/bad_input.h"
+#include "sweep/program/verbs/number_option.h"
 #include "sweep/study/guarantee/order_statistic.h"
 #include "sweep/study/guarantee/own_cases.h"
 #include "sweep/words/guarantee_text.h"
@@ -41,7 +42,7 @@ void GuaranteeOption::add_to(CLI::App& verb)
     verb.add_option("--guarantee", coverage,
                     "also give the set of causes that holds the true one for this share of such joints, 0.95 say; "
                     "needs --calibration")
-        ->check(CLI::Range(0.5, 0.999));
+        ->check(between(0.5, 0.999));
     verb.add_option("--calibration", files,
                     "answered cases of joints like this one, of calibrate or of blind --calibration; several files "
                     "count as one")

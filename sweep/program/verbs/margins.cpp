@@ -8,6 +8,7 @@
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/left_out.h"
 #include "sweep/program/verbs/no_sliding.h"
+#include "sweep/program/verbs/number_option.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/verbs.h"
@@ -113,12 +114,12 @@ void add_margins(CLI::App& app, Invocation& invocation)
                      "two axes over which the robustly stable set is followed: PATH or PATH=FROM..TO")
         ->expected(2);
     verb->add_option("--guard", options->guard, "cells along each axis of the guarding grid")
-        ->check(CLI::Range(2, 512))
+        ->check(whole_between(2, 512))
         ->capture_default_str();
     verb->add_option("-o,--output", options->directory, "write margins.json and report.html here");
-    verb->add_option("--threads", options->threads, "0: all cores")->capture_default_str();
+    add_threads(*verb, options->threads, "0: all cores")->capture_default_str();
     verb->add_option("--effort", options->effort, "multiple of the usual work of a search for crossings")
-        ->check(CLI::PositiveNumber);
+        ->check(positive_number());
     verb->add_flag("--ideal-loop", options->ideal_loop,
                    "the paper's loop: no sampling, dead time, filter, lag or integral");
     verb->add_flag("--json", options->json, "print margins.json instead of text");

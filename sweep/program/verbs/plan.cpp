@@ -6,6 +6,7 @@
 #include "sweep/files/text/whole_file.h"
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/number_option.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/words/experiment_text.h"
@@ -101,7 +102,7 @@ void add_plan(CLI::App& app, Invocation& invocation)
     verb->add_option("TRAJECTORY", options->trajectory, "CSV or .csv.gz with time and reference_position")->required();
     verb->add_option("-o,--output", options->directory,
                      "write plan.json here and search for a motion that distinguishes more (next-motion.csv)");
-    verb->add_option("--threads", options->threads, "threads, 0 for all; the answer does not depend on it");
+    add_threads(*verb, options->threads, "threads, 0 for all; the answer does not depend on it");
     verb->add_flag("--json", options->json, "print plan.json");
     verb->footer("Example: stickslip plan joint.toml trajectory.csv --json\nExit codes: 0 done, 2 bad input.");
     verb->callback([options, &invocation] { invocation.exit_code = run(*options); });

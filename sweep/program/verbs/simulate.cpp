@@ -13,6 +13,7 @@
 #include "sweep/program/verbs/disturbance_option.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/no_sliding.h"
+#include "sweep/program/verbs/number_option.h"
 #include "sweep/program/verbs/surroundings_option.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/record_report.h"
@@ -178,7 +179,7 @@ void add_simulate(CLI::App& app, Invocation& invocation)
                      "reference_position and, where it has them, reference_velocity and feed_forward")
         ->check(CLI::ExistingFile);
     verb->add_option("--tolerance", options->tolerance, "relative tolerance")
-        ->check(CLI::Range(1e-13, 1e-2))
+        ->check(between(1e-13, 1e-2))
         ->capture_default_str();
     verb->footer(
         "Example: stickslip simulate examples/02-ball-screw/joint-with-memory.toml --set control.k_v=0 --set "

@@ -25,23 +25,20 @@ struct SurroundingsOption {
             ->check(finite_number())
             ->capture_default_str();
         verb.add_option("--omega", force.omega, "rad/s of a sine; default: the peak of |X/D|")
-            ->check(finite_number())
-            ->check(CLI::PositiveNumber);
-        verb.add_option("--seed", force.seed, "of noise")->check(CLI::NonNegativeNumber)->capture_default_str();
+            ->check(positive_number());
+        verb.add_option("--seed", force.seed, "of noise")->check(whole_number())->capture_default_str();
         verb.add_option("--normal-load", load_file,
                         "normal load on the link's friction over time: a record with time and normal_load")
             ->check(CLI::ExistingFile);
         verb.add_option("--nominal-load", nominal_load,
                         "the normal load at which the numbers of the friction law hold, in the record's unit")
-            ->check(finite_number())
-            ->check(CLI::PositiveNumber)
+            ->check(positive_number())
             ->capture_default_str();
     }
     void add_duration_to(CLI::App& verb, const char* by_default)
     {
         verb.add_option("--duration", force.duration, std::string("s; default: ") + by_default)
-            ->check(finite_number())
-            ->check(CLI::PositiveNumber);
+            ->check(positive_number());
     }
 
     bool loaded() const { return !load_file.empty(); }

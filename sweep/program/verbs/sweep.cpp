@@ -11,6 +11,7 @@
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/left_out.h"
 #include "sweep/program/verbs/no_sliding.h"
+#include "sweep/program/verbs/number_option.h"
 #include "sweep/program/verbs/progress_line.h"
 #include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/shell_word.h"
@@ -170,13 +171,11 @@ void add_sweep(CLI::App& app, Invocation& invocation)
     verb->add_option("SPEC", options->spec, "sweep spec, TOML; without it the embedded example runs");
     verb->add_option("-o,--output", options->directory, "directory of the results; an interrupted sweep resumes there")
         ->capture_default_str();
-    verb->add_option("--threads", options->threads, "threads, 0 for all cores")
-        ->check(CLI::Range(0, 4096))
-        ->capture_default_str();
+    add_threads(*verb, options->threads, "threads, 0 for all cores")->capture_default_str();
     verb->add_option("--shard", options->shard, "compute only part i of n, as i/n; then: stickslip merge DIR");
     verb->add_option("--max-undecided", options->max_undecided,
                      "exit 4 if more than this share of the points is undecided")
-        ->check(CLI::Range(0.0, 1.0))
+        ->check(between(0, 1))
         ->capture_default_str();
     verb->add_flag("--fresh", options->fresh, "discard an earlier sweep in the directory");
     verb->add_flag("--keep-journal", options->keep_journal, "keep the journal, as large as the results");

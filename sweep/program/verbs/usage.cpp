@@ -58,14 +58,6 @@ std::vector<std::string> split_at_commas(std::string rest)
     return parts;
 }
 
-/// "0 to 1", "a number above 0": the library prints such limits with all their digits.
-std::string range_words(const std::string& low, const std::string& high)
-{
-    constexpr double unlimited = 1e300;
-    const double from = std::stod(low), to = std::stod(high);
-    return to > unlimited ? fmt::format("a number above {:g}", from) : fmt::format("{:g} to {:g}", from, to);
-}
-
 /// "--threads: x not in {a,b}" and its like in the words of every other message of this program.
 std::string value_error(const std::string& message)
 {
@@ -79,8 +71,6 @@ std::string value_error(const std::string& message)
         const auto allowed = split_at_commas(m[3]);
         return given() + ", expected " + listed(allowed) + " or a file" + did_you_mean(m[2], allowed);
     }
-    if (std::regex_match(message, m, std::regex(R"((\S+): Value (.*) not in range (\S+) to (\S+))")))
-        return given() + ", expected " + range_words(m[3], m[4]);
     if (std::regex_match(message, m, std::regex(R"((\S+): At Most (\d+) required but received (\d+))")))
         return m[1].str() + ": got " + m[3].str() + ", expected at most " + m[2].str();
     return message;

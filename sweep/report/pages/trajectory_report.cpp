@@ -57,7 +57,7 @@ std::vector<LineChart::Line> friction_loop(const Joint& joint, const Trajectory&
     constexpr double still = 1e-3;  // per commanded velocity: a motion that has settled has no loop
     std::vector<LineChart::Line> lines{{"last third", settled(t, t.velocity), settled(t, t.friction)}};
     const auto [low, high] = std::minmax_element(lines[0].x.begin(), lines[0].x.end());
-    if (*high - *low > still * t.commanded_velocity) lines.push_back(steady_curve(joint, *low, *high));
+    if (*high - *low > still * std::abs(t.commanded_velocity)) lines.push_back(steady_curve(joint, *low, *high));
     return lines;
 }
 

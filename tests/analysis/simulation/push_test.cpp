@@ -107,7 +107,7 @@ TEST_CASE("dither below the kinetic friction lets all motion die, nearer than wi
     CHECK(set_point(joint).reason == SetPointReason::dithered);
 }
 
-TEST_CASE("pushes that are fed back and dither are said to be left out of the linear theory", "[push]")
+TEST_CASE("pushes by the error and dither are said to be left out of the linear theory", "[push]")
 {
     Joint joint = sampled_joint();
     joint.control.V0 = 0.02;
@@ -121,9 +121,13 @@ TEST_CASE("pushes that are fed back and dither are said to be left out of the li
     REQUIRE(left_out("control.feed_forward"));
     CHECK_FALSE(left_out("control.feed_forward.coulomb_from"));
     f.coulomb_from = CoulombFrom::velocity;
+    CHECK_FALSE(left_out("control.feed_forward.coulomb_from"));
+    const auto used = loop_use(joint).used;
+    CHECK(std::count(used.begin(), used.end(), "control.feed_forward.coulomb_from") == 1);
+    f.coulomb_from = CoulombFrom::error, f.coulomb_width = 1;
     REQUIRE(left_out("control.feed_forward.coulomb_from"));
     CHECK(left_out("control.feed_forward.coulomb_from")->matters);
-    f.coulomb_speed = 1e-4;  // at V_0 the push is constant
+    f.coulomb_speed = 1e-4;  // at V_0 the push has faded
     CHECK_FALSE(left_out("control.feed_forward.coulomb_from")->matters);
     joint.control.dither = {1, 300};
     REQUIRE(left_out("control.dither"));

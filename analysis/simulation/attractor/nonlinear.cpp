@@ -296,6 +296,12 @@ NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& o
         judged(sliding_flow(joint));
     else
         judged(chain_flow(joint));
+    if (joint.control.V0 < 0) {
+        // flows count along the commanded direction
+        const double least = verdict.velocity_min;
+        verdict.velocity_min = 0 - verdict.velocity_max;
+        verdict.velocity_max = 0 - least;
+    }
     return verdict;
 }
 

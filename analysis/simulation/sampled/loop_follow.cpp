@@ -184,6 +184,7 @@ LoopEnd LoopFollower::measured(LoopEnd::Kind kind, std::size_t count) const
         end.velocity_max = std::max(end.velocity_max, t->velocity_max);
         end.reversed |= t->reversed;
     }
+    end.velocity_min = or_rest(end.velocity_min, V0_), end.velocity_max = or_rest(end.velocity_max, V0_);
     const double n = static_cast<double>(turns_.end() - first);
     end.amplitude /= n;
     end.amplitude_spread = (high - low) / end.amplitude;
@@ -226,7 +227,7 @@ std::optional<LoopEnd> LoopFollower::decide()
     const bool still = std::abs(change) < closed || (to_come < closed && std::abs(change) < 100 * closed);
     const bool alternates = std::abs(change) < blur && std::abs(last_change_) < blur && now.spread < uneven_turns;
     const double before_change = std::exchange(last_change_, change);
-    const bool rests = last.velocity_min < 0.5 * std::abs(V0_);
+    const bool rests = last.slowest(V0_) < 0.5 * std::abs(V0_);
     const bool like_steady = speed_of(last, V0_) < small_turn && options_.steady_attracts;
     // of the turns before those that were compared nothing is known: they may still have been on their way
     if (!like_steady && (still || (alternates && (blocks_ > 4 || rests))))
@@ -259,14 +260,14 @@ std::optional<LoopEnd> LoopFollower::after_even_tick()
 {
     LoopTurn turn;
     if (watch.take(turn)) {
-        if (std::isnan(first_peak_)) first_peak_ = turn.position_max;
+        if (std::isnan(first_peak_)) first_peak_ = turn.peak(V0_);
         turns_.push_back(turn);
         ++all_turns_;
         last_crossing_ = turn.t1;
         if (auto end = decide()) return end;
     } else if (!(loop_.time() - last_crossing_ < patience * options_.turn + 2 * options_.held)) {
         const auto& now = watch.present();
-        if (std::isnan(first_peak_)) first_peak_ = now.position_max;
+        if (std::isnan(first_peak_)) first_peak_ = now.peak(V0_);
         if (speed_of(now, V0_) < small_turn && options_.steady_attracts) return ended(LoopEnd::Kind::steady);
         last_crossing_ = loop_.time();
         const bool slow = std::max(std::abs(now.velocity_min), std::abs(now.velocity_max)) < 0.01 * std::abs(V0_);

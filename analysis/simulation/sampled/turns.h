@@ -15,7 +15,13 @@ struct LoopTurn {
 
     double period() const { return t1 - t0; }
     double amplitude() const { return 0.5 * (position_max - position_min); }
+    /// The largest excess of position and the least velocity along the commanded direction.
+    double peak(double V0) const { return V0 < 0 ? -position_min : position_max; }
+    double slowest(double V0) const { return V0 < 0 ? -velocity_max : velocity_min; }
 };
+
+/// A velocity of a motion about V_0, 0 where it is no more than the error of a step that ends at rest.
+double or_rest(double velocity, double V0);
 
 /// Watches steps. `V0` is the velocity of the link that turns are counted about, `origin` its steady position.
 class TurnWatch {

@@ -246,9 +246,10 @@ LoopEnd UnevenFollow::measured(const Stretch& s) const
     end.kind = jitters ? LoopEnd::Kind::steady : LoopEnd::Kind::cycle;
     end.first_peak = -infinity;
     for (std::size_t i = 0; i < std::min(panes_.size(), first_panes); ++i)
-        end.first_peak = std::max(end.first_peak, panes_[i].outer.position_max);
+        end.first_peak = std::max(end.first_peak, panes_[i].outer.peak(o_.V0));
     end.amplitude = s.outer.amplitude();
-    end.velocity_min = s.outer.velocity_min, end.velocity_max = s.outer.velocity_max;
+    end.velocity_min = or_rest(s.outer.velocity_min, o_.V0);
+    end.velocity_max = or_rest(s.outer.velocity_max, o_.V0);
     end.stick_fraction = s.outer.rest_time / time;
     if (jitters) return end;
     if (s.rounds >= 2) {

@@ -67,7 +67,7 @@ std::vector<Headline> ending_headlines(const Joint& joint, const NonlinearVerdic
     if (oscillates(v.outcome)) {
         add(v.amplitude, Quantity::position, "position amplitude of the limit cycle (half peak to peak)");
         add(v.period, Quantity::time, "period of the cycle");
-        add(v.velocity_max, Quantity::velocity,
+        add(joint.control.V0 < 0 ? v.velocity_min : v.velocity_max, Quantity::velocity,
             "peak velocity of the cycle; commanded are " + with_unit(joint.control.V0, Quantity::velocity, units));
         if (is_set(v.stick_fraction))
             list.push_back({Tone::neutral, percent(v.stick_fraction),

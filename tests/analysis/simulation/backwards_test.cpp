@@ -1,0 +1,63 @@
+// A joint whose friction has no direction of its own moves backwards as it does forwards, mirrored.
+#include "analysis/simulation/attractor/nonlinear.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace stickslip;
+
+namespace {
+
+/// Two bodies, the motor's friction with a peak on which the link judders at 10 mrad/s.
+Joint judders(double V0)
+{
+    Joint j;
+    j.mechanism.model = Model::two_mass;
+    j.mechanism.motor_inertia = 0.4, j.mechanism.link_inertia = 0.6;
+    j.mechanism.transmission.stiffness = 9000, j.mechanism.transmission.damping = 6;
+    j.control.k_p = 900, j.control.k_v = 40, j.control.V0 = V0;
+    Stribeck motor;
+    motor.c0 = 6, motor.c1 = 20, motor.c2 = 3, motor.c3 = 0.01, motor.c4 = 2;
+    j.frictions.motor.law = motor;
+    CoulombViscous link;
+    link.coulomb = 1, link.viscous = 2;
+    j.frictions.link.law = link;
+    return j;
+}
+
+void check_mirrored(Joint forwards)
+{
+    Joint backwards = forwards;
+    backwards.control.V0 *= -1;
+    const auto a = nonlinear_verdict(forwards, {}), b = nonlinear_verdict(backwards, {});
+    REQUIRE(a.outcome == Outcome::stick_slip);
+    CHECK(b.outcome == a.outcome);
+    CHECK(b.region == a.region);
+    constexpr double by_ticks = 1e-2;  // turns begin at other places of a tick
+    CHECK(b.amplitude == Approx(a.amplitude).epsilon(by_ticks));
+    CHECK(b.overshoot == Approx(a.overshoot).epsilon(by_ticks));
+    CHECK(b.velocity_min == Approx(-a.velocity_max).epsilon(by_ticks));
+    CHECK(a.velocity_min == 0);
+    CHECK(b.velocity_max == 0);
+}
+
+}  // namespace
+
+TEST_CASE("motion backwards is that forwards, mirrored, in the ideal loop", "[simulation][backwards]")
+{
+    check_mirrored(judders(0.01));
+}
+
+TEST_CASE("motion backwards is that forwards, mirrored, in a sampled loop", "[simulation][backwards]")
+{
+    Joint j = judders(0.01);
+    j.control.period = 1e-3;
+    j.control.velocity_estimate.tau = 2e-3;
+    check_mirrored(j);
+    SECTION("behind an encoder")
+    {
+        j.sensor.encoder_quantum = 1e-5;
+        check_mirrored(j);
+    }
+}

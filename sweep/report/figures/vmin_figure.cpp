@@ -15,7 +15,7 @@ Figure vmin_figure(const Joint& joint, const LinearDetails& details)
     LineChart chart;
     chart.title = "Minimum stable velocity V_{min}";
     chart.x_label = axis_label("position gain k_{p}", Quantity::position_gain, units);
-    chart.y_label = axis_label("V_{min}", Quantity::velocity, units);
+    chart.y_label = axis_label(joint.control.V0 < 0 ? "V_{min}, backwards" : "V_{min}", Quantity::velocity, units);
     chart.x_log = chart.y_log = true;
     std::string slowest, said;
     for (const auto& line : details.least_velocities) {

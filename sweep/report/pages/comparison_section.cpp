@@ -43,7 +43,8 @@ Figure demand_figure(const Joint& joint, const LinearDetails& d)
     LineChart chart;
     chart.title = "Velocity gain that each theory requires";
     chart.fixed = "k_{p} = " + words.stiffness(joint.control.k_p);
-    chart.x_label = axis_label("commanded velocity V_{0}", Quantity::velocity, words.units);
+    chart.x_label = axis_label(d.velocity < 0 ? "commanded speed |V_{0}|, backwards" : "commanded velocity V_{0}",
+                               Quantity::velocity, words.units);
     chart.y_label = axis_label("least k_{v}", Quantity::velocity_gain, words.units);
     chart.x_log = true;
     // demands span decades; none, which is zero, lies on the lower edge

@@ -6,8 +6,10 @@
 
 namespace stickslip {
 
-/// What disturbs the joint, for its flow, whose positions count along the commanded direction.
-SimulateOptions mirrored(SimulateOptions options);
+/// What disturbs the joint, for its flow, whose positions count along the commanded direction. `friction` is that of
+/// the link.
+Disturbance mirrored(Disturbance disturbance, const Friction& friction, double V0);
+SimulateOptions mirrored(SimulateOptions options, const Friction& friction, double V0);
 
 /// The motion of a mirrored flow as the joint makes it.
 void mirror(Trajectory& path, const Friction& friction);

@@ -215,12 +215,14 @@ Trajectory simulate(const Joint& asked, const SimulateOptions& options)
         return path;
     }
     if (!options.normal_load.value.empty()) link_friction(joint).normal_load = options.normal_load.value.front();
-    const bool backwards = commanded_velocity(joint) < 0;
+    const double V0 = commanded_velocity(joint);
+    const bool backwards = V0 < 0;
     const auto attempt = [&](auto found) {
         path.reason = found.reason;
         if (found.reason != Reason::none) return;
-        follow(found.flow, backwards ? mirrored(options) : options, path);
-        if (backwards) mirror(path, link_friction_of(found.flow));
+        const Friction& friction = link_friction_of(found.flow);
+        follow(found.flow, backwards ? mirrored(options, friction, V0) : options, path);
+        if (backwards) mirror(path, friction);
     };
     if (answers_late(joint))
         attempt(late_flow(joint));

@@ -7,6 +7,7 @@
 #include "analysis/simulation/attractor/large_starts.h"
 #include "analysis/simulation/attractor/loop_answer.h"
 #include "analysis/simulation/flows/late_flow.h"
+#include "analysis/simulation/mirrored.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/spectrum.h"
 #include "analysis/stability/steady.h"
@@ -273,9 +274,11 @@ NonlinearVerdict verdict_of(const LoopVerdict& found, const NonlinearOptions& op
     return verdict;
 }
 
-NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& options)
+namespace {
+
+/// Of the ideal loop, in the coordinates of its flow.
+NonlinearVerdict verdict_of_flow(const Joint& joint, const NonlinearOptions& options)
 {
-    if (has_real_loop(joint)) return verdict_of(loop_verdict(joint, loop_question(options)), options);
     NonlinearVerdict verdict;
     verdict.disturbance = options.disturbance;
     const auto judged = [&](const auto& found) {
@@ -296,12 +299,24 @@ NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& o
         judged(sliding_flow(joint));
     else
         judged(chain_flow(joint));
-    if (joint.control.V0 < 0) {
-        // flows count along the commanded direction
-        const double least = verdict.velocity_min;
-        verdict.velocity_min = 0 - verdict.velocity_max;
-        verdict.velocity_max = 0 - least;
-    }
+    return verdict;
+}
+
+}  // namespace
+
+NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& options)
+{
+    if (has_real_loop(joint)) return verdict_of(loop_verdict(joint, loop_question(options)), options);
+    const double V0 = commanded_velocity(joint);
+    if (!(V0 < 0)) return verdict_of_flow(joint, options);
+    const Chain chain = chain_of(joint);
+    NonlinearOptions along = options;
+    along.disturbance = mirrored(options.disturbance, *chain.body[chain.bodies - 1].friction, V0);
+    NonlinearVerdict verdict = verdict_of_flow(joint, along);
+    if (is_set(options.disturbance.size)) verdict.disturbance = options.disturbance;
+    const double least = verdict.velocity_min;
+    verdict.velocity_min = 0 - verdict.velocity_max;
+    verdict.velocity_max = 0 - least;
     return verdict;
 }
 

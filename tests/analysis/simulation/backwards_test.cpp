@@ -61,3 +61,25 @@ TEST_CASE("motion backwards is that forwards, mirrored, in a sampled loop", "[si
         check_mirrored(j);
     }
 }
+
+TEST_CASE("a stated disturbance is that of the joint, also of one that moves backwards", "[simulation][backwards]")
+{
+    Joint j;
+    j.mechanism.inertia = 2;
+    j.control.k_p = 2000, j.control.k_v = 20, j.control.V0 = 0.02;
+    Stribeck law;
+    law.c0 = 5, law.c1 = 10, law.c2 = 0.5, law.c3 = 0.03, law.c4 = 2;
+    j.friction.law = law;
+    NonlinearOptions along, against;
+    along.disturbance = {DisturbanceKind::velocity, 0.01};
+    against.disturbance = {DisturbanceKind::velocity, -0.01};
+    const bool sampled = GENERATE(false, true);
+    if (sampled) j.control.period = 1e-4;
+    const auto ahead = nonlinear_verdict(j, along), behind = nonlinear_verdict(j, against);
+    REQUIRE(ahead.overshoot > 1.2 * behind.overshoot);
+    j.control.V0 = -0.02;
+    const auto slower = nonlinear_verdict(j, along), faster = nonlinear_verdict(j, against);
+    CHECK(faster.overshoot == Approx(ahead.overshoot));
+    CHECK(slower.overshoot == Approx(behind.overshoot));
+    CHECK(slower.disturbance.size == 0.01);
+}

@@ -2,6 +2,7 @@
 
 #include "analysis/boundary/kinds/nearest.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stickslip {
@@ -12,9 +13,10 @@ constexpr double locus_span = 100;  // k_p to either side of its own value
 std::optional<VelocitySearch> search_velocities(const Joint& joint)
 {
     const double V = joint.control.V0;
-    if (!(V > 0)) return std::nullopt;
+    if (V == 0 || !is_set(V)) return std::nullopt;
     const double reach = std::pow(10, study_decades);
-    VelocitySearch search{V, V / reach, V * reach, {}};
+    const auto [low, high] = std::minmax({V / reach, V * reach});
+    VelocitySearch search{V, low, high, {}};
     search.found = stable_velocities(joint, search.low, search.high, Theory::state_variable);
     return search;
 }

@@ -1,5 +1,6 @@
 #include "sweep/study/study_reasons.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -21,7 +22,8 @@ std::vector<StudyReason> reasons_of(const StableVelocities& v, const Interval& s
 {
     if (v.intervals.empty()) return {StudyReason::no_stable_velocity};
     std::vector<StudyReason> reasons;
-    if (v.least <= searched.low) reasons.push_back(StudyReason::stable_at_lowest);
+    const double slowest = std::min(std::abs(searched.low), std::abs(searched.high));
+    if (std::abs(v.least) <= slowest) reasons.push_back(StudyReason::stable_at_lowest);
     if (std::isnan(v.all_above)) reasons.push_back(StudyReason::unstable_at_highest);
     return reasons;
 }

@@ -78,6 +78,21 @@ Headline nearest_boundary(const std::vector<Margin>& margins, bool stable, Units
     return h;
 }
 
+/// The same motion with the velocities counted along the commanded direction.
+VelocitySearch as_speeds(VelocitySearch search)
+{
+    if (!(search.velocity < 0)) return search;
+    const auto turn = [](Interval i) { return Interval{-i.high, -i.low}; };
+    const Interval range = turn({search.low, search.high});
+    search.low = range.low, search.high = range.high;
+    search.velocity *= -1;
+    auto& found = search.found;
+    found.least *= -1, found.all_above *= -1;
+    std::ranges::transform(found.intervals, found.intervals.begin(), turn);
+    std::ranges::reverse(found.intervals);
+    return search;
+}
+
 /// Where velocities slide smoothly again above one; NaN: nowhere within the search.
 double next_window(const StableVelocities& stable, double velocity)
 {
@@ -90,43 +105,43 @@ double next_window(const StableVelocities& stable, double velocity)
 /// The intervals of smooth velocities below V_min: "from 1 µm/s (or slower) to 776 µm/s".
 std::string windows_text(const VelocitySearch& search, Units units)
 {
-    const auto& found = search.found;
-    const bool back = search.velocity < 0;
-    const double slowest = std::min(std::abs(search.low), std::abs(search.high));
     std::string text;
-    for (const auto& i : found.intervals) {
-        const double slow = back ? i.high : i.low, fast = back ? i.low : i.high;
-        if (slow == found.all_above) continue;
-        const bool open = std::abs(slow) <= slowest * (1 + 1e-9);
+    for (const auto& i : search.found.intervals) {
+        if (i.low == search.found.all_above) continue;
+        const bool open = i.low <= search.low * (1 + 1e-9);
         text += (text.empty() ? " from " : ", from ") +
-                range_text(slow, fast, Quantity::velocity, units, {"", open ? " or slower to " : " to ", ""});
+                range_text(i.low, i.high, Quantity::velocity, units, {"", open ? " or slower to " : " to ", ""});
     }
     return text;
 }
 
-std::vector<Headline> velocity_headlines(const VelocitySearch& search, bool stable, Units units)
+std::vector<Headline> velocity_headlines(const VelocitySearch& asked, bool stable, Units units)
 {
+    const VelocitySearch search = as_speeds(asked);
+    const std::string backwards = asked.velocity < 0 ? ", backwards" : "";
     const auto text = [&](double v) { return with_unit(v, Quantity::velocity, units); };
     const double V = search.velocity, low = search.low, high = search.high;
     const auto& stable_set = search.found;
-    const std::string searched = ", with these gains; searched " + range_text(low, high, Quantity::velocity, units);
+    const std::string searched =
+        ", with these gains; searched " + range_text(low, high, Quantity::velocity, units) + backwards;
     if (stable_set.intervals.empty()) return {{Tone::bad, "none", "velocity slides smoothly" + searched}};
     std::vector<Headline> headlines;
     // one V_min everywhere: from here upwards every velocity slides, as in the figure over the gains
     const double from = stable_set.all_above;
     const bool windows = stable_set.least < from || std::isnan(from);
-    headlines.push_back(
-        {Tone::neutral,
-         std::isnan(from) ? "no V_{min}" : (from <= low * (1 + 1e-9) ? "V_{min} ≤ " : "V_{min} = ") + text(from),
-         (std::isnan(from) ? std::string("at the highest velocity the joint does not slide smoothly")
-                           : "every faster velocity slides smoothly") +
-             searched + (windows ? "; smooth" + windows_text(search, units) : "")});
+    headlines.push_back({Tone::neutral,
+                         std::isnan(from)
+                             ? "no V_{min}"
+                             : (from <= low * (1 + 1e-9) ? "V_{min} ≤ " : "V_{min} = ") + text(from) + backwards,
+                         (std::isnan(from) ? std::string("at the highest velocity the joint does not slide smoothly")
+                                           : "every faster velocity slides smoothly") +
+                             searched + (windows ? "; smooth" + windows_text(search, units) : "")});
     for (const auto& i : stable_set.intervals) {
         if (!stable || V < i.low || V > i.high || (i.low <= low * (1 + 1e-9) && i.high >= high * (1 - 1e-9))) continue;
         const bool open = i.high >= high * (1 - 1e-9);
         const double next = next_window(stable_set, i.high);
         headlines.push_back({!open && i.high < near_factor * V ? Tone::warning : Tone::neutral,
-                             (open ? "≥ " : "") + text(i.high),
+                             (open ? "≥ " : "") + text(i.high) + backwards,
                              "up to here sliding stays smooth when the design's " + text(V) + " is raised" +
                                  (open || std::isnan(next) ? "" : "; then not, up to " + text(next))});
     }

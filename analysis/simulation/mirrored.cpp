@@ -1,5 +1,7 @@
 #include "analysis/simulation/mirrored.h"
 
+#include "analysis/simulation/flows/backwards.h"
+
 namespace stickslip {
 namespace {
 
@@ -9,22 +11,7 @@ void turn(std::vector<double>& values)
     for (double& value : values) value = 0 - value;
 }
 
-/// Whether state i has a direction, as one that deflects: one that ages has none.
-bool has_direction(const Friction& friction, double V0, std::size_t i)
-{
-    const auto there = steady_state(friction, V0), back = steady_state(friction, -V0);
-    return i < there.size() && there[i] * back[i] < 0;
-}
-
 }  // namespace
-
-Disturbance mirrored(Disturbance disturbance, const Friction& friction, double V0)
-{
-    const auto kind = disturbance.kind;
-    const bool ages = kind == DisturbanceKind::state && !has_direction(friction, V0, 0);
-    if (is_set(disturbance.size) && kind != DisturbanceKind::start && !ages) disturbance.size *= -1;
-    return disturbance;
-}
 
 SimulateOptions mirrored(SimulateOptions options, const Friction& friction, double V0)
 {

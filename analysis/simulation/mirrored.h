@@ -1,4 +1,5 @@
-// Joints that move backwards, whose flows are mirrored: what disturbs them, and the motion that comes of it.
+// Joints that move backwards, whose flows are mirrored: what a simulation does to them, and the motion that comes of
+// it.
 #pragma once
 #include "analysis/friction/friction.h"
 #include "analysis/results/trajectory.h"
@@ -8,7 +9,6 @@ namespace stickslip {
 
 /// What disturbs the joint, for its flow, whose positions count along the commanded direction. `friction` is that of
 /// the link.
-Disturbance mirrored(Disturbance disturbance, const Friction& friction, double V0);
 SimulateOptions mirrored(SimulateOptions options, const Friction& friction, double V0);
 
 /// The motion of a mirrored flow as the joint makes it.

@@ -33,3 +33,25 @@ TEST_CASE("the answer about a motion backwards mirrors that forwards", "[program
     REQUIRE(stickslip(call + "--set control.V0=-0.02 -o '" + page + "'").exit_code == 0);
     CHECK_THAT(program::read(page + "/report.html"), Catch::Matchers::Contains("V<sub>min</sub> ≤ 20 µm/s, backwards"));
 }
+
+TEST_CASE("a force on the link pushes the way its sign says, whichever way the joint moves", "[program][backwards]")
+{
+    Folder folder;
+    const auto joint = folder.write("joint.toml",
+                                    "[joint]\ninertia = 2.0\n[control]\nk_p = 2000.0\nk_v = 20.0\nV0 = 0.02\n"
+                                    "[friction]\nlaw = \"coulomb-viscous\"\ncoulomb = 5.0\nviscous = 1.0\n");
+    for (const double V0 : {0.02, -0.02}) {
+        const auto run = stickslip("simulate '" + joint + "' --set control.V0=" + std::to_string(V0) +
+                                   " --force step --force-size 0.5 -o '" + (folder / "out") + "'");
+        INFO(run.output);
+        REQUIRE(run.exit_code == 0);
+        std::istringstream rows(program::read(folder / "out/trajectory.csv"));
+        std::string row;
+        std::getline(rows, row);
+        double t = 0, velocity = 0;
+        while (t < 1e-3 && std::getline(rows, row))
+            REQUIRE(std::sscanf(row.c_str(), "%lf,%*f,%lf", &t, &velocity) == 2);
+        REQUIRE(t < 3e-3);
+        CHECK(velocity - V0 == Approx(0.5 * t / 2.0).epsilon(0.03));  // F t/m, before spring and damping answer
+    }
+}

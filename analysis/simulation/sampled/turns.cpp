@@ -9,14 +9,15 @@
 namespace stickslip {
 namespace {
 
-constexpr double reversal = 1e-6;          ///< of V_0: slower motion is the error of a step that ends at rest
+constexpr double reversal = 1e-6;          ///< of V_0: slower backward motion is the error of a step that ends at rest
+constexpr double rounding = 1e-12;         ///< of V_0: what a rest leaves; laws that creep can be slower than 1e-6
 constexpr double crossing_digits = 1e-12;  ///< of a step
 
 }  // namespace
 
 double or_rest(double velocity, double V0)
 {
-    return std::abs(velocity) < reversal * std::abs(V0) ? 0 : velocity;
+    return std::abs(velocity) < rounding * std::abs(V0) ? 0 : velocity;
 }
 
 void TurnWatch::visit(double velocity, double position)

@@ -20,7 +20,7 @@ struct LoopTurn {
     double slowest(double V0) const { return V0 < 0 ? -velocity_max : velocity_min; }
 };
 
-/// A velocity of a motion about V_0, 0 where it is no more than the error of a step that ends at rest.
+/// A velocity of a motion about V_0, 0 where it is no more than the rounding of a rest.
 double or_rest(double velocity, double V0);
 
 /// Watches steps. `V0` is the velocity of the link that turns are counted about, `origin` its steady position.

@@ -83,3 +83,23 @@ TEST_CASE("a stated disturbance is that of the joint, also of one that moves bac
     CHECK(slower.overshoot == Approx(behind.overshoot));
     CHECK(slower.disturbance.size == 0.01);
 }
+
+TEST_CASE("a state that deflects is disturbed with its sign", "[simulation][backwards]")
+{
+    Joint j;
+    j.mechanism.inertia = 2;
+    j.control.k_p = 2000, j.control.k_v = 20, j.control.V0 = 0.02;
+    LuGre law;
+    law.sigma0 = 1e5, law.sigma1 = 300, law.sigma2 = 10, law.coulomb = 5, law.breakaway = 5.2;
+    law.stribeck_velocity = 0.5;
+    j.friction.law = law;
+    NonlinearOptions slacker, tenser;
+    slacker.disturbance = {DisturbanceKind::state, -1e-5};
+    tenser.disturbance = {DisturbanceKind::state, 1e-5};
+    const auto forwards = nonlinear_verdict(j, slacker);
+    REQUIRE(forwards.outcome == Outcome::stable_sliding);
+    REQUIRE(forwards.overshoot > 0);
+    REQUIRE(nonlinear_verdict(j, tenser).overshoot == 0);
+    j.control.V0 = -0.02;
+    CHECK(nonlinear_verdict(j, tenser).overshoot == Approx(forwards.overshoot));
+}

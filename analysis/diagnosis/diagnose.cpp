@@ -3,6 +3,7 @@
 #include "analysis/diagnosis/audit/continuous_loop.h"
 #include "analysis/diagnosis/audit/effort_drive.h"
 #include "analysis/diagnosis/audit/inspect.h"
+#include "analysis/diagnosis/audit/noise.h"
 #include "analysis/diagnosis/audit/noisy_rows.h"
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/fit/jumps.h"

@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/audit/effort_drive.h"
 
+#include "analysis/diagnosis/audit/noise.h"
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/plant/simulator.h"
 #include "analysis/diagnosis/policy/policy.h"

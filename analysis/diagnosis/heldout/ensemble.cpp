@@ -1,7 +1,7 @@
 // In one file: noisy runs of one joint, and what a record differs from them by: floor and gap are counted alike.
 #include "analysis/diagnosis/heldout/ensemble.h"
 
-#include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/audit/noise.h"
 #include "analysis/diagnosis/fit/jumps.h"
 #include "analysis/diagnosis/fit/reference.h"
 #include "analysis/diagnosis/policy/policy.h"

@@ -1,9 +1,11 @@
 #include "analysis/diagnosis/ladder/climber.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace stickslip::gap {
 namespace {
+
+constexpr std::size_t near = 3, dear_looks = 6;  // singles, best first
 
 /// Whether the second is worse in no fold by so much that they are distinguished there, nor by a good part of what it
 /// gains: a limit that one step alone reaches does nothing in the others.
@@ -23,6 +25,35 @@ bool earns(const FittedSet& without, const FittedSet& with, const LadderRules& r
     const double beyond = std::max(rules.worth_a_rung, margin_of(with, rules));
     return worse_in_no_fold(without, with, rules) && without.misfit - with.misfit > beyond &&
            left - now > rules.of_the_rest * left;
+}
+
+std::vector<Start> Climber::looks(const FittedSet& below)
+{
+    std::vector<Start> looks;
+    // divided masses cost ten times as much: beside another cause only those that come near alone, and beside them
+    // only what does. With the document's numbers as they are anything that mends those comes nearer: the first
+    // rung looks at all
+    const std::size_t most = two_mass_edit(below.causes) ? dear_looks : rules_.first_look;
+    for (std::size_t i = 0; i < singles_.size() && looks.size() < most; ++i) {
+        const Candidate& single = singles_[i].candidate;
+        const auto& in = below.causes.effects;
+        const bool too_dear = two_mass_edit(single) && i >= near && !in.empty();
+        if (std::find(in.begin(), in.end(), single.effects[0]) != in.end() || too_dear) continue;
+        looks.push_back({below.causes, single.effects[0], single.forms[0], singles_[i].x});
+        looks.back().causes.records = single.records;
+    }
+    for (auto& look : divided_anew(below)) looks.push_back(std::move(look));
+    parallel_(looks.size(), [&](std::size_t i) { fitter_.look(looks[i], below); });  // adds the cause
+    std::stable_sort(looks.begin(), looks.end(),
+                     [](const Start& a, const Start& b) { return a.objective < b.objective; });
+    std::vector<const Effect*> nearer;
+    std::erase_if(looks, [&](const Start& s) {
+        const bool again = std::ranges::count(nearer, s.effect) > 0;
+        nearer.push_back(s.effect);
+        return again || s.x0.size() == 0;
+    });
+    if (looks.size() > rules_.finalists) looks.resize(rules_.finalists);
+    return looks;
 }
 
 std::vector<FittedSet> Climber::fitted(const std::vector<Start>& starts)
@@ -81,98 +112,13 @@ std::vector<Start> Climber::in_other_forms(const FittedSet& set, const Effect& e
     return starts;
 }
 
-FittedSet Climber::flexed(FittedSet set)
+FittedSet Climber::compared(const std::vector<FittedSet>& rivals)
 {
-    for (std::size_t i = 0; i < set.causes.effects.size(); ++i) {
-        const auto starts = with_flexible_member(set, i);
-        if (starts.empty()) continue;
-        FittedSet more = judged(starts)[0];
-        if (more.plausible && earns(set, more, rules_)) set = std::move(more);
-    }
-    return set;
-}
-
-std::vector<Start> Climber::with_flexible_member(const FittedSet& set, std::size_t member) const
-{
-    const Effect& effect = *set.causes.effects[member];
-    if (effect.flexible.empty() || set.causes.forms[member] != &effect.forms[0]) return {};
-    const EffectForm& form = effect.flexible[0];
-    const FittedSet others = unfitted_without(set, member);
-    Eigen::Index at = 0;
-    for (std::size_t i = 0; i < member; ++i) at += static_cast<Eigen::Index>(set.causes.count_of(*set.causes.forms[i]));
-    const auto count = static_cast<Eigen::Index>(effect.forms[0].parameters.size());
-    Eigen::VectorXd own = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(form.parameters.size()));
-    own.head(count) = set.of_causes(set.fit.x).segment(at, count);
-    std::vector<Start> starts;
-    const auto add = [&](const Eigen::VectorXd& numbers) {
-        Candidate causes = others.causes;
-        const Eigen::VectorXd x = insert(causes, &effect, &form, others.of_causes(others.fit.x), numbers);
-        starts.push_back({causes, nullptr, nullptr, {}, 0, fitter_.start(causes, set, x)});
-    };
-    add(own);
-    constexpr Eigen::Index sizes = 2;  // sine and cosine, in front of the number of periods and behind it
-    Eigen::VectorXd longer = own;
-    longer.tail(sizes) = own.head(sizes), longer.head(sizes).setZero();
-    longer[sizes] -= std::log(2.0);
-    add(longer);
-    return starts;
-}
-
-double Climber::misfit_as_documented(const FittedSet& set, const Effect& effect) const
-{
-    for (std::size_t i = 0; i < set.model.corrections; ++i)
-        if (set.model.candidate.effects[i]->name == effect.name && set.model.candidate.forms[i]->own == 0)
-            return fitter_.fit_without(set, i).misfit;
-    return set.misfit;
-}
-
-std::vector<FittedSet> Climber::in_order(FittedSet set) const
-{
-    std::vector<FittedSet> order{std::move(set)};
-    while (order.back().causes.effects.size() > 1) {
-        const std::size_t count = order.back().causes.effects.size();
-        std::vector<FittedSet> less(count);
-        std::vector<double> lost(count);
-        parallel_(count, [&](std::size_t i) {
-            less[i] = without(order.back(), i);
-            lost[i] = misfit_as_documented(less[i], *order.back().causes.effects[i]);
-        });
-        order.push_back(less[static_cast<std::size_t>(std::ranges::min_element(lost) - lost.begin())]);
-    }
-    std::reverse(order.begin(), order.end());
-    return order;
-}
-
-std::vector<FittedSet> Climber::in_place_of(const FittedSet& set, const Candidate& below) const
-{
-    constexpr double out_of_question = 4;  // margins, at which odds are 0.02
-    std::vector<FittedSet> others;
-    for (const auto& other : pool_) {
-        const auto& in = other.causes.effects;
-        if (!may_stand_for(other, set, below)) continue;
-        const auto again = std::ranges::find_if(others, [&](const auto& o) { return o.causes.effects == in; });
-        if (again == others.end())
-            others.push_back(other);
-        else if (other.misfit < again->misfit)
-            *again = other;
-    }
-    parallel_(others.size(), [&](std::size_t i) {
-        FittedSet& other = others[i];
-        if (other.misfit > set.misfit + out_of_question * margin_of(set, rules_)) return;
-        for (const Effect* cause : set.causes.effects)
-            if (std::ranges::count(below.effects, cause) + std::ranges::count(other.causes.effects, cause) == 0)
-                other.misfit = std::max(other.misfit, misfit_as_documented(other, *cause));
-    });
-    std::ranges::stable_sort(others, {}, &FittedSet::misfit);
-    return others;
-}
-
-bool may_stand_for(const FittedSet& other, const FittedSet& set, const Candidate& below)
-{
-    const auto& in = other.causes.effects;
-    const bool holds = std::ranges::all_of(below.effects, [&](const auto* e) { return std::ranges::count(in, e) > 0; });
-    return holds && in.size() == set.causes.effects.size() && in != set.causes.effects && other.plausible &&
-           !other.correction;
+    std::vector<Start> again;
+    for (const auto& set : rivals) again.push_back({set.causes, nullptr, nullptr, {}, 0, set.fit.x});
+    const auto sets = judged(again);
+    const auto best = std::ranges::find_if(sets, [](const auto& s) { return s.plausible && !s.correction; });
+    return best == sets.end() ? rivals[0] : *best;
 }
 
 }  // namespace stickslip::gap

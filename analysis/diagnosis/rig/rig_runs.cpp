@@ -2,6 +2,7 @@
 #include "analysis/diagnosis/rig/rig_laws.h"
 
 #include "analysis/joint/joint.h"
+#include "analysis/numerics/statistics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,13 +33,6 @@ std::vector<Stretch> stretches(const std::vector<double>& x)
         from = extreme, side = 0;
     }
     return all;
-}
-
-double median(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 /// Behind a turn the spring unloads and loads again before anything slides: the row at which the friction has come to

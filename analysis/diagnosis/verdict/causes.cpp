@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/verdict/causes.h"
 
+#include "analysis/diagnosis/verdict/quality.h"
 #include "analysis/diagnosis/verdict/sheet_values.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // The numbers of a joint with its causes in it, as engineers use them.
 #pragma once
 #include "analysis/diagnosis/verdict/findings.h"
+#include "analysis/diagnosis/verdict/quality.h"
 #include "analysis/results/diagnosis.h"
 
 namespace stickslip::gap {

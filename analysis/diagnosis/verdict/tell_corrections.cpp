@@ -2,6 +2,7 @@
 
 #include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/verdict/quality.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// From fits to an answer: what is noise, what is named, what cannot be distinguished, how sure.
+// From fits to an answer: what is noise, what is named, what cannot be distinguished, how likely.
 #pragma once
 #include "analysis/diagnosis/heldout/ensemble.h"
 
@@ -16,6 +16,10 @@ double explained_beyond(const NoiseSpread& own, const Evaluation& middle, const 
 /// Whether a wave among the effects has a period so much longer than the travel, or than the records, that only a bend
 /// of it is seen: with a second free shape beside it, it bends into any smooth force.
 bool bends_only(const Candidate& candidate, const Eigen::VectorXd& x, const Scales& scales);
+
+/// Whether two of the causes are free functions of position, or of time: a short Fourier series, which comes near any
+/// smooth force.
+bool two_free_shapes(const Attribution& a);
 
 /// Judges the best few against the noise that they themselves would have, which fixed thresholds do not know.
 void confirm(const std::vector<Case>& cases, std::vector<Attribution>& ranked, const Nominal& nominal,
@@ -41,17 +45,6 @@ struct Ranked {
 /// what is left for "none of these" grows with the winner's misfit.
 std::vector<Ranked> rank(const std::vector<Attribution>& singles, const std::vector<Attribution>& pairs,
                          const Decision& decision, double rows);
-
-struct Quality {
-    Eigen::MatrixXd covariance;          ///< of the parameters in the units in which they are fitted; empty: unknown
-    std::vector<double> standard_error;  ///< SI; NaN where the records leave a parameter open
-    bool plausible = true;
-    bool signature = false;
-};
-
-/// Standard errors from the information at the middle level; plausible: no parameter at its bound or ten times what is
-/// usual; signature: the pattern that the effect predicts is found wherever it should act.
-Quality quality_of(const std::vector<Case>& cases, const Attribution& a, const Scales& scales);
 
 /// Whether any effect of usual size would have shown itself at five times the noise.
 bool could_have_shown(const std::vector<Case>& cases, const Scales& scales, const ParallelFor& parallel);

@@ -1,5 +1,6 @@
 #include "sweep/study/guarantee/own_cases.h"
 
+#include "analysis/diagnosis/audit/noise.h"
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/fit/fit.h"
 #include "analysis/diagnosis/plant/simulator.h"

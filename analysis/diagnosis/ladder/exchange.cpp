@@ -1,0 +1,120 @@
+// How a set that a climb has found is changed: a cause exchanged, a number freed, a family's flexible member tried.
+#include "analysis/diagnosis/ladder/climber.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip::gap {
+
+FittedSet Climber::unfitted_without(const FittedSet& set, std::size_t member) const
+{
+    Candidate causes;
+    causes.records = set.causes.records;
+    const Eigen::VectorXd own = set.of_causes(set.fit.x);
+    Eigen::VectorXd x;
+    Eigen::Index at = 0;
+    for (std::size_t i = 0; i < set.causes.effects.size(); ++i) {
+        const auto count = static_cast<Eigen::Index>(set.causes.count_of(*set.causes.forms[i]));
+        if (i != member) x = insert(causes, set.causes.effects[i], set.causes.forms[i], x, own.segment(at, count));
+        at += count;
+    }
+    return fitter_.unfitted(causes, set, x);
+}
+
+FittedSet Climber::without(const FittedSet& set, std::size_t member) const
+{
+    const FittedSet less = unfitted_without(set, member);
+    return fitter_.fit(less.causes, less.fit.x);
+}
+
+bool Climber::worth_an_exchange(const FittedSet& set, const FittedSet& below, const Effect& other) const
+{
+    if (std::ranges::count(set.causes.effects, &other) > 0) return false;
+    auto effects = below.causes.effects;
+    effects.insert(std::ranges::upper_bound(effects, &other), &other);
+    const auto holds = [&](const FittedSet& s) { return std::ranges::count(s.causes.effects, &other) > 0; };
+    const auto same = [&](const FittedSet& s) { return s.causes.effects == effects; };
+    return std::ranges::any_of(pool_, holds) && std::ranges::none_of(pool_, same);
+}
+
+std::vector<FittedSet> Climber::exchanged(const FittedSet& set)
+{
+    constexpr std::size_t most = 3;  // go on after a first look
+    std::vector<FittedSet> less;
+    for (std::size_t i = 0; i < set.causes.effects.size(); ++i) less.push_back(unfitted_without(set, i));
+    std::vector<std::pair<Start, const FittedSet*>> looks;
+    for (const auto& below : less)
+        for (const auto& single : singles_) {
+            const Candidate& other = single.candidate;
+            if (two_mass_edit(other) || !worth_an_exchange(set, below, *other.effects[0])) continue;
+            looks.emplace_back(Start{below.causes, other.effects[0], other.forms[0], single.x}, &below);
+            looks.back().first.causes.records = other.records;
+        }
+    parallel_(looks.size(), [&](std::size_t i) { fitter_.look(looks[i].first, *looks[i].second); });
+    std::vector<Start> starts;
+    for (auto& [start, below] : looks)
+        if (start.x0.size() > 0) starts.push_back(std::move(start));
+    std::ranges::stable_sort(starts, {}, &Start::objective);
+    if (starts.size() > most) starts.resize(most);
+    return judged(starts);
+}
+
+FittedSet Climber::freed(FittedSet set)
+{
+    for (std::size_t i = 0, at = 0; i < set.model.corrections;) {
+        const Candidate& all = set.model.candidate;
+        const bool bound = Corrections::at_its_bound(all, i, at, set.fit.x);
+        const auto single = std::ranges::find_if(
+            singles_, [&](const Attribution& s) { return s.candidate.effects[0]->name == all.effects[i]->name; });
+        at += all.count_of(*all.forms[i++]);
+        if (!bound || all.forms[i - 1]->own > 0 || Corrections::is_small_term(*all.effects[i - 1]) ||
+            single == singles_.end())
+            continue;
+        const Effect* effect = single->candidate.effects[0];
+        Start start{set.causes, effect, &effect->forms[0], single->x};
+        fitter_.look(start, set);
+        if (start.x0.size() == 0) continue;
+        FittedSet more = judged({start})[0];
+        if (more.plausible && !more.correction && more.misfit < set.misfit) set = std::move(more), i = at = 0;
+    }
+    return set;
+}
+
+FittedSet Climber::flexed(FittedSet set)
+{
+    for (std::size_t i = 0; i < set.causes.effects.size(); ++i) {
+        const auto starts = with_flexible_member(set, i);
+        if (starts.empty()) continue;
+        FittedSet more = judged(starts)[0];
+        if (more.plausible && earns(set, more, rules_)) set = std::move(more);
+    }
+    return set;
+}
+
+std::vector<Start> Climber::with_flexible_member(const FittedSet& set, std::size_t member) const
+{
+    const Effect& effect = *set.causes.effects[member];
+    if (effect.flexible.empty() || set.causes.forms[member] != &effect.forms[0]) return {};
+    const EffectForm& form = effect.flexible[0];
+    const FittedSet others = unfitted_without(set, member);
+    Eigen::Index at = 0;
+    for (std::size_t i = 0; i < member; ++i) at += static_cast<Eigen::Index>(set.causes.count_of(*set.causes.forms[i]));
+    const auto count = static_cast<Eigen::Index>(effect.forms[0].parameters.size());
+    Eigen::VectorXd own = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(form.parameters.size()));
+    own.head(count) = set.of_causes(set.fit.x).segment(at, count);
+    std::vector<Start> starts;
+    const auto add = [&](const Eigen::VectorXd& numbers) {
+        Candidate causes = others.causes;
+        const Eigen::VectorXd x = insert(causes, &effect, &form, others.of_causes(others.fit.x), numbers);
+        starts.push_back({causes, nullptr, nullptr, {}, 0, fitter_.start(causes, set, x)});
+    };
+    add(own);
+    constexpr Eigen::Index sizes = 2;  // sine and cosine, in front of the number of periods and behind it
+    Eigen::VectorXd longer = own;
+    longer.tail(sizes) = own.head(sizes), longer.head(sizes).setZero();
+    longer[sizes] -= std::log(2.0);
+    add(longer);
+    return starts;
+}
+
+}  // namespace stickslip::gap

@@ -1,0 +1,65 @@
+// What is asked of a set that a climb has found: in which order its causes count, and what could stand in their place.
+#include "analysis/diagnosis/ladder/climber.h"
+
+#include <algorithm>
+
+namespace stickslip::gap {
+
+double Climber::misfit_as_documented(const FittedSet& set, const Effect& effect) const
+{
+    for (std::size_t i = 0; i < set.model.corrections; ++i)
+        if (set.model.candidate.effects[i]->name == effect.name && set.model.candidate.forms[i]->own == 0)
+            return fitter_.fit_without(set, i).misfit;
+    return set.misfit;
+}
+
+std::vector<FittedSet> Climber::in_order(FittedSet set) const
+{
+    std::vector<FittedSet> order{std::move(set)};
+    while (order.back().causes.effects.size() > 1) {
+        const std::size_t count = order.back().causes.effects.size();
+        std::vector<FittedSet> less(count);
+        std::vector<double> lost(count);
+        parallel_(count, [&](std::size_t i) {
+            less[i] = without(order.back(), i);
+            lost[i] = misfit_as_documented(less[i], *order.back().causes.effects[i]);
+        });
+        order.push_back(less[static_cast<std::size_t>(std::ranges::min_element(lost) - lost.begin())]);
+    }
+    std::reverse(order.begin(), order.end());
+    return order;
+}
+
+std::vector<FittedSet> Climber::in_place_of(const FittedSet& set, const Candidate& below) const
+{
+    constexpr double out_of_question = 4;  // margins, at which odds are 0.02
+    std::vector<FittedSet> others;
+    for (const auto& other : pool_) {
+        const auto& in = other.causes.effects;
+        if (!may_stand_for(other, set, below)) continue;
+        const auto again = std::ranges::find_if(others, [&](const auto& o) { return o.causes.effects == in; });
+        if (again == others.end())
+            others.push_back(other);
+        else if (other.misfit < again->misfit)
+            *again = other;
+    }
+    parallel_(others.size(), [&](std::size_t i) {
+        FittedSet& other = others[i];
+        if (other.misfit > set.misfit + out_of_question * margin_of(set, rules_)) return;
+        for (const Effect* cause : set.causes.effects)
+            if (std::ranges::count(below.effects, cause) + std::ranges::count(other.causes.effects, cause) == 0)
+                other.misfit = std::max(other.misfit, misfit_as_documented(other, *cause));
+    });
+    std::ranges::stable_sort(others, {}, &FittedSet::misfit);
+    return others;
+}
+
+bool may_stand_for(const FittedSet& other, const FittedSet& set, const Candidate& below)
+{
+    const auto& in = other.causes.effects;
+    const bool holds = std::ranges::all_of(below.effects, [&](const auto* e) { return std::ranges::count(in, e) > 0; });
+    return holds && in.size() == set.causes.effects.size() && in != set.causes.effects && other.plausible &&
+           !other.correction;
+}
+
+}  // namespace stickslip::gap

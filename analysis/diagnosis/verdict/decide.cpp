@@ -1,0 +1,132 @@
+// Which of the causes that were fitted is named, what cannot be told from it, and how likely each is.
+#include "analysis/diagnosis/verdict/verdict.h"
+
+#include "analysis/diagnosis/fit/moment.h"
+#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/search/search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip::gap {
+namespace {
+
+/// Whether a partner beside backlash or a spring takes most of what that one leaves alone. The contact of real backlash
+/// is none of the ones that can be simulated, so a rest remains of both.
+bool completes(const Attribution& pair, const Attribution& single)
+{
+    const bool holds = std::ranges::count(pair.candidate.effects, single.candidate.effects[0]) > 0;
+    return holds && two_mass_edit(single.candidate) && pair.explained > policy::completed && !two_free_shapes(pair) &&
+           1 - pair.explained < (1 - policy::taken_by_partner) * (1 - single.explained);
+}
+
+/// How much of a rival's misfit may be a lost step. Where anything but noise is left, all of it counts.
+double by_chance(const Attribution& winner, const Attribution& rival)
+{
+    return winner.accepted && rival.accepted ? hangs_on_a_moment(winner.evaluation, rival.evaluation, exact_square) : 0;
+}
+
+/// Parameters that the rival has and does not need where the winner does as well. None where the rival makes the
+/// winner's very motion without them: then they tell nothing.
+double needless_parameters(const Attribution& winner, const Attribution& rival)
+{
+    const Candidate &one = winner.candidate, &other = rival.candidate;
+    const auto parameters = [](const Candidate& c) { return static_cast<double>(c.parameter_count()); };
+    const auto only_in = [](const Candidate& c, const Candidate& not_in) {
+        std::vector<std::size_t> members;
+        for (std::size_t i = 0; i < c.effects.size(); ++i)
+            if (std::ranges::count(not_in.effects, c.effects[i]) == 0) members.push_back(i);
+        return members;
+    };
+    const auto own = only_in(one, other), others = only_in(other, one);
+    if (own.size() == 1 && others.size() == 1 &&
+        std::ranges::count(other.forms[others[0]]->same_motion, one.effects[own[0]]->name) > 0)
+        return 0;
+    return std::max(0.0, parameters(other) - parameters(one));
+}
+
+/// Of a rival against the winner: the likelihood of their innovations over so many rows, less for needless parameters.
+double odds_against(const Attribution& winner, const Attribution& rival, double rows)
+{
+    const double width = std::max(2 * policy::rows_per_reading / rows, policy::relative_temperature * winner.score);
+    const double worse = rival.evidence - winner.evidence - by_chance(winner, rival);
+    return std::exp(-std::max(0.0, worse) / width) *
+           std::pow(policy::needless_parameter, -needless_parameters(winner, rival));
+}
+
+}  // namespace
+
+Decision decide(const std::vector<Attribution>& singles, const std::vector<Attribution>& pairs, double rows)
+{
+    Decision d;
+    const std::vector<Attribution>* from = nullptr;
+    const bool single = !singles.empty() && (singles[0].accepted || pairs.empty());
+    const Attribution* best_single = singles.empty() ? nullptr : &singles[0];
+    const Attribution* best_pair = pairs.empty() ? nullptr : &pairs[0];
+    if (best_single) d.best_explained = best_single->explained;
+    // two free shapes that are not accepted come near anything: that explains nothing
+    if (best_pair && (best_pair->accepted || !two_free_shapes(*best_pair)))
+        d.best_explained = std::max(d.best_explained, best_pair->explained);
+    if (single && best_single->accepted) {
+        d.winner = best_single;
+        from = &singles;
+    } else if (best_pair && (best_pair->accepted ||
+                             (best_pair->explained > policy::explained_pair && !two_free_shapes(*best_pair)) ||
+                             (best_single && completes(*best_pair, *best_single)))) {
+        // a second effect must earn its place: else the first alone is the answer with a rest
+        const bool all_but = best_single && two_mass_edit(best_single->candidate) &&
+                             best_single->explained > policy::explained_by_backlash;
+        const auto worth = best_pair->accepted && !all_but ? policy::worth_a_partner : policy::worth_a_doubted_partner;
+        const bool alone =
+            best_single &&
+            best_single->explained > (best_pair->accepted ? policy::explained_single : policy::mostly_explained) &&
+            best_single->score < best_pair->score + worth;
+        d.winner = alone ? best_single : best_pair;
+        from = alone ? &singles : &pairs;
+    } else if (best_single &&
+               best_single->explained >
+                   (two_mass_edit(best_single->candidate) ? policy::nameable : policy::explained_single)) {
+        d.winner = best_single;
+        from = &singles;
+    }
+    d.named = d.winner != nullptr;
+    if (d.named)
+        for (const auto& rival : *from)
+            if (&rival != d.winner && rival.refined &&
+                odds_against(*d.winner, rival, rows) >= policy::odds_of_indistinguishable)
+                d.ambiguous.push_back(&rival);
+    return d;
+}
+
+std::vector<Ranked> rank(const std::vector<Attribution>& singles, const std::vector<Attribution>& pairs,
+                         const Decision& decision, double rows)
+{
+    std::vector<Ranked> all;
+    const bool pair_wins = decision.named && decision.winner->candidate.effects.size() > 1;
+    for (const auto& s : singles) all.push_back({&s, 0});
+    for (const auto& p : pairs)
+        if (pair_wins || !decision.named) all.push_back({&p, 0});
+    std::stable_sort(all.begin(), all.end(), [&](const Ranked& a, const Ranked& b) {
+        const bool wa = a.attribution == decision.winner, wb = b.attribution == decision.winner;
+        if (wa != wb) return wa;
+        return a.attribution->score < b.attribution->score;
+    });
+    if (all.empty()) return all;
+    const Attribution& first = *all.front().attribution;
+    double sum = 0;
+    for (auto& r : all) {
+        r.probability = odds_against(first, *r.attribution, rows);
+        sum += r.probability;
+    }
+    std::stable_sort(all.begin() + 1, all.end(),
+                     [](const Ranked& a, const Ranked& b) { return a.probability > b.probability; });
+    // what the best leaves unexplained is the chance that it is something else
+    const double unexplained = std::clamp(1 - first.explained, 0.0, 1.0);
+    const double else_ = !decision.named  ? 1 - policy::believed_unnamed
+                         : first.accepted ? policy::doubt_of_accepted + 0.5 * unexplained
+                                          : std::min(policy::most_doubt, policy::doubt + unexplained);
+    for (auto& r : all) r.probability *= (1 - else_) / sum;
+    return all;
+}
+
+}  // namespace stickslip::gap

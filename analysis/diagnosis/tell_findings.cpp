@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace stickslip::gap {
 namespace {
@@ -48,6 +49,7 @@ void tell_named(const Prepared& p, const ParallelFor& parallel, const Findings& 
             d.effects[i - 1].force_gain_interval = forces[i].spread;
         }
     }
+    std::ranges::stable_sort(d.effects, std::greater{}, &Cause::probability);
 }
 
 void tell_unexplained(const Findings& f, Diagnosis& d)

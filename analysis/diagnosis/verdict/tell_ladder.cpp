@@ -92,7 +92,7 @@ ExplainableShare beside_the_audit(const Prepared& p, double audited)
 
 }  // namespace
 
-std::vector<RungRival> indistinguishable(const JudgedLadder& j)
+std::vector<RungRival> rivals_of(const JudgedLadder& j)
 {
     std::vector<RungRival> rivals;
     for (std::size_t i = 0; i < j.ladder.rungs.size(); ++i) {
@@ -100,12 +100,26 @@ std::vector<RungRival> indistinguishable(const JudgedLadder& j)
         const auto own = added_by(j.ladder, i, j.ladder.rungs[i].causes);
         for (std::size_t r = 0; r < odds.size(); ++r) {
             const FittedSet& set = j.ladder.rivals[i][r];
-            if (odds[r] < policy::odds_of_indistinguishable) continue;
             rivals.push_back(
                 {i, &set, odds[r], with_the_others(j, i, set.causes), {own[0], added_by(j.ladder, i, set.causes)[0]}});
         }
     }
     return rivals;
+}
+
+std::vector<RungRival> indistinguishable(const JudgedLadder& j)
+{
+    auto rivals = rivals_of(j);
+    std::erase_if(rivals, [](const RungRival& r) { return r.odds < policy::odds_of_indistinguishable; });
+    return rivals;
+}
+
+double chance_of_all(const JudgedLadder& j)
+{
+    double all = 1;
+    for (const double chance : j.chances) all *= chance;
+    for (std::size_t i = 0; i < j.numbers.size(); ++i) all *= 1 - policy::doubt_of_noise;
+    return all;
 }
 
 void tell_ladder(const Prepared& p, const Findings& f, double audited, Diagnosis& d)
@@ -175,9 +189,7 @@ std::vector<Cause> causes_of(const Prepared& p, const JudgedLadder& j)
         causes.push_back(std::move(c));
         return causes;
     }
-    double all = 1;
-    for (const double chance : j.chances) all *= chance;
-    for (std::size_t i = 0; i < j.numbers.size(); ++i) all *= 1 - policy::doubt_of_noise;
+    const double all = chance_of_all(j);
     Cause first = cause_of(p, j.winner, j.named ? all : policy::believed_unnamed * all, j.corrections);
     const auto gain = [&](const FittedSet& set) {
         return 1 - std::sqrt(beyond_noise(set.all_left()) / std::max(1e-300, j.shares.base));
@@ -209,11 +221,9 @@ std::vector<Cause> causes_of(const Prepared& p, const JudgedLadder& j)
                      std::string(unit_of(rival.causes.parameter(i).quantity, units_of(p.documented[0])))});
         causes.push_back(std::move(c));
     };
-    const auto odds = odds_of_rivals(j, 0);
-    for (std::size_t r = 0; r < odds.size(); ++r)
-        add(j.ladder.rivals[0][r], j.with_numbers(names_of(j.ladder.rivals[0][r].causes)), j.chances[0] * odds[r]);
-    for (const auto& rival : indistinguishable(j))
-        if (rival.rung > 0) add(*rival.set, rival.names, all * rival.odds);
+    for (const auto& rival : rivals_of(j))
+        if (rival.rung == 0 || rival.odds >= policy::odds_of_indistinguishable)
+            add(*rival.set, rival.names, all * rival.odds);
     return causes;
 }
 

@@ -10,20 +10,25 @@ namespace stickslip::gap {
 /// rest.
 void tell_ladder(const Prepared& prepared, const Findings& findings, double audited, Diagnosis& d);
 
-/// The ladder's causes and their rivals, best first.
+/// The ladder's causes, then the rivals of its first rung and those that cannot be told from a further one, each as a
+/// whole set with the other rungs: none is likelier than the first.
 std::vector<Cause> causes_of(const Prepared& prepared, const JudgedLadder& judged);
 
-/// A rival that these records cannot tell from one of the ladder's rungs.
+/// A set that was judged in the place of one of the ladder's rungs.
 struct RungRival {
     std::size_t rung = 0;
     const FittedSet* set = nullptr;
-    double odds = 0;
+    double odds = 0;                                ///< against the rung
     std::vector<std::string> names;                 ///< all named causes, with the rival's in place of the rung's
     std::pair<std::string, std::string> separates;  ///< the rung's cause and the rival's
 };
 
 /// Of all rungs, in their order.
+std::vector<RungRival> rivals_of(const JudgedLadder& judged);
+/// Those that these records cannot tell from the rung.
 std::vector<RungRival> indistinguishable(const JudgedLadder& judged);
+/// Probability that all rungs are right, and the document's numbers that count as rungs.
+double chance_of_all(const JudgedLadder& judged);
 
 /// Puts what the controller's regression is sure of, the first rung of the ladder, among the effects by itself: first,
 /// unless causes in the mechanism are likely and take a good part beside it. Where those leave only noise, a small part

@@ -99,6 +99,14 @@ TEST_CASE("rivals of every rung are told as whole sets, and none that the chance
     CHECK(near[1].names == std::vector<std::string>{"stribeck", "sensor-offset"});
     CHECK(near[1].separates == std::pair<std::string, std::string>{"constant-load", "sensor-offset"});
     for (const auto& chance : chances_of(j)) CHECK(chance < 1 / (1 + policy::odds_of_indistinguishable));
+    // a set with one rung exchanged is judged by its odds from the whole set, not from that rung alone
+    j.chances = chances_of(j);
+    CHECK(chance_of_all(j) == Approx(j.chances[0] * j.chances[1]));
+    const auto all = rivals_of(j);
+    REQUIRE(all.size() == 4);
+    CHECK(all[1].names == std::vector<std::string>{"presliding", "constant-load"});
+    CHECK(all[1].odds == Approx(std::exp(-3)));
+    CHECK(all[2].odds == 0);  // another rung
     // where only noise is left, what stood beside a lower rung is no doubt
     j.noise_left = true;
     REQUIRE(indistinguishable(j).size() == 1);

@@ -164,10 +164,10 @@ void find(const Joint& joint, const std::vector<Record>& records, const Parallel
           const DiagnosisOptions& options, const StageProgress& progress, DiagnosisResult& result)
 {
     Diagnosis& d = result.diagnosis;
-    progress(Stage::reading, 0);
+    progress(DiagnosisStage::reading, 0);
     const auto usable = usable_pieces(joint, records, d);
     if (usable.empty()) return;
-    progress(Stage::auditing_controller, 0.02);
+    progress(DiagnosisStage::auditing_controller, 0.02);
     Prepared prepared = audited(joint, usable, d);
     if (auto suspicion = another_joint(prepared.audit)) {
         d.reasons.push_back(*suspicion);
@@ -183,7 +183,7 @@ void find(const Joint& joint, const std::vector<Record>& records, const Parallel
     try {
         find_causes(prepared, options.pair_partners, options.ensemble, progress, parallel, findings);
         if (findings.why_not) d.reasons.push_back(*findings.why_not);
-        progress(Stage::predicting_unseen, 0.9);
+        progress(DiagnosisStage::predicting_unseen, 0.9);
         conclude(prepared, findings, options.ensemble, parallel, result);
     } catch (const Interrupted&) {
         d.effects.clear();
@@ -193,11 +193,11 @@ void find(const Joint& joint, const std::vector<Record>& records, const Parallel
         list_effects(prepared, rank(findings.singles, findings.pairs, findings.decision, rows_of(prepared.cases)), d);
         throw;
     }
-    progress(Stage::done, 1);
+    progress(DiagnosisStage::done, 1);
 }
 
 /// What was found before the interruption stays; a cause that was not held against other data is none.
-void tell_interrupted(Stage stage, const Joint& joint, DiagnosisResult& result)
+void tell_interrupted(DiagnosisStage stage, const Joint& joint, DiagnosisResult& result)
 {
     Diagnosis& d = result.diagnosis;
     d.interrupted = true;
@@ -219,10 +219,10 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
     DiagnosisResult result{{}, joint};
     result.diagnosis.motion = joint.mechanism.motion;
     if (records.empty()) throw CannotAnswer(CannotAnswer::Why::no_record, "");
-    Stage stage = Stage::reading;
-    const auto progress = [&](Stage begins, double done) {
+    DiagnosisStage stage = DiagnosisStage::reading;
+    const auto progress = [&](DiagnosisStage begins, double done) {
         stage = begins;
-        if (options.progress) options.progress(std::string(name_of(stage)), done);
+        if (options.progress) options.progress(stage, done);
     };
     try {
         if (std::ranges::all_of(records, is_rig)) return diagnose_rig(joint, records, parallel);

@@ -3,10 +3,9 @@
 #include "analysis/diagnosis/records/record.h"
 #include "analysis/diagnosis/search/attribute.h"
 #include "analysis/diagnosis/verdict/result.h"
+#include "analysis/results/diagnosis_stage.h"
 
 #include <exception>
-#include <functional>
-#include <string>
 #include <vector>
 
 namespace stickslip::gap {
@@ -17,7 +16,7 @@ struct Interrupted : std::exception {};
 struct DiagnosisOptions {
     std::size_t pair_partners = 3;  ///< how many of the best singles look for a partner
     int ensemble = 10;              ///< noisy runs behind before, after and floor
-    std::function<void(const std::string& stage, double done)> progress;  ///< called from the calling thread only
+    StageProgress progress = {};    ///< called from the calling thread only
 };
 
 /// Diagnoses records of one joint. Analysis owns no threads: `parallel` runs tasks, each writes its own slot, so the

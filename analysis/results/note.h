@@ -73,8 +73,8 @@ struct Note {
         withdrawn_implausible,     ///< names: more than noise is left, and a number is at its bound
         withdrawn_in_many_floors,  ///< names; values: noise floors that remain; the noise is not documented
         far_as_a_whole,     ///< values: noise floors by which the nominal joint misses where rows are within the noise
-        interrupted_early,  ///< names: the stage; nothing was found yet
-        interrupted_located,  ///< names: the stage; where the gap lies was found
+        interrupted_early,  ///< names: codes of the stage and those left out; nothing was found yet
+        interrupted_located,  ///< names: codes of the stage and those left out; where the gap lies was found
         // friction rigs
         rig,
         rig_turns_round,  ///< values: first and last row of what is judged

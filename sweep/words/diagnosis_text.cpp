@@ -1,6 +1,7 @@
 #include "sweep/words/diagnosis_text.h"
 
 #include "sweep/words/diagnosis_tables.h"
+#include "sweep/words/stage_text.h"
 
 #include <fmt/args.h>
 #include <fmt/format.h>
@@ -134,9 +135,9 @@ constexpr Sentence sentences[] = {
     {Code::far_as_a_whole,
      "predicted from row to row the nominal joint stays within the noise, but simulated as a whole it is {0:.1f} "
      "times the noise floor away: these rows are too few or too far apart to determine the cause"},
-    {Code::interrupted_early, "interrupted while {name0}{before}: no result yet"},
+    {Code::interrupted_early, "interrupted while {stages}: no result yet"},
     {Code::interrupted_located,
-     "interrupted while {name0}{before}: the location of the gap was found, its cause was not; the fits so far are "
+     "interrupted while {stages}: the location of the gap was found, its cause was not; the fits so far are "
      "listed"},
     {Code::rig,
      "a friction rig: a load point's displacement and the friction; the stiffness between load point and slider and "
@@ -175,13 +176,6 @@ std::string force_of(const std::string& signal)
     return "a force that depends on the " + signal + " alone";
 }
 
-/// ", and before a, b": the stages that an interruption left out, which not every diagnosis needs.
-std::string before_what(const Note& note)
-{
-    if (note.names.size() < 2) return "";
-    return fmt::format(", and before {} where needed", fmt::join(note.names.begin() + 1, note.names.end(), ", "));
-}
-
 /// "the slip law, the time law and the ageing law", of a note whose first name is the cause.
 std::string laws_of(const Note& note)
 {
@@ -216,7 +210,7 @@ fmt::dynamic_format_arg_store<fmt::format_context> parts_of(const Note& note)
     parts.push_back(fmt::arg("s", note.values.empty() || note.values[0] != 1 ? "s" : ""));
     parts.push_back(fmt::arg("signal", note.signal));
     parts.push_back(fmt::arg("force", force_of(note.signal)));
-    parts.push_back(fmt::arg("before", before_what(note)));
+    parts.push_back(fmt::arg("stages", stages_text(note.names)));
     parts.push_back(fmt::arg("text", note.text));
     return parts;
 }

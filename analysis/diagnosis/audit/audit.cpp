@@ -1,71 +1,19 @@
 #include "analysis/diagnosis/audit/audit.h"
 
-#include "analysis/diagnosis/audit/after_hole.h"
 #include "analysis/diagnosis/audit/audit_filter.h"
 #include "analysis/diagnosis/audit/audit_readings.h"
 #include "analysis/diagnosis/audit/audit_reference.h"
 #include "analysis/diagnosis/audit/audit_terms.h"
-#include "analysis/diagnosis/audit/regression.h"
+#include "analysis/diagnosis/audit/gains.h"
 #include "analysis/diagnosis/plant/controller.h"
 #include "analysis/diagnosis/policy/policy.h"
-#include "analysis/numerics/line_search.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace stickslip::gap {
 namespace {
-
-/// The rows that no limit touches, with this filter time constant: what the gains multiply, and the logged command.
-GainRegression regression_of(const Case& c, double tau, double limit)
-{
-    GainRegression rows;
-    Control control = c.joint.control;
-    control.velocity_estimate.tau = tau;
-    Controller controller(control);
-    const Ticks& t = c.ticks;
-    const bool believed = t.unseen_between() && t.has_velocity;
-    // at a kink or a step of the reference its rate is anybody's guess unless it was logged
-    constexpr double bent = 0.02;  // numerical: of the largest rate; which rows are compared
-    double fastest = 0;
-    for (double rate : t.reference_rate) fastest = std::max(fastest, std::abs(rate));
-    const auto kinked = [&](std::size_t k) {
-        if (k == 0 || k + 1 >= t.size()) return true;
-        const double before = (t.reference[k] - t.reference[k - 1]) / t.step[k - 1],
-                     after = (t.reference[k + 1] - t.reference[k]) / t.step[k];
-        return std::abs(after - before) > bent * fastest;
-    };
-    AfterHole hole(t, control);
-    for (std::size_t k = 0; k < t.size(); ++k) {
-        const bool blind = hole.holds(k);
-        const double exact = is_set(t.velocity[k]) ? t.velocity[k] : 0;
-        controller.read(t.position[k], k == 0 ? t.step[0] : t.step[k - 1], exact);
-        if (believed && is_set(t.velocity[k])) controller.believe(t.velocity[k]);
-        if (blind || !is_set(t.command[k]) || std::abs(t.command[k]) > policy::below_limit * limit || !t.enabled[k])
-            continue;
-        if (control.reference_velocity && control.k_v != 0 && kinked(k)) continue;
-        const double rate = control.reference_velocity ? t.reference_rate[k] : 0;
-        rows.add(t.reference[k] - t.position[k], rate - controller.velocity(), t.command[k] - t.added(k));
-    }
-    return rows;
-}
-
-/// Golden-section search of the filter time constant with the least misfit, both gains free.
-double best_tau(const std::vector<Case>& cases, double limit)
-{
-    const double tick = cases[0].ticks.step[0];
-    const auto misfit = [&](double tau) {
-        double worst = 0;
-        for (const auto& c : cases) worst += regression_of(c, tau, limit).solve(true).misfit;
-        return worst;
-    };
-    double best = 0, least = misfit(0);
-    double low = 0, high = tick;
-    for (double tau = 0.1 * tick; tau < 400 * tick; tau *= 1.4)
-        if (const double m = misfit(tau); m < least) least = m, best = tau, low = tau / 1.4, high = tau * 1.4;
-    const double refined = least_between(low, high, misfit);
-    return misfit(refined) < least ? refined : best;
-}
 
 /// A controller that is documented without a derivative part may have one: it is a term then, and no factor names it.
 bool find_missing_k_v(std::vector<Case>& cases, double limit, double misfit_without, Audit& result)
@@ -155,9 +103,66 @@ void find_saturation(std::vector<Case>& cases, double limit, Audit& result)
     }
 }
 
+/// The filter's time constant: another than the documented one where that leaves much less of the command.
+double find_filter_time(const std::vector<Case>& cases, double limit, std::vector<GainRegression::Answer>& answers,
+                        Audit& result)
+{
+    const Control& documented = cases[0].joint.control;
+    const double tau = documented.velocity_estimate.tau;
+    const bool filtered = documented.velocity_estimate.form != EstimateForm::exact;
+    if (!filtered || result.filter_seen || mean_misfit(answers) <= policy::understood) return tau;
+    const double found = best_tau(cases, limit);
+    const auto with = gains_of(cases, found, limit);
+    if (mean_misfit(with) >= policy::much_less * mean_misfit(answers) ||
+        !filters_differently(tau, found, cases[0].ticks.step[0]))
+        return tau;
+    result.findings.push_back({"velocity-filter", "velocity-filter.tau", found, 0, Quantity::time,
+                               1 - std::pow(mean_misfit(with) / mean_misfit(answers), 2)});
+    answers = with;
+    return found;
+}
+
+/// Relative error from which on a gain is off, by what the regression leaves; nothing where that is too much to judge.
+std::optional<double> flagged_by(const std::vector<Case>& cases, Audit& result)
+{
+    const double rounding = command_rounding(cases);
+    const bool exact = result.residual_after < policy::understood;
+    const bool rounded = !exact && result.residual_after < policy::enough * rounding / std::sqrt(12.0);
+    result.command_explained = exact || rounded;
+    if (result.residual_after > policy::rough_command) {
+        result.notes.push_back({.code = Note::Code::gains_not_judged, .values = {result.residual_after}});
+        return std::nullopt;
+    }
+    // a command that is cut off instead of rounded loses half a step wherever it is: no gain is known better than that
+    const double flagged = exact     ? policy::flagged_gain
+                           : rounded ? std::max(policy::flagged_gain, rounding)
+                                     : std::max(policy::rough_gain, policy::rough_multiple * result.residual_after);
+    if (rounded) result.notes.push_back({.code = Note::Code::gains_to_steps, .values = {100 * flagged}});
+    if (!result.command_explained)
+        result.notes.push_back({.code = Note::Code::gains_to, .values = {100 * result.residual_after}});
+    return flagged;
+}
+
+/// Whether the command of every record is a position controller's, logged with its reference at ticks that are known.
+bool can_be_audited(const std::vector<Case>& cases)
+{
+    return std::ranges::all_of(cases, [](const Case& c) {
+        return c.ticks.source == CommandSource::logged && c.ticks.has_reference &&
+               c.joint.control.kind == ControlKind::position &&
+               (c.ticks.ticks_per_row <= 1 || !c.ticks.unseen_between() || c.ticks.has_velocity);
+    });
+}
+
+bool lacks_reference(const std::vector<Case>& cases)
+{
+    return std::ranges::all_of(cases, [](const Case& c) {
+        return c.ticks.source == CommandSource::logged && !c.ticks.has_reference && c.ticks.regular &&
+               c.joint.control.kind == ControlKind::position && !c.ticks.unseen_between();
+    });
+}
+
 }  // namespace
 
-// In one piece: the audit's checks in the order in which each relies on those before.
 Audit audit(std::vector<Case>& cases)
 {
     Audit result;
@@ -165,67 +170,24 @@ Audit audit(std::vector<Case>& cases)
     audit_grid(cases, result);
     audit_supply(cases, result);
     audit_filter(cases, result);
-    const bool without_reference = std::all_of(cases.begin(), cases.end(), [](const auto& c) {
-        return c.ticks.source == CommandSource::logged && !c.ticks.has_reference && c.ticks.regular &&
-               c.joint.control.kind == ControlKind::position && !c.ticks.unseen_between();
-    });
-    if (without_reference) {
-        audit_without_reference(cases, std::min(cases[0].joint.control.effort_limit, observed_limit(cases)), result);
-        return result;
-    }
-    for (const auto& c : cases)
-        if (c.ticks.source != CommandSource::logged || !c.ticks.has_reference ||
-            c.joint.control.kind != ControlKind::position ||
-            (c.ticks.ticks_per_row > 1 && c.ticks.unseen_between() && !c.ticks.has_velocity))
-            return result;
-    result.possible = true;
     const Control documented = cases[0].joint.control;
     const double limit = std::min(documented.effort_limit, observed_limit(cases));
-    if (audit_terms(cases, limit, result)) return result;
-    const bool filtered = documented.k_v != 0 && documented.velocity_estimate.form != EstimateForm::exact;
-
-    // one gain pair a record: overrides may give every record its own documented gains
-    const auto regress = [&](double tau) {
-        std::vector<GainRegression::Answer> answers;
-        for (const auto& c : cases) answers.push_back(regression_of(c, tau, limit).solve(c.joint.control.k_v != 0));
-        return answers;
-    };
-    const auto mean_misfit = [](const std::vector<GainRegression::Answer>& answers) {
-        double sum = 0;
-        for (const auto& a : answers) sum += a.misfit;
-        return sum / static_cast<double>(answers.size());
-    };
-    double tau = documented.velocity_estimate.tau;
-    auto answers = regress(tau);
-    if (documented.k_v == 0 && find_missing_k_v(cases, limit, mean_misfit(answers), result)) answers = regress(tau);
-    if (filtered && !result.filter_seen && mean_misfit(answers) > policy::understood) {
-        const double found = best_tau(cases, limit);
-        const auto with = regress(found);
-        if (mean_misfit(with) < policy::much_less * mean_misfit(answers) &&
-            filters_differently(tau, found, cases[0].ticks.step[0])) {
-            result.findings.push_back({"velocity-filter", "velocity-filter.tau", found, 0, Quantity::time,
-                                       1 - std::pow(mean_misfit(with) / mean_misfit(answers), 2)});
-            tau = found;
-            answers = with;
-        }
-    }
-    result.residual_after = mean_misfit(answers);
-    const double rounding = command_rounding(cases);
-    const bool exact = result.residual_after < policy::understood;
-    const bool rounded = !exact && result.residual_after < policy::enough * rounding / std::sqrt(12.0);
-    result.command_explained = exact || rounded;
-    // a command that is cut off instead of rounded loses half a step wherever it is: no gain is known better than that
-    const double flagged = exact     ? policy::flagged_gain
-                           : rounded ? std::max(policy::flagged_gain, rounding)
-                                     : std::max(policy::rough_gain, policy::rough_multiple * result.residual_after);
-    if (result.residual_after > policy::rough_command) {
-        result.notes.push_back({.code = Note::Code::gains_not_judged, .values = {result.residual_after}});
+    if (lacks_reference(cases)) {
+        audit_without_reference(cases, limit, result);
         return result;
     }
-    if (rounded) result.notes.push_back({.code = Note::Code::gains_to_steps, .values = {100 * flagged}});
-    if (!result.command_explained)
-        result.notes.push_back({.code = Note::Code::gains_to, .values = {100 * result.residual_after}});
-    correct_gains(cases, answers, flagged, result);
+    if (!can_be_audited(cases)) return result;
+    result.possible = true;
+    if (audit_terms(cases, limit, result)) return result;
+    auto answers = gains_of(cases, documented.velocity_estimate.tau, limit);
+    if (documented.k_v == 0 && find_missing_k_v(cases, limit, mean_misfit(answers), result))
+        answers = gains_of(cases, documented.velocity_estimate.tau, limit);
+    const double tau =
+        documented.k_v != 0 ? find_filter_time(cases, limit, answers, result) : documented.velocity_estimate.tau;
+    result.residual_after = mean_misfit(answers);
+    const auto flagged = flagged_by(cases, result);
+    if (!flagged) return result;
+    correct_gains(cases, answers, *flagged, result);
     for (auto& c : cases) c.joint.control.velocity_estimate.tau = tau;
     if (limit < policy::below_limit * documented.effort_limit) find_saturation(cases, limit, result);
     return result;

@@ -13,9 +13,23 @@ void remember(Joint& joint, const double* p, MemoryForm form)
     m.form = form;
 }
 
+/// Rate-and-state friction; its forms differ in how the state evolves.
+EffectForm rate_and_state(std::string_view name)
+{
+    EffectForm f;
+    f.name = name;
+    f.parameters = {
+        {"A", Quantity::effort, Scale::friction_effort, true, 1e-05, 0.5, 0.02, "direct velocity effect"},
+        {"B", Quantity::effort, Scale::friction_effort, true, 1e-05, 1, 0.04, "evolution effect"},
+        {"L", Quantity::position, Scale::friction_position, true, 1e-06, 0.5, 0.01, "characteristic slip distance"},
+        {"V_star", Quantity::velocity, Scale::friction_velocity, true, 0.0001, 10, 0.1, "reference velocity V*"},
+    };
+    f.seeds = {{0.02, 0.05, 0.01, 0.1}};
+    return f;
+}
+
 }  // namespace
 
-// In one piece: a declaration: the forms of one effect, each with its range.
 Effect frictional_memory()
 {
     Effect e;
@@ -26,29 +40,14 @@ Effect frictional_memory()
     e.signature = "transient after a speed change, in slip distance";
     e.confusable = {"stribeck", "presliding", "actuator-lag"};
     {
-        EffectForm f;
-        f.name = "slip";
-        f.parameters = {
-            {"A", Quantity::effort, Scale::friction_effort, true, 1e-05, 0.5, 0.02, "direct velocity effect"},
-            {"B", Quantity::effort, Scale::friction_effort, true, 1e-05, 1, 0.04, "evolution effect"},
-            {"L", Quantity::position, Scale::friction_position, true, 1e-06, 0.5, 0.01, "characteristic slip distance"},
-            {"V_star", Quantity::velocity, Scale::friction_velocity, true, 0.0001, 10, 0.1, "reference velocity V*"},
-        };
+        EffectForm f = rate_and_state("slip");
         f.apply = [](Joint& j, const double* p) { remember(j, p, MemoryForm::slip); };
-        f.seeds = {{0.02, 0.05, 0.01, 0.1}, {0.02, 0.05, 0.001, 0.5}};
+        f.seeds.push_back({0.02, 0.05, 0.001, 0.5});
         e.forms.push_back(f);
     }
     {
-        EffectForm f;
-        f.name = "ageing";
-        f.parameters = {
-            {"A", Quantity::effort, Scale::friction_effort, true, 1e-05, 0.5, 0.02, "direct velocity effect"},
-            {"B", Quantity::effort, Scale::friction_effort, true, 1e-05, 1, 0.04, "evolution effect"},
-            {"L", Quantity::position, Scale::friction_position, true, 1e-06, 0.5, 0.01, "characteristic slip distance"},
-            {"V_star", Quantity::velocity, Scale::friction_velocity, true, 0.0001, 10, 0.1, "reference velocity V*"},
-        };
+        EffectForm f = rate_and_state("ageing");
         f.apply = [](Joint& j, const double* p) { remember(j, p, MemoryForm::ageing); };
-        f.seeds = {{0.02, 0.05, 0.01, 0.1}};
         e.forms.push_back(f);
     }
     {

@@ -96,15 +96,15 @@ void decide(OutcomeAnswer& a)
 
 /// Fits every rival and judges the documented law, by distances to stick-slip first, the likely ones by their motion.
 void fit_laws(OutcomeAnswer& a, const Joint& nominal, std::span<const RivalLaw> rivals, const ParallelFor& parallel,
-              const std::function<void(const std::string&, double)>& progress)
+              const StageProgress& progress)
 {
     a.laws.resize(rivals.size());
-    if (progress) progress("fitting friction laws", 0.1);
+    if (progress) progress(DiagnosisStage::fitting_laws, 0.1);
     const auto fit_at = [&](std::size_t i) -> LawFit& { return i == rivals.size() ? a.nominal : a.laws[i]; };
     parallel(rivals.size() + 1, [&](std::size_t i) {
         fit_at(i) = i == rivals.size() ? judge_nominal_law(a.outcomes, nominal) : fit_law(a.outcomes, rivals[i]);
     });
-    if (progress) progress("following motions from rest", 0.7);
+    if (progress) progress(DiagnosisStage::following_motions, 0.7);
     double likeliest = -infinity;
     for (const auto& f : a.laws) likeliest = std::max(likeliest, f.held_out);
     parallel(rivals.size() + 1, [&](std::size_t i) {
@@ -150,7 +150,7 @@ void propose_next(OutcomeAnswer& a)
 }  // namespace
 
 OutcomeAnswer explain(const Joint& nominal, const OutcomeTable& table, const ParallelFor& parallel,
-                      const std::function<void(const std::string&, double)>& progress, std::span<const RivalLaw> rivals,
+                      const StageProgress& progress, std::span<const RivalLaw> rivals,
                       const std::function<void()>& checkpoint)
 {
     refuse_unfit(nominal, table);
@@ -174,7 +174,7 @@ OutcomeAnswer explain(const Joint& nominal, const OutcomeTable& table, const Par
         return a;
     }
     fit_laws(a, nominal, rivals, parallel, progress);
-    if (progress) progress("ranking", 0.95);
+    if (progress) progress(DiagnosisStage::ranking_laws, 0.95);
     rank_laws(a, stuck);
     decide(a);
     const auto best_of = [&](bool memory) {
@@ -193,7 +193,7 @@ OutcomeAnswer explain(const Joint& nominal, const OutcomeTable& table, const Par
                 {.code = Note::Code::beyond_linear, .values = {static_cast<double>(winner.beyond_linear)}});
     }
     propose_next(a);
-    if (progress) progress("done", 1);
+    if (progress) progress(DiagnosisStage::done, 1);
     return a;
 }
 

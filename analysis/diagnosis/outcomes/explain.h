@@ -3,6 +3,7 @@
 #include "analysis/diagnosis/outcomes/fit.h"
 #include "analysis/diagnosis/search/attribute.h"
 #include "analysis/results/diagnosis.h"
+#include "analysis/results/diagnosis_stage.h"
 
 namespace stickslip::gap {
 
@@ -27,7 +28,7 @@ struct OutcomeAnswer {
 /// rows cannot be read against (several masses, contact stiffness) and for settings that it lacks or may not take.
 /// `rivals` outlive the answer. `checkpoint` is called before every row is looked at, and may throw to end early.
 OutcomeAnswer explain(const Joint& nominal, const OutcomeTable& table, const ParallelFor& parallel,
-                      const std::function<void(const std::string& stage, double done)>& progress = {},
-                      std::span<const RivalLaw> rivals = rival_laws(), const std::function<void()>& checkpoint = {});
+                      const StageProgress& progress = {}, std::span<const RivalLaw> rivals = rival_laws(),
+                      const std::function<void()>& checkpoint = {});
 
 }  // namespace stickslip::gap

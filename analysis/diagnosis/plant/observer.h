@@ -62,7 +62,7 @@ class Observer {
 
     void step()
     {
-        P read, step;
+        P read(0.0), step(0.0);
         typename P::MaskType logged;
         for (int i = 0; i < lanes; ++i) {
             const Ticks& t = *run_[i]->ticks;

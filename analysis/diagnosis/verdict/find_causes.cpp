@@ -14,7 +14,7 @@ namespace {
 
 void fit_single(Prepared& p, const StageProgress& progress, const ParallelFor& parallel, Findings& f)
 {
-    progress(Stage::fitting_singles, 0.1);
+    progress(DiagnosisStage::fitting_singles, 0.1);
     const auto fit = [&] {
         return fit_singles(p.cases, p.scales, p.nominal, single_candidates(p.cases, p.audit), parallel);
     };
@@ -44,7 +44,7 @@ void hold_against_free_forces(const Prepared& p, const StageProgress& progress, 
 {
     const Attribution& nearest = *f.decision.winner;
     if (mean_log_misfit(nearest.evaluation) < policy::least_of_free_force) return;
-    progress(Stage::fitting_free_forces, 0.85);
+    progress(DiagnosisStage::fitting_free_forces, 0.85);
     f.free = fit_free_forces(p.cases, p.scales, p.nominal, parallel);
     if (!clearly_better(f.free[0], nearest)) return;
     f.why_not = Note{
@@ -60,7 +60,7 @@ void hold_ladder_against_free_forces(const Prepared& p, const StageProgress& pro
     JudgedLadder& j = f.judged;
     const bool only_noise = j.noise_left || j.noise_below;
     if (!j.answers() || only_noise || mean_log_misfit(j.winner.evaluation) < policy::least_of_free_force) return;
-    progress(Stage::fitting_free_forces, 0.85);
+    progress(DiagnosisStage::fitting_free_forces, 0.85);
     f.free = fit_free_forces(p.cases, p.scales, p.nominal, parallel, j.ladder.corrections.get());
     hold_against(j, f.free[0]);
 }
@@ -156,7 +156,7 @@ void find_causes(Prepared& p, std::size_t pair_partners, int runs, const StagePr
 {
     f.none.evaluation = p.nominal.evaluation;
     f.none.score = p.nominal.score;
-    progress(Stage::measuring_floor, 0.05);
+    progress(DiagnosisStage::measuring_floor, 0.05);
     f.quiet = f.none.accepted = at_floor(p.cases, f.none, p.nominal, p.scales, parallel);
     if (f.quiet) return;
     fit_single(p, progress, parallel, f);
@@ -166,7 +166,7 @@ void find_causes(Prepared& p, std::size_t pair_partners, int runs, const StagePr
     }
     f.decision = decide(f.singles, f.pairs, rows_of(p.cases));
     if (!accepted(f.decision)) {
-        progress(Stage::correcting_numbers, 0.4);
+        progress(DiagnosisStage::correcting_numbers, 0.4);
         LadderSearch search(p.cases, p.scales, f.singles, policy::ladder, parallel);
         f.judged.ladder = search.climb({}, 1);
         judge(f.judged, search.data(), p.scales, p.nominal, parallel);
@@ -176,12 +176,12 @@ void find_causes(Prepared& p, std::size_t pair_partners, int runs, const StagePr
             const double left = s.rungs.empty() ? s.base : s.rungs[0];
             const bool nothing_alone = s.rungs.empty() && !f.judged.only_corrections;
             if (nothing_alone || left - s.explainable_to > policy::worth_a_search_of_pairs * s.base) {
-                progress(Stage::fitting_pairs, 0.5);
+                progress(DiagnosisStage::fitting_pairs, 0.5);
                 fit_pair(p, pair_partners, parallel, f);
                 f.decision = decide(f.singles, f.pairs, rows_of(p.cases));
             }
             if (!accepted(f.decision)) {
-                progress(Stage::climbing_ladder, 0.75);
+                progress(DiagnosisStage::climbing_ladder, 0.75);
                 f.judged = {};
                 const auto only_noise = [&](const FittedSet& set) {
                     return leaves_noise(p.cases, p.scales, p.nominal, set, parallel);

@@ -1,7 +1,7 @@
 // From prepared records to causes: singles, then pairs, then what predicts unseen data, then unmodelled forces.
 #pragma once
 #include "analysis/diagnosis/verdict/findings.h"
-#include "analysis/diagnosis/verdict/stage.h"
+#include "analysis/results/diagnosis_stage.h"
 
 namespace stickslip::gap {
 

@@ -130,9 +130,7 @@ JointDiagnosis diagnose_joint(const Joint& documented, const GatheredRecords& gi
         d.reasons = given.contradictions;
     } else {
         gap::DiagnosisOptions settings;
-        settings.progress = [tell = line.listener(), &about](const std::string& stage, double done) {
-            tell(about + stage, done);
-        };
+        settings.progress = line.listener(about);
         try {
             auto result = gap::diagnose(
                 joint, given.records,

@@ -1,11 +1,13 @@
 #include "sweep/program/verbs/stage_line.h"
 
 #include "sweep/program/verbs/say.h"
+#include "sweep/words/stage_text.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdio>
+#include <utility>
 
 namespace stickslip {
 namespace {
@@ -50,9 +52,11 @@ void StageLine::stage(std::string what, double done)
     if (terminal_ && drawn_) draw();
 }
 
-std::function<void(const std::string&, double)> StageLine::listener()
+StageProgress StageLine::listener(std::string about)
 {
-    return [this](const std::string& what, double done) { stage(what, done); };
+    return [this, about = std::move(about)](DiagnosisStage begins, double done) {
+        stage(about + std::string(stage_text(begins)), done);
+    };
 }
 
 ParallelFor StageLine::counted(ParallelFor run)

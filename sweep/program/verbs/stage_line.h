@@ -3,11 +3,11 @@
 #pragma once
 #include "analysis/base/field.h"
 #include "analysis/diagnosis/search/attribute.h"
+#include "analysis/results/diagnosis_stage.h"
 
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
-#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -28,8 +28,8 @@ class StageLine {
 
     /// `done`: the part of the whole that lies behind, where that is known.
     void stage(std::string what, double done = not_set);
-    /// The same as a function. It must not be called once the line is gone.
-    std::function<void(const std::string& stage, double done)> listener();
+    /// The same of a diagnosis, its stages in words behind `about`. It must not be called once the line is gone.
+    StageProgress listener(std::string about = "");
     /// The same tasks, counted.
     ParallelFor counted(ParallelFor run);
 

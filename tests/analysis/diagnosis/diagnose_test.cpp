@@ -178,17 +178,17 @@ TEST_CASE("an interrupted diagnosis says what was not looked at, keeps what was 
 {
     Machine m;
     m.coulomb = 9;
-    const auto until = [&](const std::string& last) {
+    const auto until = [&](DiagnosisStage last) {
         bool stop = false;
         DiagnosisOptions options;
-        options.progress = [&](const std::string& stage, double) { stop = stop || stage == last; };
+        options.progress = [&](DiagnosisStage stage, double) { stop = stop || stage == last; };
         const auto run = [&](std::size_t n, const std::function<void(std::size_t)>& task) {
             if (stop) throw Interrupted();
             test::in_order(n, task);
         };
         return test::answer(nominal_joint(), records_of(m), run, options).diagnosis;
     };
-    const Diagnosis early = until("fitting single effects"), late = until("predicting held-out data");
+    const Diagnosis early = until(DiagnosisStage::fitting_singles), late = until(DiagnosisStage::predicting_unseen);
     for (const auto* d : {&early, &late}) {
         CHECK(d->interrupted);
         CHECK(d->verdict == Verdict::unknown);
@@ -197,13 +197,13 @@ TEST_CASE("an interrupted diagnosis says what was not looked at, keeps what was 
     }
     CHECK(early.effects.empty());
     CHECK(early.reasons[0].code == Note::Code::interrupted_located);
-    CHECK(early.reasons[0].names.front() == "fitting single effects");
-    CHECK(early.reasons[0].names.back() == "predicting held-out data");
+    CHECK(early.reasons[0].names.front() == "fitting-singles");
+    CHECK(early.reasons[0].names.back() == "predicting-unseen");
     REQUIRE_FALSE(late.effects.empty());
     CHECK(late.effects[0].names == std::vector<std::string>{"coulomb-level"});
     CHECK(late.effects[0].probability <= 0.1);
     CHECK(late.reasons[0].code == Note::Code::interrupted_located);
-    CHECK(late.reasons[0].names == std::vector<std::string>{"predicting held-out data"});
+    CHECK(late.reasons[0].names == std::vector<std::string>{"predicting-unseen"});
 }
 
 TEST_CASE("a wrong filter of the controller is the cause, and not the few per cent of the document beside it",

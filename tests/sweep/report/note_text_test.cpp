@@ -44,8 +44,9 @@ TEST_CASE("why the nearest cause is not the answer is said from its code and num
     CHECK(note_sentence({.text = "no cause fits"}) == "No cause fits.");
     CHECK(note_sentence({.text = "k_p is off"}) == "k_p is off.");
     CHECK(note_sentence({.record = "a.csv", .text = "no cause fits"}) == "a.csv: no cause fits.");
-    CHECK(note_text({.code = Code::interrupted_early, .names = {"reading", "fitting", "climbing"}}) ==
-          "interrupted while reading, and before fitting, climbing where needed: no result yet");
+    CHECK(note_text({.code = Code::interrupted_early, .names = {"reading", "fitting-singles", "climbing-ladder"}}) ==
+          "interrupted while reading, and before fitting single effects, climbing the ladder where needed: no result "
+          "yet");
 }
 
 TEST_CASE("the numbers of a note stand in its sentence as they are", "[report]")

@@ -97,7 +97,7 @@ Prepared audited(const Joint& joint, const std::vector<Record>& usable, Diagnosi
 /// Where no effect is needed.
 void judge_quiet(const Prepared& p, const ParallelFor& parallel, Diagnosis& d)
 {
-    d.verdict = could_have_shown(p.cases, p.scales, parallel) ? Verdict::no_gap : Verdict::insufficient_data;
+    d.verdict = could_have_shown(p.fit(parallel)) ? Verdict::no_gap : Verdict::insufficient_data;
     d.reasons.push_back({d.verdict == Verdict::no_gap ? Note::Code::within_noise : Note::Code::nothing_would_show});
 }
 
@@ -117,7 +117,7 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
         f.quiet || f.by_ladder ? std::vector<Ranked>{} : rank(f.singles, f.pairs, f.decision, rows_of(p.cases));
     const Attribution& winner = !f.named() ? f.none : f.by_ladder ? f.judged.winner : *ranked.front().attribution;
     const bool audit_alone = winner.candidate.effects.empty();
-    const auto held = hold_out(p.cases, p.documented, p.scales, shown ? winner : f.none, runs, parallel);
+    const auto held = hold_out(p.fit(parallel), p.documented, shown ? winner : f.none, runs);
     d.gap = held.signals;
     d.overall = held.overall;
     d.traces = held.traces;
@@ -138,7 +138,7 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
     if (wrong_controller && !p.cases[0].controller_error.empty()) {
         audited = share_of_controller(d.signals) * p.audit.findings[0].gain;
     } else if (wrong_controller) {
-        const auto alone = audit_alone ? held : hold_out(p.cases, p.documented, p.scales, f.none, runs, parallel);
+        const auto alone = audit_alone ? held : hold_out(p.fit(parallel), p.documented, f.none, runs);
         audited = std::clamp(alone.overall.explained, 0.0, 1.0);
     }
     tell_ladder(p, f, audited, d);
@@ -147,7 +147,7 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
     if (f.by_ladder && !audit_alone && wrong_controller && shown && !only_numbers && closed_loop)
         put_controller_in_order(cause_of(p, f.none, 0), f.judged.noise_left, d);
     if (!f.climbed && shown) d.remainder.share = f.quiet ? 0 : std::clamp(1 - held.overall.explained, 0.0, 1.0);
-    if (shown) tell_rivals(p, f, ranked, winner, d);
+    if (shown) tell_rivals(p, parallel, f, ranked, winner, d);
     if (shown) tell_filter(p, d);
     const bool settled = f.quiet || f.by_ladder || winner.accepted || wrong_controller;
     if (!shown || reject_if_not_validated(d, {settled, p.noise_documented(), f.by_ladder})) return;

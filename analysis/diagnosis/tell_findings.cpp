@@ -36,13 +36,13 @@ void tell_named(const Prepared& p, const ParallelFor& parallel, const Findings& 
     d.reasons.push_back(note);
     if (j.only_corrections) return;
     if (const double corner = drive_force_corner(p.cases); corner > 0) {
-        const auto base = at_all_levels(p.cases, p.scales, p.nominal, j.ladder.corrected);
+        const Fit fit = p.fit(parallel);
+        const auto base = at_all_levels(fit, j.ladder.corrected);
         std::vector<Attribution> rivals;
-        for (const auto& rival : j.ladder.rivals[0])
-            rivals.push_back(at_all_levels(p.cases, p.scales, p.nominal, rival));
+        for (const auto& rival : j.ladder.rivals[0]) rivals.push_back(at_all_levels(fit, rival));
         std::vector<const Attribution*> models{&base, &j.winner};
         for (const auto& rival : rivals) models.push_back(&rival);
-        const auto forces = hold_out_drive_force(p.cases, p.scales, models, parallel);
+        const auto forces = hold_out_drive_force(fit, models);
         d.drive_force = {std::string(unit_of(Quantity::effort, Units(d.motion))), corner, forces[0].rms, forces[1].rms};
         for (std::size_t i = 1; i < forces.size() && i <= d.effects.size(); ++i) {
             d.effects[i - 1].force_gain = forces[i].gain;
@@ -81,8 +81,8 @@ void tell_filter(const Prepared& p, Diagnosis& d)
     }
 }
 
-void tell_rivals(const Prepared& p, const Findings& f, const std::vector<Ranked>& ranked, const Attribution& winner,
-                 Diagnosis& d)
+void tell_rivals(const Prepared& p, const ParallelFor& parallel, const Findings& f, const std::vector<Ranked>& ranked,
+                 const Attribution& winner, Diagnosis& d)
 {
     if (f.by_ladder) {
         if (!f.judged.named) return;
@@ -93,7 +93,7 @@ void tell_rivals(const Prepared& p, const Findings& f, const std::vector<Ranked>
         // the refitted numbers are no part of what is distinguished
         const auto& others = f.judged.ladder.rivals[0];
         if (near.empty() && others.empty()) return;
-        const auto rival = at_all_levels(p.cases, p.scales, p.nominal, near.empty() ? others[0] : *near.front().set);
+        const auto rival = at_all_levels(p.fit(parallel), near.empty() ? others[0] : *near.front().set);
         d.next_experiment = design_experiment(p.cases[0], p.scales, winner, rival);
         if (!d.next_experiment.separates.empty())
             d.next_experiment.separates = {

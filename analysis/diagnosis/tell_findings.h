@@ -20,8 +20,8 @@ void tell_unexplained(const Findings& f, Diagnosis& d);
 void tell_filter(const Prepared& p, Diagnosis& d);
 
 /// What it could be confused with, and the experiment that would tell.
-void tell_rivals(const Prepared& p, const Findings& f, const std::vector<Ranked>& ranked, const Attribution& winner,
-                 Diagnosis& d);
+void tell_rivals(const Prepared& p, const ParallelFor& parallel, const Findings& f, const std::vector<Ranked>& ranked,
+                 const Attribution& winner, Diagnosis& d);
 
 /// The causes beside the ladder's, which names none: everything that was fitted, by probability.
 void list_effects(const Prepared& p, const std::vector<Ranked>& ranked, Diagnosis& d);

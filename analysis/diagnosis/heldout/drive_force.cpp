@@ -95,11 +95,11 @@ double drive_force_corner(const std::vector<Case>& cases)
     return corner;
 }
 
-std::vector<DriveForce> hold_out_drive_force(const std::vector<Case>& documented, const Scales& scales,
-                                             const std::vector<const Attribution*>& models, const ParallelFor& parallel)
+std::vector<DriveForce> hold_out_drive_force(const Fit& fit, const std::vector<const Attribution*>& models)
 {
-    const double corner = drive_force_corner(documented);
-    std::vector<Case> cases = documented;
+    const Scales& scales = fit.scales;
+    const double corner = drive_force_corner(fit.cases);
+    std::vector<Case> cases = fit.cases;
     const auto folds = folds_of(cases);
     const auto si = in_si(models[0]->candidate, models[0]->x[level], scales);
     const auto now = evaluate(cases, models[0]->candidate, si, observer);
@@ -110,7 +110,8 @@ std::vector<DriveForce> hold_out_drive_force(const std::vector<Case>& documented
         if (cases[i].effort_sigma > 0) cases[i].effort_sigma *= std::sqrt(std::max(now.records[i].effort, 1e-12));
     }
     std::vector<std::vector<double>> squares(models.size());
-    parallel(squares.size(), [&](std::size_t i) { squares[i] = squares_of(cases, folds, scales, *models[i], corner); });
+    fit.parallel(squares.size(),
+                 [&](std::size_t i) { squares[i] = squares_of(cases, folds, scales, *models[i], corner); });
     std::vector<DriveForce> result;
     for (const auto& own : squares) {
         DriveForce force{rms(own), 1 - rms(own) / rms(squares[0]), {1, -infinity}};

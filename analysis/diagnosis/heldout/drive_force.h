@@ -23,8 +23,6 @@ struct DriveForce {
 /// A stiff loop hides every model error in the position; what is wrong shows in the force that drives the joint. Refits
 /// each model without each fold, from the numbers that it has, and compares what they leave there with what the first
 /// one leaves.
-std::vector<DriveForce> hold_out_drive_force(const std::vector<Case>& cases, const Scales& scales,
-                                             const std::vector<const Attribution*>& models,
-                                             const ParallelFor& parallel);
+std::vector<DriveForce> hold_out_drive_force(const Fit& fit, const std::vector<const Attribution*>& models);
 
 }  // namespace stickslip::gap

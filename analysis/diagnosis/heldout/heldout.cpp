@@ -217,15 +217,15 @@ DiagnosedTrace trace_of(const Case& shown, const Trace& before, const Trace& aft
 
 }  // namespace
 
-HeldOut hold_out(const std::vector<Case>& cases, const std::vector<Joint>& documented, const Scales& scales,
-                 const Attribution& found, int runs, const ParallelFor& parallel)
+HeldOut hold_out(const Fit& fit, const std::vector<Joint>& documented, const Attribution& found, int runs)
 {
-    const auto folds = folds_for(cases, scales, found);
+    const auto& cases = fit.cases;
+    const auto folds = folds_for(cases, fit.scales, found);
     std::vector<FoldResult> results(folds.size());
-    parallel(folds.size(), [&](std::size_t i) {
+    fit.parallel(folds.size(), [&](std::size_t i) {
         const Fold& fold = folds[i];
         const Case& c = cases[fold.record];
-        const Joint after = refitted(cases, fold, scales, found);
+        const Joint after = refitted(cases, fold, fit.scales, found);
         FoldResult& r = results[i];
         r.before = compare(c, documented[fold.record], runs, fold.from, fold.to, &r.trace_before);
         r.after = compare(c, after, runs, fold.from, fold.to, &r.trace_after);

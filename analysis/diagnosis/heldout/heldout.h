@@ -30,7 +30,6 @@ struct HeldOut {
 
 /// Refits the candidate without each fold (an empty candidate needs no fit), simulates the closed loop there before and
 /// after, and compares. `documented` holds the joints before the audit.
-HeldOut hold_out(const std::vector<Case>& cases, const std::vector<Joint>& documented, const Scales& scales,
-                 const Attribution& found, int runs, const ParallelFor& parallel);
+HeldOut hold_out(const Fit& fit, const std::vector<Joint>& documented, const Attribution& found, int runs);
 
 }  // namespace stickslip::gap

@@ -39,16 +39,14 @@ double margin_of(const FittedSet& better, const LadderRules& rules)
            rules.rows_of_margin / std::max(rows, 1.0);
 }
 
-LadderSearch::LadderSearch(const std::vector<Case>& cases, const Scales& scales,
-                           const std::vector<Attribution>& singles, const LadderRules& rules,
-                           const ParallelFor& parallel)
-    : scales_(scales),
+LadderSearch::LadderSearch(const Fit& fit, const std::vector<Attribution>& singles, const LadderRules& rules)
+    : scales_(fit.scales),
       rules_(rules),
-      parallel_(parallel),
-      corrections_(std::make_shared<Corrections>(cases, scales, rules.prior)),
-      data_(cases),
-      fitter_(std::make_unique<SetFitter>(data_, scales, *corrections_, rules.ranges)),
-      climber_(std::make_unique<Climber>(singles, *fitter_, rules, parallel))
+      parallel_(fit.parallel),
+      corrections_(std::make_shared<Corrections>(fit.cases, fit.scales, rules.prior)),
+      data_(fit.cases),
+      fitter_(std::make_unique<SetFitter>(data_, fit.scales, *corrections_, rules.ranges)),
+      climber_(std::make_unique<Climber>(singles, *fitter_, rules, fit.parallel))
 {
     for (std::size_t f = 0; f < HeldOutData::folds; ++f)
         for (const auto& w : data_.judge(f, {}, {})) documented_.push_back(w);

@@ -62,8 +62,7 @@ using OnlyNoise = std::function<bool(const FittedSet&)>;
 /// Climbs from singles, each in its best form and with the numbers that its fit came to, best first.
 class LadderSearch {
   public:
-    LadderSearch(const std::vector<Case>& cases, const Scales& scales, const std::vector<Attribution>& singles,
-                 const LadderRules& rules, const ParallelFor& parallel);
+    LadderSearch(const Fit& fit, const std::vector<Attribution>& singles, const LadderRules& rules);
     ~LadderSearch();
     LadderSearch(const LadderSearch&) = delete;
 

@@ -28,6 +28,15 @@ struct Nominal {
     double worst = 0;  ///< largest misfit over floor in any record at the slow observer
 };
 
+/// What searches for causes work on: the records, what is usual in them, what the joint leaves without a cause, and how
+/// tasks are run.
+struct Fit {
+    const std::vector<Case>& cases;
+    const Scales& scales;
+    const Nominal& nominal;
+    const ParallelFor& parallel;
+};
+
 /// The nominal joint's misfit; `worst` at 12 rad/s.
 Nominal judge_nominal(const std::vector<Case>& cases);
 
@@ -35,26 +44,20 @@ Nominal judge_nominal(const std::vector<Case>& cases);
 std::vector<Candidate> single_candidates(const std::vector<Case>& cases, const Audit& audit);
 
 /// Fits every form of every single effect, keeps the best form of each, best score first.
-std::vector<Attribution> fit_singles(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
-                                     const std::vector<Candidate>& candidates, const ParallelFor& parallel);
+std::vector<Attribution> fit_singles(const Fit& fit, const std::vector<Candidate>& candidates);
 
 /// Fits pairs: each of the best `partners` singles with every other effect, and the members of the best pair with every
 /// other effect; best score first.
-std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
-                                   const std::vector<Attribution>& singles, std::size_t partners,
-                                   const ParallelFor& parallel);
+std::vector<Attribution> fit_pairs(const Fit& fit, const std::vector<Attribution>& singles, std::size_t partners);
 
 /// Of the leading singles in a form that two others come near together (EffectForm::parts), those two from the numbers
 /// of the one, carried through all levels. What looks like such a form may be both, and no part alone leads there.
-std::vector<Attribution> fit_parts(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
-                                   const std::vector<Attribution>& singles, const ParallelFor& parallel);
+std::vector<Attribution> fit_parts(const Fit& fit, const std::vector<Attribution>& singles);
 
 /// Backward elimination: each member of the best pair refitted alone, from the numbers that it has in the pair, takes
 /// the place of the same effect among the singles where it is better. A search that starts from nothing may have missed
 /// what the pair found, and the partner then only makes up for the start.
-void fit_members_alone(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
-                       std::vector<Attribution>& singles, const std::vector<Attribution>& pairs,
-                       const ParallelFor& parallel);
+void fit_members_alone(const Fit& fit, std::vector<Attribution>& singles, const std::vector<Attribution>& pairs);
 
 /// Score, explained part and acceptance from the evaluations.
 void judge(Attribution& attribution, const Nominal& nominal);

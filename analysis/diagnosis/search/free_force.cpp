@@ -182,10 +182,11 @@ std::vector<Shape> shapes_of(const std::vector<Case>& cases)
 
 }  // namespace
 
-std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
-                                     const ParallelFor& parallel, const Corrections* corrections)
+std::vector<FreeFit> fit_free_forces(const Fit& context, const Corrections* corrections)
 {
-    const double omega = screening_level(nominal);
+    const auto& cases = context.cases;
+    const Scales& scales = context.scales;
+    const double omega = screening_level(context.nominal);
     // what follows the position remembers, and excerpts cut that off
     const auto brief = excerpts(cases, omega, brief_ticks, coarse), whole = uncut(cases, coarse);
     const auto part = [&](const Shape& shape) -> const std::vector<Case>& { return shape.remembers() ? whole : brief; };
@@ -198,7 +199,7 @@ std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scale
     std::vector<Start> starts;
     for (std::size_t s = 0; s < shapes.size(); ++s)
         for (const auto& front : shapes[s].front) starts.push_back({s, front, {}});
-    parallel(starts.size(), [&](std::size_t i) {
+    context.parallel(starts.size(), [&](std::size_t i) {
         const Shape& shape = shapes[starts[i].shape];
         const Beside beside(shape, cases.size(), corrections);
         const Candidate& candidate = beside.candidate;
@@ -212,14 +213,14 @@ std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scale
             fit = descend_block(part(shape), candidate, scales, fit.x, omega, iterations, beside.kept(shape.given));
     });
     std::vector<FreeFit> fits(shapes.size());
-    parallel(shapes.size(), [&](std::size_t i) {
+    context.parallel(shapes.size(), [&](std::size_t i) {
         const Shape& shape = shapes[i];
         const Beside beside(shape, cases.size(), corrections);
         const Candidate& candidate = beside.candidate;
         const Start* best = nullptr;
         for (const auto& s : starts)
             if (s.shape == i && (!best || s.fit.evaluation.objective < best->fit.evaluation.objective)) best = &s;
-        Attribution a = as_screened(cases, scales, nominal, candidate, best->fit);
+        Attribution a = as_screened(context, candidate, best->fit);
         constexpr int few = 3;
         for (std::size_t l = 0; l < levels.size(); ++l) {
             const auto fit =
@@ -228,7 +229,7 @@ std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scale
             if (all.objective < a.evaluation[l].objective) a.x[l] = fit.x, a.evaluation[l] = all;
         }
         a.refined = true;
-        judge(a, nominal);
+        judge(a, context.nominal);
         fits[i] = {shape.effect->name, std::move(a)};
     });
     // a follower with next to no width is the position

@@ -18,8 +18,7 @@ struct FreeFit {
 
 /// One fit of each of the shapes, at all bandwidths, with corrections of the joint's own parameters where they are
 /// given; the best one first.
-std::vector<FreeFit> fit_free_forces(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
-                                     const ParallelFor& parallel, const Corrections* corrections = nullptr);
+std::vector<FreeFit> fit_free_forces(const Fit& fit, const Corrections* corrections = nullptr);
 
 /// Whether a shape-free force leaves clearly less of the misfit than a cause does. Its many parameters cost nothing
 /// here: on tens of thousands of rows they fit next to no noise.

@@ -36,37 +36,33 @@ std::optional<Candidate> parts_of(const Attribution& single)
 
 }  // namespace
 
-std::vector<Attribution> fit_parts(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
-                                   const std::vector<Attribution>& singles, const ParallelFor& parallel)
+std::vector<Attribution> fit_parts(const Fit& fit, const std::vector<Attribution>& singles)
 {
     constexpr std::size_t leading = 3;
-    const double omega = screening_level(nominal);
-    const auto brief = excerpts(cases, omega, brief_ticks, coarse);
+    const double omega = screening_level(fit.nominal);
+    const auto brief = excerpts(fit.cases, omega, brief_ticks, coarse);
     std::vector<Attribution> pairs;
     for (std::size_t i = 0; i < std::min(leading, singles.size()); ++i)
         if (const auto pair = parts_of(singles[i]))
-            pairs.push_back(as_screened(cases, scales, nominal, *pair,
-                                        improve(brief, *pair, scales, singles[i].x[0], omega, full_effort)));
-    refine_best(cases, scales, nominal, pairs, pairs.size(), parallel);
+            pairs.push_back(
+                as_screened(fit, *pair, improve(brief, *pair, fit.scales, singles[i].x[0], omega, full_effort)));
+    refine_best(fit, pairs, pairs.size());
     return pairs;
 }
 
-void fit_members_alone(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
-                       std::vector<Attribution>& singles, const std::vector<Attribution>& pairs,
-                       const ParallelFor& parallel)
+void fit_members_alone(const Fit& fit, std::vector<Attribution>& singles, const std::vector<Attribution>& pairs)
 {
     if (pairs.empty() || !pairs[0].refined) return;
-    const double omega = screening_level(nominal);
-    const auto brief = excerpts(cases, omega, brief_ticks, coarse), whole = uncut(cases, coarse);
+    const double omega = screening_level(fit.nominal);
+    const auto brief = excerpts(fit.cases, omega, brief_ticks, coarse), whole = uncut(fit.cases, coarse);
     std::vector<Attribution> members;
     for (std::size_t i = 0; i < pairs[0].candidate.effects.size(); ++i) members.push_back(member_of(pairs[0], i));
-    parallel(members.size(), [&](std::size_t i) {
+    fit.parallel(members.size(), [&](std::size_t i) {
         Attribution& a = members[i];
         const auto& part = needs_history(a.candidate) ? whole : brief;
-        const auto fit = improve(part, a.candidate, scales, a.x[1], omega, full_effort);
-        a = as_screened(cases, scales, nominal, a.candidate, fit);
+        a = as_screened(fit, a.candidate, improve(part, a.candidate, fit.scales, a.x[1], omega, full_effort));
     });
-    refine_best(cases, scales, nominal, members, members.size(), parallel);
+    refine_best(fit, members, members.size());
     for (auto& member : members) {
         const auto same = std::find_if(singles.begin(), singles.end(),
                                        [&](const auto& s) { return s.candidate.effects == member.candidate.effects; });

@@ -117,18 +117,14 @@ std::vector<Attribution> other_forms(const std::vector<Attribution>& singles, st
 /// Pairs of singles: looked at on excerpts, the likely ones improved, the best refined on the whole records.
 class PairSearch {
   public:
-    PairSearch(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
-               const std::vector<Attribution>& singles, std::size_t partners, const ParallelFor& parallel)
-        : cases_(cases),
-          scales_(scales),
-          nominal_(nominal),
+    PairSearch(const Fit& fit, const std::vector<Attribution>& singles, std::size_t partners)
+        : fit_(fit),
           singles_(singles),
           partners_(partners),
-          parallel_(parallel),
-          omega_(screening_level(nominal)),
-          brief_(excerpts(cases, omega_, brief_ticks, coarse)),
-          whole_(uncut(cases, coarse)),
-          forms_(other_forms(singles, partners, brief_, cases.size(), scales, omega_, parallel))
+          omega_(screening_level(fit.nominal)),
+          brief_(excerpts(fit.cases, omega_, brief_ticks, coarse)),
+          whole_(uncut(fit.cases, coarse)),
+          forms_(other_forms(singles, partners, brief_, fit.cases.size(), fit.scales, omega_, fit.parallel))
     {
     }
 
@@ -143,12 +139,9 @@ class PairSearch {
     Attribution improved(Pair& p) const;
     void screen(std::vector<Pair>& some, std::size_t finalists);
 
-    const std::vector<Case>& cases_;
-    const Scales& scales_;
-    const Nominal& nominal_;
+    const Fit& fit_;
     const std::vector<Attribution>& singles_;
     std::size_t partners_;
-    const ParallelFor& parallel_;
     double omega_;
     std::vector<Case> brief_, whole_;
     std::vector<Attribution> forms_;
@@ -157,10 +150,10 @@ class PairSearch {
 
 void PairSearch::add(std::vector<Pair>& to, const Attribution& a, const Attribution& b) const
 {
-    to.push_back(pair_of(a, b, cases_.size(), omega_));
+    to.push_back(pair_of(a, b, fit_.cases.size(), omega_));
     // with known masses the slope towards the right backlash is longer over a longer horizon, while what sticks and
     // slips beside it shows over a short one
-    if (needs_history(to.back().both) && omega_ > levels[1]) to.push_back(pair_of(a, b, cases_.size(), levels[1]));
+    if (needs_history(to.back().both) && omega_ > levels[1]) to.push_back(pair_of(a, b, fit_.cases.size(), levels[1]));
 }
 
 void PairSearch::add_other_forms(std::vector<Pair>& simple, std::vector<Pair>& divided) const
@@ -208,16 +201,16 @@ std::vector<Pair> PairSearch::beside_members_of(const Attribution& pair) const
 Attribution PairSearch::improved(Pair& p) const
 {
     const int looked = p.fit.evaluations;
-    p.fit = improve(part(p), p.both, scales_, p.fit.x, p.omega, full_effort);
+    p.fit = improve(part(p), p.both, fit_.scales, p.fit.x, p.omega, full_effort);
     p.fit.evaluations += looked;
-    Attribution found = as_screened(cases_, scales_, nominal_, p.both, p.fit);
+    Attribution found = as_screened(fit_, p.both, p.fit);
     if (!jagged(p.both)) return found;
     // excerpts may mislead a backlash; what both came to alone, refined on more, may be nearer
     for (std::size_t l = 0; l < levels.size(); ++l) {
         if (l > 0 && p.a->x[l] == p.a->x[l - 1] && p.b->x[l] == p.b->x[l - 1]) continue;
         LevelFit alone;
         alone.x = join(p, p.a->x[l], p.b->x[l]);
-        auto as_alone = as_screened(cases_, scales_, nominal_, p.both, alone);
+        auto as_alone = as_screened(fit_, p.both, alone);
         as_alone.evaluations += found.evaluations;
         if (better(as_alone, found)) found = std::move(as_alone);
     }
@@ -226,17 +219,17 @@ Attribution PairSearch::improved(Pair& p) const
 
 void PairSearch::screen(std::vector<Pair>& some, std::size_t finalists)
 {
-    parallel_(some.size(), [&](std::size_t i) { look_at(some[i], part(some[i]), scales_); });
+    fit_.parallel(some.size(), [&](std::size_t i) { look_at(some[i], part(some[i]), fit_.scales); });
     std::stable_sort(some.begin(), some.end(), [](const Pair& a, const Pair& b) {
         return a.fit.evaluation.objective < b.fit.evaluation.objective;
     });
     std::map<std::pair<double, bool>, std::size_t> taken;  // objectives compare on one level of one kind of data
     std::erase_if(some, [&](const Pair& p) { return ++taken[{p.omega, needs_history(p.both)}] > finalists; });
     std::vector<Attribution> found(some.size());
-    parallel_(some.size(), [&](std::size_t i) { found[i] = improved(some[i]); });
+    fit_.parallel(some.size(), [&](std::size_t i) { found[i] = improved(some[i]); });
     pairs_.insert(pairs_.end(), found.begin(), found.end());
     std::stable_sort(pairs_.begin(), pairs_.end(), better);
-    refine_best(cases_, scales_, nominal_, pairs_, refined_pairs, parallel_);
+    refine_best(fit_, pairs_, refined_pairs);
 }
 
 std::vector<Attribution> PairSearch::run()
@@ -251,7 +244,7 @@ std::vector<Attribution> PairSearch::run()
     }
     if (!divided.empty() && (pairs_.empty() || !pairs_[0].accepted)) {
         screen(divided, divided_finalists);
-        if (pairs_[0].score > clear_score) polish_best(cases_, scales_, nominal_, pairs_, polished_pairs, parallel_);
+        if (pairs_[0].score > clear_score) polish_best(fit_, pairs_, polished_pairs);
     }
     // of every pair its best form: the others are no rivals
     std::vector<Attribution> best;
@@ -264,11 +257,9 @@ std::vector<Attribution> PairSearch::run()
 
 }  // namespace
 
-std::vector<Attribution> fit_pairs(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
-                                   const std::vector<Attribution>& singles, std::size_t partners,
-                                   const ParallelFor& parallel)
+std::vector<Attribution> fit_pairs(const Fit& fit, const std::vector<Attribution>& singles, std::size_t partners)
 {
-    return PairSearch(cases, scales, nominal, singles, partners, parallel).run();
+    return PairSearch(fit, singles, partners).run();
 }
 
 }  // namespace stickslip::gap

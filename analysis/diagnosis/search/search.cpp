@@ -140,29 +140,29 @@ LevelFit best_of(const std::vector<Case>& cases, const Scales& scales, const Can
     return best;
 }
 
-Attribution as_screened(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
-                        const Candidate& candidate, const LevelFit& screened)
+Attribution as_screened(const Fit& fit, const Candidate& candidate, const LevelFit& screened)
 {
     Attribution a;
     a.candidate = candidate;
-    const std::vector<std::vector<double>> everywhere(levels.size(), in_si(candidate, screened.x, scales));
-    auto evaluations = evaluate_all(cases, candidate, everywhere, {levels.begin(), levels.end()});
+    const std::vector<std::vector<double>> everywhere(levels.size(), in_si(candidate, screened.x, fit.scales));
+    auto evaluations = evaluate_all(fit.cases, candidate, everywhere, {levels.begin(), levels.end()});
     for (std::size_t l = 0; l < levels.size(); ++l) {
         a.x[l] = screened.x;
         a.evaluation[l] = std::move(evaluations[l]);
     }
     a.evaluations = screened.evaluations + static_cast<int>(levels.size());
     a.information = screened.information;
-    judge(a, nominal);
+    judge(a, fit.nominal);
     return a;
 }
 
 namespace {
 
-/// Carries a screened candidate through all levels, fastest first.
-void refine(const std::vector<Case>& cases, const std::vector<Case>& part, const Scales& scales, const Nominal& nominal,
-            Attribution& a)
+/// Carries a screened candidate through all levels, fastest first; searched on a part of the records.
+void refine(const Fit& context, const std::vector<Case>& part, Attribution& a)
 {
+    const auto& cases = context.cases;
+    const Scales& scales = context.scales;
     const Attribution screened = a;
     for (std::size_t l = 0; l < levels.size(); ++l) {
         std::vector<Eigen::VectorXd> from{screened.x[l]};
@@ -196,21 +196,20 @@ void refine(const std::vector<Case>& cases, const std::vector<Case>& part, const
             a.x[l] = a.x[from];
             a.evaluation[l] = std::move(there);
         }
-    judge(a, nominal);
+    judge(a, context.nominal);
 }
 
 }  // namespace
 
-void refine_best(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
-                 std::vector<Attribution>& ranked, std::size_t most, const ParallelFor& parallel)
+void refine_best(const Fit& fit, std::vector<Attribution>& ranked, std::size_t most)
 {
     constexpr std::size_t few = 3;
     constexpr double behind = 0.25;  // of score; rivals matter within a tenth of that
-    const auto part = excerpts(cases, levels[1], refine_ticks, 1);
+    const auto part = excerpts(fit.cases, levels[1], refine_ticks, 1);
     const auto some = [&](std::size_t from, std::size_t to) {
-        parallel(to - from, [&](std::size_t i) {
+        fit.parallel(to - from, [&](std::size_t i) {
             Attribution& a = ranked[from + i];
-            if (!a.refined) refine(cases, part, scales, nominal, a);
+            if (!a.refined) refine(fit, part, a);
             a.refined = true;
         });
         std::stable_sort(ranked.begin(), ranked.end(), better);
@@ -222,32 +221,31 @@ void refine_best(const std::vector<Case>& cases, const Scales& scales, const Nom
     some(0, most);
 }
 
-void polish_best(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
-                 std::vector<Attribution>& ranked, std::size_t most, const ParallelFor& parallel)
+void polish_best(const Fit& context, std::vector<Attribution>& ranked, std::size_t most)
 {
     constexpr int long_search = 40, short_search = 20;  // evaluations a parameter
     constexpr double wide = 0.3, narrow = 0.05;         // first steps
     constexpr double promising = 0.5;                   // of the excess misfit explained
-    const auto part = excerpts(cases, levels[1], refine_ticks, 1);
+    const auto part = excerpts(context.cases, levels[1], refine_ticks, 1);
     std::vector<Attribution*> some;
     for (auto& a : ranked)
         if (some.size() < most && a.refined && jagged(a.candidate) && a.explained > promising) some.push_back(&a);
     const auto search = [&](Attribution& a, std::size_t l, const Eigen::VectorXd& from, int effort, double step) {
-        const auto fit = search_rough(part, a.candidate, scales, from, levels[l],
+        const auto fit = search_rough(part, a.candidate, context.scales, from, levels[l],
                                       effort * static_cast<int>(a.candidate.parameter_count()), step);
         a.evaluations += fit.evaluations + 1;
-        auto there = evaluate(cases, a.candidate, in_si(a.candidate, fit.x, scales), levels[l]);
+        auto there = evaluate(context.cases, a.candidate, in_si(a.candidate, fit.x, context.scales), levels[l]);
         if (there.objective < a.evaluation[l].objective) a.x[l] = fit.x, a.evaluation[l] = std::move(there);
     };
-    parallel(some.size(), [&](std::size_t i) { search(*some[i], 0, some[i]->x[0], long_search, wide); });
+    context.parallel(some.size(), [&](std::size_t i) { search(*some[i], 0, some[i]->x[0], long_search, wide); });
     double least = infinity;
-    for (auto* a : some) judge(*a, nominal), least = std::min(least, a->evaluation[0].objective);
+    for (auto* a : some) judge(*a, context.nominal), least = std::min(least, a->evaluation[0].objective);
     constexpr double behind = 1.15;
     std::erase_if(some, [&](const auto* a) { return a->evaluation[0].objective > behind * least; });
-    parallel(some.size(), [&](std::size_t i) {
+    context.parallel(some.size(), [&](std::size_t i) {
         Attribution& a = *some[i];
         for (std::size_t l = 1; l < levels.size(); ++l) search(a, l, a.x[l - 1], short_search, narrow);
-        judge(a, nominal);
+        judge(a, context.nominal);
     });
     std::stable_sort(ranked.begin(), ranked.end(), better);
 }

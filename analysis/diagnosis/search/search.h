@@ -33,19 +33,16 @@ LevelFit best_of(const std::vector<Case>& cases, const Scales& scales, const Can
                  int descents = iterations);
 
 /// A candidate as it stands after a first look: judged on all data, everywhere at the same parameters.
-Attribution as_screened(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
-                        const Candidate& candidate, const LevelFit& screened);
+Attribution as_screened(const Fit& fit, const Candidate& candidate, const LevelFit& screened);
 
 /// Carries the best `most` through all levels, fastest first. Once one of the first few is accepted, those far behind
 /// it are left as they are.
-void refine_best(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
-                 std::vector<Attribution>& ranked, std::size_t most, const ParallelFor& parallel);
+void refine_best(const Fit& fit, std::vector<Attribution>& ranked, std::size_t most);
 
 /// Searches all numbers of the best `most` refined candidates with a jagged misfit at once, fastest level first: what
 /// is fitted in turn creeps along the valley in which backlash, shares of the mass and a partner make up for each
 /// other. Those that explain little are left as they are, those far behind at the fastest level are left there.
-void polish_best(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
-                 std::vector<Attribution>& ranked, std::size_t most, const ParallelFor& parallel);
+void polish_best(const Fit& fit, std::vector<Attribution>& ranked, std::size_t most);
 
 /// The fastest level at which the nominal joint clearly fails: there a fit is least troubled by what stick-slip
 /// amplifies.

@@ -11,20 +11,21 @@ constexpr std::size_t refined_singles = 8;
 
 }  // namespace
 
-std::vector<Attribution> fit_singles(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
-                                     const std::vector<Candidate>& candidates, const ParallelFor& parallel)
+std::vector<Attribution> fit_singles(const Fit& fit, const std::vector<Candidate>& candidates)
 {
-    const double omega = screening_level(nominal);
+    const auto& cases = fit.cases;
+    const Scales& scales = fit.scales;
+    const double omega = screening_level(fit.nominal);
     const auto brief = excerpts(cases, omega, brief_ticks, coarse), whole = uncut(cases, coarse);
     std::vector<Attribution> best;
     const auto screen = [&](const std::vector<Candidate>& some) {
         std::vector<Attribution> forms(some.size());
-        parallel(some.size(), [&](std::size_t i) {
+        fit.parallel(some.size(), [&](std::size_t i) {
             // frequencies are found on whole records: gaps would blur their spectra
             const auto from = starts(cases, scales, some[i], {}, {});
             if (from.empty()) return;
             const auto& part = needs_history(some[i]) ? whole : brief;
-            forms[i] = as_screened(cases, scales, nominal, some[i], best_of(part, scales, some[i], from, omega));
+            forms[i] = as_screened(fit, some[i], best_of(part, scales, some[i], from, omega));
         });
         for (auto& f : forms) {
             if (f.x[0].size() == 0) continue;
@@ -36,7 +37,7 @@ std::vector<Attribution> fit_singles(const std::vector<Case>& cases, const Scale
                 *same = std::move(f);
         }
         std::stable_sort(best.begin(), best.end(), better);
-        refine_best(cases, scales, nominal, best, refined_singles, parallel);
+        refine_best(fit, best, refined_singles);
     };
     std::vector<Candidate> simple, divided;
     for (const auto& c : candidates) (two_mass_edit(c) ? divided : simple).push_back(c);
@@ -56,8 +57,7 @@ std::vector<Attribution> fit_singles(const std::vector<Case>& cases, const Scale
     });
     if (!divided.empty()) screen(divided);
     if (!moved.empty() && !(best.size() > 0 && best[0].accepted)) screen(moved);
-    if (!best.empty() && jagged(best[0].candidate) && best[0].score > clear_score)
-        polish_best(cases, scales, nominal, best, 1, parallel);
+    if (!best.empty() && jagged(best[0].candidate) && best[0].score > clear_score) polish_best(fit, best, 1);
     return best;
 }
 

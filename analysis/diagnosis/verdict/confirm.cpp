@@ -47,9 +47,9 @@ bool two_free_shapes(const Attribution& a)
     return n > 1;
 }
 
-bool at_floor(const std::vector<Case>& cases, const Attribution& a, const Nominal& nominal, const Scales& scales,
-              const ParallelFor& parallel)
+bool at_floor(const Fit& fit, const Attribution& a)
 {
+    const auto& [cases, scales, nominal, parallel] = fit;
     if (a.candidate.effects.empty() &&
         (nominal.worst <= 1 + policy::slack_of_floor || closed_loop_at_floor(cases, {}, {}, parallel)))
         return true;
@@ -87,10 +87,10 @@ bool bends_only(const Candidate& candidate, const Eigen::VectorXd& x, const Scal
     return false;
 }
 
-void confirm(const std::vector<Case>& cases, std::vector<Attribution>& ranked, const Nominal& nominal,
-             const Scales& scales, const ParallelFor& parallel)
+void confirm(const Fit& fit, std::vector<Attribution>& ranked)
 {
     constexpr std::size_t few = 2;
+    const auto& [cases, scales, nominal, parallel] = fit;
     put_likeliest_first(ranked);
     for (std::size_t i = 0; i < std::min(few, ranked.size()); ++i) {
         Attribution& a = ranked[i];
@@ -105,15 +105,16 @@ void confirm(const std::vector<Case>& cases, std::vector<Attribution>& ranked, c
                          within(spread_of(cases, a.candidate, si, runs, parallel), a.evaluation, levels.size());
             continue;
         }
-        a.accepted = at_floor(cases, a, nominal, scales, parallel);
+        a.accepted = at_floor(fit, a);
         if (!a.accepted && a.explained > policy::nameable)
             a.explained = explained_beyond(spread_of(cases, a.candidate, si, runs, parallel), a.evaluation[1], nominal);
     }
     put_likeliest_first(ranked);
 }
 
-bool could_have_shown(const std::vector<Case>& cases, const Scales& scales, const ParallelFor& parallel)
+bool could_have_shown(const Fit& fit)
 {
+    const auto& cases = fit.cases;
     std::vector<Candidate> all;
     for (const auto& e : effects())
         for (const auto& f : e.forms) {
@@ -122,11 +123,11 @@ bool could_have_shown(const std::vector<Case>& cases, const Scales& scales, cons
                 all.push_back(c);
         }
     std::vector<double> shown(all.size(), 0);
-    parallel(all.size(), [&](std::size_t i) {
+    fit.parallel(all.size(), [&](std::size_t i) {
         std::vector<double> usual;
         for (std::size_t p = 0; p < all[i].parameter_count(); ++p) usual.push_back(all[i].parameter(p).prior);
         if (all[i].effects[0]->name == "inertia" || all[i].effects[0]->name == "effort-gain") usual[0] = 1 + usual[0];
-        const auto si = in_si(all[i], to_fit(all[i], usual), scales);
+        const auto si = in_si(all[i], to_fit(all[i], usual), fit.scales);
         for (const auto& m : evaluate(cases, all[i], si, levels.back()).records)
             shown[i] = std::max({shown[i], m.position, m.effort});
     });

@@ -12,40 +12,36 @@
 namespace stickslip::gap {
 namespace {
 
-void fit_single(Prepared& p, const StageProgress& progress, const ParallelFor& parallel, Findings& f)
+void fit_single(Prepared& p, const Fit& fit, const StageProgress& progress, Findings& f)
 {
     progress(DiagnosisStage::fitting_singles, 0.1);
-    const auto fit = [&] {
-        return fit_singles(p.cases, p.scales, p.nominal, single_candidates(p.cases, p.audit), parallel);
-    };
-    f.singles = fit();
+    f.singles = fit_singles(fit, single_candidates(p.cases, p.audit));
     // a jump in the wrong place costs little beside the effect, and much once the effect is found
     if (!f.singles.empty() &&
         settle_jumps(p.cases, f.singles[0].candidate, in_si(f.singles[0].candidate, f.singles[0].x[1], p.scales))) {
         p.nominal = judge_nominal(p.cases);
-        f.singles = fit();
+        f.singles = fit_singles(fit, single_candidates(p.cases, p.audit));
     }
-    confirm(p.cases, f.singles, p.nominal, p.scales, parallel);
+    confirm(fit, f.singles);
 }
 
-void fit_pair(const Prepared& p, std::size_t pair_partners, const ParallelFor& parallel, Findings& f)
+void fit_pair(const Fit& fit, std::size_t pair_partners, Findings& f)
 {
-    for (auto& pair : fit_pairs(p.cases, p.scales, p.nominal, f.singles, pair_partners, parallel))
+    for (auto& pair : fit_pairs(fit, f.singles, pair_partners))
         if (std::ranges::none_of(f.pairs, [&](const auto& has) { return has.candidate.forms == pair.candidate.forms; }))
             f.pairs.push_back(std::move(pair));
-    confirm(p.cases, f.pairs, p.nominal, p.scales, parallel);
-    fit_members_alone(p.cases, p.scales, p.nominal, f.singles, f.pairs, parallel);
-    confirm(p.cases, f.singles, p.nominal, p.scales, parallel);
+    confirm(fit, f.pairs);
+    fit_members_alone(fit, f.singles, f.pairs);
+    confirm(fit, f.singles);
 }
 
 /// The best cause against unmodelled forces: where one of them is clearly better, it is only the nearest in shape.
-void hold_against_free_forces(const Prepared& p, const StageProgress& progress, const ParallelFor& parallel,
-                              Findings& f)
+void hold_against_free_forces(const Fit& fit, const StageProgress& progress, Findings& f)
 {
     const Attribution& nearest = *f.decision.winner;
     if (mean_log_misfit(nearest.evaluation) < policy::least_of_free_force) return;
     progress(DiagnosisStage::fitting_free_forces, 0.85);
-    f.free = fit_free_forces(p.cases, p.scales, p.nominal, parallel);
+    f.free = fit_free_forces(fit);
     if (!clearly_better(f.free[0], nearest)) return;
     f.why_not = Note{
         .code = Note::Code::nearer_force, .names = names_of(nearest.candidate), .signal = std::string(f.free[0].of)};
@@ -54,43 +50,41 @@ void hold_against_free_forces(const Prepared& p, const StageProgress& progress, 
 }
 
 /// The same for a ladder that leaves more than noise, with the corrections refitted beside those forces, too.
-void hold_ladder_against_free_forces(const Prepared& p, const StageProgress& progress, const ParallelFor& parallel,
-                                     Findings& f)
+void hold_ladder_against_free_forces(const Fit& fit, const StageProgress& progress, Findings& f)
 {
     JudgedLadder& j = f.judged;
     const bool only_noise = j.noise_left || j.noise_below;
     if (!j.answers() || only_noise || mean_log_misfit(j.winner.evaluation) < policy::least_of_free_force) return;
     progress(DiagnosisStage::fitting_free_forces, 0.85);
-    f.free = fit_free_forces(p.cases, p.scales, p.nominal, parallel, j.ladder.corrections.get());
+    f.free = fit_free_forces(fit, j.ladder.corrections.get());
     hold_against(j, f.free[0]);
 }
 
 /// What explains to within noise with the document's numbers as they are is the answer, with a ladder of its own
 /// causes.
-void tell_accepted(LadderSearch& search, const Prepared& p, const ParallelFor& parallel, Findings& f)
+void tell_accepted(LadderSearch& search, const Fit& fit, Findings& f)
 {
     f.judged.ladder = search.of(*f.decision.winner);
-    judge(f.judged, search.data(), p.scales, p.nominal, parallel);
+    judge(f.judged, search.data(), fit);
     f.climbed = true;
 }
 
 /// Whether the document, off by no more than documents usually are, is accepted as the cause is: then it needs none.
 /// Every document is a little off; few joints have that cause.
-bool document_suffices(LadderSearch& search, const Prepared& p, const ParallelFor& parallel, Findings& f)
+bool document_suffices(LadderSearch& search, const Fit& fit, Findings& f)
 {
-    if (!search.usually_off() || !at_all_levels(p.cases, p.scales, p.nominal, search.corrected()).accepted)
-        return false;
+    if (!search.usually_off() || !at_all_levels(fit, search.corrected()).accepted) return false;
     f.judged = {};
     f.judged.ladder = search.climb({}, 0);
-    judge(f.judged, search.data(), p.scales, p.nominal, parallel);
+    judge(f.judged, search.data(), fit);
     f.climbed = f.by_ladder = true;
     f.why_not = f.judged.why_not;
     return true;
 }
 
 /// Judges the ladder in place of the one before, whose causes count as what a free force is held against.
-void judge_in_place(Ladder ladder, const LadderSearch& search, const Prepared& p, const ParallelFor& parallel,
-                    bool small_term, JudgedLadder& j, const Effect* dropped = nullptr)
+void judge_in_place(Ladder ladder, const LadderSearch& search, const Fit& fit, bool small_term, JudgedLadder& j,
+                    const Effect* dropped = nullptr)
 {
     JudgedLadder next;
     next.dropped = j.dropped;
@@ -99,12 +93,12 @@ void judge_in_place(Ladder ladder, const LadderSearch& search, const Prepared& p
     next.with_small_terms = j.with_small_terms;
     if (small_term) next.with_small_terms = std::min(j.with_small_terms, mean_log_misfit(j.winner.evaluation));
     next.ladder = std::move(ladder);
-    judge(next, search.data(), p.scales, p.nominal, parallel);
+    judge(next, search.data(), fit);
     j = std::move(next);
 }
 
 /// Rungs that are small against the corrections go, and further ones that are less likely than not, the last first.
-void shorten_to_likely(LadderSearch& search, const Prepared& p, const ParallelFor& parallel, JudgedLadder& j)
+void shorten_to_likely(LadderSearch& search, const Fit& fit, JudgedLadder& j)
 {
     const auto unlikely = [&] {
         return !j.noise_left && j.ladder.rungs.size() > 1 && j.chances.back() < policy::least_chance_of_further_rung &&
@@ -115,28 +109,28 @@ void shorten_to_likely(LadderSearch& search, const Prepared& p, const ParallelFo
         return j.why_not && !j.ladder.rungs.empty() && corrections_take_most(j.shares);
     };
     while (const Effect* small = small_term_between(j))
-        judge_in_place(search.without(j.ladder, *small), search, p, parallel, true, j, small);
+        judge_in_place(search.without(j.ladder, *small), search, fit, true, j, small);
     while (small_against_corrections(j) || unlikely() || corrections_alone()) {
         Ladder shorter = std::move(j.ladder);
         search.shorten(shorter);
-        judge_in_place(std::move(shorter), search, p, parallel, j.usual, j);
+        judge_in_place(std::move(shorter), search, fit, j.usual, j);
     }
 }
 
 /// Rungs with which the simulation of unseen records is worse than that of the document go, the last first, if that
 /// helps: what predicts from row to row a little better may still push whole records away.
-void shorten_to_simulated(LadderSearch& search, const Prepared& p, int runs, const ParallelFor& parallel,
+void shorten_to_simulated(LadderSearch& search, const Fit& fit, const std::vector<Joint>& documented, int runs,
                           JudgedLadder& j)
 {
     const auto worse = [&](const JudgedLadder& ladder) {
-        return hold_out(p.cases, p.documented, p.scales, ladder.winner, runs, parallel).overall.worse();
+        return hold_out(fit, documented, ladder.winner, runs).overall.worse();
     };
     if (!j.named || j.ladder.rungs.size() < 2 || !worse(j)) return;
     JudgedLadder fewer = j;
     do {
         Ladder shorter = std::move(fewer.ladder);
         search.shorten(shorter);
-        judge_in_place(std::move(shorter), search, p, parallel, false, fewer);
+        judge_in_place(std::move(shorter), search, fit, false, fewer);
         if (fewer.named && !worse(fewer)) {
             j = std::move(fewer);
             return;
@@ -154,22 +148,23 @@ bool accepted(const Decision& d)
 void find_causes(Prepared& p, std::size_t pair_partners, int runs, const StageProgress& progress,
                  const ParallelFor& parallel, Findings& f)
 {
+    const Fit fit = p.fit(parallel);
     f.none.evaluation = p.nominal.evaluation;
     f.none.score = p.nominal.score;
     progress(DiagnosisStage::measuring_floor, 0.05);
-    f.quiet = f.none.accepted = at_floor(p.cases, f.none, p.nominal, p.scales, parallel);
+    f.quiet = f.none.accepted = at_floor(fit, f.none);
     if (f.quiet) return;
-    fit_single(p, progress, parallel, f);
+    fit_single(p, fit, progress, f);
     if (!f.singles.empty() && !f.singles[0].accepted) {
-        f.pairs = fit_parts(p.cases, p.scales, p.nominal, f.singles, parallel);
-        confirm(p.cases, f.pairs, p.nominal, p.scales, parallel);
+        f.pairs = fit_parts(fit, f.singles);
+        confirm(fit, f.pairs);
     }
     f.decision = decide(f.singles, f.pairs, rows_of(p.cases));
     if (!accepted(f.decision)) {
         progress(DiagnosisStage::correcting_numbers, 0.4);
-        LadderSearch search(p.cases, p.scales, f.singles, policy::ladder, parallel);
+        LadderSearch search(fit, f.singles, policy::ladder);
         f.judged.ladder = search.climb({}, 1);
-        judge(f.judged, search.data(), p.scales, p.nominal, parallel);
+        judge(f.judged, search.data(), fit);
         f.climbed = f.by_ladder = true;
         if (!f.judged.noise_left) {
             const Shares& s = f.judged.shares;
@@ -177,35 +172,33 @@ void find_causes(Prepared& p, std::size_t pair_partners, int runs, const StagePr
             const bool nothing_alone = s.rungs.empty() && !f.judged.only_corrections;
             if (nothing_alone || left - s.explainable_to > policy::worth_a_search_of_pairs * s.base) {
                 progress(DiagnosisStage::fitting_pairs, 0.5);
-                fit_pair(p, pair_partners, parallel, f);
+                fit_pair(fit, pair_partners, f);
                 f.decision = decide(f.singles, f.pairs, rows_of(p.cases));
             }
             if (!accepted(f.decision)) {
                 progress(DiagnosisStage::climbing_ladder, 0.75);
                 f.judged = {};
-                const auto only_noise = [&](const FittedSet& set) {
-                    return leaves_noise(p.cases, p.scales, p.nominal, set, parallel);
-                };
+                const auto only_noise = [&](const FittedSet& set) { return leaves_noise(fit, set); };
                 f.judged.ladder = search.climb(f.pairs, policy::ladder.most_rungs, only_noise);
-                judge(f.judged, search.data(), p.scales, p.nominal, parallel);
+                judge(f.judged, search.data(), fit);
             }
         }
         if (!accepted(f.decision)) {
-            shorten_to_likely(search, p, parallel, f.judged);
-            shorten_to_simulated(search, p, runs, parallel, f.judged);
+            shorten_to_likely(search, fit, f.judged);
+            shorten_to_simulated(search, fit, p.documented, runs, f.judged);
             if (f.judged.answers()) count_far_numbers(f.judged, search.far_off(f.judged.ladder));
         }
     }
     if (accepted(f.decision) && !(f.by_ladder && f.judged.noise_left)) {
         const std::vector<Attribution> none;
-        LadderSearch search(p.cases, p.scales, none, policy::ladder, parallel);
-        if (document_suffices(search, p, parallel, f)) return;
+        LadderSearch search(fit, none, policy::ladder);
+        if (document_suffices(search, fit, f)) return;
         f.by_ladder = false;
-        hold_against_free_forces(p, progress, parallel, f);
+        hold_against_free_forces(fit, progress, f);
         f.judged = {};
-        tell_accepted(search, p, parallel, f);
+        tell_accepted(search, fit, f);
     }
-    if (f.by_ladder) hold_ladder_against_free_forces(p, progress, parallel, f);
+    if (f.by_ladder) hold_ladder_against_free_forces(fit, progress, f);
     if (f.by_ladder) f.why_not = f.judged.why_not;
 }
 

@@ -19,6 +19,7 @@ struct Prepared {
     Scales scales;
     Nominal nominal;
 
+    Fit fit(const ParallelFor& parallel) const { return {cases, scales, nominal, parallel}; }
     bool noise_documented() const
     {
         return std::all_of(cases.begin(), cases.end(), [](const auto& c) { return c.noise_documented; });

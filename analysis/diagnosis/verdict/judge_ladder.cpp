@@ -165,17 +165,15 @@ std::string_view signal_of(const Effect& effect)
     return "effort";
 }
 
-Attribution at_all_levels(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
-                          const FittedSet& set)
+Attribution at_all_levels(const Fit& fit, const FittedSet& set)
 {
-    return as_screened(cases, scales, nominal, set.model.candidate, set.fit);
+    return as_screened(fit, set.model.candidate, set.fit);
 }
 
-bool leaves_noise(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal, const FittedSet& set,
-                  const ParallelFor& parallel)
+bool leaves_noise(const Fit& fit, const FittedSet& set)
 {
-    const Attribution all = at_all_levels(cases, scales, nominal, set);
-    return all.accepted && at_floor(cases, all, nominal, scales, parallel);
+    const Attribution all = at_all_levels(fit, set);
+    return all.accepted && at_floor(fit, all);
 }
 
 SharesWithInterval share_between(const std::vector<Window>& documented, const std::vector<Window>& above,
@@ -207,23 +205,23 @@ SharesWithInterval share_between(const std::vector<Window>& documented, const st
     return result;
 }
 
-void judge(JudgedLadder& j, const HeldOutData& data, const Scales& scales, const Nominal& nominal,
-           const ParallelFor& parallel)
+void judge(JudgedLadder& j, const HeldOutData& data, const Fit& fit)
 {
     const Ladder& ladder = j.ladder;
     const FittedSet& base = ladder.corrected;
     const FittedSet& last = ladder.last();
-    j.of_corrected = regress(data, scales, base.model.candidate, base.x, base.fit.x);
-    j.of_last = ladder.rungs.empty() ? j.of_corrected : regress(data, scales, last.model.candidate, last.x, last.fit.x);
+    j.of_corrected = regress(data, fit.scales, base.model.candidate, base.x, base.fit.x);
+    j.of_last =
+        ladder.rungs.empty() ? j.of_corrected : regress(data, fit.scales, last.model.candidate, last.x, last.fit.x);
     j.shares = shares_of(ladder, j.of_corrected, j.of_last);
     if (corrections_stand_in(ladder)) j.shares.base = std::max(j.shares.base, j.shares.corrected);
-    j.winner = at_all_levels(data.cases(), scales, nominal, last);
+    j.winner = at_all_levels(fit, last);
     j.winner.refined = true;
     // its fit weighed by what it leaves: errors are those of the documented noise
     j.winner.information =
-        descend(data.cases(), j.winner.candidate, scales, last.fit.x, levels[ladder_level], 1).information;
+        descend(fit.cases, j.winner.candidate, fit.scales, last.fit.x, levels[ladder_level], 1).information;
     j.corrections = last.model.corrections;
-    j.noise_left = j.winner.accepted && at_floor(data.cases(), j.winner, nominal, scales, parallel);
+    j.noise_left = j.winner.accepted && at_floor(fit, j.winner);
     j.usual = usual_of_machines(ladder);
     if (ladder.rungs.empty()) {
         // nothing but the document's numbers: if they take most of what is explainable, that is the answer

@@ -52,8 +52,7 @@ struct JudgedLadder {
 };
 
 /// Judges what was climbed.
-void judge(JudgedLadder& judged, const HeldOutData& data, const Scales& scales, const Nominal& nominal,
-           const ParallelFor& parallel);
+void judge(JudgedLadder& judged, const HeldOutData& data, const Fit& fit);
 
 /// Odds of every rival of a rung against it, in the order of the ladder's; 0 of one that does not speak against it.
 std::vector<double> odds_of_rivals(const JudgedLadder& judged, std::size_t rung);
@@ -76,12 +75,10 @@ void hold_against(JudgedLadder& judged, const FreeFit& force);
 void count_far_numbers(JudgedLadder& judged, const std::vector<FarNumber>& far);
 
 /// A fitted set at all levels.
-Attribution at_all_levels(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal,
-                          const FittedSet& set);
+Attribution at_all_levels(const Fit& fit, const FittedSet& set);
 
 /// Whether all that a fitted set leaves is noise.
-bool leaves_noise(const std::vector<Case>& cases, const Scales& scales, const Nominal& nominal, const FittedSet& set,
-                  const ParallelFor& parallel);
+bool leaves_noise(const Fit& fit, const FittedSet& set);
 
 /// The signal that a force of this effect is a function of, in the words of Flexible.
 std::string_view signal_of(const Effect& effect);

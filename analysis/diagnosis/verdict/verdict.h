@@ -5,8 +5,7 @@
 namespace stickslip::gap {
 
 /// Whether a joint's misfit is what its own noise makes of it.
-bool at_floor(const std::vector<Case>& cases, const Attribution& a, const Nominal& nominal, const Scales& scales,
-              const ParallelFor& parallel);
+bool at_floor(const Fit& fit, const Attribution& a);
 
 /// Part of the nominal joint's excess misfit at the middle level that is gone, where what a true joint of the kind
 /// would leave by its own noise is no excess: between the rows of a slow log, or behind a jump, that can be many
@@ -22,8 +21,7 @@ bool bends_only(const Candidate& candidate, const Eigen::VectorXd& x, const Scal
 bool two_free_shapes(const Attribution& a);
 
 /// Judges the best few against the noise that they themselves would have, which fixed thresholds do not know.
-void confirm(const std::vector<Case>& cases, std::vector<Attribution>& ranked, const Nominal& nominal,
-             const Scales& scales, const ParallelFor& parallel);
+void confirm(const Fit& fit, std::vector<Attribution>& ranked);
 
 struct Decision {
     bool named = false;
@@ -47,6 +45,6 @@ std::vector<Ranked> rank(const std::vector<Attribution>& singles, const std::vec
                          const Decision& decision, double rows);
 
 /// Whether any effect of usual size would have shown itself at five times the noise.
-bool could_have_shown(const std::vector<Case>& cases, const Scales& scales, const ParallelFor& parallel);
+bool could_have_shown(const Fit& fit);
 
 }  // namespace stickslip::gap

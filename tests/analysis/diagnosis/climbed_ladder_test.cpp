@@ -47,7 +47,7 @@ struct Search {
         for (const char* name : causes) {
             singles.push_back(single(name));
         }
-        search = std::make_unique<LadderSearch>(cases, scales, singles, policy::ladder, test::in_order);
+        search = std::make_unique<LadderSearch>(Fit{cases, scales, nominal, test::in_order}, singles, policy::ladder);
     }
     /// A cause of the catalogue in its first form, "stribeck", or in the one behind a colon.
     Attribution single(std::string_view cause) const
@@ -65,7 +65,7 @@ struct Search {
     {
         JudgedLadder j;
         j.ladder = std::move(ladder);
-        judge(j, search->data(), scales, nominal, test::in_order);
+        judge(j, search->data(), {cases, scales, nominal, test::in_order});
         return j;
     }
 };
@@ -96,7 +96,7 @@ TEST_CASE("a divided mass is found beside a larger cause that brought it to a st
     const Search search(m, {"viscous", "coulomb-level", "gravity", "compliance:divided-mass-encoder-on-link"});
     auto stiff = search.singles;
     stiff.back().x.fill(to_fit(stiff.back().candidate, {0.9, 5000, 0.3, 0.05}));
-    LadderSearch beside(search.cases, search.scales, stiff, policy::ladder, test::in_order);
+    LadderSearch beside({search.cases, search.scales, search.nominal, test::in_order}, stiff, policy::ladder);
     const auto ladder = beside.climb({}, policy::ladder.most_rungs);
     REQUIRE(ladder.rungs.size() == 2);
     const FittedSet& last = ladder.last();

@@ -1,6 +1,7 @@
 #include "analysis/diagnosis/search/free_force.h"
 #include "analysis/diagnosis/audit/prepare.h"
 #include "tests/analysis/diagnosis/small_machine.h"
+#include "tests/in_order.h"
 
 #include <catch2/catch.hpp>
 
@@ -23,10 +24,7 @@ struct Fitted {
             cases.back().number = cases.size() - 1;
         }
         scales = scales_of(cases);
-        fits = fit_free_forces(cases, scales, judge_nominal(cases),
-                               [](std::size_t n, const std::function<void(std::size_t)>& task) {
-                                   for (std::size_t i = 0; i < n; ++i) task(i);
-                               });
+        fits = fit_free_forces({cases, scales, judge_nominal(cases), test::in_order});
     }
 
     const FreeFit& best() const { return fits.at(0); }

@@ -40,6 +40,8 @@ struct Climbed {
             cases.back().number = cases.size() - 1;
         }
         scales = scales_of(cases);
+        const Nominal nominal = judge_nominal(cases);
+        const Fit fit{cases, scales, nominal, test::in_order};
         for (const Effect* e : effects) {
             Attribution a;
             a.candidate = {{e}, {&e->forms[0]}, cases.size()};
@@ -47,10 +49,10 @@ struct Climbed {
             // where a wave lies is found before a ladder is climbed
             const bool wave = std::ranges::any_of(
                 e->forms[0].parameters, [](const EffectParameter& p) { return p.grid != FrequencyGrid::none; });
-            if (wave) a = fit_singles(cases, scales, judge_nominal(cases), {a.candidate}, test::in_order).at(0);
+            if (wave) a = fit_singles(fit, {a.candidate}).at(0);
             singles.push_back(a);
         }
-        search = std::make_unique<LadderSearch>(cases, scales, singles, policy::ladder, test::in_order);
+        search = std::make_unique<LadderSearch>(fit, singles, policy::ladder);
         ladder = search->climb({}, policy::ladder.most_rungs);
     }
     static std::vector<const Effect*> effects_named(const std::vector<const char*>& names)

@@ -39,11 +39,12 @@ TEST_CASE("a member that explains everything alone, from where the pair found it
     const std::vector<Case> cases{prepare(test::record_of(m, 1), test::nominal_joint(), notes)};
     const Scales scales = scales_of(cases);
     const Nominal nominal = judge_nominal(cases);
+    const Fit context{cases, scales, nominal, test::in_order};
     const auto at = [&](const Candidate& c, std::vector<double> scaled) {
         LevelFit fit;
         fit.x = to_fit(c, scaled);
         fit.evaluation = evaluate(cases, c, in_si(c, fit.x, scales), levels[0]);
-        return as_screened(cases, scales, nominal, c, fit);
+        return as_screened(context, c, fit);
     };
     // caught far from the truth, beside another cause that looks better
     std::vector<Attribution> singles{at(of({"viscous"}), {0.1}), at(of({"coulomb-level"}), {-0.5})};
@@ -51,7 +52,7 @@ TEST_CASE("a member that explains everything alone, from where the pair found it
     pair.refined = true;
     REQUIRE_FALSE(singles[0].accepted);
     REQUIRE_FALSE(singles[1].accepted);
-    fit_members_alone(cases, scales, nominal, singles, {pair}, test::in_order);
+    fit_members_alone(context, singles, {pair});
     CHECK(singles[0].candidate.effects[0]->name == "coulomb-level");
     CHECK(singles[0].accepted);
     CHECK(in_si(singles[0].candidate, singles[0].x[1], scales)[0] == Approx(0.3).epsilon(0.05));
@@ -67,16 +68,17 @@ TEST_CASE("what the best pair brings to light looks for its own partner", "[gap]
     const std::vector<Case> cases{prepare(test::record_of(m, 1), test::nominal_joint(), notes)};
     const Scales scales = scales_of(cases);
     const Nominal nominal = judge_nominal(cases);
+    const Fit context{cases, scales, nominal, test::in_order};
     std::vector<Attribution> singles;
     for (const char* name : {"coulomb-level", "inertia", "viscous"}) {
         const Candidate c = of({name});
         LevelFit fit;
         fit.x = to_fit(c, {0.05});
         fit.evaluation = evaluate(cases, c, in_si(c, fit.x, scales), levels[0]);
-        singles.push_back(as_screened(cases, scales, nominal, c, fit));
+        singles.push_back(as_screened(context, c, fit));
     }
     // only the first of the singles, which is no part of the truth, looks for a partner among all
-    const auto pairs = fit_pairs(cases, scales, nominal, singles, 1, test::in_order);
+    const auto pairs = fit_pairs(context, singles, 1);
     REQUIRE_FALSE(pairs.empty());
     CHECK(pairs[0].candidate.effects == std::vector{effect_named("viscous"), effect_named("inertia")});
     CHECK(pairs[0].accepted);
@@ -111,7 +113,8 @@ TEST_CASE("a soft spring is found although springs too stiff to be seen miss by 
     const Trace trace = closed_loop(flatten(soft), t, 5);
     t.position = trace.position, t.velocity = trace.velocity, t.command = trace.command;
     const Nominal nominal = judge_nominal(cases);
-    const auto found = fit_singles(cases, scales, nominal, {spring}, test::in_order);
+    const Fit context{cases, scales, nominal, test::in_order};
+    const auto found = fit_singles(context, {spring});
     REQUIRE(found.size() == 1);
     CHECK(found[0].accepted);
     const auto si = in_si(spring, found[0].x[1], scales);
@@ -127,11 +130,12 @@ TEST_CASE("numbers that make up for each other are searched together in the end"
     const std::vector<Case> cases{prepare(test::record_of(m, 1), test::nominal_joint(), notes)};
     const Scales scales = scales_of(cases);
     const Nominal nominal = judge_nominal(cases);
+    const Fit context{cases, scales, nominal, test::in_order};
     const auto at = [&](const Candidate& c, const std::vector<double>& scaled) {
         LevelFit fit;
         fit.x = to_fit(c, scaled);
         fit.evaluation = evaluate(cases, c, in_si(c, fit.x, scales), levels[0]);
-        auto a = as_screened(cases, scales, nominal, c, fit);
+        auto a = as_screened(context, c, fit);
         a.refined = true;
         return a;
     };
@@ -140,7 +144,7 @@ TEST_CASE("numbers that make up for each other are searched together in the end"
                                    at(of({"coulomb-level", "viscous"}), {0.1 / scales.effort, 0.01})};
     REQUIRE(worst(pairs[0]) > 1.5);
     const auto smooth = pairs[1].x[0];
-    polish_best(cases, scales, nominal, pairs, 2, test::in_order);
+    polish_best(context, pairs, 2);
     REQUIRE(pairs[0].candidate.effects[1]->name == "saturation");
     CHECK(worst(pairs[0]) < 1.1);
     const auto si = in_si(pairs[0].candidate, pairs[0].x[1], scales);

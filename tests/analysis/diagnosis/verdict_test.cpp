@@ -141,7 +141,7 @@ TEST_CASE("of causes that come down to the noise the likelier comes first, thoug
     std::vector<Attribution> singles{found({"delay"}, 0.003, 1, true), found({"actuator-lag"}, 0.004, 1, true),
                                      found({"viscous"}, 0.5, 0, false)};
     singles[0].evidence = -0.100, singles[1].evidence = -0.105, singles[2].evidence = -0.9;
-    confirm({}, singles, {}, {}, test::in_order);
+    confirm({{}, {}, {}, test::in_order}, singles);
     CHECK(singles[0].candidate.effects[0]->name == "actuator-lag");
     CHECK(singles[1].candidate.effects[0]->name == "delay");
     CHECK(singles[2].candidate.effects[0]->name == "viscous");  // not accepted: its floor is not the question
@@ -189,7 +189,7 @@ TEST_CASE("a joint whose closed loop differs from no record by more than noise h
         Attribution none;
         none.evaluation = nominal.evaluation;
         for (auto& misfit : none.evaluation.back().records) misfit.position = 1.3;
-        return at_floor(cases, none, nominal, scales_of(cases), test::in_order);
+        return at_floor({cases, scales_of(cases), nominal, test::in_order}, none);
     };
     CHECK(at_its_floor({}));
     test::Machine rougher;

@@ -14,6 +14,7 @@
 #include "analysis/diagnosis/rig/rig.h"
 #include "analysis/diagnosis/tell_findings.h"
 #include "analysis/diagnosis/verdict/causes.h"
+#include "analysis/diagnosis/verdict/controller_cause.h"
 #include "analysis/diagnosis/verdict/find_causes.h"
 #include "analysis/diagnosis/verdict/locate.h"
 #include "analysis/diagnosis/verdict/reject.h"
@@ -145,7 +146,7 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
     const bool only_numbers = f.judged.only_corrections && f.judged.noise_left;
     const bool closed_loop = p.cases[0].controller_error.empty();  // else both were found independently
     if (f.by_ladder && !audit_alone && wrong_controller && shown && !only_numbers && closed_loop)
-        put_controller_in_order(cause_of(p, f.none, 0), f.judged.noise_left, d);
+        put_controller_in_order(cause_of(p, f.none, 0), f.judged, d);
     if (!f.climbed && shown) d.remainder.share = f.quiet ? 0 : std::clamp(1 - held.overall.explained, 0.0, 1.0);
     if (shown) tell_rivals(p, parallel, f, ranked, winner, d);
     if (shown) tell_filter(p, d);

@@ -86,9 +86,11 @@ void find_reading_noise(Case& c, const Record& record, std::vector<Note>& notes)
     if (!documented || estimated > believed * reading_sigma(gridded, span)) {
         notes.push_back(
             {documented ? Note::Code::noisier_than_documented : Note::Code::no_documented_noise, record.name});
-        c.sigma = std::max(c.sigma, estimated);
-        // what rounding adds is in the estimate, and a simulated reading will be rounded again
+        // slow motion over coarse steps has no third differences, and no noise to be seen: its readings are off by the
+        // rounding all the same, be it the encoder's or the file's
         const double rounding = gridded.encoder_quantum / std::sqrt(12.0);
+        c.sigma = std::max({c.sigma, estimated, documented ? 0 : rounding});
+        // what rounding adds is in the estimate, and a simulated reading will be rounded again
         const double white = std::sqrt(std::max(0.0, estimated * estimated - rounding * rounding));
         c.joint.sensor.position_noise = std::max(c.joint.sensor.position_noise, white);
     }

@@ -212,8 +212,8 @@ std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, 
     if (c.effort_sigma > 0)
         add("effort_measured", std::string(unit_of(Quantity::effort, Units(motion))), t.effort, &Trace::effort);
     // the noise of a reading is there, simulated or not, and k_p passes it on; it is that of the sensor in question:
-    // the steps of a coarser encoder are a gap
-    const double sigma = reading_sigma(joint.sensor, span_of(t.position));
+    // the steps of a coarser encoder are a gap. Where no noise is documented, nothing below those steps is known
+    const double sigma = c.noise_documented ? reading_sigma(joint.sensor, span_of(t.position)) : c.sigma;
     const double reading = 2 * sigma * sigma * 0.25, passed_on = command.factor * joint.control.k_p;
     for (auto& s : squares) {
         if (s.signal == "position") s.floor = std::max(s.floor, reading);

@@ -24,7 +24,7 @@ FittedSet Climber::unfitted_without(const FittedSet& set, std::size_t member) co
 FittedSet Climber::without(const FittedSet& set, std::size_t member) const
 {
     const FittedSet less = unfitted_without(set, member);
-    return fitter_.fit(less.causes, less.fit.x);
+    return fitter_.fit_rest(less.causes, less.fit.x);
 }
 
 bool Climber::worth_an_exchange(const FittedSet& set, const FittedSet& below, const Effect& other) const

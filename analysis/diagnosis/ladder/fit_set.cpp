@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/ladder/fit_set.h"
 
+#include "analysis/diagnosis/fit/block.h"
 #include "analysis/diagnosis/fit/excerpt.h"
 #include "analysis/diagnosis/fit/seeds.h"
 #include "analysis/diagnosis/ladder/plausible.h"
@@ -104,6 +105,17 @@ void SetFitter::look(Start& s, const FittedSet& below) const
     }
 }
 
+LevelFit SetFitter::improved(const std::vector<Case>& cases, const Candidate& candidate, const Eigen::VectorXd& x,
+                             int effort, int steps, Waves waves) const
+{
+    // what is jagged is searched, not descended, and near its start
+    if (waves == Waves::move || jagged(candidate)) return improve(cases, candidate, scales_, x, omega, effort, steps);
+    Kept kept;
+    for (std::size_t i = 0; i < candidate.parameter_count(); ++i)
+        kept.push_back(candidate.parameter(i).grid != FrequencyGrid::none);
+    return descend_block(cases, candidate, scales_, x, omega, steps, kept);
+}
+
 LevelFit SetFitter::refit(const Candidate& causes, const Eigen::VectorXd& x0) const
 {
     return improve(data_.fitted(), corrections_.beside(causes).candidate, scales_, x0, omega, effort, steps);
@@ -116,18 +128,25 @@ FittedSet SetFitter::fit(const Candidate& causes, const Eigen::VectorXd& x0) con
 
 FittedSet SetFitter::fit_folds(const Candidate& causes, LevelFit found) const
 {
-    return fit_folds(corrections_.beside(causes), causes, std::move(found));
+    return fit_folds(corrections_.beside(causes), causes, std::move(found), Waves::move);
+}
+
+FittedSet SetFitter::fit_rest(const Candidate& causes, const Eigen::VectorXd& x0) const
+{
+    Corrected model = corrections_.beside(causes);
+    auto found = improved(data_.fitted(), model.candidate, x0, effort, steps, Waves::stay);
+    return fit_folds(std::move(model), causes, std::move(found), Waves::stay);
 }
 
 FittedSet SetFitter::fit_without(const FittedSet& set, std::size_t correction) const
 {
     Corrected model = Corrections::but(set.model, correction);
     const auto x0 = Corrections::start(model, set.model, set.fit.x, set.of_causes(set.fit.x));
-    auto found = improve(data_.fitted(), model.candidate, scales_, x0, omega, effort, steps);
-    return fit_folds(std::move(model), set.causes, std::move(found));
+    auto found = improved(data_.fitted(), model.candidate, x0, effort, steps, Waves::stay);
+    return fit_folds(std::move(model), set.causes, std::move(found), Waves::stay);
 }
 
-FittedSet SetFitter::fit_folds(Corrected model, const Candidate& causes, LevelFit found) const
+FittedSet SetFitter::fit_folds(Corrected model, const Candidate& causes, LevelFit found, Waves waves) const
 {
     FittedSet set;
     set.causes = causes;
@@ -135,7 +154,7 @@ FittedSet SetFitter::fit_folds(Corrected model, const Candidate& causes, LevelFi
     set.fit = std::move(found);
     const Candidate& c = set.model.candidate;
     for (std::size_t f = 0; f < HeldOutData::folds; ++f) {
-        set.x[f] = improve(data_.without(f), c, scales_, set.fit.x, omega, effort_of_fold, steps_of_fold).x;
+        set.x[f] = improved(data_.without(f), c, set.fit.x, effort_of_fold, steps_of_fold, waves).x;
         set.left[f] = data_.judge(f, c, in_si(c, set.x[f], scales_));
     }
     set.plausible = plausible(causes, set.of_causes(set.fit.x), scales_, data_.cases()[0].joint, ranges_);

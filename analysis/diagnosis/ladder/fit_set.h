@@ -38,13 +38,19 @@ class SetFitter {
     /// To all rows alone.
     LevelFit refit(const Candidate& causes, const Eigen::VectorXd& x0) const;
     FittedSet fit(const Candidate& causes, const Eigen::VectorXd& x0) const;
+    /// What is left of a set after a cause was taken away: waves stay where they are. One that moved into the place of
+    /// what was taken away would be another cause.
+    FittedSet fit_rest(const Candidate& causes, const Eigen::VectorXd& x0) const;
     /// The same of numbers that a search has found: only the folds are fitted.
     FittedSet fit_folds(const Candidate& causes, LevelFit found) const;
-    /// The set with the number of one of its corrections as documented, the others refitted.
+    /// The set with the number of one of its corrections as documented, the others refitted, waves where they are.
     FittedSet fit_without(const FittedSet& set, std::size_t correction) const;
 
   private:
-    FittedSet fit_folds(Corrected model, const Candidate& causes, LevelFit found) const;
+    enum class Waves { move, stay };
+    LevelFit improved(const std::vector<Case>& cases, const Candidate& candidate, const Eigen::VectorXd& x, int effort,
+                      int steps, Waves waves) const;
+    FittedSet fit_folds(Corrected model, const Candidate& causes, LevelFit found, Waves waves) const;
     const HeldOutData& data_;
     const Scales& scales_;
     const Corrections& corrections_;

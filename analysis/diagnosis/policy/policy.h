@@ -131,9 +131,9 @@ inline constexpr double odds_of_indistinguishable = 0.368;  // 1/e
 /// command; only another term of the same controller can imitate it. Evidence: the four findings with this probability
 /// in other cases (k_p, k_v, a grid, a filter) are right.
 inline constexpr double doubt_of_finding = 0.02;
-/// Probability that such a finding is the only cause, where more than noise remains and no effect was found for it.
-/// Reason: the finding is certain, and as likely as not alone. Definition: a half says that nothing is known of other
-/// causes.
+/// Probability that such a finding is the only cause, where more than noise remains that neither an effect nor numbers
+/// of the document were found for. Reason: the finding is certain, and as likely as not alone. Definition: a half says
+/// that nothing is known of other causes.
 inline constexpr double finding_and_more = 0.5;
 /// Probabilities that wrong documented parameters are the only cause: where only noise remains, and where more does.
 /// Reason: several parameters together can imitate many causes. Evidence: of 28 such answers on fresh dirty draws

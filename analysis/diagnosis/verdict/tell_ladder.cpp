@@ -148,7 +148,14 @@ void tell_ladder(const Prepared& p, const Findings& f, double audited, Diagnosis
         }
     const auto first = static_cast<std::ptrdiff_t>(p.audit.findings.empty() ? 0 : 1);
     d.corrections = corrections_of(p, j);
-    const double gap = std::max(1e-300, j.shares.documented);
+    if (!(j.shares.documented > 0)) {
+        // from row to row all is within the noise: nothing is left to be explained
+        d.ceiling.share = 1, d.ceiling.interval = {1, 1};
+        d.corrected_share = rest;
+        d.remainder.share = 0;
+        return;
+    }
+    const double gap = j.shares.documented;
     // where nothing is named, no cause stands beside the corrections
     d.corrected_share = std::max(0.0, 1 - (told ? j.shares.corrected : j.shares.base) / gap);
     for (const auto& [effect, share] : j.numbers) {
@@ -225,25 +232,6 @@ std::vector<Cause> causes_of(const Prepared& p, const JudgedLadder& j)
         if (rival.rung == 0 || rival.odds >= policy::odds_of_indistinguishable)
             add(*rival.set, rival.names, all * rival.odds);
     return causes;
-}
-
-void put_controller_in_order(Cause controller, bool noise_left, Diagnosis& d)
-{
-    if (d.ladder.empty() || d.effects.empty()) return;
-    double beside = 0, sum = 0;
-    for (std::size_t i = 1; i < d.ladder.size(); ++i) beside += d.ladder[i].share;
-    for (const auto& c : d.effects) sum += c.probability;
-    // an encoder's coarser steps take nothing of the gap that they make, and corrections are no causes beside them
-    const bool good_part = beside > 0 && beside >= policy::least_against_corrections * d.ladder[0].share;
-    if (good_part && noise_left) return;
-    if (good_part && d.effects[0].probability > policy::finding_and_more) {
-        controller.probability = std::max(0.0, 1 - sum);
-        d.effects.insert(d.effects.begin() + 1, std::move(controller));
-        return;
-    }
-    controller.probability = noise_left ? 1 - policy::doubt_of_noise : policy::finding_and_more;
-    for (auto& c : d.effects) c.probability *= 1 - controller.probability;
-    d.effects.insert(d.effects.begin(), std::move(controller));
 }
 
 }  // namespace stickslip::gap

@@ -30,9 +30,4 @@ std::vector<RungRival> indistinguishable(const JudgedLadder& judged);
 /// Probability that all rungs are right, and the document's numbers that count as rungs.
 double chance_of_all(const JudgedLadder& judged);
 
-/// Puts what the controller's regression is sure of, the first rung of the ladder, among the effects by itself: first,
-/// unless causes in the mechanism are likely and take a good part beside it. Where those leave only noise, a small part
-/// is no doubt about the controller.
-void put_controller_in_order(Cause controller, bool noise_left, Diagnosis& diagnosis);
-
 }  // namespace stickslip::gap

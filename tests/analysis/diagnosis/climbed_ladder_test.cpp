@@ -88,6 +88,26 @@ TEST_CASE("a number further off than documents are is freed beside a cause, thou
     CHECK(si[at] == Approx(-0.44).margin(0.01 * level));
 }
 
+TEST_CASE("a wave stays where it is when what was found with it is taken away", "[gap][ladder]")
+{
+    Machine m;
+    m.cogging = 0.8, m.viscous = 6;
+    const Search search(m, {"viscous", "cogging"});
+    Attribution known;
+    known.candidate = {{effect_named("viscous"), effect_named("cogging")},
+                       {&effect_named("viscous")->forms[0], &effect_named("cogging")->forms[0]},
+                       search.cases.size()};
+    known.x.fill(to_fit(known.candidate, {0.5, 0.3, 0.1, 3}));
+    const Ladder both = search.search->of(known), one = search.search->without(both, *effect_named("viscous"));
+    REQUIRE(both.rungs.size() == 2);
+    REQUIRE(one.rungs.size() == 1);
+    const FittedSet &with = both.last(), &less = one.last();
+    REQUIRE(less.causes.effects[0]->name == "cogging");
+    // sizes answer to what is missing; the length of the wave is what it is called by
+    CHECK(less.of_causes(less.fit.x)[0] != with.of_causes(with.fit.x)[1]);
+    CHECK(less.of_causes(less.fit.x)[2] == with.of_causes(with.fit.x)[3]);
+}
+
 TEST_CASE("a divided mass is found beside a larger cause that brought it to a stiff spring alone",
           "[gap][ladder][slow]")
 {

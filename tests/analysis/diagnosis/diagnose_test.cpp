@@ -317,6 +317,22 @@ TEST_CASE("a document that is usually off needs no cause, even where one explain
         if (correction.name == "inertia") CHECK(correction.number.value == Approx(0.98).margin(0.003));
 }
 
+TEST_CASE("what only hides in an encoder's steps is no cause beside a document that is usually off",
+          "[gap][ladder][slow]")
+{
+    Machine m;
+    m.inertia = 1.2 * 1.06, m.coulomb = 2 * 0.97, m.noise = 2e-5, m.quantum = 6e-4;
+    Joint joint = nominal_joint();
+    joint.sensor.position_noise = joint.sensor.encoder_quantum = 0;
+    DiagnosisOptions options;
+    options.ensemble = 4;
+    const auto d = test::answer(joint, records_of(m), test::in_order, options).diagnosis;
+    for (const auto& cause : d.effects)
+        for (const auto& name : cause.names) UNSCOPED_INFO(name << " " << cause.probability);
+    REQUIRE(d.verdict == Verdict::gap);
+    CHECK(d.effects.at(0).names == std::vector<std::string>{"quantisation"});
+}
+
 TEST_CASE("an inertia that changes on the way is no document that is off", "[gap][ladder][slow]")
 {
     Machine m;

@@ -64,6 +64,8 @@ TEST_CASE("floors are of the joint in question: the steps of a coarser encoder t
     const double steps = m.quantum * m.quantum / 12;
     CHECK(before < 0.1 * steps);
     CHECK(floor_of(audited) >= 0.5 * steps);
+    c.noise_documented = false;  // below its steps nothing is known of the joint, documented or audited
+    CHECK(floor_of(documented) >= 0.5 * steps);
 }
 
 TEST_CASE("a nominal simulation that is unstable at its rate is no noise floor", "[gap]")

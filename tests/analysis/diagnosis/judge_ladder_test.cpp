@@ -2,6 +2,7 @@
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/verdict/chances.h"
+#include "analysis/diagnosis/verdict/controller_cause.h"
 #include "analysis/diagnosis/verdict/experiment.h"
 #include "analysis/diagnosis/verdict/tell_ladder.h"
 #include "tests/analysis/diagnosis/small_machine.h"
@@ -163,7 +164,8 @@ TEST_CASE("a small term that takes little is not what the gap comes from, any ot
 
 TEST_CASE("the controller stands first by itself, and with causes that take a good part beside it", "[gap][ladder]")
 {
-    const auto answer = [](double of_controller, double of_rung, double chance, bool noise_left = false) {
+    const auto answer = [](double of_controller, double of_rung, double chance, bool noise_left = false,
+                           bool numbers = false) {
         Diagnosis d;
         d.ladder.resize(2);
         d.ladder[0].share = of_controller, d.ladder[1].share = of_rung;
@@ -172,7 +174,9 @@ TEST_CASE("the controller stands first by itself, and with causes that take a go
         d.effects[1].names = {"compliance"}, d.effects[1].probability = 0.05;
         Cause controller;
         controller.names = {"velocity-filter"};
-        put_controller_in_order(controller, noise_left, d);
+        JudgedLadder j;
+        j.noise_left = noise_left, j.only_corrections = numbers;
+        put_controller_in_order(controller, j, d);
         return d.effects;
     };
     const auto both = answer(0.3, 0.5, 0.9);
@@ -185,6 +189,10 @@ TEST_CASE("the controller stands first by itself, and with causes that take a go
         CHECK(alone[0].probability == 0.5);
         CHECK(alone[1].names.size() == 2);
     }
+    // numbers of the document beside it are none of it: both answers have to be right
+    const auto beside_numbers = answer(0.6, 0, 0.75, false, true);
+    CHECK(beside_numbers[0].probability == Approx(0.98 * 0.75));
+    CHECK(beside_numbers[1].probability == Approx(0.75 * (1 - 0.98 * 0.75)));
     // small things that leave only noise are no doubt about the controller, and large ones belong to the answer
     CHECK(answer(0.9, 0.01, 0.9, true)[0].names.size() == 1);
     CHECK(answer(0.9, 0.01, 0.9, true)[0].probability == Approx(1 - policy::doubt_of_noise));

@@ -1,0 +1,32 @@
+#include "analysis/diagnosis/verdict/controller_cause.h"
+
+#include "analysis/diagnosis/policy/policy.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace stickslip::gap {
+
+void put_controller_in_order(Cause controller, const JudgedLadder& j, Diagnosis& d)
+{
+    if (d.ladder.empty() || d.effects.empty()) return;
+    double beside = 0, sum = 0;
+    for (std::size_t i = 1; i < d.ladder.size(); ++i) beside += d.ladder[i].share;
+    for (const auto& c : d.effects) sum += c.probability;
+    // an encoder's coarser steps take nothing of the gap that they make, and corrections are no causes beside them
+    const bool good_part = beside > 0 && beside >= policy::least_against_corrections * d.ladder[0].share;
+    if (good_part && j.noise_left) return;
+    if (good_part && d.effects[0].probability > policy::finding_and_more) {
+        controller.probability = std::max(0.0, 1 - sum);
+        d.effects.insert(d.effects.begin() + 1, std::move(controller));
+        return;
+    }
+    // numbers of the document are no cause beside it: it is alone where they are all that is off
+    controller.probability = j.noise_left         ? 1 - policy::doubt_of_noise
+                             : j.only_corrections ? (1 - policy::doubt_of_finding) * d.effects[0].probability
+                                                  : policy::finding_and_more;
+    for (auto& c : d.effects) c.probability *= 1 - controller.probability;
+    d.effects.insert(d.effects.begin(), std::move(controller));
+}
+
+}  // namespace stickslip::gap

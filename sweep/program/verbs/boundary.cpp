@@ -198,8 +198,7 @@ void add_boundary(CLI::App& app, Invocation& invocation)
                      "exit 4 if more than this share of the scanned points has no verdict")
         ->check(between(0, 1))
         ->capture_default_str();
-    verb->add_flag("--ideal-loop", options->ideal_loop,
-                   "the paper's loop: no sampling, dead time, filter, lag or integral");
+    add_ideal_loop(*verb, options->ideal_loop);
     verb->add_flag("--json", options->json, "print boundary.json instead of text");
     verb->footer(
         "Examples:\n"

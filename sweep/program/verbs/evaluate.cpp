@@ -7,6 +7,7 @@
 #include "sweep/files/json/verdict_json.h"
 #include "sweep/program/verbs/evaluated.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/left_out.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/load_section.h"
 #include "sweep/words/integral_text.h"
@@ -129,8 +130,7 @@ void add_evaluate(CLI::App& app, Invocation& invocation)
                      "multiple of the usual work (about a second): longer motions, more crossings and reductions of "
                      "delayed friction")
         ->check(positive_number());
-    verb->add_flag("--ideal-loop", options->ideal_loop,
-                   "the paper's loop: no sampling, dead time, filter, lag or integral");
+    add_ideal_loop(*verb, options->ideal_loop);
     verb->add_flag("--json", options->json, "machine-readable, stable names");
     verb->footer(
         "Example: stickslip evaluate examples/02-ball-screw/joint-with-memory.toml --set control.k_p=2e4 --json\n"

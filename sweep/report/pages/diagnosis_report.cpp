@@ -141,15 +141,9 @@ Section boundary_section(const Diagnosis& d, const Joint& before, const Joint& a
     constexpr double slow_part = 0.1;  // where stick-slip is to be feared
     auto moved = moved_boundary(before, after, given ? before.control.V0 : slow_part * d.usual_speed,
                                 "with " + together(d.effects[0].names));
-    Section boundary{"boundary",
-                     "Effect on the stability map",
-                     moved.sentence +
+    return moved_section(std::move(moved),
                          " Friction, inertia, gains, delays, filters and sampling move the boundary; limits and "
-                         "terms that depend on position or time are not in this theory.",
-                     std::move(moved.figures),
-                     {}};
-    if (!moved.table.rows.empty()) boundary.tables.push_back(std::move(moved.table));
-    return boundary;
+                         "terms that depend on position or time are not in this theory.");
 }
 
 }  // namespace

@@ -39,11 +39,8 @@ std::vector<Headline> headlines(const OutcomeAnswer& a)
 
 Section boundary_section(const OutcomeAnswer& a, const Joint& nominal)
 {
-    auto moved =
-        moved_boundary(nominal, a.after, a.diagnosis.usual_speed, "with " + std::string(a.laws.front().rival->law));
-    Section boundary{"boundary", "Effect on the stability map", moved.sentence, std::move(moved.figures), {}};
-    if (!moved.table.rows.empty()) boundary.tables.push_back(std::move(moved.table));
-    return boundary;
+    return moved_section(
+        moved_boundary(nominal, a.after, a.diagnosis.usual_speed, "with " + std::string(a.laws.front().rival->law)));
 }
 
 }  // namespace

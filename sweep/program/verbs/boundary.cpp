@@ -45,7 +45,7 @@ void answer_one(BoundaryAnswer& answer, BoundaryRequest request, const std::vect
     answer.rays.push_back(std::move(ray));
 }
 
-/// Returns how many questions were answered before somebody asked to stop. What lies under the curves comes last.
+/// Returns how many questions were answered before a stop was requested. What lies under the curves comes last.
 std::size_t answer_all(BoundaryAnswer& answer, const std::vector<BoundaryQuestion>& questions,
                        const Invocation& invocation)
 {

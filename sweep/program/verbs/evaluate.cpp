@@ -85,7 +85,7 @@ void print_text(const Evaluated& e)
     if (e.integral) fmt::print("{}\n", plain_text(integral_text(*e.integral, e.units())));
     if (!e.servo.empty()) fmt::print("{}\n", e.servo);
     if (e.motion)
-        fmt::print("  {:<40} {} at {}\n", "largest linear answer to the force",
+        fmt::print("  {:<40} {} at {}\n", "largest linear response to the force",
                    with_unit(e.motion->peak, Quantity::position, e.units()),
                    with_unit(e.motion->peak_time, Quantity::time, e.units()));
     if (e.loads) print_rows(load_table(e.joint, *e.loads));

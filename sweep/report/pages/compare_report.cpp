@@ -50,13 +50,13 @@ Table table_of(std::string title, const std::vector<ComparedNumber>& numbers, Un
 
 std::vector<ComparedNumber> design_numbers(const LinearVerdict& a, const LinearVerdict& b)
 {
-    return {
-        {"commanded velocity V_{0}", a.steady.velocity, b.steady.velocity, Quantity::velocity},
-        {"friction of steady sliding f_{ss}(V_{0})", a.steady.friction, b.steady.friction, Quantity::effort},
-        {"least k_{v} by velocity alone", a.velocity_only.k_v_min, b.velocity_only.k_v_min, Quantity::velocity_gain},
-        {"critical position gain k_{cr}", a.state_variable.k_cr, b.state_variable.k_cr, Quantity::position_gain},
-        {"spectral abscissa max Re s", a.state_variable.spectral_abscissa, b.state_variable.spectral_abscissa,
-         Quantity::rate}};
+    return {{"commanded velocity V_{0}", a.steady.velocity, b.steady.velocity, Quantity::velocity},
+            {"friction of steady sliding f_{ss}(V_{0})", a.steady.friction, b.steady.friction, Quantity::effort},
+            {"least k_{v} of the velocity-only model", a.velocity_only.k_v_min, b.velocity_only.k_v_min,
+             Quantity::velocity_gain},
+            {"critical position gain k_{cr}", a.state_variable.k_cr, b.state_variable.k_cr, Quantity::position_gain},
+            {"spectral abscissa max Re s", a.state_variable.spectral_abscissa, b.state_variable.spectral_abscissa,
+             Quantity::rate}};
 }
 
 /// Numbers of the joints that differ, by path.

@@ -25,7 +25,7 @@ Figure demand_figure(const Joint& joint, const LinearDetails& d)
     for (const auto* line : {&d.demanded_memory, &d.demanded_simple})
         chart.y_log = chart.y_log || std::any_of(line->y.begin(), line->y.end(), [](double y) { return y > 0; });
     chart.lines = {{"with memory", d.demanded_memory.x, d.demanded_memory.y},
-                   {"velocity alone", d.demanded_simple.x, d.demanded_simple.y, true}};
+                   {"velocity-only model", d.demanded_simple.x, d.demanded_simple.y, true}};
     chart.x_marks.emplace_back("here", std::abs(d.velocity));
     const auto& here = d.study.comparison;
     return line_figure(
@@ -45,7 +45,7 @@ Table comparison_table(const Joint& joint, const LinearStudy& study)
     const auto& c = study.comparison;
     Table table;
     table.title = "What each theory requires of this joint";
-    table.columns = {"", "velocity alone", "with memory"};
+    table.columns = {"", "velocity-only model", "with memory"};
     if (c.known)
         table.rows = {{"velocity gain required at this k_{p}", demanded_text(c.k_v_velocity_only, words.units),
                        demanded_text(c.k_v_memory, words.units)},

@@ -27,9 +27,9 @@ Section ramp_section(const Joint& joint, const LinearDetails& details)
     std::string finding;
     for (const bool memory : {true, false}) {
         const auto& springs = (*details.ramps)[!memory];
-        LineChart::Line lower{memory ? "with memory, stable above" : "velocity alone, stable above", springs.above.x,
-                              springs.above.y, !memory},
-            upper{memory ? "with memory, stable below" : "velocity alone, stable below", springs.below.x,
+        LineChart::Line lower{memory ? "with memory, stable above" : "velocity-only model, stable above",
+                              springs.above.x, springs.above.y, !memory},
+            upper{memory ? "with memory, stable below" : "velocity-only model, stable below", springs.below.x,
                   springs.below.y, !memory};
         const auto drawn = [](const LineChart::Line& l) {
             return std::any_of(l.y.begin(), l.y.end(), [](double y) { return !std::isnan(y); });
@@ -38,7 +38,7 @@ Section ramp_section(const Joint& joint, const LinearDetails& details)
             if (drawn(*line)) chart.lines.push_back(std::move(*line));
         finding += (finding.empty() ? "At this ramp of " + with_unit(rate, Quantity::effort_rate, words.units) +
                                           ", springs slide smoothly with memory for k_{p} "
-                                    : "; by velocity alone ") +
+                                    : "; in the velocity-only model ") +
                    words.gains(springs.here, Quantity::position_gain);
     }
     if (chart.lines.empty()) {

@@ -31,7 +31,7 @@ Section response_section(const Joint& joint, const LinearDetails& details)
     chart.y_label = words.units.motion == Motion::prismatic ? AxisName{"|X/D|", "m/N"} : AxisName{"|X/D|", "rad/(N·m)"};
     chart.x_log = chart.y_log = true;
     chart.lines = {{"with memory", details.response_memory.x, details.response_memory.y},
-                   {"velocity alone", details.response_simple.x, details.response_simple.y, true}};
+                   {"velocity-only model", details.response_simple.x, details.response_simple.y, true}};
     const bool stable = !std::isnan(study.peak.magnitude);
     if (stable && study.peak.omega > 0)
         chart.x_marks.emplace_back("peak at " + with_unit(study.peak.omega, Quantity::angular_frequency, words.units),

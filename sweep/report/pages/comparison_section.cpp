@@ -13,7 +13,7 @@ namespace {
 /// The least k_v at the joint's own k_p over its searched velocities, by both theories.
 Figure demand_figure(const Joint& joint, const LinearDetails& d)
 {
-    const Words words{units_of(joint)};
+    const GainWords words{units_of(joint)};
     LineChart chart;
     chart.title = "Velocity gain that each theory requires";
     chart.fixed = "k_{p} = " + words.stiffness(joint.control.k_p);
@@ -41,7 +41,7 @@ Figure demand_figure(const Joint& joint, const LinearDetails& d)
 
 Table comparison_table(const Joint& joint, const LinearStudy& study)
 {
-    const Words words{units_of(joint)};
+    const GainWords words{units_of(joint)};
     const auto& c = study.comparison;
     Table table;
     table.title = "What each theory requires of this joint";
@@ -80,7 +80,7 @@ Table comparison_table(const Joint& joint, const LinearStudy& study)
     return table;
 }
 
-std::string comparison_words(const Comparison& c, const Words& words)
+std::string comparison_words(const Comparison& c, const GainWords& words)
 {
     std::string text =
         "The velocity-only model is stable where k_{v} outweighs the falling steady curve, (21); with memory, sliding "
@@ -114,7 +114,7 @@ bool stands_at(const LineChart& chart, double value)
     return !chart.lines.empty() && std::all_of(chart.lines.begin(), chart.lines.end(), same);
 }
 
-std::string stable_everywhere_text(const LineChart& chart, const Interval& velocities, const Words& words)
+std::string stable_everywhere_text(const LineChart& chart, const Interval& velocities, const GainWords& words)
 {
     std::string gains;
     for (const auto& line : chart.lines) gains += (gains.empty() ? "" : ", ") + line.name;
@@ -131,7 +131,7 @@ std::string stable_everywhere_text(const LineChart& chart, const Interval& veloc
 Section comparison_section(const Joint& joint, const LinearDetails& details)
 {
     const auto& study = details.study;
-    const Words words{units_of(joint)};
+    const GainWords words{units_of(joint)};
     Section section{"comparison", "Velocity-only model and memory", comparison_words(study.comparison, words), {}, {}};
     if (!study.comparison.known) section.text += " This loop has no independent gains k_{p} and k_{v}.";
     if (!std::isnan(study.velocities.low)) {

@@ -10,7 +10,7 @@
 namespace stickslip {
 
 /// Values of one joint with their units.
-struct Words {
+struct GainWords {
     Units units;
     std::string damping(double v) const { return with_unit(v, Quantity::velocity_gain, units, 4); }
     std::string stiffness(double v) const { return with_unit(v, Quantity::position_gain, units, 4); }

@@ -9,7 +9,7 @@ namespace stickslip {
 
 Section ramp_section(const Joint& joint, const LinearDetails& details)
 {
-    const Words words{units_of(joint)};
+    const GainWords words{units_of(joint)};
     Section section{"ramps",
                     "Force ramps through a spring",
                     "Armstrong's experiment (§5): the force ramps at a constant rate r through a spring, so that the "

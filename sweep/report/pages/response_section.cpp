@@ -18,7 +18,7 @@ std::string degrees(double angle)
 Section response_section(const Joint& joint, const LinearDetails& details)
 {
     const auto& study = details.study;
-    const Words words{units_of(joint)};
+    const GainWords words{units_of(joint)};
     const auto compliance = [&](double x_per_d) {
         const bool none = std::isnan(x_per_d);
         return none ? std::string("–") : with_unit(1 / x_per_d, Quantity::stiffness, words.units, 4);

@@ -74,7 +74,7 @@ std::optional<Located> Tracer::correct(UnitPoint q, const Exit& heading, const P
         failure_ = Failure::undecided;
         return {};
     }
-    // the sides keep to their hands along the way, so the side at q tells where the boundary lies
+    // the sides keep to their hands along the way, so the side at q says where the boundary lies
     const double left = along_y ? (t.u > 0 ? 1 : -1) : (t.v > 0 ? -1 : 1);
     const double outwards = (fa < 0 ? -1.0 : 1.0) == heading.left ? -left : left;
     // next to a value of zero nothing is relatively precise, but a place of the chart is no finer than this
@@ -103,7 +103,7 @@ std::optional<Located> Tracer::correct(UnitPoint q, const Exit& heading, const P
         }
         const double here = along_y ? b.v : b.u;
         if (last || here == 0 || here == 1) return {};
-        // a chord that falls tells how far it is, with what it misses once more
+        // a chord that falls gives the distance, with what it misses once more
         const double fall = std::abs(fa) - std::abs(fb);
         const double chord = sides_.continuous && fall > 0 ? 1.5 * width * std::abs(fa) / fall : 0;
         a = b, fa = fb;

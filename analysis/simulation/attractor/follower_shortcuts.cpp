@@ -89,7 +89,7 @@ bool Follower::jump(double growth)
     return false;
 }
 
-/// Beside a period doubling turns come back long before they have told after how many: the orbit that attracts decides.
+/// Beside a period doubling turns come back long before it is clear after how many: the orbit that attracts decides.
 bool Follower::shoot_repeat(int watched_turns)
 {
     if (!several_turns_.taken_at(result_.turns)) return false;

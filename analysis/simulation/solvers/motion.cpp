@@ -70,7 +70,7 @@ void SlidingMotion::start(const FlowVector& y, double t)
         if (mutable_flow_) mutable_flow_->branch = y_[1] > 0 ? Branch::forward : Branch::reverse;
         restart();
     }
-    tell();
+    notify();
 }
 
 void SlidingMotion::surround(double force, double normal_load)
@@ -84,7 +84,7 @@ void SlidingMotion::surround(double force, double normal_load)
         if (late_) late_->note_kink(y_);
         restart();
     }
-    tell();
+    notify();
 }
 
 void SlidingMotion::restart()
@@ -114,7 +114,7 @@ bool SlidingMotion::fall_back()
     return true;
 }
 
-void SlidingMotion::tell()
+void SlidingMotion::notify()
 {
     if (observer_) observer_({t_, y_, stuck_ ? 0.0 : flow_->velocity(y_), stuck_, *flow_});
 }
@@ -136,7 +136,7 @@ Turn SlidingMotion::run(double t_end, const std::function<bool(const FlowVector&
             if (!stick(t_end)) return finished(turn, Turn::End::held);
             turn.position_min = std::min(turn.position_min, y_[0]);
             turn.velocity_min = std::min(turn.velocity_min, 0.0);
-            tell();
+            notify();
             if (t_ >= t_end) return finished(turn, Turn::End::time);
         } else if (const auto end = slide(t_end, settled, turn)) {
             return finished(turn, *end);
@@ -178,7 +178,7 @@ std::optional<Turn::End> SlidingMotion::slide(double t_end, const std::function<
         return Turn::End::failure;
     else if (!switched && ++steps_of_clock_ > settled_steps && to - from < resolved_step * from)
         restart();
-    tell();
+    notify();
     if (report.end == StepEnd::event && report.event == section && report.direction < 0) return Turn::End::crossing;
     if (report.end == StepEnd::time && t_ >= t_end) return Turn::End::time;
     if (settled && !stuck_ && settled(y_)) return Turn::End::settled;

@@ -77,7 +77,7 @@ class SlidingMotion {
     Turn begun_turn();
     Turn finished(Turn turn, Turn::End end) const;
     void measure_step(double from, double to, const FlowVector& before, const StepReport& report, Turn& turn);
-    void tell();
+    void notify();
 
     std::unique_ptr<Flow> flow_;
     SlidingFlow* mutable_flow_ = nullptr;  ///< flow_, where branches are switched
